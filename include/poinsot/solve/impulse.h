@@ -1,0 +1,64 @@
+// Impulse and momentum: the velocities just after a blow, and the impulses of everything that holds the bodies.
+//
+// A blow lasts no time: positions stay, forces of finite size do nothing, and for every body the momenta before plus
+// all impulses on it are equivalent to its momenta after (Eq. 17.4). Joints, contacts and taut cords forbid after the
+// blow what they forbade before; an impact reverses the relative velocity at its point, reduced by the coefficient of
+// restitution. Unknown are the velocities after and the components of all impulses.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "poinsot/solve/equations.h"
+
+namespace poinsot::solve {
+
+// A given impulse on a body, about the ground's origin on ground axes.
+struct KnownImpulse {
+  int action = 0;
+  int on = ground;
+  SpatialForce<double> wrench{};
+  // A particle that stays in the body at the place: it takes up its mass times the velocity of the place after.
+  double absorbed = 0;
+  Place<double> at;
+};
+
+// Body `on` strikes body `from` at a place; `push` is the direction of the impulse on `on` and rides with `from`.
+struct Impact {
+  std::string name;
+  int action = 0;
+  int on = ground, from = ground;
+  Place<double> at;
+  Direction<double> push;
+  double restitution = 0;
+};
+
+struct Blow {
+  std::vector<KnownImpulse> impulses;
+  std::vector<Impact> impacts;
+  std::vector<int> held_coordinates;  // of frames: they move on as stated
+};
+
+// Order of the unknowns: velocities after, impulses of the mechanism's components, of held drives, of the impacts.
+struct ImpulseUnknowns {
+  std::size_t velocities = 0, components = 0, efforts = 0, impacts = 0;
+  std::vector<std::size_t> drive_of_effort;
+  std::size_t size() const { return velocities + components + efforts + impacts; }
+};
+ImpulseUnknowns impulse_unknowns(const Mechanism<double>& mechanism, const Blow& blow);
+
+// before: poses and velocities just before. acting: for each action of the mechanism, whether it takes part (a slack
+// cord does not). conditions: over all unknowns.
+LinearSolution solve_impulse(const Moment& before, const Scales& scales, const Blow& blow,
+                             const std::vector<Condition>& conditions, const std::vector<bool>& acting,
+                             LinearSystem* equations = nullptr);
+
+SpatialForce<double> impact_wrench(const Moment& moment, const Impact& impact);  // of size one
+
+// Velocity of `on` relative to `from` along the push; negative while they approach each other.
+double approach(const Moment& moment, const Impact& impact);
+
+// Total impulse of one action, about the ground's origin on ground axes.
+SpatialForce<double> action_impulse(const Moment& moment, const Blow& blow, const std::vector<double>& unknowns, std::size_t action);
+
+}  // namespace poinsot::solve

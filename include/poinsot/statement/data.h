@@ -1,0 +1,81 @@
+// The values of a statement's data: given numbers, letters, points and directions, all as drawn.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "poinsot/math/vector3.h"
+#include "poinsot/statement/evaluate.h"
+#include "poinsot/statement/problem.h"
+
+namespace poinsot::statement {
+
+// Values that come from outside the file, by name, in SI.
+using Settings = std::map<std::string, Value<double>>;
+
+// Standard gravity, m/s^2.
+inline constexpr double standard_gravity = 9.80665;
+
+// The value of `--set NAME=VALUE` or of an `expect` block. Throws StatementError (file "--set NAME") if the value is no
+// number, or if its dimension is not that of the letter or datum; unknown names are the caller's to find.
+Value<double> read_setting(const Problem& problem, const std::string& name, const std::string& text);
+
+// Names that `--set` can reach: data and letters.
+std::vector<std::string> settable_names(const Problem& problem);
+
+// A function of time with its first two derivatives.
+using TimeJet = Dual<1, Dual<1>>;
+inline TimeJet time_jet(double time) { return TimeJet(Dual<1>::variable(time, 0), {Dual<1>(1)}); }
+
+// Scalar: double, Dual<1> or TimeJet.
+template <class Scalar>
+class DataScope : public Scope<Scalar> {
+ public:
+  // problem and settings must outlive the scope. Every letter must have a value in settings when it is used.
+  DataScope(const Problem& problem, const Settings& settings, Scalar time = Scalar(0));
+
+  Value<Scalar> name(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
+  Value<Scalar> call(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
+
+  // Whether the name is a datum, letter, point, direction, axis or word with a value.
+  bool knows(const std::string& name) const;
+
+  Scalar number(const Expression& expression, const Dimension& dimension);
+  // A place: a vector of lengths from the ground's origin, m.
+  Vector3<Scalar> place(const Expression& expression);
+  // A direction: any vector but zero, returned with length one.
+  Vector3<Scalar> direction(const Expression& expression);
+  Vector3<Scalar> vector(const Expression& expression, const Dimension& dimension);
+
+  // The file's g, else standard gravity.
+  Scalar gravity_size();
+  const Problem& problem() const { return problem_; }
+  const Settings& settings() const { return settings_; }
+  Value<Scalar> value(const Expression& expression);
+
+ private:
+  Value<Scalar> lookup(const NamedExpression& item, const char* what);
+
+  const Problem& problem_;
+  const Settings& settings_;
+  Scalar time_;
+  std::map<std::string, Value<Scalar>> found_;
+  std::vector<std::string> pending_;
+};
+
+// Whether the value of an expression follows `time`, through data as well.
+bool depends_on_time(const Problem& problem, const Expression& expression);
+
+// The letters on which an expression depends, through data and points as well.
+std::set<std::string> letters_of(const Problem& problem, const Expression& expression);
+
+// The names used in an expression.
+void collect_names(const Expression& expression, std::set<std::string>& names);
+
+extern template class DataScope<double>;
+extern template class DataScope<Dual<1>>;
+extern template class DataScope<TimeJet>;
+
+}  // namespace poinsot::statement

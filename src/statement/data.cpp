@@ -1,0 +1,289 @@
+#include "poinsot/statement/data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statement/reader.h"
+#include "statement/scalar_value.h"
+
+namespace poinsot::statement {
+namespace {
+
+template <class Scalar>
+Value<Scalar> lifted(const Value<double>& value) {
+  Value<Scalar> result;
+  result.kind = static_cast<typename Value<Scalar>::Kind>(value.kind);
+  result.dimension = value.dimension;
+  result.bare = value.bare;
+  result.number = Scalar(value.number);
+  result.vector = {Scalar(value.vector.x), Scalar(value.vector.y), Scalar(value.vector.z)};
+  for (const Value<double>& item : value.items) result.items.push_back(lifted<Scalar>(item));
+  result.truth = value.truth;
+  result.text = value.text;
+  return result;
+}
+
+const NamedExpression* find_named(const std::vector<NamedExpression>& items, const std::string& name) {
+  const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
+  return found == items.end() ? nullptr : &*found;
+}
+
+const Letter* find_letter(const Problem& problem, const std::string& name) {
+  const auto found = std::find_if(problem.letters.begin(), problem.letters.end(),
+                                  [&](const Letter& letter) { return letter.name == name; });
+  return found == problem.letters.end() ? nullptr : &*found;
+}
+
+const Unknown* find_unknown(const Problem& problem, const std::string& name) {
+  const auto found = std::find_if(problem.find.begin(), problem.find.end(),
+                                  [&](const Unknown& unknown) { return unknown.name == name; });
+  return found == problem.find.end() ? nullptr : &*found;
+}
+
+struct NameCollector {
+  std::set<std::string>& names;
+  void operator()(const Number&) const {}
+  void operator()(const Name& name) const { names.insert(name.name); }
+  void operator()(const Member& member) const { collect_names(member.object, names); }
+  void operator()(const Arrow& arrow) const {
+    collect_names(arrow.from, names);
+    collect_names(arrow.to, names);
+  }
+  void operator()(const Of& of) const {
+    collect_names(of.point, names);
+    collect_names(of.body, names);
+  }
+  void operator()(const Call& call) const {
+    for (const Argument& argument : call.arguments) collect_names(argument.value, names);
+  }
+  void operator()(const Unary& unary) const { collect_names(unary.operand, names); }
+  void operator()(const Binary& binary) const {
+    collect_names(binary.left, names);
+    collect_names(binary.right, names);
+  }
+  void operator()(const Comparison& comparison) const {
+    for (const Expression& operand : comparison.operands) collect_names(operand, names);
+  }
+  void operator()(const At& at) const { collect_names(at.expression, names); }
+  void operator()(const List& list) const {
+    for (const Expression& item : list.items) collect_names(item, names);
+  }
+  void operator()(const Range& range) const {
+    collect_names(range.from, names);
+    collect_names(range.to, names);
+    collect_names(range.step, names);
+  }
+};
+
+// Names used, and those behind data, points, directions and definitions.
+std::set<std::string> names_behind(const Problem& problem, const Expression& expression) {
+  std::set<std::string> all, fresh;
+  collect_names(expression, fresh);
+  while (!fresh.empty()) {
+    std::set<std::string> next;
+    for (const std::string& name : fresh) {
+      if (!all.insert(name).second) continue;
+      for (const auto* items : {&problem.given, &problem.points, &problem.directions, &problem.define})
+        if (const NamedExpression* item = find_named(*items, name)) collect_names(item->value, next);
+    }
+    fresh = std::move(next);
+  }
+  return all;
+}
+
+}  // namespace
+
+void collect_names(const Expression& expression, std::set<std::string>& names) {
+  if (expression) std::visit(NameCollector{names}, expression->content);
+}
+
+bool depends_on_time(const Problem& problem, const Expression& expression) {
+  return names_behind(problem, expression).contains("time");
+}
+
+std::set<std::string> letters_of(const Problem& problem, const Expression& expression) {
+  std::set<std::string> letters;
+  for (const std::string& name : names_behind(problem, expression))
+    if (find_letter(problem, name)) letters.insert(name);
+  return letters;
+}
+
+std::vector<std::string> settable_names(const Problem& problem) {
+  std::vector<std::string> names;
+  for (const Letter& letter : problem.letters) names.push_back(letter.name);
+  for (const NamedExpression& item : problem.given) names.push_back(item.name);
+  for (const Unknown& unknown : problem.find) names.push_back(unknown.name);
+  return names;
+}
+
+Value<double> read_setting(const Problem& problem, const std::string& name, const std::string& text) {
+  const std::string file = "--set " + name;
+  const Expression expression = parse_expression(text, file, Mark{1, 1});
+  Problem nothing;
+  nothing.file = file;
+  const Settings none;
+  DataScope<double> scope(nothing, none);
+  Value<double> value = evaluate(expression, static_cast<Scope<double>&>(scope), file);
+  if (!value.is_number() && !value.is_vector()) fail(file, {1, 1}, "'" + text + "' is not a number with its unit");
+  std::optional<Dimension> wanted;
+  if (const Letter* letter = find_letter(problem, name)) {
+    wanted = letter->unit.dimension;
+  } else if (const Unknown* unknown = find_unknown(problem, name)) {
+    wanted = unknown->unit.dimension;
+  } else if (const NamedExpression* item = find_named(problem.given, name)) {
+    const Settings unit_letters = [&] {
+      Settings settings;
+      for (const Letter& other : problem.letters)
+        settings[other.name] = Value<double>::of_number(other.unit.factor, other.unit.dimension);
+      return settings;
+    }();
+    DataScope<double> data(problem, unit_letters);
+    try {
+      wanted = data.value(item->value).dimension;
+    } catch (const DomainError&) {
+      // The datum of the file has no value; the one from outside may have any dimension.
+    }
+  }
+  const bool zero = value.bare && (value.is_number() ? value.number == 0 : norm(value.vector) == 0);
+  if (wanted && !same_kind(*wanted, value.dimension) && !zero)
+    fail(file, {1, 1}, name + " is " + to_string(*wanted) + ", but " + text + " is " + to_string(value.dimension));
+  if (wanted && *wanted == dimensions::angle && value.bare && !zero)
+    fail(file, {1, 1}, name + " is an angle and " + text + " has no unit", "write " + text + " deg or " + text + " rad");
+  if (wanted && zero) value.dimension = *wanted;
+  return value;
+}
+
+template <class Scalar>
+DataScope<Scalar>::DataScope(const Problem& problem, const Settings& settings, Scalar time)
+    : problem_(problem), settings_(settings), time_(std::move(time)) {}
+
+template <class Scalar>
+bool DataScope<Scalar>::knows(const std::string& name) const {
+  return find_unknown(problem_, name) || name == "time" || name == "g" || settings_.contains(name) || find_named(problem_.given, name) ||
+         find_letter(problem_, name) || find_named(problem_.points, name) || find_named(problem_.directions, name) ||
+         std::find(problem_.axes.begin(), problem_.axes.end(), name) != problem_.axes.end();
+}
+
+template <class Scalar>
+Value<Scalar> DataScope<Scalar>::lookup(const NamedExpression& item, const char* what) {
+  const std::string key = std::string(what) + " " + item.name;
+  if (const auto found = found_.find(key); found != found_.end()) return found->second;
+  if (std::find(pending_.begin(), pending_.end(), key) != pending_.end()) {
+    std::string chain;
+    for (const std::string& name : pending_) chain += name + " -> ";
+    fail(problem_.file, item.mark, "'" + item.name + "' is defined by itself: " + chain + key);
+  }
+  pending_.push_back(key);
+  Value<Scalar> value = evaluate(item.value, static_cast<Scope<Scalar>&>(*this), problem_.file);
+  pending_.pop_back();
+  return found_[key] = value;
+}
+
+template <class Scalar>
+Value<Scalar> DataScope<Scalar>::name(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+  if (name.primes > 0)
+    evaluator.fail(mark, "'" + name.name + std::string(name.primes, '\'') + "' is a rate and cannot stand among the data",
+                   "use it in instants:, define: or ask:");
+  // One name, one meaning.
+  std::vector<std::string> meanings;
+  const NamedExpression* datum = find_named(problem_.given, name.name);
+  const Letter* letter = find_letter(problem_, name.name);
+  const NamedExpression* point = find_named(problem_.points, name.name);
+  const NamedExpression* direction = find_named(problem_.directions, name.name);
+  const auto axis = std::find(problem_.axes.begin(), problem_.axes.end(), name.name);
+  const Unknown* unknown = find_unknown(problem_, name.name);
+  if (unknown) meanings.push_back("an unknown");
+  if (datum) meanings.push_back("a datum under given:");
+  if (letter) meanings.push_back("a letter");
+  if (point) meanings.push_back("a point");
+  if (direction) meanings.push_back("a direction");
+  if (axis != problem_.axes.end()) meanings.push_back("an axis");
+  if (name.name == "time") meanings.push_back("the time");
+  if (meanings.size() > 1)
+    evaluator.fail(mark, "'" + name.name + "' could mean " + meanings[0] + " or " + meanings[1], "rename one of them");
+  if (datum || letter || unknown) {
+    if (const auto set = settings_.find(name.name); set != settings_.end()) return lifted<Scalar>(set->second);
+  }
+  if (datum) return lookup(*datum, "given");
+  if (letter) evaluator.fail(mark, "the letter '" + name.name + "' has no value");
+  if (unknown) evaluator.fail(mark, "the unknown '" + name.name + "' has no value yet");
+  if (point) {
+    Value<Scalar> value = lookup(*point, "point");
+    if (!value.is_vector() || !(same_kind(value.dimension, dimensions::length) || value.bare))
+      evaluator.fail(point->value.mark(), "point '" + name.name + "' is no place", "write three lengths: [x, y, z]");
+    value.dimension = dimensions::length;
+    return value;
+  }
+  if (direction) {
+    Value<Scalar> value = lookup(*direction, "direction");
+    if (!value.is_vector() || plain(norm_squared(value.vector)) == 0)
+      evaluator.fail(direction->value.mark(), "direction '" + name.name + "' is no direction",
+                     "write a vector that is not zero, such as A->B or [1, 2, 0]");
+    return Value<Scalar>::of_vector(normalized(value.vector), dimensions::none);
+  }
+  if (axis != problem_.axes.end())
+    return Value<Scalar>::of_vector(Vector3<Scalar>::unit(static_cast<std::size_t>(axis - problem_.axes.begin())),
+                                    dimensions::none);
+  if (name.name == "time") return Value<Scalar>::of_number(time_, dimensions::time);
+  if (name.name == "g") return Value<Scalar>::of_number(Scalar(standard_gravity), dimensions::acceleration);
+  std::vector<std::string> known = settable_names(problem_);
+  for (const auto* items : {&problem_.points, &problem_.directions})
+    for (const NamedExpression& item : *items) known.push_back(item.name);
+  known.insert(known.end(), problem_.axes.begin(), problem_.axes.end());
+  std::string hint = did_you_mean(name.name, known);
+  evaluator.fail(mark, "'" + name.name + "' is not defined",
+                 hint.empty() ? "define it under given:, letters:, points: or directions:" : hint);
+}
+
+template <class Scalar>
+Value<Scalar> DataScope<Scalar>::call(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+  evaluator.unknown_call(call, mark);
+}
+
+template <class Scalar>
+Value<Scalar> DataScope<Scalar>::value(const Expression& expression) {
+  return evaluate(expression, static_cast<Scope<Scalar>&>(*this), problem_.file);
+}
+
+template <class Scalar>
+Scalar DataScope<Scalar>::number(const Expression& expression, const Dimension& dimension) {
+  return Evaluator<Scalar>(*this, problem_.file).number(expression, dimension);
+}
+
+template <class Scalar>
+Vector3<Scalar> DataScope<Scalar>::vector(const Expression& expression, const Dimension& dimension) {
+  return Evaluator<Scalar>(*this, problem_.file).vector(expression, dimension);
+}
+
+template <class Scalar>
+Vector3<Scalar> DataScope<Scalar>::place(const Expression& expression) {
+  return vector(expression, dimensions::length);
+}
+
+template <class Scalar>
+Vector3<Scalar> DataScope<Scalar>::direction(const Expression& expression) {
+  const Value<Scalar> value = this->value(expression);
+  if (!value.is_vector())
+    fail(problem_.file, expression.mark(), "expected a direction", "write an axis such as -y, A->B, or a list of three numbers");
+  if (!(plain(norm_squared(value.vector)) > 0))
+    fail(problem_.file, expression.mark(), "this direction has length zero", "its two points coincide, or all its components vanish");
+  return normalized(value.vector);
+}
+
+template <class Scalar>
+Scalar DataScope<Scalar>::gravity_size() {
+  if (const NamedExpression* item = find_named(problem_.given, "g")) {
+    const Scalar g = number(parse_expression("g", problem_.file, item->mark), dimensions::acceleration);
+    if (!(plain(g) > 0)) fail(problem_.file, item->mark, "g must be positive");
+    return g;
+  }
+  if (find_letter(problem_, "g"))
+    return number(parse_expression("g", problem_.file, find_letter(problem_, "g")->mark), dimensions::acceleration);
+  return Scalar(standard_gravity);
+}
+
+template class DataScope<double>;
+template class DataScope<Dual<1>>;
+template class DataScope<TimeJet>;
+
+}  // namespace poinsot::statement

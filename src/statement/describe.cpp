@@ -1,0 +1,146 @@
+#include "statement/describe.h"
+
+#include <algorithm>
+#include <map>
+
+namespace poinsot::statement {
+namespace {
+
+const std::map<std::string, std::string>& nouns() {
+  static const std::map<std::string, std::string> table{
+      {"position", "position"},
+      {"center", "mass center"},
+      {"velocity", "velocity"},
+      {"acceleration", "acceleration"},
+      {"angular_velocity", "angular velocity"},
+      {"angular_acceleration", "angular acceleration"},
+      {"momentum", "linear momentum"},
+      {"angular_momentum", "angular momentum"},
+      {"kinetic_energy", "kinetic energy"},
+      {"potential_energy", "potential energy"},
+      {"rate", "rate of change"},
+      {"mass", "mass"},
+      {"weight", "weight"},
+      {"moment_of_inertia", "moment of inertia"},
+      {"radius_of_gyration", "radius of gyration"},
+      {"moments_of_inertia", "moments of inertia"},
+      {"products_of_inertia", "products of inertia"},
+      {"inertia_matrix", "inertia matrix"},
+      {"principal_moments", "principal moments of inertia"},
+      {"principal_axes", "principal axes of inertia"},
+      {"axis", "axis"},
+      {"distance", "distance"},
+      {"direction_angles", "direction angles"},
+      {"force", "force"},
+      {"couple", "couple"},
+      {"reaction", "reaction"},
+      {"reaction_couple", "reaction couple"},
+      {"drive", "drive"},
+      {"tension", "tension"},
+      {"load", "load"},
+      {"norm", "magnitude"},
+      {"angle", "angle"},
+      {"acute_angle", "acute angle"},
+      {"component", "component"},
+      {"direction", "direction"},
+      {"unit", "direction"},
+      {"dot", "scalar product"},
+      {"cross", "vector product"},
+  };
+  return table;
+}
+
+// The body that a joint, support or contact holds, and what holds it.
+struct Sides {
+  std::string on, from;
+};
+Sides sides_of(const Problem& problem, const std::string& name) {
+  for (const Joint& joint : problem.joints) {
+    if (joint.name == name) return {joint.to, joint.from};
+    for (const Support& support : joint.supports)
+      if (support.name == name) return {joint.to, joint.from};
+  }
+  for (const Contact& contact : problem.contacts)
+    if (contact.name == name) return {contact.of, contact.against};
+  for (const Cord& cord : problem.cords)
+    if (cord.name == name) return {cord.to, cord.from};
+  for (const Load& load : problem.loads)
+    if (load.name == name) return {load.body, "outside"};
+  return {};
+}
+
+std::string words_of(const Expression& expression, const Problem& problem);
+
+std::string call_words(const Call& call, const Problem& problem) {
+  const auto noun = nouns().find(call.function);
+  if (noun == nouns().end() || call.arguments.empty()) return call.function;
+  const std::string& f = call.function;
+  const std::string first = words_of(call.arguments[0].value, problem);
+  std::string rest;
+  for (std::size_t i = 1; i < call.arguments.size(); ++i)
+    rest += " " + call.arguments[i].preposition + " " + words_of(call.arguments[i].value, problem);
+  if (f == "force" || f == "couple") {
+    std::string on, about;
+    for (const Argument& argument : call.arguments) {
+      if (argument.preposition == "on") on = words_of(argument.value, problem);
+      if (argument.preposition == "about") about = " about " + words_of(argument.value, problem);
+    }
+    return noun->second + " that " + first + " exerts on " + on + about;
+  }
+  if (f == "reaction" || f == "reaction_couple") {
+    const Sides sides = sides_of(problem, first);
+    return noun->second + " at " + first + rest + (sides.on.empty() ? "" : ", exerted on " + sides.on + " by " + sides.from);
+  }
+  if (f == "drive") {
+    const Sides sides = sides_of(problem, first);
+    return "drive of " + first + (sides.on.empty() ? "" : ", exerted on " + sides.on + " by " + sides.from);
+  }
+  if (f == "angle" || f == "acute_angle") {
+    std::string to;
+    for (const Argument& argument : call.arguments)
+      if (argument.preposition == "to") to = words_of(argument.value, problem);
+    return noun->second + " between " + first + " and " + to;
+  }
+  if (f == "distance") {
+    std::string to;
+    for (const Argument& argument : call.arguments)
+      if (argument.preposition == "to") to = words_of(argument.value, problem);
+    return "distance from " + first + " to " + to;
+  }
+  if (f == "dot" || f == "cross") {
+    std::string with;
+    for (const Argument& argument : call.arguments)
+      if (argument.preposition == "with") with = words_of(argument.value, problem);
+    return noun->second + " of " + first + " and " + with;
+  }
+  if ((f == "velocity" || f == "acceleration") && call.arguments[0].value.as<Name>())
+    return noun->second + " of the mass center of " + first + rest;
+  return noun->second + " of " + first + rest;
+}
+
+std::string words_of(const Expression& expression, const Problem& problem) {
+  if (const Call* call = expression.as<Call>()) return call_words(*call, problem);
+  if (const At* at = expression.as<At>()) return words_of(at->expression, problem) + " @ " + at->instant;
+  if (const Of* of = expression.as<Of>()) return words_of(of->point, problem) + " of " + words_of(of->body, problem);
+  if (const Member* member = expression.as<Member>()) return words_of(member->object, problem) + ", " + member->name + " component";
+  if (const Name* name = expression.as<Name>()) {
+    if (name->primes == 1) return "rate of " + name->name;
+    if (name->primes == 2) return "second derivative of " + name->name;
+    return name->name;
+  }
+  return to_string(expression);
+}
+
+}  // namespace
+
+std::string describe(const Ask& ask, const Problem& problem, bool is_vector) {
+  std::string words;
+  for (const Expression& expression : ask.of) words += (words.empty() ? "" : "; ") + words_of(expression, problem);
+  if (is_vector) {
+    const std::string axes = ask.axes ? (ask.axes->as<List>() ? "the axes " + to_string(*ask.axes) : "the axes of " + to_string(*ask.axes)) : "";
+    if (!axes.empty()) words += ", on " + axes;
+  }
+  return words;
+}
+
+}  // namespace poinsot::statement

@@ -1,0 +1,40 @@
+#include "statement/mesh_shape.h"
+
+#include <filesystem>
+#include <map>
+
+#include "poinsot/mass/mesh_reader.h"
+#include "statement/reader.h"
+
+namespace poinsot::statement {
+namespace {
+
+// A problem has to be small; its meshes may be large, but not without bound.
+constexpr MeshLimits limits{std::size_t{64} << 20, 1'000'000};
+
+std::string path_of(const Shape& shape, const std::string& problem_file) {
+  namespace fs = std::filesystem;
+  const fs::path folder = problem_file == "-" ? fs::path(".") : fs::path(problem_file).parent_path();
+  const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder);
+  const fs::path path = fs::weakly_canonical(root / shape.file);
+  const auto inside = std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
+  if (!inside || fs::path(shape.file).is_absolute())
+    fail(problem_file, shape.mark, "the mesh '" + shape.file + "' does not lie in the folder of the problem file",
+         "copy it there and name it without a path");
+  return path.string();
+}
+
+}  // namespace
+
+ShapeValues mesh_shape(const Shape& shape, const Vector3<double>& p_OM, const std::string& problem_file) {
+  if (!same_kind(shape.mesh_unit.dimension, dimensions::length))
+    fail(problem_file, shape.mark, "the unit of a mesh is a unit of length, not " + to_string(shape.mesh_unit.dimension));
+  MeshReadResult read = read_mesh_file(path_of(shape, problem_file), limits);
+  if (!read.mesh) fail(problem_file, shape.mark, read.error.message);
+  for (Vector3<double>& vertex : read.mesh->vertices) vertex = shape.mesh_unit.factor * vertex + p_OM;
+  const std::vector<MeshFault> faults = find_faults(*read.mesh, shape.file);
+  if (!faults.empty()) fail(problem_file, shape.mark, faults.front().message);
+  return {Extent::volume, solid_of_mesh(*read.mesh), particles::solid_of_mesh(*read.mesh)};
+}
+
+}  // namespace poinsot::statement

@@ -1,0 +1,109 @@
+// What the words of the language mean on a mechanism in motion: momenta, energies, velocities, forces, reactions.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "poinsot/dynamics/momentum.h"
+#include "poinsot/solve/equations.h"
+#include "poinsot/statement/data.h"
+#include "statement/machine.h"
+
+namespace poinsot::statement {
+
+// On what an expression depends: positions only, velocities, or accelerations and forces.
+enum class Level { position, velocity, force };
+// What stands before an `@` counts only if `through_at`.
+Level level_of(const Problem& problem, const Expression& expression, bool through_at = false);
+
+// The quantity functions and how each is written, for messages and the manual.
+const std::vector<FunctionForm>& quantity_functions();
+
+// A mechanism in motion as the scope of expressions. Scalar: double; Dual<1> differentiates by time or by a velocity.
+template <class Scalar>
+class QuantityScope : public Scope<Scalar> {
+ public:
+  // data: of the same scalar. All arguments must outlive the scope.
+  QuantityScope(const Machine& machine, const Model<Scalar>& model, DataScope<Scalar>& data, State<Scalar> state);
+
+  // Accelerations of the coordinates, and (for forces) the solution of solve_motion that they come from.
+  void set_accelerations(const std::vector<double>& accelerations);
+  void set_forces(const solve::Moment* moment, const std::vector<double>* unknowns);
+  void set_blow(const solve::Moment* before, const solve::Blow* blow, const std::vector<double>* impulses) {
+    before_ = before;
+    blow_ = blow;
+    impulses_ = impulses;
+  }
+  // The axes on which x, y, z and components are meant; those of the ground when never set.
+  void set_axes(const Expression& expression) {
+    axes_expression_ = expression;
+    axes_ = axes_of(expression);
+  }
+  const Matrix3<Scalar>& axes() const { return axes_; }
+  // The axes that an `axes:` entry names: a body, a frame, `ground`, or a list of three directions.
+  Matrix3<Scalar> axes_of(const Expression& expression);
+  // What stands before an `@` is asked of another scope.
+  void set_elsewhere(std::function<Value<Scalar>(const At&, const Mark&)> elsewhere) { elsewhere_ = std::move(elsewhere); }
+
+  Value<Scalar> value(const Expression& expression);
+
+  Value<Scalar> name(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
+  Value<Scalar> call(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
+  Value<Scalar> of(const Of& of, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
+  Value<Scalar> at(const At& at, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
+  Value<Scalar> member(const Member& member, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
+
+ private:
+  using Vector = Vector3<Scalar>;
+  using Result = Value<Scalar>;
+
+  int body_of(const Expression& expression, const Evaluator<Scalar>& evaluator, bool system_allowed = false);
+  bool is_frame(int body) const;
+  Vector place(const Expression& expression, const Evaluator<Scalar>& evaluator);
+  // A point that rides with a body: `A of plate`, `center(disk)`, or a body (its mass center).
+  struct Riding {
+    int body;
+    Vector local;
+  };
+  Riding riding(const Expression& expression, const Evaluator<Scalar>& evaluator);
+  Vector mass_center_of(int body, const Expression& expression, const Evaluator<Scalar>& evaluator);
+  MassProperties<Scalar> current_mass(int body);
+  // Axis through a point: A->B, axis(J), or a direction with its point after `at`.
+  std::pair<Vector, Vector> line(const Call& call, const Evaluator<Scalar>& evaluator);
+
+  Result kinematic(const Call& call, const Evaluator<Scalar>& evaluator);
+  Result momentum(const Call& call, const Evaluator<Scalar>& evaluator);
+  Result inertia(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
+  Result geometry(const Call& call, const Evaluator<Scalar>& evaluator);
+  Result force(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
+  Result rate(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
+
+  const Machine& machine_;
+  const Model<Scalar>& model_;
+  DataScope<Scalar>& data_;
+  const Problem& problem_;
+  State<Scalar> state_;
+  Workspace<Scalar> workspace_;
+  Matrix3<Scalar> axes_ = Matrix3<Scalar>::identity();
+  std::optional<Expression> axes_expression_;
+  std::function<Value<Scalar>(const At&, const Mark&)> elsewhere_;
+  bool has_accelerations_ = false;
+  std::vector<double> accelerations_;
+  const solve::Moment* moment_ = nullptr;
+  const std::vector<double>* unknowns_ = nullptr;
+  const solve::Moment* before_ = nullptr;
+  const solve::Blow* blow_ = nullptr;
+  const std::vector<double>* impulses_ = nullptr;
+  std::vector<std::string> pending_;
+
+  template <class Other>
+  friend class QuantityScope;
+};
+
+extern template class QuantityScope<double>;
+extern template class QuantityScope<Dual<1>>;
+
+}  // namespace poinsot::statement

@@ -1,0 +1,51 @@
+// Reading a file's bytes with a limit, whatever the path leads to.
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "poinsot/statement/tree.h"
+
+namespace poinsot::statement {
+namespace {
+
+constexpr Mark beginning{1, 1};
+
+std::string read_stream(std::FILE* stream, const std::string& name) {
+  // One byte more than allowed tells a file of the largest size from a larger one.
+  std::string bytes(TreeLimits::bytes + 1, '\0');
+  const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), stream);
+  if (std::ferror(stream)) {
+    throw StatementError(name, beginning, std::string("the file cannot be read: ") + std::strerror(errno));
+  }
+  if (count > TreeLimits::bytes) {
+    throw StatementError(name, beginning, "the file is larger than " + std::to_string(TreeLimits::bytes) + " bytes",
+                         "a problem file is a page or two of text");
+  }
+  bytes.resize(count);
+  return bytes;
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+  if (path == "-") return read_stream(stdin, "-");
+  std::error_code problem;
+  const std::filesystem::file_status status = std::filesystem::status(path, problem);
+  if (std::filesystem::is_directory(status)) {
+    throw StatementError(path, beginning, "this is a folder, not a problem file", "name the files in it");
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!stream) {
+    const std::string reason = std::strerror(errno);
+    if (status.type() == std::filesystem::file_type::not_found) {
+      throw StatementError(path, beginning, "there is no such file", "check the path");
+    }
+    throw StatementError(path, beginning, "the file cannot be opened: " + reason);
+  }
+  return read_stream(stream.get(), path);
+}
+
+}  // namespace poinsot::statement

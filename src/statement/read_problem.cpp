@@ -1,0 +1,569 @@
+// From the tree of entries to the checked structure.
+#include <algorithm>
+#include <set>
+
+#include "poinsot/statement/keys.h"
+#include "poinsot/statement/problem.h"
+#include "statement/read_bodies.h"
+#include "statement/read_joints.h"
+#include "statement/reader.h"
+
+namespace poinsot::statement {
+namespace {
+
+using Named = std::vector<std::pair<Key, Entry>>;
+
+// The members of a map from names of the author's choice; empty when the key is absent.
+const Named& named(const Members& members, std::string_view key, const std::string& file) {
+  static const Named none;
+  const Entry* entry = members.find(key);
+  if (!entry || entry->kind == Entry::Kind::null) return none;
+  if (entry->kind != Entry::Kind::map)
+    fail(file, entry->mark, "expected names under '" + std::string(key) + "'", "write " + std::string(key) + ": {NAME: ...}");
+  return entry->members;
+}
+
+std::vector<NamedExpression> named_expressions(const Members& members, std::string_view key, const std::string& file) {
+  std::vector<NamedExpression> items;
+  for (const auto& [name, value] : named(members, key, file)) {
+    check_name(name.text, name.mark, file);
+    items.push_back({name.text, parse_expression(value, file), name.mark});
+  }
+  return items;
+}
+
+Unit read_unit(const Entry& entry, const std::string& file) {
+  try {
+    return parse_unit(scalar_text(entry, file, "a unit"));
+  } catch (const std::invalid_argument& error) {
+    fail(file, entry.mark, error.what());
+  }
+}
+
+std::string name_of(const Members& members, std::string_view key, const char* otherwise) {
+  return members.find(key) ? members.text(key) : otherwise;
+}
+
+Frame read_frame(const Key& name, const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"frame"});
+  Frame frame;
+  frame.name = name.text;
+  frame.mark = name.mark;
+  frame.origin = members.expression("origin");
+  frame.velocity = members.expression("velocity");
+  frame.acceleration = members.expression("acceleration");
+  if (const auto rides_on = members.expression("rides_on")) {
+    const Call* call = rides_on->as<Call>();
+    const Name* body = call && call->function == "center" && call->arguments.size() == 1 ? call->arguments[0].value.as<Name>() : nullptr;
+    if (!body) fail(file, rides_on->mark(), "a frame rides on the mass center of a body", "write rides_on: center(projectile)");
+    frame.rides_on = body->name;
+    frame.rides_on_mark = rides_on->mark();
+    if (frame.origin || frame.velocity || frame.acceleration)
+      fail(file, name.mark, "frame '" + name.text + "' rides on a body and states its own motion as well", "state one of them");
+  }
+  frame.turns = members.expression("turns");
+  frame.rate = members.expression("rate");
+  frame.accel = members.expression("accel");
+  if (frame.turns.has_value() != frame.rate.has_value())
+    fail(file, name.mark, "frame '" + name.text + "' states " + (frame.turns ? "an axis but no rate" : "a rate but no axis"),
+         "write turns: y, rate: 3 rad/s");
+  return frame;
+}
+
+Contact read_contact(const Key& name, const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"contact"});
+  Contact contact;
+  contact.name = name.text;
+  contact.mark = name.mark;
+  contact.of = scalar_text(members.require("of", "of: disk"), file, "the name of a body");
+  contact.of_mark = members.mark_of("of");
+  contact.against = name_of(members, "against", "ground");
+  contact.against_mark = members.mark_of("against");
+  contact.at = members.require_expression("at", "at: C");
+  contact.normal = members.require_expression("normal", "normal: +y");
+  contact.no_slip = members.boolean("no_slip").value_or(false);
+  if (members.find("carries")) contact.carries = members.list("carries");
+  return contact;
+}
+
+Cord read_cord(const Key& name, const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"cord"});
+  Cord cord;
+  cord.name = name.text;
+  cord.mark = name.mark;
+  if (members.find("holds")) {
+    for (const char* key : {"to", "end", "from"})
+      if (members.find(key))
+        fail(file, members.mark_of(key), "cord '" + name.text + "' states both holds and " + key,
+             "a long cord has holds, at and pulls; a cord between two points from, at, to and end");
+    cord.from = "ground";
+    cord.to = members.text("holds");
+    cord.to_mark = members.mark_of("holds");
+    cord.end = members.require_expression("at", "at: A");
+    cord.direction = members.require_expression("pulls", "pulls: +y");
+  } else {
+    cord.from = name_of(members, "from", "ground");
+    cord.to = scalar_text(members.require("to", "to: rod"), file, "the name of a body");
+    cord.from_mark = members.mark_of("from");
+    cord.to_mark = members.mark_of("to");
+    cord.at = members.require_expression("at", "at: C");
+    cord.end = members.require_expression("end", "end: B");
+  }
+  return cord;
+}
+
+Spring read_spring(const Key& name, const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"spring"});
+  Spring spring;
+  spring.name = name.text;
+  spring.mark = name.mark;
+  spring.from = name_of(members, "from", "ground");
+  spring.to = scalar_text(members.require("to", "to: yoke"), file, "the name of a body");
+  spring.from_mark = members.mark_of("from");
+  spring.to_mark = members.mark_of("to");
+  spring.at = members.require_expression("at", "at: C");
+  spring.end = members.require_expression("end", "end: A");
+  spring.stiffness = members.expression("stiffness");
+  spring.free_length = members.expression("free_length");
+  spring.tension = members.expression("tension");
+  spring.damping = members.expression("damping");
+  if (!spring.stiffness && !spring.damping)
+    fail(file, name.mark, "spring '" + name.text + "' has neither stiffness nor damping");
+  if (spring.stiffness && spring.free_length.has_value() == spring.tension.has_value())
+    fail(file, name.mark, "spring '" + name.text + "' needs its free_length or its tension as drawn, one of them");
+  return spring;
+}
+
+Load read_load(const Key& name, const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"load"});
+  Load load;
+  load.name = name.text;
+  load.mark = name.mark;
+  load.force = members.expression("force");
+  load.couple = members.expression("couple");
+  if (load.force.has_value() == load.couple.has_value())
+    fail(file, name.mark, "load '" + name.text + "' needs a force or a couple, one of them");
+  for (const auto& [key, owner] : {std::pair{"along", "couple"}, std::pair{"about", "force"}})
+    if (members.find(key) && members.find(owner))
+      fail(file, members.mark_of(key), std::string("a ") + owner + " has no '" + key + "'",
+           load.force ? "a force acts along a direction" : "a couple acts about an axis");
+  load.direction = load.force ? members.expression("along") : members.expression("about");
+  load.at = members.expression("at");
+  if (load.couple && load.at)
+    fail(file, members.mark_of("at"), "a couple has no point", "remove at:");
+  load.body = scalar_text(members.require("body", "body: shaft"), file, "the name of a body");
+  load.body_mark = members.mark_of("body");
+  load.axes = name_of(members, "axes", "ground");
+  load.axes_mark = members.mark_of("axes");
+  return load;
+}
+
+Impulse read_impulse(const Key& name, const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"impulse"});
+  Impulse impulse;
+  impulse.name = name.text;
+  impulse.mark = name.mark;
+  impulse.body = scalar_text(members.require("body", "body: plate"), file, "the name of a body");
+  impulse.body_mark = members.mark_of("body");
+  impulse.axes = name_of(members, "axes", "ground");
+  impulse.axes_mark = members.mark_of("axes");
+  impulse.value = members.expression("value");
+  impulse.force = members.expression("force");
+  impulse.couple = members.expression("couple");
+  impulse.lasts = members.expression("lasts");
+  impulse.direction = members.expression("along");
+  impulse.at = members.expression("at");
+  if (impulse.value.has_value() + impulse.force.has_value() + impulse.couple.has_value() != 1)
+    fail(file, name.mark, "impulse '" + name.text + "' needs one of value, force (with lasts) and couple");
+  if (impulse.force && !impulse.lasts)
+    fail(file, name.mark, "impulse '" + name.text + "' does not say how long its force lasts", "write lasts: 0.1 s, or value: with an impulse");
+  if (impulse.value && impulse.lasts) fail(file, members.mark_of("lasts"), "an impulse given by its value has no duration", "remove lasts:");
+  if (impulse.couple && impulse.at) fail(file, members.mark_of("at"), "a couple has no point", "remove at:");
+  return impulse;
+}
+
+Impact read_impact(const Key& name, const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"impact"});
+  Impact impact;
+  impact.name = name.text;
+  impact.mark = name.mark;
+  impact.of = scalar_text(members.require("of", "of: plate"), file, "the name of a body");
+  impact.of_mark = members.mark_of("of");
+  impact.against = name_of(members, "against", "ground");
+  impact.against_mark = members.mark_of("against");
+  impact.at = members.require_expression("at", "at: B");
+  impact.pushes = members.require_expression("pushes", "pushes: +z");
+  impact.restitution = members.expression("restitution");
+  return impact;
+}
+
+Strike read_strike(const Key& name, const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"strike"});
+  Strike strike;
+  strike.name = name.text;
+  strike.mark = name.mark;
+  strike.amount.mass = members.expression("mass");
+  strike.amount.weight = members.expression("weight");
+  if (strike.amount.mass.has_value() == strike.amount.weight.has_value())
+    fail(file, name.mark, "strike '" + name.text + "' needs the mass or the weight of its particle");
+  strike.hits = scalar_text(members.require("hits", "hits: satellite"), file, "the name of a body");
+  strike.hits_mark = members.mark_of("hits");
+  strike.relative_to = name_of(members, "relative_to", "ground");
+  strike.relative_to_mark = members.mark_of("relative_to");
+  strike.at = members.require_expression("at", "at: C");
+  strike.velocity = members.require_expression("velocity", "velocity: [0, 0, 2000 m/s]");
+  strike.stays = members.boolean("stays").value_or(false);
+  strike.loses = members.expression("loses");
+  const std::string added = members.text("mass_added");
+  if (!added.empty() && added != "neglected")
+    fail(file, members.mark_of("mass_added"), "'" + added + "' is not understood", "write mass_added: neglected, or leave it out");
+  strike.mass_neglected = added == "neglected";
+  if (strike.stays == strike.loses.has_value())
+    fail(file, name.mark, "strike '" + name.text + "' must say what becomes of the particle", "write stays: true, or loses: 20 %");
+  return strike;
+}
+
+Instant read_instant(const Key& name, const Entry& entry, const std::string& file) {
+  Instant instant;
+  instant.name = name.text;
+  instant.mark = name.mark;
+  if (entry.kind == Entry::Kind::scalar && entry.text == "rest") {
+    instant.rest = true;
+    return instant;
+  }
+  if (entry.kind != Entry::Kind::map)
+    fail(file, entry.mark, "an instant is `rest` or a map of facts", "write now: {angular_velocity(disk): [w1, any, any]}");
+  for (const auto& [key, value] : entry.members) {
+    Entry quantity;
+    quantity.kind = Entry::Kind::scalar;
+    quantity.text = key.text;
+    quantity.mark = key.mark;
+    instant.facts.push_back({parse_expression(quantity, file), parse_expression(value, file), key.mark});
+  }
+  return instant;
+}
+
+Steady read_steady(const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"steady"});
+  Steady steady;
+  steady.mark = entry.mark;
+  steady.frame = scalar_text(members.require("frame", "frame: figure"), file, "the name of a frame or body");
+  steady.frame_mark = members.mark_of("frame");
+  for (const auto& [name, value] : named(members, "spins", file)) {
+    const Members spin(value, file, {"spin"});
+    steady.spins.push_back({name.text, spin.require_expression("about", "about: A->B"), spin.require_expression("rate", "rate: psidot"), name.mark});
+  }
+  return steady;
+}
+
+Stage read_stage(const Key& name, const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"stage"});
+  Stage stage;
+  stage.name = name.text;
+  stage.mark = name.mark;
+  stage.lasts = members.expression("lasts");
+  if (const Entry* loads = members.find("loads")) {
+    if (loads->kind != Entry::Kind::list) fail(file, loads->mark, "expected a list of loads", "write loads: [drive]");
+    stage.loads.emplace();
+    for (const Entry& item : loads->items) stage.loads->push_back(scalar_text(item, file, "the name of a load"));
+  }
+  return stage;
+}
+
+// The ask as its author wrote it.
+std::string written(const Entry& entry) {
+  if (entry.kind == Entry::Kind::scalar) return entry.text;
+  std::string text;
+  for (const Entry& item : entry.items) text += (text.empty() ? "[" : ", ") + written(item);
+  return text.empty() ? "" : text + "]";
+}
+
+Ask read_ask(const Key& name, const Entry& entry, const std::string& file) {
+  Ask ask;
+  ask.name = name.text;
+  ask.mark = name.mark;
+  const Entry* of = &entry;
+  if (entry.kind == Entry::Kind::map) {
+    const Members members(entry, file, {"ask"});
+    of = &members.require("of", "of: angular_momentum(disk about G)");
+    if (const Entry* unit = members.find("unit")) ask.unit = read_unit(*unit, file);
+    ask.axes = members.expression("axes");
+  }
+  ask.text = written(*of);
+  if (of->kind == Entry::Kind::list) {
+    ask.is_list = true;
+    ask.of = expression_list(*of, file);
+    if (ask.of.empty()) fail(file, of->mark, "ask '" + name.text + "' asks for nothing");
+  } else {
+    ask.of.push_back(parse_expression(*of, file));
+  }
+  return ask;
+}
+
+double read_number(const Entry& entry, const std::string& file) {
+  const std::string& text = scalar_text(entry, file, "a number");
+  std::size_t used = 0;
+  double number = 0;
+  try {
+    number = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  if (used != text.size() || used == 0 || !(number >= 0) || number > 1e300)
+    fail(file, entry.mark, "'" + text + "' is not a tolerance", "write a number such as 1e-6");
+  return number;
+}
+
+Expected read_expected(const Key& name, const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"expected"});
+  Expected expected;
+  expected.part = name.text;
+  expected.mark = name.mark;
+  expected.value = members.expression("value");
+  expected.formula = members.expression("formula");
+  expected.holds = members.boolean("holds");
+  if (const Entry* unit = members.find("unit")) expected.unit = read_unit(*unit, file);
+  if (const Entry* names = members.find("names")) {
+    if (names->kind != Entry::Kind::list) fail(file, names->mark, "expected a list of names");
+    expected.names.emplace();
+    for (const Entry& item : names->items) expected.names->push_back(scalar_text(item, file, "a name"));
+  }
+  if (const Entry* rtol = members.find("rtol")) expected.relative_tolerance = read_number(*rtol, file);
+  if (const Entry* atol = members.find("atol")) expected.absolute_tolerance = read_number(*atol, file);
+  if (expected.value.has_value() + expected.formula.has_value() + expected.names.has_value() + expected.holds.has_value() != 1)
+    fail(file, entry.mark, "'" + name.text + "' expects one of value, formula, names or holds");
+  return expected;
+}
+
+// `expect:` is one case (`letters:` gives its letters values), or several under `cases:`.
+std::vector<ExpectedCase> read_expect(const Entry& entry, const std::string& file) {
+  if (entry.kind != Entry::Kind::map) fail(file, entry.mark, "expected parts and what they should be");
+  const auto read_case = [&](const Key& name, const Entry& body) {
+    ExpectedCase one;
+    one.name = name.text;
+    one.mark = name.mark;
+    if (body.kind != Entry::Kind::map) fail(file, body.mark, "expected parts and what they should be");
+    for (const auto& [key, value] : body.members) {
+      if (key.text == "cases") continue;
+      if (key.text == "letters" || key.text == "set") {
+        if (value.kind != Entry::Kind::map) fail(file, value.mark, "expected names and values");
+        for (const auto& [letter, amount] : value.members)
+          one.sets.emplace_back(letter.text, scalar_text(amount, file, "a value with its unit"));
+      } else {
+        one.parts.push_back(read_expected(key, value, file));
+      }
+    }
+    return one;
+  };
+  std::vector<ExpectedCase> cases;
+  ExpectedCase whole = read_case(Key{"", entry.mark}, entry);
+  const Entry* list = entry.find("cases");
+  if (!list || !whole.parts.empty()) cases.push_back(std::move(whole));
+  if (list) {
+    if (list->kind != Entry::Kind::map) fail(file, list->mark, "expected named cases");
+    for (const auto& [key, value] : list->members) cases.push_back(read_case(key, value));
+  }
+  return cases;
+}
+
+// The bodies and frames of a statement, for messages about names.
+void check_holders(const Problem& problem) {
+  std::vector<std::string> bodies, holders{"ground"};
+  for (const Body& body : problem.bodies) bodies.push_back(body.name);
+  holders.insert(holders.end(), bodies.begin(), bodies.end());
+  for (const Frame& frame : problem.frames) {
+    if (std::find(bodies.begin(), bodies.end(), frame.name) != bodies.end())
+      fail(problem.file, frame.mark, "'" + frame.name + "' is both a body and a frame", "rename one of them");
+    holders.push_back(frame.name);
+  }
+  const auto check = [&](const std::string& name, Mark mark, const std::vector<std::string>& known, const char* what) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return;
+    const std::string near = nearest(name, known);
+    std::string all;
+    for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
+    fail(problem.file, mark, "there is no " + std::string(what) + " '" + name + "'",
+         !near.empty() ? "did you mean '" + near + "'?" : "known: " + all);
+  };
+  for (const Frame& frame : problem.frames)
+    if (!frame.rides_on.empty()) check(frame.rides_on, frame.rides_on_mark, bodies, "body");
+  if (problem.steady) {
+    check(problem.steady->frame, problem.steady->frame_mark, holders, "body or frame");
+    for (const Spin& spin : problem.steady->spins) check(spin.body, spin.mark, bodies, "body");
+  }
+  for (const Joint& joint : problem.joints) {
+    check(joint.from, joint.from_mark, holders, "body or frame");
+    check(joint.to, joint.to_mark, bodies, "body");
+    if (joint.from == joint.to)
+      fail(problem.file, joint.mark, "joint '" + joint.name + "' joins '" + joint.to + "' to itself");
+  }
+  for (const Contact& contact : problem.contacts) {
+    check(contact.of, contact.of_mark, bodies, "body");
+    check(contact.against, contact.against_mark, holders, "body or frame");
+  }
+  for (const Cord& cord : problem.cords) {
+    check(cord.from, cord.from_mark, holders, "body or frame");
+    check(cord.to, cord.to_mark, bodies, "body");
+  }
+  for (const Spring& spring : problem.springs) {
+    check(spring.from, spring.from_mark, holders, "body or frame");
+    check(spring.to, spring.to_mark, bodies, "body");
+  }
+  for (const Impulse& impulse : problem.impulses) {
+    check(impulse.body, impulse.body_mark, bodies, "body");
+    check(impulse.axes, impulse.axes_mark, holders, "body or frame");
+  }
+  for (const Impact& impact : problem.impacts) {
+    check(impact.of, impact.of_mark, bodies, "body");
+    check(impact.against, impact.against_mark, holders, "body or frame");
+  }
+  for (const Strike& strike : problem.strikes) {
+    check(strike.hits, strike.hits_mark, bodies, "body");
+    check(strike.relative_to, strike.relative_to_mark, holders, "body or frame");
+  }
+  for (const Load& load : problem.loads) {
+    check(load.body, load.body_mark, bodies, "body");
+    check(load.axes, load.axes_mark, holders, "body or frame");
+  }
+  for (const Stage& stage : problem.stages)
+    for (const std::string& load : stage.loads.value_or(std::vector<std::string>{})) {
+      std::vector<std::string> loads;
+      for (const Load& known : problem.loads) loads.push_back(known.name);
+      check(load, stage.mark, loads, "load");
+    }
+}
+
+// The units in which the problem is stated.
+void note_units(const Entry& entry, const std::string& file, UnitHabits& habits) {
+  if (entry.is_scalar() && !entry.quoted) {
+    try {
+      habits.note(parse_expression(entry, file));
+    } catch (const StatementError&) {
+      // A title or a file name.
+    }
+  }
+  for (const Entry& item : entry.items) note_units(item, file, habits);
+  for (const auto& [key, value] : entry.members)
+    if (key.text != "title" && key.text != "source") note_units(value, file, habits);
+}
+
+Problem read_one(const Entry& root, const std::string& file) {
+  const Members members(root, file, {"problem"});
+  Problem problem;
+  problem.file = file;
+  problem.title = members.text("title");
+  if (const Entry* axes = members.find("axes")) {
+    if (axes->kind != Entry::Kind::list || axes->items.size() != 3)
+      fail(file, axes->mark, "axes are three names", "write axes: [X, Y, Z]");
+    for (int i = 0; i < 3; ++i) {
+      problem.axes[i] = scalar_text(axes->items[i], file, "the name of an axis");
+      check_name(problem.axes[i], axes->items[i].mark, file);
+      for (int j = 0; j < i; ++j)
+        if (problem.axes[i] == problem.axes[j]) fail(file, axes->items[i].mark, "two axes have the name '" + problem.axes[i] + "'");
+    }
+  }
+  const ReadContext context{file, problem.axes};
+  problem.given = named_expressions(members, "given", file);
+  for (const auto& [name, unit] : named(members, "letters", file)) {
+    check_name(name.text, name.mark, file);
+    problem.letters.push_back({name.text, unit.kind == Entry::Kind::scalar && unit.text == "1" ? Unit{} : read_unit(unit, file), name.mark});
+  }
+  for (const auto& [name, unit] : named(members, "find", file)) {
+    check_name(name.text, name.mark, file);
+    Unknown unknown;
+    unknown.name = name.text;
+    unknown.mark = name.mark;
+    unknown.vector = unit.kind == Entry::Kind::map;
+    const Entry& text = unknown.vector ? Members(unit, file, {"unknown"}).require("vector", "vector: N*m") : unit;
+    if (!(text.kind == Entry::Kind::scalar && text.text == "1")) unknown.unit = read_unit(text, file);
+    problem.find.push_back(std::move(unknown));
+  }
+  problem.where = members.list("where");
+  problem.gravity = members.expression("gravity");
+  problem.points = named_expressions(members, "points", file);
+  problem.directions = named_expressions(members, "directions", file);
+  problem.define = named_expressions(members, "define", file);
+  const auto read_all = [&](std::string_view key, auto& list, auto read) {
+    for (const auto& [name, entry] : named(members, key, file)) {
+      check_name(name.text, name.mark, file);
+      list.push_back(read(name, entry));
+    }
+  };
+  read_all("frames", problem.frames, [&](const Key& name, const Entry& entry) { return read_frame(name, entry, file); });
+  read_all("bodies", problem.bodies, [&](const Key& name, const Entry& entry) { return read_body(name.text, name.mark, entry, context); });
+  read_all("joints", problem.joints, [&](const Key& name, const Entry& entry) { return read_joint(name.text, name.mark, entry, file); });
+  read_all("contacts", problem.contacts, [&](const Key& name, const Entry& entry) { return read_contact(name, entry, file); });
+  read_all("cords", problem.cords, [&](const Key& name, const Entry& entry) { return read_cord(name, entry, file); });
+  read_all("springs", problem.springs, [&](const Key& name, const Entry& entry) { return read_spring(name, entry, file); });
+  read_all("loads", problem.loads, [&](const Key& name, const Entry& entry) { return read_load(name, entry, file); });
+  read_all("impulses", problem.impulses, [&](const Key& name, const Entry& entry) { return read_impulse(name, entry, file); });
+  read_all("impacts", problem.impacts, [&](const Key& name, const Entry& entry) { return read_impact(name, entry, file); });
+  read_all("strikes", problem.strikes, [&](const Key& name, const Entry& entry) { return read_strike(name, entry, file); });
+  read_all("stages", problem.stages, [&](const Key& name, const Entry& entry) { return read_stage(name, entry, file); });
+  if (const Entry* steady = members.find("steady")) problem.steady = read_steady(*steady, file);
+  for (const auto& [name, entry] : named(members, "instants", file)) problem.instants.push_back(read_instant(name, entry, file));
+  check_holders(problem);
+  note_units(root, file, problem.habits);
+  for (const Letter& letter : problem.letters) problem.habits.note(letter.unit);
+  for (const Unknown& unknown : problem.find) problem.habits.note(unknown.unit);
+  return problem;
+}
+
+// `overlay` laid over `base`: maps are merged key by key, everything else is replaced.
+Entry laid_over(const Entry& base, const Entry& overlay) {
+  if (base.kind != Entry::Kind::map || overlay.kind != Entry::Kind::map) return overlay;
+  Entry merged = base;
+  for (const auto& [key, value] : overlay.members) {
+    const auto found = std::find_if(merged.members.begin(), merged.members.end(),
+                                    [&](const auto& member) { return member.first.text == key.text; });
+    if (found == merged.members.end())
+      merged.members.emplace_back(key, value);
+    else
+      found->second = laid_over(found->second, value);
+  }
+  return merged;
+}
+
+}  // namespace
+
+Statement read_statement(std::string_view text, const std::string& file) {
+  const Entry root = read_tree(text, file);
+  const Members members(root, file, {"problem"});
+  Statement statement;
+  statement.file = file;
+  statement.title = members.text("title");
+  for (const auto& [name, entry] : named(members, "ask", file)) {
+    check_name(name.text, name.mark, file);
+    statement.asks.push_back(read_ask(name, entry, file));
+  }
+  if (const Entry* expect = members.find("expect")) {
+    statement.expects = true;
+    statement.expected = read_expect(*expect, file);
+  }
+  Entry shared = root;
+  std::erase_if(shared.members, [](const auto& member) {
+    return member.first.text == "ask" || member.first.text == "expect" || member.first.text == "situations";
+  });
+  const auto add = [&](const std::string& name, const Entry& entry) {
+    statement.situations.push_back({name, read_one(entry, file)});
+  };
+  const Entry* situations = members.find("situations");
+  if (!situations) {
+    add("", shared);
+  } else {
+    if (situations->kind != Entry::Kind::map || situations->members.empty())
+      fail(file, situations->mark, "expected named situations", "write situations: {measured: {...}, balanced: {...}}");
+    for (const auto& [name, entry] : situations->members) {
+      check_name(name.text, name.mark, file);
+      if (entry.kind != Entry::Kind::map) fail(file, entry.mark, "a situation is a map of what differs in it");
+      for (const auto& [key, value] : entry.members)
+        if (key.text == "ask" || key.text == "expect" || key.text == "situations" || key.text == "title")
+          fail(file, key.mark, "'" + key.text + "' cannot stand in a situation", "it belongs at the top of the file");
+      add(name.text, laid_over(shared, entry));
+    }
+  }
+  if (statement.asks.empty())
+    fail(file, root.mark, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
+  return statement;
+}
+
+}  // namespace poinsot::statement

@@ -1,0 +1,685 @@
+#include "poinsot/statement/solve_statement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "poinsot/solve/roots.h"
+#include "statement/describe.h"
+#include "statement/instant.h"
+#include "statement/reader.h"
+
+namespace poinsot::statement {
+namespace {
+
+constexpr double check_tolerance = 1e-8;   // residual on the road of particles, relative
+constexpr double same_tolerance = 1e-9;    // between two choices of what is open, relative
+constexpr double noise = 1e-14;            // rounding, relative to the natural size of a quantity
+
+// One choice of everything that the statement leaves open, and the instants solved for it so far.
+class Sample {
+ public:
+  Sample(const Statement& statement, Settings settings, const OpenChoice& choice)
+      : statement_(statement), settings_(std::move(settings)), choice_(choice) {}
+
+  Value<double> value(const Ask& ask) {
+    std::vector<Value<double>> items;
+    for (const Expression& expression : ask.of) {
+      const auto [situation, stage] = home(expression, ask.mark);
+      items.push_back(instant(situation, stage).ask(expression, ask.axes, [&](const At& at, const Mark& mark) {
+        const auto [other, other_stage] = resolve(at.instant, mark);
+        return instant(other, other_stage).raw(at.expression, ask.axes, nullptr);
+      }));
+    }
+    return ask.is_list ? Value<double>::of_list(std::move(items)) : items.front();
+  }
+  const std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<SolvedInstant>>& instants() const { return instants_; }
+  SolvedInstant& instant_of(const Ask& ask) {
+    const auto [situation, stage] = home(ask.of.front(), ask.mark);
+    return instant(situation, stage);
+  }
+  const Problem& problem_of(const Ask& ask) { return statement_.situations[home(ask.of.front(), ask.mark).first].problem; }
+
+  // Where something is asked: the situation, and its instant as a number (see when()).
+  using Home = std::pair<std::size_t, std::size_t>;
+  static When when(const Problem& problem, std::size_t instant) {
+    return problem.has_blow() ? When{0, instant == 1} : When{instant, false};
+  }
+
+  // What a name after @ means.
+  Home resolve(const std::string& name, const Mark& mark) const {
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
+      const Situation& situation = statement_.situations[i];
+      if (situation.name == name && !name.empty()) return {i, situation.problem.has_blow() ? 1u : 0u};
+      if (!situation.name.empty()) known.push_back(situation.name);
+      const bool only = statement_.situations.size() == 1;
+      if (situation.problem.has_blow()) {
+        const std::string prefix = only ? "" : situation.name + ".";
+        if (name == prefix + "before") return {i, 0};
+        if (name == prefix + "after") return {i, 1};
+        known.push_back(prefix + "before");
+        known.push_back(prefix + "after");
+      }
+      for (std::size_t k = 0; k < situation.problem.stages.size(); ++k) {
+        const std::string& stage = situation.problem.stages[k].name;
+        const std::string prefix = only ? "" : situation.name + ".";
+        if (name == prefix + stage || name == prefix + stage + ".start") return {i, k};
+        if (name == prefix + stage + ".end" && k + 1 < situation.problem.stages.size()) return {i, k + 1};
+        known.push_back(prefix + stage);
+      }
+      if (situation.problem.stages.empty() && only && !situation.problem.has_blow())
+        for (const Instant& instant : situation.problem.instants) {
+          if (instant.name == name) return {i, 0};
+          known.push_back(instant.name);
+        }
+    }
+    std::string all;
+    for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
+    const std::string hint = did_you_mean(name, known);
+    fail(statement_.file, mark, "there is no instant, stage or situation '" + name + "'", !hint.empty() ? hint : all.empty() ? "" : "known: " + all);
+  }
+
+ private:
+  // Where an ask without @ of its own is meant: that of its first @, else the only situation and stage there is.
+  std::pair<std::size_t, std::size_t> home(const Expression& expression, const Mark& mark) const {
+    if (const At* at = first_at(expression)) return resolve(at->instant, at->instant_mark);
+    if (statement_.situations.size() > 1) {
+      std::string names;
+      for (const Situation& situation : statement_.situations) names += (names.empty() ? "" : ", ") + situation.name;
+      fail(statement_.file, mark, "in which situation is this asked?", "write " + to_string(expression) + " @ one of " + names);
+    }
+    const auto& stages = statement_.situations.front().problem.stages;
+    if (stages.size() > 1) {
+      std::string names;
+      for (const Stage& stage : stages) names += (names.empty() ? "" : ", ") + stage.name;
+      fail(statement_.file, mark, "in which stage is this asked?", "write " + to_string(expression) + " @ one of " + names);
+    }
+    return {0, statement_.situations.front().problem.has_blow() ? 1u : 0u};
+  }
+
+  struct AtFinder {
+    const At* operator()(const At& at) const { return &at; }
+    const At* operator()(const Member& member) const { return first_at(member.object); }
+    const At* operator()(const Unary& unary) const { return first_at(unary.operand); }
+    const At* operator()(const Binary& binary) const {
+      const At* left = first_at(binary.left);
+      return left ? left : first_at(binary.right);
+    }
+    const At* operator()(const Call& call) const {
+      for (const Argument& argument : call.arguments)
+        if (const At* at = first_at(argument.value)) return at;
+      return nullptr;
+    }
+    const At* operator()(const List& list) const { return in(list.items); }
+    const At* operator()(const Comparison& comparison) const { return in(comparison.operands); }
+    template <class Other>
+    const At* operator()(const Other&) const {
+      return nullptr;
+    }
+    static const At* in(const std::vector<Expression>& items) {
+      for (const Expression& item : items)
+        if (const At* at = first_at(item)) return at;
+      return nullptr;
+    }
+  };
+  static const At* first_at(const Expression& expression) { return std::visit(AtFinder{}, expression->content); }
+
+  SolvedInstant& instant(std::size_t situation, std::size_t stage) {
+    auto& found = instants_[{situation, stage}];
+    if (!found)
+      found = std::make_unique<SolvedInstant>(statement_.situations[situation].problem, settings_,
+                                              when(statement_.situations[situation].problem, stage), choice_);
+    return *found;
+  }
+
+  const Statement& statement_;
+  Settings settings_;
+  OpenChoice choice_;
+  std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<SolvedInstant>> instants_;
+};
+
+// The size below which a difference is rounding.
+double size_of(const Value<double>& value) {
+  if (value.is_number()) return std::abs(value.number);
+  if (value.is_vector()) return std::max({std::abs(value.vector.x), std::abs(value.vector.y), std::abs(value.vector.z)});
+  double largest = 0;
+  for (const Value<double>& item : value.items) largest = std::max(largest, size_of(item));
+  return largest;
+}
+
+bool same(const Value<double>& a, const Value<double>& b, double tolerance) {
+  if (a.kind != b.kind || a.items.size() != b.items.size()) return false;
+  if (a.is_number()) return std::abs(a.number - b.number) <= tolerance;
+  if (a.is_vector()) return norm(a.vector - b.vector) <= tolerance;
+  if (a.is_boolean()) return a.truth == b.truth;
+  if (a.is_text()) return a.text == b.text;
+  for (std::size_t i = 0; i < a.items.size(); ++i)
+    if (!same(a.items[i], b.items[i], tolerance)) return false;
+  return true;
+}
+
+void drop_noise(Value<double>& value, double size) {
+  const auto drop = [&](double& x) {
+    if (std::abs(x) < noise * size) x = 0;
+  };
+  if (value.is_number()) drop(value.number);
+  if (value.is_vector()) {
+    drop(value.vector.x);
+    drop(value.vector.y);
+    drop(value.vector.z);
+  }
+  for (Value<double>& item : value.items) drop_noise(item, size);
+}
+
+Dimension dimension_of(const Value<double>& value) {
+  return value.is_list() && !value.items.empty() ? dimension_of(value.items.front()) : value.dimension;
+}
+
+bool has_vector(const Value<double>& value) {
+  return value.is_vector() || std::any_of(value.items.begin(), value.items.end(), has_vector);
+}
+
+bool asks_energy(const Expression& expression) {
+  std::set<std::string> names;
+  const std::string text = to_string(expression);
+  return text.find("energy(") != std::string::npos;
+}
+
+double draw(const Letter& letter, std::mt19937_64& random) {
+  if (letter.unit.dimension == dimensions::angle) return std::uniform_real_distribution<double>(0.2, 1.2)(random);
+  return letter.unit.factor * std::uniform_real_distribution<double>(0.5, 2)(random);
+}
+
+// `where:` comparisons between one unknown and values narrow its range.
+template <class SlotOf>
+void narrow_ranges(const Problem& problem, const Settings& settings, solve::RootProblem& roots, SlotOf slot_of) {
+  for (const Expression& condition : problem.where) {
+    const Comparison* comparison = condition.as<Comparison>();
+    if (!comparison) fail(problem.file, condition.mark(), "a condition under where: is a comparison", "write 0 deg < b < 90 deg");
+    for (std::size_t i = 0; i + 1 < comparison->operands.size(); ++i) {
+      const Expression &left = comparison->operands[i], &right = comparison->operands[i + 1];
+      const bool less = comparison->relations[i] == Relation::less || comparison->relations[i] == Relation::less_equal;
+      const bool greater = comparison->relations[i] == Relation::greater || comparison->relations[i] == Relation::greater_equal;
+      const auto value_of = [&](const Expression& e) -> std::optional<double> {
+        DataScope<double> data(problem, settings);
+        try {
+          const Value<double> value = data.value(e);
+          return value.is_number() ? std::optional(value.number) : std::nullopt;
+        } catch (const StatementError&) {
+          return std::nullopt;  // it names an unknown itself
+        }
+      };
+      for (const auto& [name, bound, above] : {std::tuple{&left, &right, greater}, std::tuple{&right, &left, less}}) {
+        const Name* word = name->template as<Name>();
+        const auto slot = word && word->primes == 0 ? slot_of(word->name) : std::nullopt;
+        const auto value = slot ? value_of(*bound) : std::nullopt;
+        if (!value || !(less || greater)) continue;
+        solve::RootRange& range = roots.ranges[*slot];
+        if (above)
+          range.lower = std::max(range.lower, *value);
+        else
+          range.upper = std::min(range.upper, *value);
+      }
+    }
+  }
+}
+
+bool satisfies_where(const Statement& statement, const Settings& settings) {
+  for (const Situation& situation : statement.situations)
+    for (const Expression& condition : situation.problem.where) {
+      DataScope<double> data(situation.problem, settings);
+      const Value<double> value = data.value(condition);
+      if (value.is_boolean() && !value.truth) return false;
+    }
+  return true;
+}
+
+// What the values of all asks are for one choice; a missing value where it could not be found.
+using Values = std::vector<std::optional<Value<double>>>;
+
+class StatementSolver {
+ public:
+  StatementSolver(const Statement& statement, Settings settings) : statement_(statement), settings_(std::move(settings)) {
+    for (const Situation& situation : statement.situations) {
+      for (const Letter& letter : situation.problem.letters) add_once(open_, letter);
+      for (const Unknown& unknown : situation.problem.find) add_once(unknowns_, unknown);
+    }
+  }
+
+  SolvedStatement solve() {
+    SolvedStatement result;
+    result.open_letters = open_;
+    if (unknowns_.empty()) {
+      result.solutions.push_back(solve_one(settings_));
+      return result;
+    }
+    // With letters open, roots are sought at drawn values, to see which answers depend on which letters.
+    const RootsFound found = find_unknowns(settings_with_letters());
+    result.warnings = found.warnings;
+    for (const Settings& root : found.roots) {
+      Solution solution = solve_one(root);
+      for (const Unknown& unknown : unknowns_) solution.unknowns.push_back({unknown.name, unknown.unit, root.at(unknown.name)});
+      if (!open_.empty()) {
+        for (SolvedAsk& ask : solution.asks) {
+          ask.state = AskState::needs_letters;
+          ask.letters.clear();
+          for (const Letter& letter : open_) ask.letters.push_back(letter.name);
+        }
+        solution.unknowns.clear();
+      }
+      for (const std::string& name : found.open)
+        for (SolvedAsk& ask : solution.asks)
+          if (ask.state == AskState::found && asks_name(ask, solution, name)) {
+            ask.state = AskState::undetermined;
+            ask.reason = "the conditions leave '" + name + "' open: one more fact is needed";
+          }
+      result.solutions.push_back(std::move(solution));
+    }
+    return result;
+  }
+
+ private:
+  struct RootsFound {
+    std::vector<Settings> roots;
+    std::vector<std::string> open, warnings;
+  };
+
+  template <class Item>
+  void add_once(std::vector<Item>& list, const Item& item) const {
+    const bool known = settings_.contains(item.name) || std::any_of(list.begin(), list.end(), [&](const Item& other) { return other.name == item.name; });
+    if (!known) list.push_back(item);
+  }
+
+  Settings settings_with_letters() const {
+    Settings settings = settings_;
+    std::mt19937_64 random(1000);
+    for (const Letter& letter : open_) settings[letter.name] = Value<double>::of_number(draw(letter, random), letter.unit.dimension);
+    return settings;
+  }
+
+  bool asks_name(const SolvedAsk& ask, const Solution& solution, const std::string& name) const {
+    const auto index = static_cast<std::size_t>(&ask - solution.asks.data());
+    for (const Expression& expression : statement_.asks[index].of) {
+      std::set<std::string> names;
+      collect_names(expression, names);
+      if (names.contains(name) || level_of(statement_.situations.front().problem, expression, true) != Level::position) return true;
+    }
+    return false;
+  }
+
+  RootsFound find_unknowns(const Settings& settings);
+
+  // The answers with everything known that will be known.
+  Solution solve_one(const Settings& settings) {
+    base_ = settings;
+    sample_.reset();
+    natural_.clear();
+    Solution result;
+    Values values = with_letters(OpenChoice{}, nullptr);
+    Sample& base = *sample_;
+    result.asks.resize(statement_.asks.size());
+    for (std::size_t i = 0; i < statement_.asks.size(); ++i) finish(statement_.asks[i], *values[i], base, result.asks[i]);
+    find_dependencies(values, result);
+    if (open_.empty()) physical(result);
+    check(result);
+    return result;
+  }
+
+  Values evaluate(Sample& sample) {
+    Values values;
+    for (const Ask& ask : statement_.asks) values.emplace_back(sample.value(ask));
+    return values;
+  }
+
+  // With open letters drawn at random until the statement makes sense; the draw is kept in base_.
+  Values with_letters(const OpenChoice& choice, const std::string* only) {
+    constexpr int most_draws = 40;
+    for (int attempt = 0;; ++attempt) {
+      Settings settings = base_;
+      std::mt19937_64 random(1000 + static_cast<std::uint64_t>(attempt) + (only ? 500 : 0));
+      for (const Letter& letter : open_) {
+        const double value = draw(letter, random);
+        if (!only || *only == letter.name) settings[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
+      }
+      try {
+        auto sample = std::make_unique<Sample>(statement_, settings, choice);
+        Values values = evaluate(*sample);
+        if (!only && !sample_) {
+          sample_ = std::move(sample);
+          base_ = settings;
+        }
+        return values;
+      } catch (const StatementError&) {
+        if (open_.empty() || attempt == most_draws) throw;
+      }
+    }
+  }
+
+  // An ask that has no value for this choice depends on it.
+  Values varied(const OpenChoice& choice) {
+    Sample sample(statement_, base_, choice);
+    Values values;
+    for (const Ask& ask : statement_.asks) {
+      try {
+        values.emplace_back(sample.value(ask));
+      } catch (const StatementError&) {
+        values.emplace_back(std::nullopt);
+      }
+    }
+    return values;
+  }
+
+  double tolerance(std::size_t i, const Value<double>& a, const Value<double>& b) {
+    return same_tolerance * std::max(size_of(a), size_of(b)) + 1e-11 * natural_[i];
+  }
+
+  void find_dependencies(const Values& base, Solution& result) {
+    const auto differs = [&](const Values& other, std::size_t i) {
+      return !other[i] || !same(*base[i], *other[i], tolerance(i, *base[i], *other[i]));
+    };
+    for (const Letter& letter : open_) {
+      const Values other = with_letters(OpenChoice{}, &letter.name);
+      for (std::size_t i = 0; i < base.size(); ++i)
+        if (differs(other, i)) {
+          result.asks[i].state = AskState::needs_letters;
+          result.asks[i].letters.push_back(letter.name);
+        }
+    }
+    const auto undetermined = [&](const OpenChoice& choice, auto&& reason) {
+      const Values other = varied(choice);
+      for (std::size_t i = 0; i < base.size(); ++i) {
+        if (!differs(other, i)) continue;
+        result.asks[i].state = AskState::undetermined;
+        result.asks[i].reason += (result.asks[i].reason.empty() ? "" : "; ") + reason(statement_.asks[i]);
+      }
+    };
+    bool any = false, gravity = false;
+    for (const Situation& situation : statement_.situations) {
+      gravity = gravity || !situation.problem.gravity;
+      any = any || uses_any(situation.problem);
+    }
+    if (any)
+      undetermined({.seed = 11, .any = true}, [](const Ask&) { return std::string("it depends on a value that is given as `any`"); });
+    if (gravity)
+      undetermined({.seed = 12, .gravity = true}, [](const Ask&) { return std::string("it depends on gravity, of which nothing is said: write gravity: -y or gravity: none"); });
+    // Every open direction by itself, so that only what moves an answer is named.
+    std::size_t velocities = 0, forces = 0;
+    for (const auto& [key, instant] : sample_->instants()) {
+      velocities = std::max(velocities, instant->velocities().open.size());
+      if (instant->forces_solved()) forces = std::max(forces, instant->motion().open.size());
+      if (instant->after_blow()) forces = std::max(forces, instant->blow().open.size());
+    }
+    constexpr std::size_t most = 60;
+    for (std::size_t d = 0; d < std::min(velocities, most); ++d)
+      undetermined({.seed = 13, .velocities = true, .direction = d}, [&](const Ask& ask) { return open_velocity(sample_->instant_of(ask), d); });
+    for (std::size_t d = 0; d < std::min(forces, most); ++d)
+      undetermined({.seed = 14, .forces = true, .direction = d}, [&](const Ask& ask) { return open_force(sample_->instant_of(ask), d); });
+  }
+
+  static bool uses_any(const Problem& problem) {
+    const auto is_any = [](const std::optional<Expression>& expression) {
+      std::set<std::string> names;
+      if (expression) collect_names(*expression, names);
+      return names.contains("any");
+    };
+    return std::any_of(problem.bodies.begin(), problem.bodies.end(), [&](const Body& body) {
+      if (is_any(body.amount.mass) || is_any(body.amount.weight) || is_any(body.amount.density) || is_any(body.center)) return true;
+      for (const Part& part : body.parts)
+        if (is_any(part.amount.mass) || is_any(part.amount.weight)) return true;
+      if (!body.inertia) return false;
+      if (body.inertia->rest_any) return true;
+      for (const auto& list : {body.inertia->moments, body.inertia->products})
+        for (const auto& value : list)
+          if (is_any(value)) return true;
+      return false;
+    });
+  }
+
+  static std::string listed(const std::vector<std::string>& names, const char* last) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      text += (i == 0 ? "" : i + 1 == names.size() ? std::string(" ") + last + " " : ", ") + names[i];
+    return text;
+  }
+
+  // The names of the unknowns that one open direction moves.
+  static std::vector<std::string> moved_names(const solve::LinearSystem& equations, const solve::LinearSolution& solution, std::size_t direction,
+                                              std::size_t first, std::size_t last) {
+    std::vector<std::string> names;
+    if (direction >= solution.share.size()) return names;
+    for (std::size_t k : solution.share[direction])
+      if (k >= first && k < last) names.push_back(equations.name(k));
+    if (names.size() > 6) {
+      names.resize(5);
+      names.emplace_back("more");
+    }
+    return names;
+  }
+
+  static std::string open_velocity(const SolvedInstant& instant, std::size_t direction) {
+    const auto& equations = instant.velocity_equations();
+    const std::vector<std::string> names = moved_names(equations, instant.velocities(), direction, 0, equations.unknowns());
+    return "nothing fixes " + listed(names, "and") + (names.size() == 1 ? "" : " (one of them would do, or another fact)") +
+           ": state it under joints: or instants:";
+  }
+
+  static std::string open_force(const SolvedInstant& instant, std::size_t direction) {
+    if (instant.after_blow() && !instant.forces_solved())
+      return "the blow does not fix " +
+             listed(moved_names(instant.blow_equations(), instant.blow(), direction, 0, instant.blow_equations().unknowns()), "and") + " one by one";
+    const auto& equations = instant.motion_equations();
+    const std::size_t accelerations = solve::force_unknowns(instant.machine().mechanism).accelerations;
+    const std::vector<std::string> motions = moved_names(equations, instant.motion(), direction, 0, accelerations);
+    if (!motions.empty()) return "nothing fixes the " + listed(motions, "and the") + ": state it, or the couple or force that causes it";
+    return listed(moved_names(equations, instant.motion(), direction, accelerations, equations.unknowns()), "and") +
+           " share the same load: only their sum is fixed";
+  }
+
+  void finish(const Ask& ask, const Value<double>& value, Sample& sample, SolvedAsk& solved) {
+    const Problem& problem = sample.problem_of(ask);
+    solved.value = value;
+    const Dimension dimension = dimension_of(value);
+    natural_.push_back(sample.instant_of(ask).natural_size(dimension));
+    drop_noise(solved.value, std::max(size_of(value), natural_.back()));
+    for (const Value<double>& item : value.items)
+      if (!same_kind(dimension_of(item), dimension))
+        fail(problem.file, ask.mark, "the items of this list are of different kinds: " + to_string(dimension) + " and " + to_string(dimension_of(item)),
+             "ask them one by one");
+    if (ask.unit) {
+      if (!same_kind(ask.unit->dimension, dimension))
+        fail(problem.file, ask.mark, "the answer is " + to_string(dimension) + ", but " + ask.unit->text + " is a unit of " + to_string(ask.unit->dimension),
+             "ask for it in a unit such as " + problem.habits.unit_for(dimension).text);
+      solved.unit = *ask.unit;
+    } else if (!value.is_boolean() && !value.is_text()) {
+      solved.unit = problem.habits.unit_for(dimension, std::all_of(ask.of.begin(), ask.of.end(), asks_energy));
+    }
+    solved.words = describe(ask, problem, has_vector(value));
+    if (has_vector(value)) solved.component_names.assign(problem.axes.begin(), problem.axes.end());
+  }
+
+  // A cord that would push or a contact that would pull: what depends on forces is refused.
+  void physical(Solution& result) {
+    for (std::size_t i = 0; i < statement_.asks.size(); ++i) {
+      const Ask& ask = statement_.asks[i];
+      SolvedInstant& instant = sample_->instant_of(ask);
+      const Problem& problem = sample_->problem_of(ask);
+      const bool needs_forces = std::any_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) {
+        return level_of(problem, e, true) == Level::force;
+      });
+      if (!needs_forces || !instant.forces_solved() || result.asks[i].state != AskState::found) continue;
+      for (const std::string& reason : instant.unphysical()) {
+        result.asks[i].state = AskState::refused;
+        result.asks[i].reason = reason;
+      }
+    }
+  }
+
+  void check(Solution& result) {
+    for (const auto& [key, instant] : sample_->instants()) {
+      const SolvedInstant::Residuals residuals = instant->check();
+      const solve::CheckResult& residual = residuals.particles;
+      const auto keep = [&](const char* name, double value) {
+        auto [entry, fresh] = result.checks.emplace(name, value);
+        if (!fresh) entry->second = std::max(entry->second, value);
+      };
+      keep("momentum", residual.momentum);
+      keep("energy", residual.energy);
+      if (instant->forces_solved()) keep("newton_euler", residual.newton_euler);
+      if (instant->after_blow()) keep("impulse", residuals.impulse);
+    }
+    for (const auto& [name, residual] : result.checks) {
+      if (residual <= check_tolerance) continue;
+      for (SolvedAsk& ask : result.asks) {
+        if (ask.state != AskState::found) continue;
+        ask.state = AskState::refused;
+        ask.reason = "the independent check with particles does not confirm it (" + name + " off by " + std::to_string(residual) + ")";
+      }
+    }
+  }
+
+  const Statement& statement_;
+  Settings settings_, base_;
+  std::vector<Letter> open_;
+  std::vector<Unknown> unknowns_;
+  std::unique_ptr<Sample> sample_;
+  std::vector<double> natural_;
+};
+
+// Whether forces take part in what fixes the unknowns of a problem.
+bool unknowns_need_forces(const Problem& problem) {
+  if (problem.steady) return true;
+  for (const Instant& instant : problem.instants)
+    for (const Fact& fact : instant.facts)
+      if (level_of(problem, fact.quantity) == Level::force) return true;
+  return false;
+}
+
+StatementSolver::RootsFound StatementSolver::find_unknowns(const Settings& settings) {
+  RootsFound found;
+  const Problem& first = statement_.situations.front().problem;
+  solve::RootProblem roots;
+  // Flat list: vectors have three components.
+  struct Slot {
+    std::size_t unknown, component;
+  };
+  std::vector<Slot> slots;
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+    const Unknown& unknown = unknowns_[i];
+    for (std::size_t k = 0; k < (unknown.vector ? 3u : 1u); ++k) {
+      slots.push_back({i, k});
+      solve::RootRange range;
+      range.scale = unknown.unit.factor;
+      range.lower = -std::numeric_limits<double>::infinity();
+      range.upper = std::numeric_limits<double>::infinity();
+      const Dimension& d = unknown.unit.dimension;
+      if (!unknown.vector && (d == dimensions::mass || d == dimensions::time || d == dimensions::length)) range.lower = 0;
+      if (d == dimensions::angle) {
+        range.lower = -3.141592653589793;
+        range.upper = 3.141592653589793;
+        range.scale = 1;
+      }
+      roots.ranges.push_back(range);
+    }
+  }
+  const auto settings_at = [&](const std::vector<double>& x) {
+    Settings all = settings;
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+      const Unknown& unknown = unknowns_[slots[k].unknown];
+      if (!unknown.vector) {
+        all[unknown.name] = Value<double>::of_number(x[k], unknown.unit.dimension);
+      } else {
+        auto [entry, fresh] = all.emplace(unknown.name, Value<double>::of_vector(Vector3<double>::zero(), unknown.unit.dimension));
+        entry->second.vector[slots[k].component] = x[k];
+      }
+    }
+    return all;
+  };
+  // The unit in which an unknown is wanted is a natural size of it, unless the problem is of another order altogether.
+  try {
+    std::vector<double> ones;
+    for (const Slot& slot : slots) ones.push_back(unknowns_[slot.unknown].unit.factor);
+    SolvedInstant instant(first, settings_at(ones), When{}, OpenChoice{.trial = true});
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+      const double natural = instant.natural_size(unknowns_[slots[k].unknown].unit.dimension), ratio = natural / roots.ranges[k].scale;
+      if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e4 || ratio < 1e-4)) roots.ranges[k].scale = natural;
+    }
+  } catch (const StatementError&) {
+    // These values make no sense; the units serve.
+  }
+  narrow_ranges(first, settings, roots, [&](const std::string& name) -> std::optional<std::size_t> {
+    for (std::size_t k = 0; k < slots.size(); ++k)
+      if (unknowns_[slots[k].unknown].name == name && !unknowns_[slots[k].unknown].vector) return k;
+    return std::nullopt;
+  });
+  std::optional<StatementError> refusal;
+  roots.equations = [&](const std::vector<double>& x) -> std::optional<std::vector<double>> {
+    const Settings trial = settings_at(x);
+    std::vector<double> misfits;
+    try {
+      for (const Situation& situation : statement_.situations) {
+        if (!situation.problem.stages.empty())
+          fail(situation.problem.file, situation.problem.stages.front().mark, "unknowns of a problem with stages are not found", "give the datum a value with --set");
+        SolvedInstant instant(situation.problem, trial, When{0, situation.problem.has_blow()}, OpenChoice{.trial = true});
+        if (unknowns_need_forces(situation.problem)) instant.solve_forces();
+        misfits.insert(misfits.end(), instant.misfits().begin(), instant.misfits().end());
+      }
+    } catch (const StatementError& error) {
+      // Values without sense are outside the range; a statement without sense has no value anywhere.
+      refusal = error;
+      return std::nullopt;
+    }
+    return misfits;
+  };
+  const solve::Roots result = solve::find_roots(roots);
+  for (const auto& point : result.points) {
+    Settings root = settings_at(point);
+    if (satisfies_where(statement_, root)) found.roots.push_back(std::move(root));
+  }
+  for (std::size_t k : result.open_unknowns)
+    if (const std::string& name = unknowns_[slots[k].unknown].name; std::find(found.open.begin(), found.open.end(), name) == found.open.end())
+      found.open.push_back(name);
+  if (found.roots.empty()) {
+    if (result.best_misfit == std::numeric_limits<double>::infinity() && refusal) throw *refusal;
+    std::string names;
+    for (const Unknown& unknown : unknowns_) names += (names.empty() ? "" : ", ") + unknown.name;
+    found.warnings.push_back("no values of " + names + " in their ranges satisfy all conditions" +
+                             (result.search == solve::RootSearch::linear ? " (the equations are linear)" : " (" + std::to_string(result.starts) + " starts tried)"));
+  } else if (result.search == solve::RootSearch::many_starts) {
+    found.warnings.push_back("the roots were found from " + std::to_string(result.starts) + " starts; others are not excluded");
+  }
+  return found;
+}
+
+}  // namespace
+
+Settings read_settings(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets) {
+  Settings settings;
+  for (const auto& [name, text] : sets) {
+    std::vector<std::string> known;
+    const Problem* owner = nullptr;
+    for (const Situation& situation : statement.situations) {
+      const std::vector<std::string> names = settable_names(situation.problem);
+      if (!owner && std::find(names.begin(), names.end(), name) != names.end()) owner = &situation.problem;
+      known.insert(known.end(), names.begin(), names.end());
+    }
+    if (!owner) {
+      std::string all;
+      std::set<std::string> unique(known.begin(), known.end());
+      for (const std::string& word : unique) all += (all.empty() ? "" : ", ") + word;
+      const std::string hint = did_you_mean(name, known);
+      fail("--set " + name, {1, 1}, "the problem has no letter or datum '" + name + "'", !hint.empty() ? hint : all.empty() ? "it has none at all" : "it has " + all);
+    }
+    settings[name] = read_setting(*owner, name, text);
+  }
+  return settings;
+}
+
+SolvedStatement solve_statement(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets) {
+  return StatementSolver(statement, read_settings(statement, sets)).solve();
+}
+
+}  // namespace poinsot::statement

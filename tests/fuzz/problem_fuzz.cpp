@@ -1,0 +1,44 @@
+// Any bytes as a problem file, read and solved: a solved statement or a StatementError with a place, nothing else.
+//
+// Sizes are bounded, so that a slow input is a finding and not merely a large problem.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "poinsot/statement/problem.h"
+#include "poinsot/statement/solve_statement.h"
+
+using namespace poinsot::statement;
+
+namespace {
+
+constexpr std::size_t most_bytes = 3000, most_bodies = 6, most_stages = 0, most_letters = 4;
+
+bool small_enough(const Statement& statement) {
+  if (statement.situations.size() > 3 || statement.asks.size() > 12) return false;
+  for (const Situation& situation : statement.situations) {
+    const Problem& problem = situation.problem;
+    if (problem.bodies.size() + problem.frames.size() > most_bodies || problem.joints.size() > 2 * most_bodies) return false;
+    if (problem.stages.size() > most_stages || problem.letters.size() > most_letters) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size > most_bytes) return 0;
+  try {
+    const Statement statement = read_statement({reinterpret_cast<const char*>(data), size}, "fuzz");
+    if (!small_enough(statement)) return 0;
+    const SolvedStatement solved = solve_statement(statement, {});
+    if (solved.asks.size() != statement.asks.size()) std::abort();
+    for (const SolvedAsk& ask : solved.asks)
+      if (ask.state != AskState::found && ask.reason.empty() && ask.letters.empty()) std::abort();
+  } catch (const StatementError& error) {
+    for (const Diagnostic& diagnostic : error.diagnostics())
+      if (diagnostic.mark.line < 1 || diagnostic.mark.column < 1 || diagnostic.message.empty()) std::abort();
+  }
+  return 0;
+}
