@@ -1,0 +1,128 @@
+// The command line: poinsot solve, check and schema.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "exit_codes.h"
+#include "poinsot/statement/diagnostic.h"
+#include "streams.h"
+
+namespace {
+
+// The words of the command line that no option or command takes, in their order.
+std::vector<std::string> stray_words(const CLI::App& app) {
+  std::vector<std::string> words = app.remaining(true);
+  std::erase(words, "--");
+  return words;
+}
+
+// What is wrong with a word that nothing takes, for the command that was to take it.
+std::string stray_message(const std::string& word, const CLI::App& program) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& command = chosen.empty() ? program : *chosen.front();
+  std::vector<std::string> candidates;
+  if (word.size() > 1 && word[0] == '-') {
+    const std::string option = word.substr(0, word.find('='));
+    for (const CLI::Option* known : command.get_options()) {
+      for (const std::string& name : known->get_lnames()) candidates.push_back("--" + name);
+    }
+    const std::string message = chosen.empty() ? fmt::format("unknown option '{}'", option)
+                                               : fmt::format("unknown option '{}' of {}", option, command.get_name());
+    const std::string hint = poinsot::statement::did_you_mean(option, candidates);
+    return hint.empty() ? message : fmt::format("{} ({})", message, hint);
+  }
+  if (!chosen.empty()) return fmt::format("{} takes no '{}'", command.get_name(), word);
+  for (const CLI::App* known : program.get_subcommands({})) candidates.push_back(known->get_name());
+  const std::string hint = poinsot::statement::did_you_mean(word, candidates);
+  const std::string message =
+      fmt::format("unknown command '{}': expected one of {}", word, fmt::join(candidates, ", "));
+  return hint.empty() ? message : fmt::format("{} ({})", message, hint);
+}
+
+int usage_error(const std::string& message, const CLI::App& program) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const std::string command = chosen.empty() ? "poinsot" : "poinsot " + chosen.front()->get_name();
+  write_message(fmt::format("poinsot: {}\nTry '{} --help'.", message, command));
+  return exit_wrong_input;
+}
+
+// NAME and VALUE of `NAME=VALUE`; CLI::ValidationError if it has another form.
+std::pair<std::string, std::string> split_setting(const std::string& text) {
+  const std::size_t sign = text.find('=');
+  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
+    throw CLI::ValidationError("--set", fmt::format("'{}' should be NAME=VALUE, for example --set 'm=3 kg'", text));
+  }
+  return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
+int run(int argument_count, const char* const* arguments) {
+  CLI::App program("Kinetics of rigid bodies in three dimensions: states a problem, finds the answers.", "poinsot");
+  program.set_version_flag("--version", "poinsot " POINSOT_VERSION);
+  program.require_subcommand(1);
+  program.footer(
+      "Exit codes: 0 all answered; 1 without answer, or an answer that failed its check; 2 wrong input;\n"
+      "3 internal failure; 130 interrupted.");
+
+  SolveArguments solve_arguments;
+  std::vector<std::string> settings;
+  CLI::App* solve_command = program.add_subcommand("solve", "Solve problem files and print the answers");
+  solve_command->add_option("FILE", solve_arguments.files, "Problem files; - for standard input")->required();
+  solve_command->add_flag("--json", solve_arguments.json, "Print one answer document per file, one per line");
+  solve_command
+      ->add_option("--set", settings, "Give a letter, a datum or an unknown this value, with its unit (repeatable)")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+
+  std::vector<std::string> paths;
+  CLI::App* check_command = program.add_subcommand("check", "Compare problem files with the answers they expect");
+  check_command->add_option("PATH", paths, "Problem files, or folders of *.yaml files")->required();
+
+  bool of_answer = false;
+  CLI::App* schema_command = program.add_subcommand("schema", "Print the JSON Schema of the problem file");
+  schema_command->add_flag("--answer", of_answer, "Print that of the answer document");
+
+  if (argument_count <= 1) {
+    write_message(program.help());
+    return exit_wrong_input;
+  }
+  try {
+    program.parse(argument_count, arguments);
+    for (const std::string& setting : settings) solve_arguments.run.sets.push_back(split_setting(setting));
+  } catch (const CLI::CallForHelp&) {
+    const std::vector<CLI::App*> chosen = program.get_subcommands();
+    static_cast<void>(write_answer(chosen.empty() ? program.help() : chosen.front()->help("poinsot")));
+    return exit_answered;
+  } catch (const CLI::CallForVersion& version) {
+    static_cast<void>(write_answer(fmt::format("{}\n", version.what())));
+    return exit_answered;
+  } catch (const CLI::ParseError& error) {
+    const std::vector<std::string> stray = stray_words(program);
+    return usage_error(stray.empty() ? error.what() : stray_message(stray.front(), program), program);
+  }
+
+  if (solve_command->parsed()) return solve(solve_arguments);
+  if (check_command->parsed()) return check(paths);
+  return schema(of_answer);
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  prepare_streams();
+  try {
+    return run(argument_count, arguments);
+  } catch (const poinsot::statement::StatementError& error) {
+    write_message(error.what());
+    return exit_wrong_input;
+  } catch (const OutputError& error) {
+    write_message(fmt::format("poinsot: {}", error.what()));
+    return exit_internal;
+  } catch (const std::exception& error) {
+    write_message(fmt::format("poinsot: internal failure: {}", error.what()));
+    return exit_internal;
+  }
+}

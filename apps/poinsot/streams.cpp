@@ -1,0 +1,78 @@
+#include "streams.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "exit_codes.h"
+#include "poinsot/answer/display_text.h"
+
+namespace {
+
+extern "C" void on_interrupt(int /*signal*/) {
+  constexpr std::string_view message = "\npoinsot: interrupted\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
+  _exit(exit_interrupted);
+}
+
+// Writes everything; the error number if that fails.
+int write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(descriptor, text.data(), text.size());
+    if (written >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      return errno;
+    }
+  }
+  return 0;
+}
+
+bool environment_has(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0';
+}
+
+}  // namespace
+
+void prepare_streams() {
+  // A place-holder is opened the wrong way round, so that using the closed stream still fails.
+  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
+    if (fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
+    const int placed = open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    if (placed != -1 && placed != descriptor) close(placed);
+  }
+  std::signal(SIGPIPE, SIG_IGN);
+  if (std::signal(SIGINT, on_interrupt) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
+}
+
+bool write_answer(std::string_view text) {
+  const int error = write_all(STDOUT_FILENO, text);
+  if (error == EPIPE) return false;
+  if (error != 0) throw OutputError(fmt::format("cannot write to standard output: {}", std::strerror(error)));
+  return true;
+}
+
+void write_message(std::string_view text) {
+  std::string lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines += poinsot::answer::printable(text.substr(0, end)) + "\n";
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  // Nowhere is left to report that standard error fails.
+  static_cast<void>(write_all(STDERR_FILENO, lines));
+}
+
+bool wants_color() {
+  const char* terminal = std::getenv("TERM");
+  const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
+  return isatty(STDOUT_FILENO) == 1 && !dumb && !environment_has("NO_COLOR");
+}

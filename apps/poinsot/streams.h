@@ -1,0 +1,25 @@
+// The program's standard streams and the interrupt key.
+#pragma once
+
+#include <stdexcept>
+#include <string_view>
+
+// Standard output takes no more.
+struct OutputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// To be called first. A standard stream that is closed gets a place-holder, so that no file opened later takes its
+// number; writing to a pipe that nobody reads becomes an error in place of a signal; the interrupt key ends the program
+// with exit code 130, unless the caller has set it to be ignored.
+void prepare_streams();
+
+// Writes all of the text to standard output before it returns. False if its reader has gone away, so that nothing more
+// is wanted; OutputError if the text cannot be written for another reason.
+[[nodiscard]] bool write_answer(std::string_view text);
+
+// Writes the text and a line's end to standard error, control characters made harmless.
+void write_message(std::string_view text);
+
+// Whether standard output is a terminal that shows color and the environment does not forbid it (no-color.org).
+bool wants_color();

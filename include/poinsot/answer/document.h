@@ -1,0 +1,80 @@
+// The answer document: everything that one run on one problem file found. All output is a rendering of it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace poinsot::answer {
+
+// A number, truth value, text, list of data (vectors and matrices are lists), or nothing.
+struct Datum {
+  std::variant<std::monostate, double, bool, std::string, std::vector<Datum>> content;
+
+  bool empty() const { return std::holds_alternative<std::monostate>(content); }
+};
+
+enum class AnswerState {
+  found,
+  needs_letters,  // the answer depends on letters that have no value yet
+  undetermined,   // the statement does not fix it
+  refused,        // found, but its independent check failed
+};
+
+// One column of a table: as many numbers as the table has rows.
+struct Column {
+  std::string name;
+  std::string unit;
+  std::vector<double> value;  // in `unit`
+  std::vector<double> si;     // in SI base units, angles in radians
+};
+
+struct Answer {
+  std::string name;   // the key under `ask:`
+  std::string ask;    // the ask as written
+  std::string words;  // what is given, in words: quantity, body, point, axes, sense of a reaction
+  AnswerState state = AnswerState::found;
+  Datum value;       // in `unit`
+  std::string unit;  // "" for pure numbers, truth values and texts
+  Datum si;          // in SI base units, angles in radians; may stay empty where `value` has no unit
+  std::vector<std::string> component_names;  // of a vector answer: the names of the axes, in order
+  std::string reason;                        // for every state but `found`: why, and what would help
+  std::vector<std::string> letters;          // for needs_letters: the letters it depends on
+  std::vector<Column> columns;               // of a table, in the order asked; then value, si and unit stay empty
+};
+
+struct Unknown {
+  std::string name;
+  Datum value;
+  std::string unit;
+  Datum si;
+};
+
+struct Solution {
+  std::vector<Unknown> unknowns;
+  std::vector<Answer> answers;           // in the order of the file
+  std::map<std::string, double> checks;  // relative residuals found on the independent road, by name
+};
+
+struct Letter {
+  std::string name;
+  std::string unit;
+};
+
+struct Document {
+  std::string file;
+  std::string title;
+  std::vector<Letter> open_letters;
+  std::vector<Solution> solutions;
+  std::vector<std::string> warnings;
+};
+
+// True if there is a solution and every question has its answer in every solution.
+bool fully_answered(const Document& document);
+
+// Throws std::domain_error, naming the place, if an answer that counts as found or an unknown has no value or one that
+// is not finite: a fault of the program, which no rendering passes on.
+void require_values(const Document& document);
+
+}  // namespace poinsot::answer

@@ -1,0 +1,94 @@
+#include "answer/datum_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "poinsot/answer/display_text.h"
+#include "poinsot/answer/rounding.h"
+
+namespace poinsot::answer {
+namespace {
+
+using List = std::vector<Datum>;
+
+// The numbers of a list that holds nothing else and is not empty.
+std::optional<std::vector<double>> numbers_of(const Datum& datum) {
+  const auto* list = std::get_if<List>(&datum.content);
+  if (list == nullptr || list->empty()) return std::nullopt;
+  std::vector<double> numbers;
+  for (const Datum& item : *list) {
+    const auto* number = std::get_if<double>(&item.content);
+    if (number == nullptr) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+// The rows of a matrix: at least two lists of equally many numbers.
+std::optional<std::vector<std::vector<double>>> rows_of(const Datum& datum) {
+  const auto* list = std::get_if<List>(&datum.content);
+  if (list == nullptr || list->size() < 2) return std::nullopt;
+  std::vector<std::vector<double>> rows;
+  for (const Datum& item : *list) {
+    std::optional<std::vector<double>> row = numbers_of(item);
+    if (!row || (!rows.empty() && row->size() != rows.front().size())) return std::nullopt;
+    rows.push_back(std::move(*row));
+  }
+  return rows;
+}
+
+// Rows rounded together, their columns right-aligned.
+std::vector<std::string> matrix_lines(const std::vector<std::vector<double>>& rows, int digits) {
+  std::vector<double> entries;
+  for (const std::vector<double>& row : rows) entries.insert(entries.end(), row.begin(), row.end());
+  const std::vector<std::string> texts = rounded_together(entries, digits);
+  const std::size_t columns = rows.front().size();
+  std::vector<std::string> lines(rows.size(), "[");
+  for (std::size_t column = 0; column < columns; ++column) {
+    std::size_t width = 0;
+    for (std::size_t row = 0; row < rows.size(); ++row) width = std::max(width, texts[row * columns + column].size());
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      lines[row] += (column > 0 ? "  " : "") + padded_left(texts[row * columns + column], width);
+    }
+  }
+  for (std::string& line : lines) line += "]";
+  return lines;
+}
+
+std::string text_without_unit(const Datum& datum, int digits) {
+  if (const auto* number = std::get_if<double>(&datum.content)) return rounded(*number, digits);
+  if (const auto* truth = std::get_if<bool>(&datum.content)) return *truth ? "true" : "false";
+  if (const auto* text = std::get_if<std::string>(&datum.content)) return printable(*text);
+  const auto* list = std::get_if<List>(&datum.content);
+  if (list == nullptr || list->empty()) return "none";
+  if (const std::optional<std::vector<double>> numbers = numbers_of(datum)) {
+    if (numbers->size() == 3) return fmt::format("({})", fmt::join(rounded_together(*numbers, digits), ", "));
+    std::vector<std::string> texts;
+    for (double number : *numbers) texts.push_back(rounded(number, digits));
+    return fmt::format("[{}]", fmt::join(texts, ", "));
+  }
+  std::vector<std::string> texts;
+  for (const Datum& item : *list) texts.push_back(text_without_unit(item, digits));
+  const std::string joined = fmt::format("{}", fmt::join(texts, ", "));
+  const bool only_texts =
+      std::ranges::all_of(*list, [](const Datum& item) { return std::holds_alternative<std::string>(item.content); });
+  return only_texts ? joined : "[" + joined + "]";
+}
+
+}  // namespace
+
+std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits) {
+  const std::optional<std::vector<std::vector<double>>> rows = rows_of(datum);
+  std::vector<std::string> lines = rows ? matrix_lines(*rows, digits) : std::vector{text_without_unit(datum, digits)};
+  if (!unit.empty()) lines.back() += " " + unit;
+  return lines;
+}
+
+std::string datum_text(const Datum& datum, const std::string& unit, int digits) {
+  return text_without_unit(datum, digits) + (unit.empty() ? "" : " " + unit);
+}
+
+}  // namespace poinsot::answer

@@ -1,0 +1,18 @@
+// A datum as text for a reader; a matrix takes a line for each row.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "poinsot/answer/document.h"
+
+namespace poinsot::answer {
+
+// At least one line; the unit (printable) stands once, behind the last. Three numbers are a vector, `(a, b, c)`, other
+// numbers a list, `[a, b]`; texts are joined by commas; an empty list is "none".
+std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits);
+
+// The same on one line, rows of a matrix side by side.
+std::string datum_text(const Datum& datum, const std::string& unit, int digits);
+
+}  // namespace poinsot::answer

@@ -1,0 +1,159 @@
+#include "poinsot/answer/run.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "poinsot/answer/check.h"
+#include "poinsot/statement/keys.h"
+#include "poinsot/statement/solve_statement.h"
+#include "poinsot/statement/tree.h"
+
+namespace poinsot::answer {
+namespace {
+
+namespace fs = std::filesystem;
+using statement::Value;
+
+Datum datum(const Value<double>& value, double factor) {
+  if (value.is_number()) return {value.number / factor};
+  if (value.is_boolean()) return {value.truth};
+  if (value.is_text()) return {value.text};
+  std::vector<Datum> items;
+  if (value.is_vector())
+    for (std::size_t k = 0; k < 3; ++k) items.push_back({value.vector[k] / factor});
+  for (const Value<double>& item : value.items) items.push_back(datum(item, factor));
+  return {std::move(items)};
+}
+
+Solution solution_of(const statement::Statement& stated, const statement::Solution& solved) {
+  Solution solution;
+  for (const statement::SolvedUnknown& unknown : solved.unknowns)
+    solution.unknowns.push_back({unknown.name, datum(unknown.value, unknown.unit.factor), unknown.unit.text, datum(unknown.value, 1)});
+  for (std::size_t i = 0; i < stated.asks.size(); ++i) {
+    const statement::SolvedAsk& found = solved.asks[i];
+    Answer answer;
+    answer.name = stated.asks[i].name;
+    answer.ask = stated.asks[i].text;
+    answer.words = found.words;
+    answer.unit = found.unit.text;
+    answer.reason = found.reason;
+    answer.letters = found.letters;
+    answer.component_names = found.component_names;
+    switch (found.state) {
+      case statement::AskState::found:
+        answer.state = AnswerState::found;
+        answer.value = datum(found.value, found.unit.factor);
+        answer.si = datum(found.value, 1);
+        break;
+      case statement::AskState::needs_letters:
+        answer.state = AnswerState::needs_letters;
+        break;
+      case statement::AskState::undetermined:
+        answer.state = AnswerState::undetermined;
+        break;
+      case statement::AskState::refused:
+        answer.state = AnswerState::refused;
+        break;
+    }
+    solution.answers.push_back(std::move(answer));
+  }
+  solution.checks = solved.checks;
+  return solution;
+}
+
+Document document_of(const statement::Statement& stated, const statement::SolvedStatement& solved) {
+  Document document;
+  document.file = stated.file;
+  document.title = stated.title;
+  for (const statement::Letter& letter : solved.open_letters) document.open_letters.push_back({letter.name, letter.unit.text});
+  for (const statement::Solution& root : solved.solutions) document.solutions.push_back(solution_of(stated, root));
+  document.warnings = solved.warnings;
+  return document;
+}
+
+// What one part should be, in SI.
+Expectation expectation(const statement::Expected& expected, const statement::Problem& problem, const statement::Settings& settings) {
+  Expectation result;
+  result.part = expected.part;
+  result.relative_tolerance = expected.relative_tolerance;
+  if (expected.names) {
+    std::vector<Datum> names;
+    for (const std::string& name : *expected.names) names.push_back({name});
+    result.si = {std::move(names)};
+  } else if (expected.holds) {
+    result.si = {*expected.holds};
+  } else {
+    statement::DataScope<double> data(problem, settings);
+    const Value<double> value = data.value(expected.value ? *expected.value : *expected.formula);
+    // A value stands in the unit named; a formula has the dimension of its letters.
+    const double factor = expected.value && expected.unit ? 1 / expected.unit->factor : 1;
+    result.si = datum(value, factor);
+    result.absolute_tolerance = expected.absolute_tolerance * (expected.unit ? expected.unit->factor : 1);
+  }
+  return result;
+}
+
+std::vector<std::string> check_file(const std::string& path) {
+  const statement::Statement stated = statement::read_statement(statement::read_file(path), path);
+  if (!stated.expects) return {"it has no expect block"};
+  std::vector<std::string> failures;
+  std::set<std::string> covered;
+  for (const statement::ExpectedCase& one : stated.expected) {
+    const Document document = document_of(stated, statement::solve_statement(stated, one.sets));
+    const statement::Settings settings = statement::read_settings(stated, one.sets);
+    std::vector<Expectation> expectations;
+    for (const statement::Expected& part : one.parts) {
+      expectations.push_back(expectation(part, stated.situations.front().problem, settings));
+      covered.insert(part.part);
+    }
+    // A case may look at some of the parts; together the cases must look at all.
+    Document seen = document;
+    for (Solution& solution : seen.solutions)
+      std::erase_if(solution.answers, [&](const Answer& answer) {
+        return std::none_of(expectations.begin(), expectations.end(), [&](const Expectation& e) { return e.part == answer.name; });
+      });
+    for (const std::string& failure : shortfalls(seen, expectations))
+      failures.push_back(one.name.empty() ? failure : "case " + one.name + ": " + failure);
+  }
+  for (const statement::Ask& ask : stated.asks)
+    if (!covered.contains(ask.name)) failures.push_back(ask.name + ": the expect block leaves it out");
+  return failures;
+}
+
+}  // namespace
+
+Document run_file(const std::string& path, const RunOptions& options) {
+  const statement::Statement stated = statement::read_statement(statement::read_file(path), path);
+  return document_of(stated, statement::solve_statement(stated, options.sets));
+}
+
+std::vector<CheckResult> check_paths(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+      files.push_back(path);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(path))
+      if (entry.is_regular_file() && entry.path().extension() == ".yaml") found.push_back(entry.path().string());
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  std::vector<CheckResult> results;
+  for (const std::string& file : files) {
+    try {
+      results.push_back({file, check_file(file)});
+    } catch (const statement::StatementError& error) {
+      if (!fs::exists(file)) throw;
+      results.push_back({file, {error.what()}});
+    }
+  }
+  return results;
+}
+
+std::string problem_schema() { return statement::problem_schema(); }
+
+}  // namespace poinsot::answer

@@ -1,0 +1,126 @@
+#include "poinsot/answer/schema.h"
+
+namespace poinsot::answer {
+
+std::string answer_schema() {
+  return R"json({
+  "$schema": "https://json-schema.org/draft/2020-12/schema",
+  "title": "Answer document of poinsot",
+  "description": "Everything that one run on one problem file found. `poinsot solve --json` writes one per line.",
+  "type": "object",
+  "required": ["poinsot", "title", "solutions", "warnings"],
+  "properties": {
+    "poinsot": {"type": "string", "pattern": "^[0-9]+[.][0-9]+[.][0-9]+$", "description": "version of the program"},
+    "file": {"type": "string", "description": "the problem file as named on the command line; - for standard input"},
+    "title": {"type": "string"},
+    "solutions": {
+      "type": "array",
+      "description": "one per root in the range, ascending by the first unknown",
+      "items": {"$ref": "#/$defs/solution"}
+    },
+    "warnings": {"type": "array", "items": {"type": "string"}}
+  },
+  "$defs": {
+    "solution": {
+      "type": "object",
+      "required": ["unknowns", "answers", "checks"],
+      "properties": {
+        "unknowns": {
+          "type": "object",
+          "description": "what the file lists under find, by name",
+          "additionalProperties": {"$ref": "#/$defs/unknown"}
+        },
+        "answers": {
+          "type": "object",
+          "description": "by the name of the question, in the order of the file",
+          "additionalProperties": {"$ref": "#/$defs/answer"}
+        },
+        "checks": {
+          "type": "object",
+          "description": "relative residuals found on an independent road; null: could not be formed",
+          "additionalProperties": {"type": ["number", "null"], "minimum": 0}
+        }
+      }
+    },
+    "unknown": {
+      "type": "object",
+      "required": ["value", "unit", "si"],
+      "properties": {
+        "value": {"$ref": "#/$defs/datum"},
+        "unit": {"type": "string"},
+        "si": {"$ref": "#/$defs/datum"}
+      }
+    },
+    "answer": {
+      "type": "object",
+      "required": ["ask"],
+      "properties": {
+        "ask": {"type": "string", "description": "the question as written"},
+        "words": {"type": "string", "description": "what is given: quantity, body, point, axes, sense of a reaction"},
+        "value": {"anyOf": [{"$ref": "#/$defs/datum"}, {"type": "null"}], "description": "in unit"},
+        "unit": {"type": "string", "description": "of value; empty for pure numbers, truth values and texts"},
+        "si": {
+          "anyOf": [{"$ref": "#/$defs/datum"}, {"type": "null"}],
+          "description": "value in SI base units, angles in radians"
+        },
+        "axes": {"type": "array", "items": {"type": "string"}, "description": "the axes of a vector's components"},
+        "letters": {
+          "type": "array",
+          "items": {"type": "string"},
+          "minItems": 1,
+          "description": "the letters without value that the answer depends on; value and si are then null"
+        },
+        "table": {"$ref": "#/$defs/table"},
+        "determined": {"const": false, "description": "the statement does not fix the answer; reason says why"},
+        "refused": {"const": true, "description": "an answer was found and failed its check; reason says which"},
+        "reason": {"type": "string"}
+      },
+      "oneOf": [
+        {
+          "title": "found",
+          "required": ["value", "unit", "si"],
+          "properties": {"value": {"$ref": "#/$defs/datum"}, "si": {"$ref": "#/$defs/datum"}}
+        },
+        {
+          "title": "needs letters",
+          "required": ["value", "unit", "si", "letters"],
+          "properties": {"value": {"type": "null"}, "si": {"type": "null"}}
+        },
+        {"title": "table", "required": ["table"], "not": {"required": ["value"]}},
+        {"title": "not determined", "required": ["determined", "reason"], "not": {"required": ["value"]}},
+        {"title": "refused", "required": ["refused", "reason"], "not": {"required": ["value"]}}
+      ]
+    },
+    "table": {
+      "type": "object",
+      "required": ["columns"],
+      "properties": {
+        "columns": {
+          "type": "array",
+          "minItems": 1,
+          "items": {
+            "type": "object",
+            "required": ["name", "unit", "value", "si"],
+            "properties": {
+              "name": {"type": "string"},
+              "unit": {"type": "string"},
+              "value": {"type": "array", "items": {"type": "number"}, "description": "in unit"},
+              "si": {"type": "array", "items": {"type": "number"}, "description": "in SI base units"}
+            }
+          }
+        }
+      }
+    },
+    "datum": {
+      "description": "a number, truth value, text, or a list of such (a vector is a list, a matrix a list of rows)",
+      "anyOf": [
+        {"type": ["number", "boolean", "string"]},
+        {"type": "array", "items": {"$ref": "#/$defs/datum"}}
+      ]
+    }
+  }
+}
+)json";
+}
+
+}  // namespace poinsot::answer

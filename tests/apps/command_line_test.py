@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+"""The command line as other programs see it: exit codes, what goes to which stream, and documents that keep the schema.
+
+usage: command_line_test.py PROGRAM SOURCE_FOLDER
+"""
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import jsonschema
+
+PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+GOLDEN = SOURCE / "tests" / "answer" / "golden"
+EXAMPLES = sorted((SOURCE / "examples" / "textbook").glob("*.yaml"))
+
+
+def run(*arguments, **options):
+    options = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **options}
+    if "input" in options:
+        del options["stdin"]
+    return subprocess.run([PROGRAM, *arguments], text=True, timeout=120, check=False, **options)
+
+
+class Usage(unittest.TestCase):
+    def test_version_is_that_of_the_file(self):
+        result = run("--version")
+        self.assertEqual((result.returncode, result.stdout, result.stderr),
+                         (0, "poinsot " + (SOURCE / "VERSION").read_text(), ""))
+
+    def test_help_goes_to_standard_output(self):
+        for arguments in (["--help"], ["solve", "--help"], ["check", "-h"]):
+            result = run(*arguments)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertIn("Usage: poinsot", result.stdout)
+
+    def assert_wrong_usage(self, arguments, message, command="poinsot"):
+        result = run(*arguments)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertEqual(result.stderr, f"poinsot: {message}\nTry '{command} --help'.\n")
+
+    def test_without_arguments_the_help_goes_to_standard_error(self):
+        result = run()
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn("Usage: poinsot", result.stderr)
+
+    def test_unknown_command_gets_the_nearest(self):
+        self.assert_wrong_usage(
+            ["slove", "a.yaml"],
+            "unknown command 'slove': expected one of solve, check, schema (did you mean 'solve'?)")
+
+    def test_unknown_command_far_from_all(self):
+        self.assert_wrong_usage(["integrate"], "unknown command 'integrate': expected one of solve, check, schema")
+
+    def test_unknown_option_gets_the_nearest(self):
+        self.assert_wrong_usage(["solve", "a.yaml", "--jsno"],
+                                "unknown option '--jsno' of solve (did you mean '--json'?)", "poinsot solve")
+        self.assert_wrong_usage(["--verson"], "unknown option '--verson' (did you mean '--version'?)")
+
+    def test_missing_file(self):
+        self.assert_wrong_usage(["solve"], "FILE is required", "poinsot solve")
+        self.assert_wrong_usage(["check"], "PATH is required", "poinsot check")
+
+    def test_argument_that_nothing_takes(self):
+        self.assert_wrong_usage(["schema", "a.yaml"], "schema takes no 'a.yaml'", "poinsot schema")
+
+    def test_setting_of_another_form(self):
+        for setting in ("m", "=3", "m="):
+            self.assert_wrong_usage(
+                ["solve", "a.yaml", "--set", setting],
+                f"--set: '{setting}' should be NAME=VALUE, for example --set 'm=3 kg'", "poinsot solve")
+
+
+class WrongInput(unittest.TestCase):
+    def test_file_that_does_not_exist(self):
+        for command in ("solve", "check"):
+            result = run(command, "no-such-file.yaml")
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertRegex(result.stderr, r"^no-such-file\.yaml(:1:1)?: error: ")
+            self.assertEqual(result.stdout, "")
+
+    def test_place_of_the_fault_in_standard_input(self):
+        for command in (["solve"], ["solve", "--json"]):
+            result = run(*command, "-", input="title: Top\ntitle: Top\n")
+            self.assertEqual((result.returncode, result.stdout), (2, ""))
+            self.assertRegex(result.stderr, r"^-:2:1: error: ")
+
+    def test_control_sequences_of_a_file_do_not_reach_the_terminal(self):
+        result = run("solve", "-", input='title: Top\n"bod\\eies": {}\n')
+        self.assertEqual(result.returncode, 2)
+        self.assertNotIn("\x1b", result.stderr)
+
+    def test_a_wrong_file_does_not_keep_the_next_from_being_solved(self):
+        example = str(EXAMPLES[0])
+        result = run("solve", "--json", "no-such-file.yaml", example)
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual([json.loads(line)["file"] for line in result.stdout.splitlines()], [example])
+
+
+class Streams(unittest.TestCase):
+    def test_full_device(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            result = run("schema", "--answer", stdout=full)
+        self.assertEqual(result.returncode, 3)
+        self.assertEqual(result.stderr, "poinsot: cannot write to standard output: No space left on device\n")
+
+    def test_closed_standard_output(self):
+        result = subprocess.run(["sh", "-c", '"$0" schema --answer >&-', PROGRAM], stderr=subprocess.PIPE, text=True,
+                                timeout=120, check=False)
+        self.assertEqual(result.returncode, 3)
+        self.assertEqual(result.stderr, "poinsot: cannot write to standard output: Bad file descriptor\n")
+
+    def test_reader_that_goes_away(self):
+        reading, writing = os.pipe()
+        os.close(reading)
+        try:
+            result = run("schema", "--answer", stdout=writing)
+        finally:
+            os.close(writing)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def test_interrupt(self):
+        # More than a pipe holds is taken only by a program that is reading; it then waits for the rest.
+        with subprocess.Popen([PROGRAM, "solve", "-"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE) as process:
+            process.stdin.write(b"# no end\n" * 20000)
+            process.stdin.flush()
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.stderr.read(), b"\npoinsot: interrupted\n")
+            self.assertEqual(process.wait(timeout=60), 130)
+
+
+class Documents(unittest.TestCase):
+    def setUp(self):
+        result = run("schema", "--answer")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        schema = json.loads(result.stdout)
+        jsonschema.Draft202012Validator.check_schema(schema)
+        self.validator = jsonschema.Draft202012Validator(schema)
+
+    def test_golden_documents_keep_the_schema(self):
+        documents = sorted(GOLDEN.glob("*.json"))
+        self.assertTrue(documents)
+        for document in documents:
+            self.validator.validate(json.loads(document.read_text(encoding="utf-8")))
+
+    def test_schema_refuses_what_is_no_answer_document(self):
+        good = (GOLDEN / "every_state.json").read_text(encoding="utf-8")
+        for old, new in (('"solutions"', '"solution"'), ('"determined":false', '"determined":true'),
+                         ('"value":null', '"value":1.0'), ('"si":null,"letters":["m","n"],', '"si":null,'),
+                         ('"refused":true,', ''), ('"value":5.548195,', ''), ('"ask":', '"asked":'),
+                         ('"poinsot":"0', '"poinsot":"v0'), ('"newton_euler":0.03', '"newton_euler":"0.03"')):
+            self.assertIn(old, good)
+            self.assertFalse(self.validator.is_valid(json.loads(good.replace(old, new, 1))), f"{old} -> {new}")
+
+    def test_documents_of_the_examples_keep_the_schema(self):
+        self.assertTrue(EXAMPLES)
+        result = run("solve", "--json", *map(str, EXAMPLES))
+        self.assertIn(result.returncode, (0, 1), result.stderr)
+        lines = result.stdout.splitlines()
+        self.assertEqual(len(lines), len(EXAMPLES))
+        for line, example in zip(lines, EXAMPLES):
+            self.assertNotRegex(line, r"\b(NaN|Infinity)\b")
+            document = json.loads(line)
+            self.validator.validate(document)
+            self.assertEqual(document["file"], str(example))
+
+    def test_text_has_no_color_where_there_is_no_terminal(self):
+        result = run("solve", str(EXAMPLES[0]), env={**os.environ, "TERM": "xterm"})
+        self.assertNotIn("\x1b", result.stdout)
+        self.assertTrue(result.stdout)
+
+
+class Check(unittest.TestCase):
+    def test_a_failing_file_has_one_line_and_the_count_is_last(self):
+        text = EXAMPLES[0].read_text(encoding="utf-8")
+        head, expect = re.split(r"^expect:", text, maxsplit=1, flags=re.MULTILINE)
+        self.assertTrue(expect)
+        with tempfile.TemporaryDirectory() as folder:
+            silent = pathlib.Path(folder) / "silent.yaml"
+            silent.write_text(head, encoding="utf-8")
+            (pathlib.Path(folder) / "whole.yaml").write_text(text, encoding="utf-8")
+            result = run("check", folder)
+            lines = result.stdout.splitlines()
+            self.assertEqual(result.returncode, 1)
+            self.assertEqual(len(lines), 2, result.stdout)
+            self.assertTrue(lines[0].startswith(f"{silent}: "), lines[0])
+            self.assertEqual(lines[1], "1 passed, 1 failed")
+
+    def test_nothing_to_check_is_no_success(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = run("check", folder)
+            self.assertEqual((result.returncode, result.stdout), (1, "0 passed, 0 failed\n"))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])
