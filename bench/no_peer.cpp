@@ -1,0 +1,9 @@
+#include "peer.h"
+
+namespace poinsot::bench {
+
+std::string peer_name() { return "Pinocchio: not available (bench/fetch_pinocchio.sh tells why)"; }
+
+Contestant make_peer(const StatedModel&, const std::vector<Sample>&) { return {}; }
+
+}  // namespace poinsot::bench

@@ -1,0 +1,66 @@
+# Sourced by ./run, ./test and ./bench: installs what is missing (Debian 12 package names) and builds.
+# shellcheck shell=bash disable=SC2034
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+build_packages=(g++ cmake ninja-build ccache libeigen3-dev libboost-dev libyaml-cpp-dev nlohmann-json3-dev libfmt-dev
+  libcli11-dev libgtest-dev librapidcheck-dev python3 python3-jsonschema)
+bench_packages=(libbenchmark-dev python3-venv)
+tidy_packages=(clang-format clang-tidy)
+
+say() { printf '%s\n' "$*" >&2; }
+
+# missing_packages PACKAGE...: those that are not installed, one per line.
+missing_packages() {
+  local installed package
+  installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "$@" 2>/dev/null | sed -n 's/ installed$//p') || true
+  for package in "$@"; do
+    grep -qxF -- "$package" <<<"$installed" || printf '%s\n' "$package"
+  done
+}
+
+# ensure_packages PACKAGE...: installs what is missing. Elsewhere than on Debian the packages are the user's affair.
+ensure_packages() {
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    say "This is no Debian system: going on in the hope that what these packages hold is installed: $*"
+    return
+  fi
+  local missing
+  mapfile -t missing < <(missing_packages "$@")
+  if ((${#missing[@]} == 0)); then return; fi
+
+  say "Installing ${missing[*]}"
+  local as_root=()
+  if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null; then
+      say "Packages are missing, and installing them needs root or sudo. Let an administrator run:"
+      say "  apt-get install --no-install-recommends ${missing[*]}"
+      exit 1
+    fi
+    as_root=(sudo)
+    # Nobody is there to type a password.
+    [[ -t 0 ]] || as_root+=(-n)
+  fi
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300)
+  "${apt[@]}" update </dev/null >&2 || say "The package lists could not be brought up to date; trying with those at hand."
+  if ! "${apt[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null >&2; then
+    say "Could not install: ${missing[*]}"
+    say "These are package names of Debian 12. Is the network reachable, and may this user install packages?"
+    exit 1
+  fi
+}
+
+# build_preset PRESET [TARGET...]: configures and builds, everything if no target is named. Messages go to standard error.
+build_preset() {
+  local preset=$1
+  shift
+  (
+    cd "$root"
+    if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER-} ]] && command -v ccache >/dev/null; then
+      export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+    fi
+    cmake --preset "$preset" --log-level=WARNING
+    cmake --build --preset "$preset" ${1+--target "$@"}
+  ) </dev/null >&2
+}

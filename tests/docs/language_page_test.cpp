@@ -1,0 +1,227 @@
+// The manual of the problem language is true and whole: its examples are solved and give the answers that they expect, no
+// key and no function is without one, and its messages are those of the program.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "docs/fenced_blocks.h"
+#include "poinsot/answer/run.h"
+#include "poinsot/answer/terminal.h"
+#include "poinsot/statement/evaluate.h"
+#include "poinsot/statement/keys.h"
+#include "poinsot/statement/solve_statement.h"
+#include "poinsot/statement/tree.h"
+#include "statement/failure.h"
+#include "statement/quantities.h"
+#include "statement/unit_table.h"
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+using statement::Entry;
+using statement::KeyType;
+using statement::LanguageKey;
+
+constexpr const char* language_page = "docs/language.md";
+
+// A folder with the files that the pages hold, for as long as the tests run.
+class Folder {
+ public:
+  Folder() : path_(fs::path(testing::TempDir()) / ("poinsot-docs-" + std::to_string(getpid()))) {
+    fs::create_directories(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name) << text;
+    return (path_ / name).string();
+  }
+
+ private:
+  fs::path path_;
+};
+
+struct Example {
+  std::string page;
+  FencedBlock block;
+};
+
+std::vector<Example> examples() {
+  std::vector<Example> all;
+  for (const char* page : {language_page, "README.md"})
+    for (FencedBlock& block : fenced_blocks(page))
+      if (block.kind == "yaml") all.push_back({page, std::move(block)});
+  return all;
+}
+
+std::string place(const Example& example) { return example.page + ":" + std::to_string(example.block.line); }
+
+TEST(Manual, ExamplesGiveTheAnswersThatTheyExpect) {
+  int count = 0;
+  for (const Example& example : examples()) {
+    EXPECT_TRUE(example.block.text.starts_with("title: ")) << place(example);
+    const Folder folder;
+    for (const FencedBlock& block : fenced_blocks(example.page))
+      if (!block.name.empty() && block.kind != "yaml") folder.write(block.name, block.text);
+    const auto results = answer::check_paths({folder.write("example.yaml", example.block.text)});
+    ASSERT_EQ(results.size(), 1U);
+    for (const std::string& failure : results.front().failures) ADD_FAILURE() << place(example) << ": " << failure;
+    ++count;
+  }
+  EXPECT_GT(count, 30);
+}
+
+using KeySet = std::set<std::pair<std::string, std::string>>;
+
+// The keys of the table that stand in an entry which is read as `objects` (a body is also a shape).
+void collect_keys(const Entry& entry, const std::vector<std::string>& objects, KeySet& keys) {
+  for (const auto& [key, value] : entry.members) {
+    for (const std::string& object : objects) {
+      const LanguageKey* known = statement::find_key(object, key.text);
+      if (!known) continue;
+      keys.emplace(object, key.text);
+      const auto objects_of = [](const LanguageKey& owner) {
+        std::vector<std::string> names{std::string(owner.object_name)};
+        if (owner.object_name == "body" || owner.object_name == "part") names.emplace_back("shape");
+        return names;
+      };
+      if (known->type == KeyType::object) collect_keys(value, objects_of(*known), keys);
+      if (known->type != KeyType::named || known->object_name.empty()) continue;
+      for (const auto& [name, item] : value.members) {
+        collect_keys(item, objects_of(*known), keys);
+        // Facts stand under the name of their instant without a key of their own.
+        if (known->object_name == "instant" && item.is_map()) keys.emplace("instant", "facts");
+        // `cases:` of an expect block hold blocks of the same kind.
+        if (known->object_name == "expected" && name.text == "cases")
+          for (const auto& [case_name, parts] : item.members)
+            for (const auto& [part, expected] : parts.members) collect_keys(expected, {"expected"}, keys);
+      }
+    }
+  }
+}
+
+TEST(LanguagePage, EveryKeyStandsInAnExample) {
+  // No quantity answers with names, so none can be expected in an example.
+  const KeySet without_example{{"expected", "names"}};
+  KeySet used;
+  for (const Example& example : examples())
+    if (example.page == language_page)
+      collect_keys(statement::read_tree(example.block.text, place(example)), {"problem"}, used);
+  KeySet known;
+  for (const LanguageKey& key : statement::language_keys()) known.emplace(key.object, key.key);
+  for (const auto& [object, key] : known) {
+    const bool excused = without_example.contains({object, key});
+    EXPECT_NE(used.contains({object, key}), excused) << "the key '" << key << "' of a " << object;
+  }
+  for (const auto& key : without_example) EXPECT_TRUE(known.contains(key)) << key.first << "." << key.second << " is no key any more";
+}
+
+TEST(LanguagePage, EveryFunctionStandsInAnExampleAndInTheText) {
+  std::string examples_text, prose = text_of_page(language_page);
+  for (const Example& example : examples())
+    if (example.page == language_page) examples_text += example.block.text;
+  for (const FencedBlock& block : fenced_blocks(language_page))
+    if (const std::size_t at = prose.find(block.text); at != std::string::npos) prose.erase(at, block.text.size());
+  std::vector<std::string> names;
+  for (const auto& function : statement::quantity_functions()) names.push_back(function.name);
+  for (const auto& function : statement::mathematical_functions()) names.push_back(function.name);
+  ASSERT_GT(names.size(), 40U);
+  for (const std::string& name : names) {
+    const std::regex call("\\b" + name + "\\(");
+    EXPECT_TRUE(std::regex_search(examples_text, call)) << name << "() stands in no example";
+    EXPECT_TRUE(std::regex_search(prose, std::regex("\\b" + name + "\\b"))) << name << " is not explained";
+  }
+}
+
+TEST(LanguagePage, EveryUnitIsListed) {
+  const std::string page = text_of_page(language_page);
+  const std::size_t begin = page.find("* **Units**"), end = page.find("\n* ", begin + 1);
+  ASSERT_NE(begin, std::string::npos);
+  std::set<std::string> listed;
+  const std::string list = page.substr(begin, end - begin);
+  const std::regex word("[^\\s`,]+");
+  for (std::sregex_iterator it(list.begin(), list.end(), word), none; it != none; ++it) listed.insert(it->str());
+  for (const statement::NamedUnit& unit : statement::unit_table())
+    EXPECT_TRUE(listed.contains(std::string(unit.name))) << unit.name;
+}
+
+TEST(LanguagePage, WordsThatCannotBeNamesAreListed) {
+  const std::string page = text_of_page(language_page);
+  const std::regex list("words are taken: `([a-z ]+)`");
+  std::string flat = page;
+  std::ranges::replace(flat, '\n', ' ');
+  std::smatch match;
+  ASSERT_TRUE(std::regex_search(flat, match, list));
+  std::istringstream words(match[1].str());
+  int count = 0;
+  for (std::string word; words >> word; ++count) {
+    const std::string text = "title: t\ngiven: {" + word + ": 1 m}\nask: {a: system}\n";
+    EXPECT_EQ(statement::failure_of([&] { statement::read_statement(text, "f"); }),
+              "f:2:9: error: '" + word + "' is a word of the language and cannot be a name (choose another name)");
+  }
+  EXPECT_GT(count, 10);
+}
+
+// Wrong files with the messages that the page shows for them.
+TEST(LanguagePage, ShowsMessagesOfTheProgram) {
+  const std::string bar = "points: {A: [0, 0, 0], B: [1 m, 0, 0]}\nbodies: {bar: {rod: [A, B], mass: 2 kg}}\n";
+  const std::vector<std::string> wrong{
+      "bodies: {bar: {rod: [[0,0,0], [1 m, 0, 0]], mass: 10 lb}}\nask: {a: mass(bar)}\n",
+      bar + "joints: {pin: {revolut: z, to: bar}}\nask: {a: mass(bar)}\n",
+      bar + "ask: {a: momentum(bra)}\n",
+      "given: {L: 3 ft, F: 5 lb}\nbodies: {bar: {rod: [[0,0,0], [L + F, 0, 0]], mass: 10 kg}}\nask: {a: mass(bar)}\n",
+      bar + "joints: {pin: {revolute: z, at: A, to: bar, rate: 3 rad/s, angle: 25}}\nask: {a: momentum(bar)}\n",
+      bar + "joints: {pin: {revolute: z, at: A, to: bar, rate: 3 rad/s}}\n"
+            "instants: {now: {velocity(bar).y: 9 m/s}}\ngravity: none\nask: {a: momentum(bar)}\n",
+  };
+  std::string shown;
+  for (const FencedBlock& block : fenced_blocks(language_page))
+    if (block.kind == "text" && block.text.find("error:") != std::string::npos) shown += block.text;
+  std::string found;
+  for (const std::string& text : wrong)
+    found += statement::failure_of([&] {
+               statement::solve_statement(statement::read_statement("title: t\n" + text, "x.yaml"), {});
+             }) +
+             "\n";
+  EXPECT_EQ(shown, found);
+}
+
+// Why an answer cannot be given, as the table of the page has it.
+TEST(LanguagePage, ShowsReasonsOfTheProgram) {
+  const std::string page = text_of_page(language_page);
+  const std::string bar = "title: t\npoints: {A: [0, 0, 0], B: [1 m, 0, 0]}\n"
+                          "bodies: {bar: {cylinder: {center: B/2, axis: x, radius: 1 cm, length: 1 m}, mass: 2 kg}}\n";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"joints: {pin: {revolute: z, at: A, to: bar, rate: 1 rad/s, accel: 0}}\nask: {a: reaction(pin)}\n",
+       "it depends on gravity, of which nothing is said"},
+      {"joints: {pin: {revolute: z, at: A, to: bar}}\nask: {a: momentum(bar)}\n", "nothing fixes the rate of joint 'pin'"},
+      {"joints: {pin: {revolute: x, at: A, to: bar, rate: 0, supports: {A: thrust, B: [x, y, z]}}}\ngravity: -y\n"
+       "ask: {a: reaction(A).x}\n",
+       "force(A) along x and force(B) along x share the same load"},
+      {"situations: {one: {bodies: {bar: {mass: any}}}}\nask: {a: mass(bar) @ one}\n",
+       "it depends on a value that is given as `any`"},
+      {"cords: {c: {holds: bar, at: A, pulls: -y}}\ngravity: -y\ninstants: {now: rest}\nask: {a: tension(c)}\n",
+       "the cord 'c' would have to push: it goes slack"},
+  };
+  const Folder folder;
+  for (const auto& [text, reason] : cases) {
+    EXPECT_NE(page.find(reason), std::string::npos) << reason;
+    const answer::Document document = answer::run_file(folder.write("reason.yaml", bar + text), {});
+    const std::string& found = document.solutions.at(0).answers.at(0).reason;
+    EXPECT_NE(found.find(reason), std::string::npos) << text << "gives: " << found;
+  }
+}
+
+}  // namespace
+}  // namespace poinsot

@@ -1,0 +1,99 @@
+// What the README shows is what happens: the transcript of its problem, and its lines of C++.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "docs/fenced_blocks.h"
+#include "poinsot/answer/run.h"
+#include "poinsot/answer/terminal.h"
+#include "poinsot/dynamics/forward_dynamics.h"
+#include "poinsot/mass/shapes.h"
+#include "poinsot/model/builder.h"
+
+namespace poinsot {
+namespace {
+
+std::string block_of(const std::string& kind) {
+  std::string text;
+  int count = 0;
+  for (const FencedBlock& block : fenced_blocks("README.md")) {
+    if (block.kind != kind) continue;
+    text = block.text;
+    ++count;
+  }
+  EXPECT_EQ(count, 1) << kind;
+  return text;
+}
+
+// Residuals are rounding, which differs from build to build.
+std::string without_residuals(const std::string& text) {
+  return std::regex_replace(text, std::regex("(energy|momentum|Newton-Euler) [0-9]+(e-[0-9]+)?"), "$1 ...");
+}
+
+TEST(Readme, ShowsWhatTheProgramPrints) {
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / ("poinsot-readme-" + std::to_string(getpid()) + ".yaml");
+  std::ofstream(file) << block_of("yaml");
+  answer::Document document = answer::run_file(file.string(), {});
+  std::filesystem::remove(file);
+  document.file = "askew.yaml";
+  EXPECT_EQ(without_residuals("$ poinsot solve askew.yaml\n" + to_terminal(document)), without_residuals(block_of("console")));
+}
+
+TEST(Readme, HasLinesOfCppThatDoWhatTheySay) {
+  const std::vector<double> force{0};
+  std::vector<double> acceleration{0};
+  // The README's lines.
+  ModelBuilder<double> builder;
+  builder.add_body("bar", ground, Joint<double>::revolute({0, 0, 1}), SpatialTransform<double>::identity(),
+                   of_mass(shapes::rod<double>({0, 0, 0}, {1, 0, 0}), 2.0));
+  builder.set_gravity({0, -9.81, 0});
+  const Model<double> model = builder.build();
+  Workspace<double> workspace(model);
+  forward_dynamics<double>(model, workspace, neutral_state(model), force, acceleration);
+  // Until here.
+  EXPECT_NEAR(acceleration[0], -1.5 * 9.81, 1e-12);
+
+  const std::string source = text_of_page("tests/docs/readme_test.cpp");
+  const std::string begin = "  // The README's lines.\n";
+  const std::size_t from = source.find(begin) + begin.size();
+  std::istringstream lines(source.substr(from, source.find("  // Until here.\n") - from));
+  std::string own;
+  for (std::string line; std::getline(lines, line);) own += line.substr(2) + "\n";
+  EXPECT_EQ(block_of("cpp"), own);
+}
+
+TEST(Readme, LinksToPagesThatExist) {
+  for (const char* page : {"README.md", "docs/language.md", "docs/theory.md", "docs/architecture.md", "docs/decisions.md"}) {
+    const std::string text = text_of_page(page);
+    const std::filesystem::path folder = (std::filesystem::path(POINSOT_SOURCE_DIR) / page).parent_path();
+    const std::regex link("\\]\\(([^)#]+)\\)");
+    for (std::sregex_iterator it(text.begin(), text.end(), link), none; it != none; ++it)
+      EXPECT_TRUE(std::filesystem::exists(folder / (*it)[1].str())) << page << " links to " << (*it)[1];
+  }
+}
+
+// Sources named in the manual, such as `dynamics/momentum.h` or `src/solve/equations.cpp`, exist.
+TEST(Pages, NameFilesThatExist) {
+  const std::filesystem::path root(POINSOT_SOURCE_DIR);
+  const std::regex name("`((?:[a-z_]+/)+[a-z_0-9]+\\.(?:h|cpp|py|sh|md|cmake|yaml))`");
+  int count = 0;
+  for (const char* page : {"README.md", "docs/theory.md", "docs/architecture.md", "docs/decisions.md"}) {
+    const std::string text = text_of_page(page);
+    for (std::sregex_iterator it(text.begin(), text.end(), name), none; it != none; ++it, ++count) {
+      const std::string file = (*it)[1];
+      EXPECT_TRUE(std::filesystem::exists(root / file) || std::filesystem::exists(root / "include/poinsot" / file))
+          << page << " names " << file;
+    }
+  }
+  EXPECT_GT(count, 30);
+}
+
+}  // namespace
+}  // namespace poinsot
