@@ -87,11 +87,9 @@ std::size_t display_width(std::string_view text) {
   std::size_t width = 0;
   while (!text.empty()) {
     const std::optional<CodePoint> code_point = leading_code_point(text);
-    if (!code_point) {
-      width += 1;
-    } else if (contains(double_width, code_point->value)) {
+    if (code_point && contains(double_width, code_point->value)) {
       width += 2;
-    } else if (!contains(zero_width, code_point->value)) {
+    } else if (!code_point || !contains(zero_width, code_point->value)) {
       width += 1;
     }
     text.remove_prefix(code_point ? code_point->bytes : 1);

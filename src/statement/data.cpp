@@ -1,7 +1,9 @@
 #include "poinsot/statement/data.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstdlib>
 
 #include "statement/reader.h"
 #include "statement/scalar_value.h"
@@ -40,38 +42,46 @@ const Unknown* find_unknown(const Problem& problem, const std::string& name) {
   return found == problem.find.end() ? nullptr : &*found;
 }
 
+// Walks an expression; names and functions are gathered where they are wanted.
 struct NameCollector {
-  std::set<std::string>& names;
+  std::set<std::string>* names;
+  std::set<std::string>* functions;
+  void walk(const Expression& expression) const {
+    if (expression) std::visit(*this, expression->content);
+  }
   void operator()(const Number&) const {}
-  void operator()(const Name& name) const { names.insert(name.name); }
-  void operator()(const Member& member) const { collect_names(member.object, names); }
+  void operator()(const Name& name) const {
+    if (names) names->insert(name.name);
+  }
+  void operator()(const Member& member) const { walk(member.object); }
   void operator()(const Arrow& arrow) const {
-    collect_names(arrow.from, names);
-    collect_names(arrow.to, names);
+    walk(arrow.from);
+    walk(arrow.to);
   }
   void operator()(const Of& of) const {
-    collect_names(of.point, names);
-    collect_names(of.body, names);
+    walk(of.point);
+    walk(of.body);
   }
   void operator()(const Call& call) const {
-    for (const Argument& argument : call.arguments) collect_names(argument.value, names);
+    if (functions) functions->insert(call.function);
+    for (const Argument& argument : call.arguments) walk(argument.value);
   }
-  void operator()(const Unary& unary) const { collect_names(unary.operand, names); }
+  void operator()(const Unary& unary) const { walk(unary.operand); }
   void operator()(const Binary& binary) const {
-    collect_names(binary.left, names);
-    collect_names(binary.right, names);
+    walk(binary.left);
+    walk(binary.right);
   }
   void operator()(const Comparison& comparison) const {
-    for (const Expression& operand : comparison.operands) collect_names(operand, names);
+    for (const Expression& operand : comparison.operands) walk(operand);
   }
-  void operator()(const At& at) const { collect_names(at.expression, names); }
+  void operator()(const At& at) const { walk(at.expression); }
   void operator()(const List& list) const {
-    for (const Expression& item : list.items) collect_names(item, names);
+    for (const Expression& item : list.items) walk(item);
   }
   void operator()(const Range& range) const {
-    collect_names(range.from, names);
-    collect_names(range.to, names);
-    collect_names(range.step, names);
+    walk(range.from);
+    walk(range.to);
+    walk(range.step);
   }
 };
 
@@ -94,7 +104,11 @@ std::set<std::string> names_behind(const Problem& problem, const Expression& exp
 }  // namespace
 
 void collect_names(const Expression& expression, std::set<std::string>& names) {
-  if (expression) std::visit(NameCollector{names}, expression->content);
+  NameCollector{&names, nullptr}.walk(expression);
+}
+
+void collect_functions(const Expression& expression, std::set<std::string>& functions) {
+  NameCollector{nullptr, &functions}.walk(expression);
 }
 
 bool depends_on_time(const Problem& problem, const Expression& expression) {
@@ -117,14 +131,20 @@ std::vector<std::string> settable_names(const Problem& problem) {
 }
 
 Value<double> read_setting(const Problem& problem, const std::string& name, const std::string& text) {
-  const std::string file = "--set " + name;
-  const Expression expression = parse_expression(text, file, Mark{1, 1});
+  const std::string file = "--set " + name + "=" + text;
+  // On a command line blanks are a burden: 3kg is understood.
+  std::string spaced = text;
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  const auto used = static_cast<std::size_t>(end - text.c_str());
+  if (used > 0 && used < text.size() && std::isalpha(static_cast<unsigned char>(text[used]))) spaced.insert(used, " ");
+  const Expression expression = parse_expression(spaced, file, Mark{});
   Problem nothing;
   nothing.file = file;
   const Settings none;
   DataScope<double> scope(nothing, none);
   Value<double> value = evaluate(expression, static_cast<Scope<double>&>(scope), file);
-  if (!value.is_number() && !value.is_vector()) fail(file, {1, 1}, "'" + text + "' is not a number with its unit");
+  if (!value.is_number() && !value.is_vector()) fail(file, {}, "'" + text + "' is not a number with its unit");
   std::optional<Dimension> wanted;
   if (const Letter* letter = find_letter(problem, name)) {
     wanted = letter->unit.dimension;
@@ -146,9 +166,9 @@ Value<double> read_setting(const Problem& problem, const std::string& name, cons
   }
   const bool zero = value.bare && (value.is_number() ? value.number == 0 : norm(value.vector) == 0);
   if (wanted && !same_kind(*wanted, value.dimension) && !zero)
-    fail(file, {1, 1}, name + " is " + to_string(*wanted) + ", but " + text + " is " + to_string(value.dimension));
+    fail(file, {}, name + " is " + to_string(*wanted) + ", but " + text + " is " + to_string(value.dimension));
   if (wanted && *wanted == dimensions::angle && value.bare && !zero)
-    fail(file, {1, 1}, name + " is an angle and " + text + " has no unit", "write " + text + " deg or " + text + " rad");
+    fail(file, {}, name + " is an angle and " + text + " has no unit", "write " + text + " deg or " + text + " rad");
   if (wanted && zero) value.dimension = *wanted;
   return value;
 }
@@ -262,6 +282,10 @@ Vector3<Scalar> DataScope<Scalar>::place(const Expression& expression) {
 
 template <class Scalar>
 Vector3<Scalar> DataScope<Scalar>::direction(const Expression& expression) {
+  const Unary* sign = expression.as<Unary>();
+  const Name* place = (sign ? sign->operand : expression).template as<Name>();
+  if (place && place->primes == 0 && find_named(problem_.points, place->name))
+    fail(problem_.file, expression.mark(), "'" + place->name + "' is a place, not a direction", "write the direction to it, such as O->" + place->name);
   const Value<Scalar> value = this->value(expression);
   if (!value.is_vector())
     fail(problem_.file, expression.mark(), "expected a direction", "write an axis such as -y, A->B, or a list of three numbers");

@@ -495,6 +495,13 @@ bool SolvedInstant::turns_unseen(int body) const {
 
 void SolvedInstant::solve_forces() {
   if (motion_) return;
+  for (const VelocityConstraint<double>& constraint : machine_.mechanism.constraints)
+    if (constraint.shape_unknown) {
+      const std::string& name = machine_.mechanism.actions[static_cast<std::size_t>(constraint.action)].name;
+      const auto contact = std::find_if(problem_.contacts.begin(), problem_.contacts.end(), [&](const Contact& c) { return c.name == name; });
+      fail(problem_.file, contact->mark, "how the point of contact '" + name + "' moves is not known: the surfaces there are no circle, sphere or corner on a plane",
+           "velocities can be asked; for forces and accelerations give the body a round shape, or its inertia by axis:, axial:, transverse:");
+    }
   motion_ = solve::solve_motion(*moment_, scales_, force_conditions(), &motion_equations_);
   if (choice_.trial)
     misfits_.insert(misfits_.end(), motion_->misfit.begin(), motion_->misfit.end());

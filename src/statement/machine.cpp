@@ -209,7 +209,14 @@ class MachineBuilder {
   };
   Axes axes_of(const Joint& joint) {
     Axes axes;
-    const auto at = [&] { return joint.at ? data_.place(*joint.at) : Vector::zero(); };
+    // Where the axis lies: `at`, the start of A->B, or the first support.
+    const auto at = [&] {
+      if (joint.at) return data_.place(*joint.at);
+      if (const Arrow* arrow = joint.place.as<Arrow>()) return data_.place(arrow->from);
+      if (!joint.supports.empty()) return support_place(joint.supports.front());
+      if (joint.kind == JointKind::prismatic) return Vector::zero();
+      fail(file(), joint.mark, "joint '" + joint.name + "' has a direction but no place", "write at: P, a point of its axis");
+    };
     switch (joint.kind) {
       case JointKind::weld:
       case JointKind::ball: {
@@ -231,25 +238,37 @@ class MachineBuilder {
       case JointKind::planar: {
         axes.at = at();
         axes.main = data_.direction(joint.place);
-        const auto [first, second] = across(*axes.main);
+        // Across a coordinate axis, the two others in their positive sense.
+        auto [first, second] = across(*axes.main);
+        for (std::size_t k = 0; k < 3; ++k)
+          if (std::abs(std::abs((*axes.main)[k]) - 1) < 1e-12) {
+            first = Vector::unit(k == 0 ? 1 : 0);
+            second = Vector::unit(k == 2 ? 1 : 2);
+          }
         axes.freedom = {first, second, *axes.main};
         break;
       }
       default:
         axes.at = at();
         axes.main = data_.direction(joint.place);
-        // A -> B says where the axis lies as well.
-        if (!joint.at)
-          if (const Arrow* arrow = joint.place.as<Arrow>()) axes.at = data_.place(arrow->from);
         axes.freedom.assign(joint.freedoms.size(), *axes.main);
     }
     return axes;
   }
 
+  // Advance per angle, m/rad.
+  double pitch_of(const Joint& joint) {
+    const Value<double> value = data_.value(*joint.pitch);
+    if (!value.is_number() || !same_kind(value.dimension, dimensions::length))
+      fail(file(), joint.pitch->mark(), "the pitch of a screw is a length per turn", "write pitch: 2 mm/rev");
+    if (value.dimension.angle == 0)
+      fail(file(), joint.pitch->mark(), "is this pitch meant for a turn or for a radian?", "write pitch: 2 mm/rev");
+    return value.number;
+  }
+
   poinsot::Joint<double> link_joint(const Joint& joint, std::size_t freedom, const Vector& direction) {
     if (joint.kind == JointKind::screw) {
-      // An advance per angle is a length: per radian if the unit says so, as 2 mm/rev.
-      return poinsot::Joint<double>::screw(direction, data_.number(*joint.pitch, dimensions::length));
+      return poinsot::Joint<double>::screw(direction, pitch_of(joint));
     }
     return joint.freedoms[freedom].turning ? poinsot::Joint<double>::revolute(direction)
                                            : poinsot::Joint<double>::prismatic(direction);
@@ -411,7 +430,7 @@ class MachineBuilder {
     JointPlace place{at, std::nullopt, from, to};
     if (axes.main) place.axis = riding(from, *axes.main);
     machine_.joints[joint.name] = place;
-    const double pitch = joint.kind == JointKind::screw ? data_.number(*joint.pitch, dimensions::length) : 0;
+    const double pitch = joint.kind == JointKind::screw ? pitch_of(joint) : 0;
     const Carried carried = carried_by(joint.kind, axes, pitch);
     // The couple of a universal joint stands across both axes, which the link between them carries.
     const int couple_body = joint.kind == JointKind::universal && link_of_freedom_.contains({joint.name, 0})
@@ -447,9 +466,12 @@ class MachineBuilder {
     return second_parent == first ? first : second;
   }
 
+  Vector support_place(const Support& support) {
+    return data_.place(support.at ? *support.at : parse_expression(support.name, file(), support.mark));
+  }
+
   void add_support(const Joint& joint, const Support& support, const Axes& axes, int to, int from) {
-    const Place<double> at = machine_.place(
-        to, data_.place(support.at ? *support.at : parse_expression(support.name, file(), support.mark)));
+    const Place<double> at = machine_.place(to, support_place(support));
     const int action = add_action(ActionKind::support, support.name, joint.name, to, from);
     std::vector<std::pair<std::string, Vector>> forces, couples;
     if (support.kind.empty()) {
@@ -552,18 +574,34 @@ class MachineBuilder {
     }
     // The motion that it forbids.
     const Body& stated = problem_.bodies[index_of_body(contact.of)];
-    const std::optional<RollingSurface> surface =
-        rolling_surface(stated, data_, C, masses_[index_of_body(contact.of)].properties.center);
+    const RollingSurface surface = rolling_surface(stated, data_, C, masses_[index_of_body(contact.of)].properties.center);
+    if (surface.shape == ContactShape::missed) {
+      char text[120];
+      std::snprintf(text, sizeof text, "%.3g m off the surface of '%s'", surface.gap, contact.of.c_str());
+      fail(file(), contact.at.mark(), "contact '" + contact.name + "' is " + text, "correct the point under at:");
+    }
+    // What it touches may be curved as well.
+    bool unknown = surface.shape == ContactShape::unknown;
+    if (machine_.mechanism.takes_part.size() > static_cast<std::size_t>(std::max(from, 0)) && from != ground &&
+        machine_.mechanism.takes_part[static_cast<std::size_t>(from)]) {
+      const std::size_t other = index_of_body(contact.against);
+      const RollingSurface below = rolling_surface(problem_.bodies[other], data_, C, masses_[other].properties.center);
+      // A flat side of a round body shows its axis along the normal.
+      unknown = unknown || (below.shape == ContactShape::round && norm(cross(below.axis, n)) > 1e-9) || below.shape == ContactShape::unknown ||
+                (below.shape == ContactShape::round && norm(below.axis) == 0);
+    }
+    const bool round = surface.shape == ContactShape::round;
     const auto forbid = [&](const Vector& d) {
       const std::string words = std::string(contact.no_slip ? "rolling" : "touching") + " at contact '" + contact.name + "' along " + direction_name(d);
-      add_constraint(surface ? VelocityConstraintKind::rolling : VelocityConstraintKind::point, words, on, from, at, d);
+      add_constraint(round ? VelocityConstraintKind::rolling : VelocityConstraintKind::point, words, on, from, at, d);
       VelocityConstraint<double>& c = machine_.mechanism.constraints.back();
       c.action = action;
       c.surface_axis = riding(from, n);
-      if (!surface) return;
-      c.center = machine_.place(on, surface->center).point;
-      c.axis = surface->axis;
-      c.radius = surface->radius;
+      c.shape_unknown = unknown;
+      if (!round) return;
+      c.center = machine_.place(on, surface.center).point;
+      c.axis = surface.axis;
+      c.radius = surface.radius;
     };
     forbid(n);
     if (contact.no_slip) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "poinsot/mass/composition.h"
 #include "poinsot/mass/particles.h"
@@ -249,35 +250,64 @@ BodyMass body_mass(const Body& body, DataScope<double>& data, const AnyValue& an
   return result;
 }
 
-std::optional<RollingSurface> rolling_surface(const Body& body, DataScope<double>& data, const Vector& p_OC,
-                                              const Vector& center_of_mass) {
-  const auto around = [&](const Vector& center, const Vector& axis) {
-    const Vector foot = center + dot(p_OC - center, axis) * axis;
-    return RollingSurface{foot, axis, norm(p_OC - foot)};
-  };
+RollingSurface rolling_surface(const Body& body, DataScope<double>& data, const Vector& p_OC, const Vector& center_of_mass) {
+  constexpr double on_surface = 1e-6;  // of its radius
   const std::string& file = data.problem().file;
+  RollingSurface nearest_surface;
+  double nearest_gap = std::numeric_limits<double>::infinity();
+  bool other_shapes = false;
+  // A circle about an axis (a sphere for a zero axis) on which the point may lie, `gap` off it.
+  const auto offer = [&](const Vector& center, const Vector& axis, double radius, double gap) {
+    if (gap / radius >= nearest_gap) return;
+    nearest_gap = gap / radius;
+    nearest_surface = {ContactShape::round, center, axis, radius, gap};
+  };
   for (const Part& part : body.parts) {
     const std::string& kind = part.shape.kind;
-    const auto argument = [&](const char* name) -> const Expression& { return shape_argument(part.shape, name, file); };
-    if (kind == "sphere" || kind == "sphere_shell") {
-      const Vector center = data.place(argument("center"));
-      return RollingSurface{center, Vector::zero(), norm(p_OC - center)};
-    }
-    if (kind == "disk" || kind == "ring" || kind == "annulus" || kind == "torus")
-      return around(data.place(argument("center")), data.direction(argument("normal")));
-    if (kind == "cylinder" || kind == "tube" || kind == "cylinder_shell" || kind == "closed_cylinder_shell")
-      return around(data.place(argument("center")), data.direction(argument("axis")));
-    if (kind == "cone" || kind == "cone_shell") {
-      const Vector apex = data.place(argument("apex")), base = data.place(argument("base"));
-      return around(base, normalized(base - apex));
-    }
-    if (kind == "frustum") {
-      const Vector base = data.place(argument("base")), top = data.place(argument("top"));
-      return around(base, normalized(top - base));
+    const auto place = [&](const char* name) { return data.place(shape_argument(part.shape, name, file)); };
+    const auto direction = [&](const char* name) { return data.direction(shape_argument(part.shape, name, file)); };
+    const auto length = [&](const char* name) { return data.number(shape_argument(part.shape, name, file), dimensions::length); };
+    // A frustum from A (radius r_A) to B (radius r_B): the circle about its axis through the point.
+    const auto frustum = [&](const Vector& A, double r_A, const Vector& B, double r_B) {
+      const Vector axis = normalized(B - A);
+      const double height = norm(B - A), along = dot(p_OC - A, axis);
+      const Vector foot = A + std::clamp(along, 0.0, height) * axis;
+      const double radius = r_A + (r_B - r_A) * std::clamp(along, 0.0, height) / height;
+      const double rho = norm(p_OC - (A + along * axis));
+      offer(foot, axis, std::max(radius, 1e-300), std::hypot(rho - radius, along - std::clamp(along, 0.0, height)));
+    };
+    if (kind == "sphere" || kind == "sphere_shell" || kind == "hemisphere" || kind == "hemisphere_shell") {
+      const Vector center = place("center");
+      offer(center, Vector::zero(), length("radius"), std::abs(norm(p_OC - center) - length("radius")));
+    } else if (kind == "disk" || kind == "ring" || kind == "annulus") {
+      const Vector center = place("center"), axis = direction("normal");
+      const double along = dot(p_OC - center, axis), radius = length("radius");
+      offer(center, axis, radius, std::hypot(norm(p_OC - center - along * axis) - radius, along));
+    } else if (kind == "cylinder" || kind == "tube" || kind == "cylinder_shell" || kind == "closed_cylinder_shell") {
+      const Vector half = 0.5 * length("length") * direction("axis");
+      frustum(place("center") - half, length("radius"), place("center") + half, length("radius"));
+    } else if (kind == "cone" || kind == "cone_shell") {
+      frustum(place("apex"), 0, place("base"), length("radius"));
+    } else if (kind == "frustum") {
+      frustum(place("base"), length("base_radius"), place("top"), length("top_radius"));
+    } else {
+      other_shapes = true;
     }
   }
-  if (body.inertia && body.inertia->axis) return around(center_of_mass, data.direction(*body.inertia->axis));
-  return std::nullopt;
+  if (nearest_gap <= on_surface) return nearest_surface;
+  if (body.parts.empty()) {
+    if (body.inertia && body.inertia->axis) {
+      const Vector axis = data.direction(*body.inertia->axis);
+      const Vector foot = center_of_mass + dot(p_OC - center_of_mass, axis) * axis;
+      return {ContactShape::round, foot, axis, norm(p_OC - foot), 0};
+    }
+    return {ContactShape::unknown, {}, {}, 0, 0};
+  }
+  if (!other_shapes) return {ContactShape::missed, {}, {}, nearest_surface.radius, nearest_surface.gap};
+  const bool curved = std::any_of(body.parts.begin(), body.parts.end(), [](const Part& part) {
+    return part.shape.kind == "torus" || part.shape.kind == "ellipsoid" || part.shape.kind == "mesh" || part.shape.kind == "arc";
+  });
+  return {curved ? ContactShape::unknown : ContactShape::corner, {}, {}, 0, 0};
 }
 
 }  // namespace poinsot::statement

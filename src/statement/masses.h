@@ -22,14 +22,23 @@ struct BodyMass {
 // Throws StatementError: negative masses, shapes without extent, inertias that no body can have, wrong dimensions.
 BodyMass body_mass(const Body& body, DataScope<double>& data, const AnyValue& any);
 
-// The circle or sphere on which a body rolls at the place C.
-struct RollingSurface {
-  Vector3<double> center;
-  Vector3<double> axis;    // unit vector; zero for a sphere
-  double radius = 0;
+enum class ContactShape {
+  round,    // a circle or sphere of the body
+  corner,   // a point fixed in the body
+  unknown,  // curved in a way that is not known here: how the point of contact moves cannot be told
+  missed,   // the body is round all over, and the point is not on it
 };
-// From the shapes of revolution of the body, or from its axis of symmetry; nothing if it has none.
-std::optional<RollingSurface> rolling_surface(const Body& body, DataScope<double>& data, const Vector3<double>& p_OC,
-                                              const Vector3<double>& center_of_mass);
+
+// How a body touches at a place.
+struct RollingSurface {
+  ContactShape shape = ContactShape::corner;
+  Vector3<double> center{};
+  Vector3<double> axis{};  // unit vector; zero for a sphere
+  double radius = 0;
+  double gap = 0;          // from the place to the surface, m
+};
+// From the shape of the body whose surface the place C lies on, or from its axis of symmetry.
+RollingSurface rolling_surface(const Body& body, DataScope<double>& data, const Vector3<double>& p_OC,
+                               const Vector3<double>& center_of_mass);
 
 }  // namespace poinsot::statement

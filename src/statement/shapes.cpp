@@ -29,6 +29,17 @@ class Arguments {
   const Expression& expression(const std::string& name) const { return shape_argument(shape_, name, file()); }
   Vector place(const std::string& name) const { return data_.place(expression(name)); }
   Vector direction(const std::string& name) const { return data_.direction(expression(name)); }
+  // A direction, or the direction from a place to the point named.
+  Vector toward(const std::string& name, const Vector& from) const {
+    const Expression& e = expression(name);
+    const Name* point = e.as<Name>();
+    const bool is_point = point && std::any_of(data_.problem().points.begin(), data_.problem().points.end(),
+                                               [&](const NamedExpression& item) { return item.name == point->name; });
+    if (!is_point) return data_.direction(e);
+    const Vector d = data_.place(e) - from;
+    if (!(norm(d) > 0)) refuse("the point under " + name + " is where it should be seen from");
+    return normalized(d);
+  }
   double length(const std::string& name) const {
     const double value = data_.number(expression(name), dimensions::length);
     if (!(value > 0)) {
@@ -81,7 +92,7 @@ class Arguments {
 ShapeValues arc(const Arguments& a) {
   if (a.has("diameter")) {
     const auto ends = a.places("diameter", 2);
-    const Vector toward = a.direction("toward");
+    const Vector toward = a.toward("toward", 0.5 * (ends[0] + ends[1]));
     return {Extent::length, shapes::semicircular_arc(ends[0], ends[1], toward),
             particles::semicircular_arc(ends[0], ends[1], toward)};
   }
@@ -196,7 +207,7 @@ const std::map<std::string, Builder>& builders() {
       {"semicircle",
        [](const Arguments& a) -> ShapeValues {
          const auto P = a.places("diameter", 2);
-         const Vector toward = a.direction("toward");
+         const Vector toward = a.toward("toward", 0.5 * (P[0] + P[1]));
          if (norm(cross(P[1] - P[0], toward)) < 1e-9 * norm(P[1] - P[0])) a.refuse("toward lies along the diameter");
          return {Extent::area, shapes::semicircle(P[0], P[1], toward), particles::semicircle(P[0], P[1], toward)};
        }},
@@ -215,7 +226,7 @@ const std::map<std::string, Builder>& builders() {
        }},
       {"sector",
        [](const Arguments& a) -> ShapeValues {
-         const Vector c = a.place("center"), n = a.direction("normal"), middle = a.direction("middle");
+         const Vector c = a.place("center"), n = a.direction("normal"), middle = a.toward("middle", c);
          const double r = a.length("radius"), angle = a.angle("angle");
          if (!(angle > 0) || angle > 6.283185307179587) a.refuse("its angle must lie between 0 and 360 deg");
          if (std::abs(dot(n, middle)) > 1e-9) a.refuse("middle does not lie across the normal");
@@ -234,7 +245,7 @@ const std::map<std::string, Builder>& builders() {
        }},
       {"hemisphere_shell",
        [](const Arguments& a) -> ShapeValues {
-         const Vector c = a.place("center"), toward = a.direction("toward");
+         const Vector c = a.place("center"), toward = a.toward("toward", c);
          const double r = a.length("radius");
          return {Extent::area, shapes::hemisphere_shell(c, toward, r), particles::hemisphere_shell(c, toward, r)};
        }},
@@ -266,7 +277,7 @@ const std::map<std::string, Builder>& builders() {
        }},
       {"hemisphere",
        [](const Arguments& a) -> ShapeValues {
-         const Vector c = a.place("center"), toward = a.direction("toward");
+         const Vector c = a.place("center"), toward = a.toward("toward", c);
          const double r = a.length("radius");
          return {Extent::volume, shapes::hemisphere(c, toward, r), particles::hemisphere(c, toward, r)};
        }},

@@ -238,6 +238,25 @@ bool satisfies_where(const Statement& statement, const Settings& settings) {
   return true;
 }
 
+// Whether an expression asks anything of the model: a quantity function, a coordinate or an unknown, also by define:.
+bool asks_model(const Problem& problem, const Expression& expression, int depth = 0) {
+  std::set<std::string> functions;
+  collect_functions(expression, functions);
+  for (const FunctionForm& form : quantity_functions())
+    if (functions.contains(form.name)) return true;
+  std::set<std::string> names;
+  collect_names(expression, names);
+  for (const std::string& name : names) {
+    if (std::any_of(problem.find.begin(), problem.find.end(), [&](const Unknown& unknown) { return unknown.name == name; })) return true;
+    for (const Joint& joint : problem.joints)
+      for (const Freedom& freedom : joint.freedoms)
+        if (freedom.position && freedom.position->as<Name>() && freedom.position->as<Name>()->name == name) return true;
+    for (const NamedExpression& item : problem.define)
+      if (item.name == name && depth < 50 && asks_model(problem, item.value, depth + 1)) return true;
+  }
+  return false;
+}
+
 // What the values of all asks are for one choice; a missing value where it could not be found.
 using Values = std::vector<std::optional<Value<double>>>;
 
@@ -481,6 +500,9 @@ class StatementSolver {
 
   void finish(const Ask& ask, const Value<double>& value, Sample& sample, SolvedAsk& solved) {
     const Problem& problem = sample.problem_of(ask);
+    if (std::none_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) { return asks_model(problem, e); }))
+      fail(problem.file, ask.mark, "'" + ask.name + "' asks nothing of the model: it is a formula of the data",
+           "ask for a quantity, such as angular_momentum(BODY about POINT)");
     solved.value = value;
     const Dimension dimension = dimension_of(value);
     natural_.push_back(sample.instant_of(ask).natural_size(dimension));
@@ -671,7 +693,7 @@ Settings read_settings(const Statement& statement, const std::vector<std::pair<s
       std::set<std::string> unique(known.begin(), known.end());
       for (const std::string& word : unique) all += (all.empty() ? "" : ", ") + word;
       const std::string hint = did_you_mean(name, known);
-      fail("--set " + name, {1, 1}, "the problem has no letter or datum '" + name + "'", !hint.empty() ? hint : all.empty() ? "it has none at all" : "it has " + all);
+      fail("--set " + name, {}, "the problem has no letter or datum '" + name + "'", !hint.empty() ? hint : all.empty() ? "it has none at all" : "it has " + all);
     }
     settings[name] = read_setting(*owner, name, text);
   }

@@ -33,9 +33,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Statement statement = read_statement({reinterpret_cast<const char*>(data), size}, "fuzz");
     if (!small_enough(statement)) return 0;
     const SolvedStatement solved = solve_statement(statement, {});
-    if (solved.asks.size() != statement.asks.size()) std::abort();
-    for (const SolvedAsk& ask : solved.asks)
-      if (ask.state != AskState::found && ask.reason.empty() && ask.letters.empty()) std::abort();
+    if (solved.solutions.empty() && solved.warnings.empty()) std::abort();
+    for (const Solution& solution : solved.solutions) {
+      if (solution.asks.size() != statement.asks.size()) std::abort();
+      for (const SolvedAsk& ask : solution.asks)
+        if (ask.state != AskState::found && ask.reason.empty() && ask.letters.empty()) std::abort();
+    }
   } catch (const StatementError& error) {
     for (const Diagnostic& diagnostic : error.diagnostics())
       if (diagnostic.mark.line < 1 || diagnostic.mark.column < 1 || diagnostic.message.empty()) std::abort();

@@ -61,6 +61,7 @@ enum class VelocityConstraintKind {
 template <class Scalar>
 struct VelocityConstraint {
   VelocityConstraintKind kind = VelocityConstraintKind::point;
+  bool shape_unknown = false;  // how the contact point moves cannot be told: good for velocities only
   int action = -1;    // the cord or contact that it belongs to; -1: a joint
   std::string words;  // "rolling at floor, along y"
   int on = ground;

@@ -74,6 +74,9 @@ std::set<std::string> letters_of(const Problem& problem, const Expression& expre
 // The names used in an expression.
 void collect_names(const Expression& expression, std::set<std::string>& names);
 
+// The functions called in an expression.
+void collect_functions(const Expression& expression, std::set<std::string>& functions);
+
 extern template class DataScope<double>;
 extern template class DataScope<Dual<1>>;
 extern template class DataScope<TimeJet>;
