@@ -155,9 +155,12 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
     const Vector force = widened(body.wrench.force), moment = widened(body.wrench.moment);
     force_misfit = larger(norm(F - force), force_misfit);
     moment_misfit = larger(norm(M - moment), moment_misfit);
-    force_size = std::max({force_size, F_size, Real(body.force_size)});
-    moment_size = std::max({moment_size, M_size, Real(body.moment_size)});
+    // A body that glides without forces: what would turn its momentum at the pace of the motion.
+    force_size = std::max({force_size, F_size, Real(body.force_size), pace * L_size});
+    moment_size = std::max({moment_size, M_size, Real(body.moment_size), pace * H_size});
   }
+  // Where only couples act, forces are small against couples over the length, and the other way round.
+  if (length > 0) force_size = std::max(force_size, moment_size / length);
   moment_size = std::max(moment_size, force_size * length);
   result.newton_euler = static_cast<double>(std::max(ratio(force_misfit, force_size), ratio(moment_misfit, moment_size)));
   return result;

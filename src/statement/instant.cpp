@@ -4,6 +4,7 @@
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 
+#include "poinsot/solve/closure.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
@@ -168,8 +169,20 @@ void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
       given[k] = true;
     }
   }
-  machine_.q = q;
-  moment_->set_positions(q);
+  const solve::Closure closure = solve::close_pose(machine_.mechanism, q, given);
+  if (closure.gap > 1e-9 * (1 + scales_.length)) {
+    Mark mark = problem_.joints.empty() ? Mark{1, 1} : problem_.joints.front().mark;
+    for (const Joint& joint : problem_.joints)
+      if (closure.where.find("'" + joint.name + "'") != std::string::npos) mark = joint.mark;
+    for (const NamedCoordinate& coordinate : machine_.coordinates)
+      if (given[static_cast<std::size_t>(coordinate.position)] && q[static_cast<std::size_t>(coordinate.position)] != 0) mark = coordinate.mark;
+    char text[200];
+    std::snprintf(text, sizeof text, "the mechanism does not close in the stated pose: %s is open by %.3g", closure.where.c_str(), closure.gap);
+    fail(problem_.file, mark, text, "the values of the coordinates do not fit together, or no position of the others closes the loop");
+  }
+  machine_.q = closure.q;
+  moment_->set_positions(machine_.q);
+  solve::update_contacts(machine_.mechanism, *moment_);
 }
 
 double SolvedInstant::natural_unit(const Dimension& d) const {

@@ -1,5 +1,5 @@
-// The manual of the problem language is true and whole: its examples are solved and give the answers that they expect, no
-// key and no function is without one, and its messages are those of the program.
+// The manual of the problem language is true and whole: its examples are solved and give the answers that they expect,
+// no key and no function is without one, and its messages are those of the program.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -124,7 +124,8 @@ TEST(LanguagePage, EveryKeyStandsInAnExample) {
     const bool excused = without_example.contains({object, key});
     EXPECT_NE(used.contains({object, key}), excused) << "the key '" << key << "' of a " << object;
   }
-  for (const auto& key : without_example) EXPECT_TRUE(known.contains(key)) << key.first << "." << key.second << " is no key any more";
+  for (const auto& key : without_example)
+    EXPECT_TRUE(known.contains(key)) << key.first << "." << key.second << " is no key any more";
 }
 
 TEST(LanguagePage, EveryFunctionStandsInAnExampleAndInTheText) {
@@ -182,17 +183,17 @@ TEST(LanguagePage, ShowsMessagesOfTheProgram) {
       bar + "ask: {a: momentum(bra)}\n",
       "given: {L: 3 ft, F: 5 lb}\nbodies: {bar: {rod: [[0,0,0], [L + F, 0, 0]], mass: 10 kg}}\nask: {a: mass(bar)}\n",
       bar + "joints: {pin: {revolute: z, at: A, to: bar, rate: 3 rad/s, angle: 25}}\nask: {a: momentum(bar)}\n",
-      bar + "joints: {pin: {revolute: z, at: A, to: bar, rate: 3 rad/s}}\n"
-            "instants: {now: {velocity(bar).y: 9 m/s}}\ngravity: none\nask: {a: momentum(bar)}\n",
+      bar +
+          "joints: {pin: {revolute: z, at: A, to: bar, rate: 3 rad/s}}\n"
+          "instants: {now: {velocity(bar).y: 9 m/s}}\ngravity: none\nask: {a: momentum(bar)}\n",
   };
   std::string shown;
   for (const FencedBlock& block : fenced_blocks(language_page))
     if (block.kind == "text" && block.text.find("error:") != std::string::npos) shown += block.text;
   std::string found;
   for (const std::string& text : wrong)
-    found += statement::failure_of([&] {
-               statement::solve_statement(statement::read_statement("title: t\n" + text, "x.yaml"), {});
-             }) +
+    found += statement::failure_of(
+                 [&] { statement::solve_statement(statement::read_statement("title: t\n" + text, "x.yaml"), {}); }) +
              "\n";
   EXPECT_EQ(shown, found);
 }
@@ -200,12 +201,14 @@ TEST(LanguagePage, ShowsMessagesOfTheProgram) {
 // Why an answer cannot be given, as the table of the page has it.
 TEST(LanguagePage, ShowsReasonsOfTheProgram) {
   const std::string page = text_of_page(language_page);
-  const std::string bar = "title: t\npoints: {A: [0, 0, 0], B: [1 m, 0, 0]}\n"
-                          "bodies: {bar: {cylinder: {center: B/2, axis: x, radius: 1 cm, length: 1 m}, mass: 2 kg}}\n";
+  const std::string bar =
+      "title: t\npoints: {A: [0, 0, 0], B: [1 m, 0, 0]}\n"
+      "bodies: {bar: {cylinder: {center: B/2, axis: x, radius: 1 cm, length: 1 m}, mass: 2 kg}}\n";
   const std::vector<std::pair<std::string, std::string>> cases{
       {"joints: {pin: {revolute: z, at: A, to: bar, rate: 1 rad/s, accel: 0}}\nask: {a: reaction(pin)}\n",
        "it depends on gravity, of which nothing is said"},
-      {"joints: {pin: {revolute: z, at: A, to: bar}}\nask: {a: momentum(bar)}\n", "nothing fixes the rate of joint 'pin'"},
+      {"joints: {pin: {revolute: z, at: A, to: bar}}\nask: {a: momentum(bar)}\n",
+       "nothing fixes the rate of joint 'pin'"},
       {"joints: {pin: {revolute: x, at: A, to: bar, rate: 0, supports: {A: thrust, B: [x, y, z]}}}\ngravity: -y\n"
        "ask: {a: reaction(A).x}\n",
        "force(A) along x and force(B) along x share the same load"},

@@ -43,7 +43,8 @@ TEST(Readme, ShowsWhatTheProgramPrints) {
   answer::Document document = answer::run_file(file.string(), {});
   std::filesystem::remove(file);
   document.file = "askew.yaml";
-  EXPECT_EQ(without_residuals("$ poinsot solve askew.yaml\n" + to_terminal(document)), without_residuals(block_of("console")));
+  EXPECT_EQ(without_residuals("$ poinsot solve askew.yaml\n" + to_terminal(document)),
+            without_residuals(block_of("console")));
 }
 
 TEST(Readme, HasLinesOfCppThatDoWhatTheySay) {
@@ -70,7 +71,8 @@ TEST(Readme, HasLinesOfCppThatDoWhatTheySay) {
 }
 
 TEST(Readme, LinksToPagesThatExist) {
-  for (const char* page : {"README.md", "docs/language.md", "docs/theory.md", "docs/architecture.md", "docs/decisions.md"}) {
+  for (const char* page :
+       {"README.md", "docs/language.md", "docs/theory.md", "docs/architecture.md", "docs/decisions.md"}) {
     const std::string text = text_of_page(page);
     const std::filesystem::path folder = (std::filesystem::path(POINSOT_SOURCE_DIR) / page).parent_path();
     const std::regex link("\\]\\(([^)#]+)\\)");

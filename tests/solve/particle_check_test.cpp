@@ -182,6 +182,29 @@ TEST(ParticleCheck, ABodyAtRestWithoutForcesIsConfirmed) {
   EXPECT_EQ(claim.checked().newton_euler, 1);
 }
 
+// Nothing acts on a body that glides: rounding is no force.
+TEST(ParticleCheck, ABodyThatGlidesIsConfirmed) {
+  Random random(16);
+  for (int trial = 0; trial < 100; ++trial) {
+    Claim claim;
+    const Vector axis = random.direction();
+    const double speed = random.uniform(-3, 3);
+    claim.links.push_back({JointType::prismatic, -1, random.vector(), axis, 0, 0, 0});
+    CheckBody body;
+    for (int k = 0; k < 4; ++k) body.particles.push_back({random.uniform(0.1, 1), random.vector()});
+    const MassProperties<double> mass = mass_properties(body.particles);
+    body.momentum = mass.mass * speed * axis;
+    body.angular_momentum = cross(mass.center, body.momentum);
+    body.kinetic_energy = mass.mass * speed * speed / 2;
+    body.forces_known = true;
+    claim.bodies.push_back(body);
+    claim.q = {0};
+    claim.v = {speed};
+    claim.a = {0};
+    EXPECT_LT(largest(claim.checked()), 1e-12) << trial;
+  }
+}
+
 // A circular motion whose every number is known: m r w, m r^2 w, m r^2 w^2/2, m r w^2 inwards.
 TEST(ParticleCheck, AParticleOnACircle) {
   const double m = 2, r = 0.5, w = 3;

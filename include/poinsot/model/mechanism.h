@@ -68,7 +68,9 @@ struct VelocityConstraint {
   int from = ground;
   Place<Scalar> at;         // rides with `on`
   Direction<Scalar> along;  // rides with `from`
-  Place<Scalar> toward;     // cord_length: rides with `from`
+  Place<Scalar> toward;          // the same point, or the cord's other end, riding with `from`
+  Scalar length{};               // cord_length: as drawn, m
+  bool normal = false;           // of a contact: the direction in which it touches
   // rolling: the circle of `on` (center, unit axis, radius) that touches, or a sphere (axis zero), and the axis of the
   // surface of revolution on `from` (a plane's normal).
   Vector3<Scalar> center{}, axis{};
