@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "poinsot/answer/check.h"
@@ -94,18 +95,48 @@ Expectation expectation(const statement::Expected& expected, const statement::Pr
   return result;
 }
 
+// The dimension of a value, of its first number that is not zero; nothing for texts, truth values and bare zeros.
+std::optional<statement::Dimension> dimension_of(const Value<double>& value) {
+  if (value.is_number() || value.is_vector()) {
+    if (value.bare && value.dimension == statement::dimensions::none) return std::nullopt;
+    return value.dimension;
+  }
+  for (const Value<double>& item : value.items)
+    if (const auto found = dimension_of(item)) return found;
+  return std::nullopt;
+}
+
+// What an expectation says of the kind of quantity, if it is another than the answer's.
+std::string wrong_kind(const statement::Expected& expected, const statement::Problem& problem, const statement::Settings& settings,
+                       const statement::Dimension& answer) {
+  std::optional<statement::Dimension> stated;
+  if (expected.value && expected.unit) stated = expected.unit->dimension;
+  if (expected.formula) stated = dimension_of(statement::DataScope<double>(problem, settings).value(*expected.formula));
+  if (!stated || same_kind(*stated, answer)) return "";
+  return expected.part + ": expected " + to_string(*stated) + ", but the answer is " + to_string(answer);
+}
+
 std::vector<std::string> check_file(const std::string& path) {
   const statement::Statement stated = statement::read_statement(statement::read_file(path), path);
   if (!stated.expects) return {"it has no expect block"};
   std::vector<std::string> failures;
   std::set<std::string> covered;
   for (const statement::ExpectedCase& one : stated.expected) {
-    const Document document = document_of(stated, statement::solve_statement(stated, one.sets));
+    const statement::SolvedStatement solved = statement::solve_statement(stated, one.sets);
+    const Document document = document_of(stated, solved);
     const statement::Settings settings = statement::read_settings(stated, one.sets);
     std::vector<Expectation> expectations;
     for (const statement::Expected& part : one.parts) {
-      expectations.push_back(expectation(part, stated.situations.front().problem, settings));
+      const statement::Problem& problem = stated.situations.front().problem;
+      expectations.push_back(expectation(part, problem, settings));
       covered.insert(part.part);
+      for (std::size_t i = 0; i < stated.asks.size() && !solved.solutions.empty(); ++i) {
+        const statement::SolvedAsk& ask = solved.solutions.front().asks[i];
+        if (stated.asks[i].name != part.part || ask.state != statement::AskState::found) continue;
+        const auto answer = dimension_of(ask.value);
+        const std::string fault = answer ? wrong_kind(part, problem, settings, *answer) : "";
+        if (!fault.empty()) failures.push_back(fault);
+      }
     }
     // A case may look at some of the parts; together the cases must look at all.
     Document seen = document;

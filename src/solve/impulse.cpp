@@ -152,8 +152,8 @@ LinearSolution solve_impulse(const Moment& before, const Scales& scales, const B
     const std::size_t row = system.add_equation("restitution at '" + impact.name + "'", scales.length);
     const Vector P = before.position(impact.at), n = before.direction(impact.push);
     for (const auto& [body, sign] : {std::pair{impact.on, 1.0}, std::pair{impact.from, -1.0}})
-      for_each_coordinate_motion(tree, before.workspace(), body, P, [&](int k, const SpatialMotion<double>& S) {
-        system.add(row, static_cast<std::size_t>(k), sign * dot(n, S.linear));
+      for_each_coordinate_motion(tree, before.workspace(), body, P, [&, side = sign](int k, const SpatialMotion<double>& S) {
+        system.add(row, static_cast<std::size_t>(k), side * dot(n, S.linear));
       });
     system.add_right_side(row, -impact.restitution * approach(before, impact));
   }

@@ -62,7 +62,8 @@ void LinearSystem::add(std::size_t equation, std::size_t unknown, double coeffic
 void LinearSystem::add_right_side(std::size_t equation, double value) { right_side_[equation] += value; }
 
 LinearSolution LinearSystem::solve() const {
-  const auto m = static_cast<Eigen::Index>(equations());
+  // Without equations one that says nothing leaves every unknown open.
+  const auto m = static_cast<Eigen::Index>(std::max<std::size_t>(equations(), 1));
   const auto n = static_cast<Eigen::Index>(unknowns());
   LinearSolution solution;
   solution.value.assign(unknowns(), 0.0);
@@ -70,9 +71,12 @@ LinearSolution LinearSystem::solve() const {
   // In natural units, where what is below rounding is nothing.
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(m, n);
   Eigen::VectorXd b(m), rows(m), columns(n);
-  for (Eigen::Index i = 0; i < m; ++i) {
-    rows[i] = 1 / equation_scale_[i];
-    b[i] = right_side_[i] * rows[i];
+  rows.setOnes();
+  b.setZero();
+  for (std::size_t i = 0; i < equations(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    rows[row] = 1 / equation_scale_[i];
+    b[row] = right_side_[i] * rows[row];
   }
   for (Eigen::Index j = 0; j < n; ++j) columns[j] = unknown_scale_[j];
   for (const Entry& entry : entries_) {

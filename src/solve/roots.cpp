@@ -70,6 +70,7 @@ class RootFinder {
       const RootRange& range = problem_.ranges[static_cast<std::size_t>(k)];
       const double x = u[k] * range.scale, slack = 1e-9 * range.scale;
       if (x < range.lower - slack || x > range.upper + slack) return false;
+      if ((range.lower_open && x < range.lower + slack) || (range.upper_open && x > range.upper - slack)) return false;
     }
     return true;
   }
@@ -120,6 +121,8 @@ class RootFinder {
       MatrixXd kernel = Eigen::FullPivLU<MatrixXd>(*J).setThreshold(1e-10).kernel();
       for (Eigen::Index k = 0; k < n_; ++k)
         if (kernel.row(k).cwiseAbs().maxCoeff() > 1e-9) roots.open_unknowns.push_back(static_cast<std::size_t>(k));
+      const VectorXd other = u + 0.7 * kernel.rowwise().sum();
+      for (Eigen::Index k = 0; k < n_; ++k) roots.alternative.push_back(other[k] * problem_.ranges[static_cast<std::size_t>(k)].scale);
     }
     keep(u, roots);
     return true;

@@ -46,6 +46,7 @@ const Unknown* find_unknown(const Problem& problem, const std::string& name) {
 struct NameCollector {
   std::set<std::string>* names;
   std::set<std::string>* functions;
+  bool into_at = true;
   void walk(const Expression& expression) const {
     if (expression) std::visit(*this, expression->content);
   }
@@ -74,7 +75,9 @@ struct NameCollector {
   void operator()(const Comparison& comparison) const {
     for (const Expression& operand : comparison.operands) walk(operand);
   }
-  void operator()(const At& at) const { walk(at.expression); }
+  void operator()(const At& at) const {
+    if (into_at) walk(at.expression);
+  }
   void operator()(const List& list) const {
     for (const Expression& item : list.items) walk(item);
   }
@@ -103,12 +106,12 @@ std::set<std::string> names_behind(const Problem& problem, const Expression& exp
 
 }  // namespace
 
-void collect_names(const Expression& expression, std::set<std::string>& names) {
-  NameCollector{&names, nullptr}.walk(expression);
+void collect_names(const Expression& expression, std::set<std::string>& names, bool into_at) {
+  NameCollector{&names, nullptr, into_at}.walk(expression);
 }
 
-void collect_functions(const Expression& expression, std::set<std::string>& functions) {
-  NameCollector{nullptr, &functions}.walk(expression);
+void collect_functions(const Expression& expression, std::set<std::string>& functions, bool into_at) {
+  NameCollector{nullptr, &functions, into_at}.walk(expression);
 }
 
 bool depends_on_time(const Problem& problem, const Expression& expression) {
@@ -299,10 +302,25 @@ Scalar DataScope<Scalar>::gravity_size() {
   if (const NamedExpression* item = find_named(problem_.given, "g")) {
     const Scalar g = number(parse_expression("g", problem_.file, item->mark), dimensions::acceleration);
     if (!(plain(g) > 0)) fail(problem_.file, item->mark, "g must be positive");
+    const List* vector = problem_.gravity ? problem_.gravity->as<List>() : nullptr;
+    if (vector && vector->items.size() == 3) {
+      const Value<Scalar> gravity = value(*problem_.gravity);
+      if (gravity.is_vector() && !gravity.bare && same_kind(gravity.dimension, dimensions::acceleration) &&
+          std::abs(plain(norm(gravity.vector)) - plain(g)) > 1e-9 * plain(g))
+        fail(problem_.file, problem_.gravity->mark(), "gravity and the g under given: differ in size", "state one of them, or gravity: -y");
+    }
     return g;
   }
   if (find_letter(problem_, "g"))
     return number(parse_expression("g", problem_.file, find_letter(problem_, "g")->mark), dimensions::acceleration);
+  // A gravity of stated size sets g.
+  if (problem_.gravity) {
+    const Name* word = problem_.gravity->as<Name>();
+    if (!(word && word->name == "none")) {
+      const Value<Scalar> gravity = value(*problem_.gravity);
+      if (gravity.is_vector() && !gravity.bare && same_kind(gravity.dimension, dimensions::acceleration)) return norm(gravity.vector);
+    }
+  }
   return Scalar(standard_gravity);
 }
 

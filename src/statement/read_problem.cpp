@@ -392,6 +392,8 @@ void check_holders(const Problem& problem) {
   }
   for (const Joint& joint : problem.joints) {
     check(joint.from, joint.from_mark, holders, "body or frame");
+    if (joint.to == "ground")
+      fail(problem.file, joint.to_mark, "joint '" + joint.name + "' holds the ground", "the ground holds and is not held: write it under from:");
     check(joint.to, joint.to_mark, bodies, "body");
     if (joint.from == joint.to)
       fail(problem.file, joint.mark, "joint '" + joint.name + "' joins '" + joint.to + "' to itself");

@@ -1,6 +1,7 @@
 #include "poinsot/statement/solve_statement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -18,6 +19,26 @@ namespace {
 constexpr double check_tolerance = 1e-8;   // residual on the road of particles, relative
 constexpr double same_tolerance = 1e-9;    // between two choices of what is open, relative
 constexpr double noise = 1e-14;            // rounding, relative to the natural size of a quantity
+
+// Whether an expression asks anything of the model: a quantity function, a coordinate or an unknown, also by define:.
+// What stands before an @ counts only if `into_at`.
+bool asks_model(const Problem& problem, const Expression& expression, bool into_at = true, int depth = 0) {
+  std::set<std::string> functions;
+  collect_functions(expression, functions, into_at);
+  for (const FunctionForm& form : quantity_functions())
+    if (functions.contains(form.name)) return true;
+  std::set<std::string> names;
+  collect_names(expression, names, into_at);
+  for (const std::string& name : names) {
+    if (std::any_of(problem.find.begin(), problem.find.end(), [&](const Unknown& unknown) { return unknown.name == name; })) return true;
+    for (const Joint& joint : problem.joints)
+      for (const Freedom& freedom : joint.freedoms)
+        if (freedom.position && freedom.position->as<Name>() && freedom.position->as<Name>()->name == name) return true;
+    for (const NamedExpression& item : problem.define)
+      if (item.name == name && depth < 50 && asks_model(problem, item.value, into_at, depth + 1)) return true;
+  }
+  return false;
+}
 
 // One choice of everything that the statement leaves open, and the instants solved for it so far.
 class Sample {
@@ -84,9 +105,15 @@ class Sample {
   }
 
  private:
-  // Where an ask without @ of its own is meant: that of its first @, else the only situation and stage there is.
-  std::pair<std::size_t, std::size_t> home(const Expression& expression, const Mark& mark) const {
-    if (const At* at = first_at(expression)) return resolve(at->instant, at->instant_mark);
+  // Where what stands without @ is meant: in the only situation and stage there is, after a blow if there is one. An
+  // expression all of whose quantities have an @ is at home at the first of these.
+  Home home(const Expression& expression, const Mark& mark) const {
+    const bool one = statement_.situations.size() == 1 && statement_.situations.front().problem.stages.size() <= 1;
+    if (const At* at = first_at(expression); at && !one) {
+      if (asks_model(statement_.situations.front().problem, expression, false))
+        fail(statement_.file, mark, "a part of this stands without @: when is it meant?", "write @ " + at->instant + " or another instant behind every quantity");
+      return resolve(at->instant, at->instant_mark);
+    }
     if (statement_.situations.size() > 1) {
       std::string names;
       for (const Situation& situation : statement_.situations) names += (names.empty() ? "" : ", ") + situation.name;
@@ -219,10 +246,14 @@ void narrow_ranges(const Problem& problem, const Settings& settings, solve::Root
         const auto value = slot ? value_of(*bound) : std::nullopt;
         if (!value || !(less || greater)) continue;
         solve::RootRange& range = roots.ranges[*slot];
-        if (above)
-          range.lower = std::max(range.lower, *value);
-        else
-          range.upper = std::min(range.upper, *value);
+        const bool open = comparison->relations[i] == Relation::less || comparison->relations[i] == Relation::greater;
+        if (above && *value >= range.lower) {
+          range.lower = *value;
+          range.lower_open = open;
+        } else if (!above && *value <= range.upper) {
+          range.upper = *value;
+          range.upper_open = open;
+        }
       }
     }
   }
@@ -236,25 +267,6 @@ bool satisfies_where(const Statement& statement, const Settings& settings) {
       if (value.is_boolean() && !value.truth) return false;
     }
   return true;
-}
-
-// Whether an expression asks anything of the model: a quantity function, a coordinate or an unknown, also by define:.
-bool asks_model(const Problem& problem, const Expression& expression, int depth = 0) {
-  std::set<std::string> functions;
-  collect_functions(expression, functions);
-  for (const FunctionForm& form : quantity_functions())
-    if (functions.contains(form.name)) return true;
-  std::set<std::string> names;
-  collect_names(expression, names);
-  for (const std::string& name : names) {
-    if (std::any_of(problem.find.begin(), problem.find.end(), [&](const Unknown& unknown) { return unknown.name == name; })) return true;
-    for (const Joint& joint : problem.joints)
-      for (const Freedom& freedom : joint.freedoms)
-        if (freedom.position && freedom.position->as<Name>() && freedom.position->as<Name>()->name == name) return true;
-    for (const NamedExpression& item : problem.define)
-      if (item.name == name && depth < 50 && asks_model(problem, item.value, depth + 1)) return true;
-  }
-  return false;
 }
 
 // What the values of all asks are for one choice; a missing value where it could not be found.
@@ -290,12 +302,24 @@ class StatementSolver {
         }
         solution.unknowns.clear();
       }
-      for (const std::string& name : found.open)
-        for (SolvedAsk& ask : solution.asks)
-          if (ask.state == AskState::found && asks_name(ask, solution, name)) {
-            ask.state = AskState::undetermined;
-            ask.reason = "the conditions leave '" + name + "' open: one more fact is needed";
-          }
+      if (!found.open.empty()) {
+        // What another solution of the conditions changes is not determined.
+        const std::vector<double> natural = natural_;
+        const Solution other = found.alternative ? solve_one(*found.alternative) : Solution{};
+        natural_ = natural;
+        std::string names;
+        for (const std::string& name : found.open) names += (names.empty() ? "'" : ", '") + name + "'";
+        for (std::size_t i = 0; i < solution.asks.size(); ++i) {
+          SolvedAsk& ask = solution.asks[i];
+          if (ask.state != AskState::found) continue;
+          if (found.alternative && same(ask.value, other.asks[i].value, tolerance(i, ask.value, other.asks[i].value))) continue;
+          ask.state = AskState::undetermined;
+          ask.reason = "the conditions leave " + names + " open: one more fact is needed";
+        }
+        std::erase_if(solution.unknowns, [&](const SolvedUnknown& unknown) {
+          return std::find(found.open.begin(), found.open.end(), unknown.name) != found.open.end();
+        });
+      }
       result.solutions.push_back(std::move(solution));
     }
     return result;
@@ -305,6 +329,7 @@ class StatementSolver {
   struct RootsFound {
     std::vector<Settings> roots;
     std::vector<std::string> open, warnings;
+    std::optional<Settings> alternative;  // another solution, where unknowns stay open
   };
 
   template <class Item>
@@ -318,16 +343,6 @@ class StatementSolver {
     std::mt19937_64 random(1000);
     for (const Letter& letter : open_) settings[letter.name] = Value<double>::of_number(draw(letter, random), letter.unit.dimension);
     return settings;
-  }
-
-  bool asks_name(const SolvedAsk& ask, const Solution& solution, const std::string& name) const {
-    const auto index = static_cast<std::size_t>(&ask - solution.asks.data());
-    for (const Expression& expression : statement_.asks[index].of) {
-      std::set<std::string> names;
-      collect_names(expression, names);
-      if (names.contains(name) || level_of(statement_.situations.front().problem, expression, true) != Level::position) return true;
-    }
-    return false;
   }
 
   RootsFound find_unknowns(const Settings& settings);
@@ -413,9 +428,12 @@ class StatementSolver {
       for (std::size_t i = 0; i < base.size(); ++i) {
         if (!differs(other, i)) continue;
         result.asks[i].state = AskState::undetermined;
-        result.asks[i].reason += (result.asks[i].reason.empty() ? "" : "; ") + reason(statement_.asks[i]);
+        std::string why = reason(statement_.asks[i]);
+        if (result.asks[i].reason.find(why) == std::string::npos) result.asks[i].reason += (result.asks[i].reason.empty() ? "" : "; ") + why;
+        note_fixed_components(*base[i], other[i], i);
       }
     };
+    fixed_.assign(base.size(), {true, true, true});
     bool any = false, gravity = false;
     for (const Situation& situation : statement_.situations) {
       gravity = gravity || !situation.problem.gravity;
@@ -437,6 +455,24 @@ class StatementSolver {
       undetermined({.seed = 13, .velocities = true, .direction = d}, [&](const Ask& ask) { return open_velocity(sample_->instant_of(ask), d); });
     for (std::size_t d = 0; d < std::min(forces, most); ++d)
       undetermined({.seed = 14, .forces = true, .direction = d}, [&](const Ask& ask) { return open_force(sample_->instant_of(ask), d); });
+    tell_fixed_components(result);
+  }
+
+  // Of a vector that is not determined, the components that are.
+  void note_fixed_components(const Value<double>& base, const std::optional<Value<double>>& other, std::size_t i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      fixed_[i][k] = fixed_[i][k] && base.is_vector() && other && other->is_vector() &&
+                     std::abs(base.vector[k] - other->vector[k]) <= tolerance(i, base, *other);
+  }
+  void tell_fixed_components(Solution& result) {
+    for (std::size_t i = 0; i < fixed_.size(); ++i) {
+      if (result.asks[i].state != AskState::undetermined) continue;
+      std::vector<std::string> names;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (fixed_[i][k]) names.push_back("." + sample_->problem_of(statement_.asks[i]).axes[k]);
+      if (!names.empty())
+        result.asks[i].reason += "; its component" + std::string(names.size() > 1 ? "s " : " ") + listed(names, "and") + (names.size() > 1 ? " are" : " is") + " fixed: ask for " + (names.size() > 1 ? "them" : "it");
+    }
   }
 
   static bool uses_any(const Problem& problem) {
@@ -569,6 +605,7 @@ class StatementSolver {
   std::vector<Unknown> unknowns_;
   std::unique_ptr<Sample> sample_;
   std::vector<double> natural_;
+  std::vector<std::array<bool, 3>> fixed_;
 };
 
 // Whether forces take part in what fixes the unknowns of a problem.
@@ -661,6 +698,7 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Settings& setti
     Settings root = settings_at(point);
     if (satisfies_where(statement_, root)) found.roots.push_back(std::move(root));
   }
+  if (!result.alternative.empty()) found.alternative = settings_at(result.alternative);
   for (std::size_t k : result.open_unknowns)
     if (const std::string& name = unknowns_[slots[k].unknown].name; std::find(found.open.begin(), found.open.end(), name) == found.open.end())
       found.open.push_back(name);

@@ -29,16 +29,17 @@ inline Eigen::Matrix3d skew(const Eigen::Vector3d& a) {
 }
 
 struct OracleBody {
-  Eigen::Matrix3d R;  // body axes to ground axes
-  Eigen::Vector3d p;  // origin
-  Eigen::Vector3d w;
-  Eigen::Vector3d v;                           // of the origin
-  Eigen::Matrix<double, 6, Eigen::Dynamic> S;  // joint motion per coordinate, angular above linear, at the origin
-  Eigen::Matrix<double, 6, 1> bias;            // accelerations relative to the parent's point while nothing accelerates
-  Eigen::Vector3d alpha;
-  Eigen::Vector3d a;
-  Eigen::Vector3d n;  // reaction of the parent about the origin
-  Eigen::Vector3d f;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // body axes to ground axes
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();      // origin
+  Eigen::Vector3d w = Eigen::Vector3d::Zero();
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();  // of the origin
+  Eigen::Matrix<double, 6, Eigen::Dynamic> S;   // joint motion per coordinate, angular above linear, at the origin
+  Eigen::Matrix<double, 6, 1> bias =
+      Eigen::Matrix<double, 6, 1>::Zero();  // accelerations relative to the parent's point while nothing accelerates
+  Eigen::Vector3d alpha = Eigen::Vector3d::Zero();
+  Eigen::Vector3d a = Eigen::Vector3d::Zero();
+  Eigen::Vector3d n = Eigen::Vector3d::Zero();  // reaction of the parent about the origin
+  Eigen::Vector3d f = Eigen::Vector3d::Zero();
 };
 
 struct OracleResult {
@@ -54,14 +55,7 @@ inline std::vector<OracleBody> oracle_motion(const StatedTree& tree, const State
   int v = 0;
   for (const StatedBody& stated : tree.bodies) {
     OracleBody parent;
-    if (stated.parent == ground) {
-      parent.R.setIdentity();
-      parent.p.setZero();
-      parent.w.setZero();
-      parent.v.setZero();
-    } else {
-      parent = bodies[static_cast<std::size_t>(stated.parent)];
-    }
+    if (stated.parent != ground) parent = bodies[static_cast<std::size_t>(stated.parent)];
     const Eigen::Matrix3d R_F = parent.R * eigen(stated.placement.R);
     const Eigen::Vector3d p_F = parent.p + parent.R * eigen(stated.placement.p);
     const Eigen::Vector3d axis_F = eigen(stated.joint.axis).normalized();

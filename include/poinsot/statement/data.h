@@ -71,11 +71,11 @@ bool depends_on_time(const Problem& problem, const Expression& expression);
 // The letters on which an expression depends, through data and points as well.
 std::set<std::string> letters_of(const Problem& problem, const Expression& expression);
 
-// The names used in an expression.
-void collect_names(const Expression& expression, std::set<std::string>& names);
+// The names used in an expression; those before an @ only if `into_at`.
+void collect_names(const Expression& expression, std::set<std::string>& names, bool into_at = true);
 
 // The functions called in an expression.
-void collect_functions(const Expression& expression, std::set<std::string>& functions);
+void collect_functions(const Expression& expression, std::set<std::string>& functions, bool into_at = true);
 
 extern template class DataScope<double>;
 extern template class DataScope<Dual<1>>;
