@@ -90,6 +90,7 @@ Expectation expectation(const statement::Expected& expected, const statement::Pr
     // A value stands in the unit named; a formula has the dimension of its letters.
     const double factor = expected.value && expected.unit ? 1 / expected.unit->factor : 1;
     result.si = datum(value, factor);
+    result.roots = expected.roots;
     result.absolute_tolerance = expected.absolute_tolerance * (expected.unit ? expected.unit->factor : 1);
   }
   return result;

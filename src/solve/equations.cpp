@@ -205,9 +205,21 @@ Wrench Moment::component_wrench(const Component<double>& component) const {
   return wrench;
 }
 
+// What a motor about one axis passes on through gimbals that turn freely: a couple with moment one about its own axis and
+// none about the others.
 Wrench Moment::drive_wrench(const Drive<double>& drive) const {
   const Vector d = direction(drive.along);
-  return drive.turning ? Wrench{d, Vector::zero()} : force_at(position(drive.at), d);
+  if (!drive.turning) return force_at(position(drive.at), d);
+  Vector couple = d;
+  if (drive.others.size() == 1) {
+    const Vector other = direction(drive.others[0]);
+    couple = d - dot(d, other) * other;
+  } else if (drive.others.size() == 2) {
+    couple = cross(direction(drive.others[0]), direction(drive.others[1]));
+  }
+  // Axes in one plane leave no such couple; then it is that of the axis alone.
+  const double about_own = dot(couple, d);
+  return {std::abs(about_own) < 1e-9 ? d : couple / about_own, Vector::zero()};
 }
 
 Wrench Moment::known_wrench(const KnownForce<double>& force) const {

@@ -52,6 +52,7 @@ std::size_t LinearSystem::add_equation(std::string words, double scale) {
   words_.push_back(std::move(words));
   equation_scale_.push_back(scale);
   right_side_.push_back(0);
+  right_size_.push_back(0);
   return words_.size() - 1;
 }
 
@@ -59,7 +60,10 @@ void LinearSystem::add(std::size_t equation, std::size_t unknown, double coeffic
   entries_.push_back({equation, unknown, coefficient});
 }
 
-void LinearSystem::add_right_side(std::size_t equation, double value) { right_side_[equation] += value; }
+void LinearSystem::add_right_side(std::size_t equation, double value) {
+  right_side_[equation] += value;
+  right_size_[equation] += std::abs(value);
+}
 
 LinearSolution LinearSystem::solve() const {
   // Without equations one that says nothing leaves every unknown open.
@@ -140,8 +144,18 @@ LinearSolution LinearSystem::solve() const {
   // Misfit, relative to the largest term met anywhere.
   const Eigen::VectorXd misfit = m ? Eigen::VectorXd(b - A * x) : Eigen::VectorXd();
   for (Eigen::Index i = 0; i < m; ++i) solution.misfit.push_back(misfit[i] / row_scale[i]);
-  double term = m ? b.cwiseAbs().maxCoeff() : 0;
-  if (m && n) term = std::max(term, (A.cwiseAbs() * x.cwiseAbs()).maxCoeff());
+  double term = 0;
+  for (std::size_t i = 0; i < equations(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    term = std::max(term, right_size_[i] * rows[row] * row_scale[row]);
+  }
+  if (m && n) {
+    const Eigen::VectorXd terms = A.cwiseAbs() * x.cwiseAbs();
+    term = std::max(term, terms.maxCoeff());
+    solution.size = terms.cwiseQuotient(row_scale).maxCoeff();
+  }
+  for (std::size_t i = 0; i < equations(); ++i)
+    solution.size = std::max(solution.size, right_size_[i] * rows[static_cast<Eigen::Index>(i)]);
   if (m && term > 0) {
     solution.residual = misfit.cwiseAbs().maxCoeff() / term;
     if (!(solution.residual <= conflict_tolerance)) {

@@ -42,8 +42,9 @@ class RootFinder {
     for (Eigen::Index k = 0; k < n_; ++k) x[static_cast<std::size_t>(k)] = u[k] * problem_.ranges[static_cast<std::size_t>(k)].scale;
     const auto values = problem_.equations(x);
     if (!values) return std::nullopt;
-    VectorXd r(static_cast<Eigen::Index>(values->size()));
-    for (Eigen::Index i = 0; i < r.size(); ++i) r[i] = (*values)[static_cast<std::size_t>(i)];
+    VectorXd r(static_cast<Eigen::Index>(values->values.size()));
+    for (Eigen::Index i = 0; i < r.size(); ++i) r[i] = values->values[static_cast<std::size_t>(i)];
+    size_ = values->size;
     if (!r.allFinite()) return std::nullopt;
     return r;
   }
@@ -114,7 +115,7 @@ class RootFinder {
     const VectorXd u = u0 + qr.solve(-*r0);
     const VectorXd misfit = *r0 + *J * (u - u0);
     roots.best_misfit = misfit.size() ? misfit.cwiseAbs().maxCoeff() : 0;
-    const double size = r0->norm() + (*J * (u - u0)).norm();
+    const double size = std::max(size_, r0->norm() + (*J * (u - u0)).norm());
     if (misfit.norm() > zero_tolerance * std::max(size, 1e-300)) return true;
     if (qr.rank() < n_) {
       roots.open = true;
@@ -214,11 +215,30 @@ class RootFinder {
     }
     const auto J = jacobian(u, r->size());
     if (!J) return std::nullopt;
-    const double size = std::max(first, (J->cwiseAbs() * u.cwiseAbs()).norm());
+    equations(u);
+    const double size = std::max(size_, (J->cwiseAbs() * u.cwiseAbs()).norm());
     roots.best_misfit = std::min(roots.best_misfit, r->cwiseAbs().maxCoeff());
     if (r->norm() > zero_tolerance * size) return std::nullopt;
     Eigen::ColPivHouseholderQR<MatrixXd> qr(*J);
     qr.setThreshold(1e-7);
+    // An unknown that changes nothing at a root is open there.
+    bool idle = false;
+    for (Eigen::Index k = 0; k < n_; ++k)
+      if (J->col(k).norm() * std::max(1.0, std::abs(u[k])) <= 1e-8 * size && inside(u)) {
+        idle = true;
+        if (std::find(roots.open_unknowns.begin(), roots.open_unknowns.end(), static_cast<std::size_t>(k)) == roots.open_unknowns.end())
+          roots.open_unknowns.push_back(static_cast<std::size_t>(k));
+      }
+    if (idle) {
+      roots.open = true;
+      if (!roots.points.empty()) {
+        // Every value will do: one stands for all.
+        for (Eigen::Index k = 0; k < n_; ++k) roots.alternative.push_back(u[k] * problem_.ranges[static_cast<std::size_t>(k)].scale);
+        if (static_cast<Eigen::Index>(roots.alternative.size()) > n_) roots.alternative.resize(static_cast<std::size_t>(n_));
+        return std::nullopt;
+      }
+      return u;
+    }
     if (qr.rank() < n_ && inside(u)) {
       roots.open = true;
       roots.open_unknowns.clear();
@@ -232,6 +252,7 @@ class RootFinder {
   const RootProblem& problem_;
   Eigen::Index n_;
   Clock::time_point end_;
+  mutable double size_ = 0;  // of the terms at the last evaluation
 };
 
 }  // namespace

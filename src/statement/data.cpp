@@ -11,20 +11,6 @@
 namespace poinsot::statement {
 namespace {
 
-template <class Scalar>
-Value<Scalar> lifted(const Value<double>& value) {
-  Value<Scalar> result;
-  result.kind = static_cast<typename Value<Scalar>::Kind>(value.kind);
-  result.dimension = value.dimension;
-  result.bare = value.bare;
-  result.number = Scalar(value.number);
-  result.vector = {Scalar(value.vector.x), Scalar(value.vector.y), Scalar(value.vector.z)};
-  for (const Value<double>& item : value.items) result.items.push_back(lifted<Scalar>(item));
-  result.truth = value.truth;
-  result.text = value.text;
-  return result;
-}
-
 const NamedExpression* find_named(const std::vector<NamedExpression>& items, const std::string& name) {
   const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
   return found == items.end() ? nullptr : &*found;
@@ -40,6 +26,11 @@ const Unknown* find_unknown(const Problem& problem, const std::string& name) {
   const auto found = std::find_if(problem.find.begin(), problem.find.end(),
                                   [&](const Unknown& unknown) { return unknown.name == name; });
   return found == problem.find.end() ? nullptr : &*found;
+}
+
+const Choice* find_choice(const Problem& problem, const std::string& name) {
+  const auto found = std::find_if(problem.choose.begin(), problem.choose.end(), [&](const Choice& choice) { return choice.name == name; });
+  return found == problem.choose.end() ? nullptr : &*found;
 }
 
 // Walks an expression; names and functions are gathered where they are wanted.
@@ -182,7 +173,7 @@ DataScope<Scalar>::DataScope(const Problem& problem, const Settings& settings, S
 
 template <class Scalar>
 bool DataScope<Scalar>::knows(const std::string& name) const {
-  return find_unknown(problem_, name) || name == "time" || name == "g" || settings_.contains(name) || find_named(problem_.given, name) ||
+  return find_unknown(problem_, name) || find_choice(problem_, name) || name == "time" || name == "g" || settings_.contains(name) || find_named(problem_.given, name) ||
          find_letter(problem_, name) || find_named(problem_.points, name) || find_named(problem_.directions, name) ||
          std::find(problem_.axes.begin(), problem_.axes.end(), name) != problem_.axes.end();
 }
@@ -224,11 +215,13 @@ Value<Scalar> DataScope<Scalar>::name(const Name& name, const Mark& mark, const 
   if (name.name == "time") meanings.push_back("the time");
   if (meanings.size() > 1)
     evaluator.fail(mark, "'" + name.name + "' could mean " + meanings[0] + " or " + meanings[1], "rename one of them");
-  if (datum || letter || unknown) {
+  const Choice* choice = find_choice(problem_, name.name);
+  if (datum || letter || unknown || choice) {
     if (const auto set = settings_.find(name.name); set != settings_.end()) return lifted<Scalar>(set->second);
   }
   if (datum) return lookup(*datum, "given");
   if (letter) evaluator.fail(mark, "the letter '" + name.name + "' has no value");
+  if (choice) evaluator.fail(mark, "'" + name.name + "' has not been chosen yet");
   if (unknown) evaluator.fail(mark, "the unknown '" + name.name + "' has no value yet");
   if (point) {
     Value<Scalar> value = lookup(*point, "point");

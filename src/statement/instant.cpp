@@ -6,6 +6,7 @@
 
 #include "poinsot/solve/closure.h"
 #include "statement/reader.h"
+#include "statement/scalar_value.h"
 
 namespace poinsot::statement {
 namespace {
@@ -96,6 +97,7 @@ void SolvedInstant::build(double time, const std::optional<std::vector<std::stri
   timed_ = std::make_unique<DataScope<TimeJet>>(problem_, settings_, time_jet(time));
   MachineOptions options;
   options.time = time;
+  options.lenient = choice_.trial;
   options.loads = loads;
   if (choice_.gravity) {
     std::mt19937_64 random(choice_.seed + 1);
@@ -189,6 +191,11 @@ double SolvedInstant::natural_unit(const Dimension& d) const {
   return std::pow(scales_.length, d.length / 12.0) * std::pow(scales_.mass, d.mass / 12.0) * std::pow(scales_.time, d.time / 12.0);
 }
 
+void SolvedInstant::take_misfits(const solve::LinearSolution& solution) {
+  misfits_.insert(misfits_.end(), solution.misfit.begin(), solution.misfit.end());
+  misfit_size_ = std::max(misfit_size_, solution.size);
+}
+
 // Another member of the family of solutions.
 void SolvedInstant::move_along(const solve::LinearSolution& solution, std::vector<double>& values) {
   if (choice_.direction >= solution.open.size()) return;
@@ -219,6 +226,11 @@ std::vector<solve::Condition> SolvedInstant::velocity_facts(const std::vector<co
     for (double q : machine_.q) state.q.emplace_back(q);
     for (std::size_t k = 0; k < n; ++k) state.v.push_back(k == seed ? Dual<1>::variable(v[k], 0) : Dual<1>(v[k]));
     QuantityScope<Dual<1>> scope(machine_, model, data, std::move(state));
+    scope.set_elsewhere([&](const At& past, const Mark& mark) {
+      if (past.instant != "before" || !before_) fail(problem_.file, mark, "a fact can look back to `before` a blow only, not to '" + past.instant + "'");
+      QuantityScope<double> earlier(machine_, machine_.mechanism.tree, *data_, before_->state());
+      return lifted<Dual<1>>(earlier.value(past.expression));
+    });
     return differences(fact, scope, problem_.file);
   };
   for (const Instant* instant : instants) {
@@ -285,7 +297,7 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
   if (problem_.steady) add_steady(conditions, false);
   velocities_ = solve::solve_velocities(*moment_, scales_, conditions, &velocity_equations_);
   if (choice_.trial)
-    misfits_.insert(misfits_.end(), velocities_.misfit.begin(), velocities_.misfit.end());
+    take_misfits(velocities_);
   else if (!velocities_.conflict.empty())
     contradiction(velocity_equations_, velocities_, false);
   v_ = velocities_.value;
@@ -367,7 +379,7 @@ void SolvedInstant::solve_blow() {
     if (!good && !last && !choice_.trial) continue;
     blow_equations_ = std::move(equations);
     blow_solution_ = std::move(solution);
-    if (choice_.trial) misfits_.insert(misfits_.end(), blow_solution_.misfit.begin(), blow_solution_.misfit.end());
+    if (choice_.trial) take_misfits(blow_solution_);
     if (!good && !choice_.trial) {
       if (one_sided.empty()) contradiction(blow_equations_, blow_solution_, true);
       fail(problem_.file, {1, 1}, "no motion after the blow fits: whichever cords and contacts act, one would have to push or pull the wrong way");
@@ -517,7 +529,7 @@ void SolvedInstant::solve_forces() {
     }
   motion_ = solve::solve_motion(*moment_, scales_, force_conditions(), &motion_equations_);
   if (choice_.trial)
-    misfits_.insert(misfits_.end(), motion_->misfit.begin(), motion_->misfit.end());
+    take_misfits(*motion_);
   else if (!motion_->conflict.empty())
     contradiction(motion_equations_, *motion_, true);
   unknowns_ = motion_->value;
@@ -643,13 +655,15 @@ Value<double> SolvedInstant::ask(const Expression& expression, const std::option
 }
 
 double SolvedInstant::natural_size(const Dimension& d) const {
+  // Only what grows with the pace of the motion has a size that rounding is measured by; of a thing at rest that is none.
+  if (d.time > 0) return 0;
   double pace = 0;
   for (const BodyMotion<double>& motion : moment_->workspace().motion) {
     pace = std::max({pace, norm(motion.w), norm(motion.v) / scales_.length});
     pace = std::max({pace, std::sqrt(norm(motion.alpha)), std::sqrt(norm(motion.a) / scales_.length)});
   }
   pace = std::max(pace, std::sqrt(norm(machine_.mechanism.tree.gravity()) / scales_.length));
-  return natural_unit(d) * (pace > 0 ? std::pow(pace, -d.time / 12.0) : 1);
+  return natural_unit(d) * (d.time == 0 ? 1 : std::pow(pace, -d.time / 12.0));
 }
 
 std::vector<std::string> SolvedInstant::unphysical() const {

@@ -60,6 +60,7 @@ class SolvedInstant {
 
   // In a trial: by how much the equations fail to hold, in natural units.
   const std::vector<double>& misfits() const { return misfits_; }
+  double misfit_size() const { return misfit_size_; }  // of the largest term in these equations
 
   // Cords that would have to push and contacts that would have to pull, in words. After solve_forces().
   std::vector<std::string> unphysical() const;
@@ -87,6 +88,7 @@ class SolvedInstant {
   bool turns_unseen(int body) const;
   std::vector<const Instant*> instants_at(std::size_t stage) const;
   void solve_blow();
+  void take_misfits(const solve::LinearSolution& solution);
   void move_along(const solve::LinearSolution& solution, std::vector<double>& values);
   void run_stages(std::size_t count);
   std::vector<double> accelerations_at(double time, const std::vector<double>& q, const std::vector<double>& v, std::size_t stage);
@@ -112,6 +114,7 @@ class SolvedInstant {
   std::optional<solve::LinearSolution> motion_;
   std::vector<double> unknowns_;
   std::vector<double> misfits_;
+  double misfit_size_ = 0;
   // A blow, if this is the instant after it: what was before, and velocities after with all impulses.
   std::optional<solve::Moment> before_;
   solve::Blow blow_;

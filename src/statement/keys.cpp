@@ -15,6 +15,9 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"problem", "letters", named, "", "data without a value yet: name and unit; --set gives values"},
     {"problem", "find", named, "unknown", "data to be found: name and unit, or {vector: unit}"},
     {"problem", "where", list, "", "ranges and conditions on the unknowns, such as 0 deg < b < 90 deg"},
+    {"problem", "choose", named, "choice", "which of some impulses or added masses take part"},
+    {"problem", "without", list, "", "added masses that are left out, in a situation"},
+    {"problem", "facts", named, "", "what is known, where there is only one instant: quantity and value"},
     {"problem", "axes", list, "", "the names of the three axes, right-handed; [x, y, z] when left out"},
     {"problem", "gravity", vector, "", "the direction in which weights pull, `none`, or the vector of its acceleration"},
     {"problem", "points", named, "", "places as drawn"},
@@ -37,6 +40,8 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"problem", "ask", named, "ask", "the questions"},
     {"problem", "expect", named, "expected", "answers known from elsewhere, for `poinsot check`"},
 
+    {"choice", "of", list, "", "their names"},
+    {"choice", "exactly", expression, "", "how many of them"},
     {"unknown", "vector", unit, "", "the unit of an unknown vector"},
 
     {"frame", "origin", vector, "", "its origin as drawn; the ground's origin when left out"},
@@ -295,6 +300,7 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"ask", "axes", any, "", "the body, frame or three directions on whose axes components are given"},
 
     {"expected", "value", any, "", "number, vector or list in unit"},
+    {"expected", "roots", list, "", "instead of value: one number for each solution, in any order"},
     {"expected", "unit", unit, "", "the unit of value and atol; SI when left out"},
     {"expected", "formula", any, "", "an expression of letters and data"},
     {"expected", "names", list, "", "which ones"},

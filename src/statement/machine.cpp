@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 #include "poinsot/dynamics/kinematics.h"
 #include "poinsot/mass/composition.h"
@@ -32,7 +33,7 @@ class MachineBuilder {
   Machine build() {
     machine_.index["ground"] = ground;
     machine_.drawn_origin[ground] = Vector::zero();
-    for (const Body& body : problem_.bodies) masses_.push_back(body_mass(body, data_, any_));
+    for (const Body& body : problem_.bodies) masses_.push_back(body_mass(body, data_, any_, options_.lenient));
     set_gravity();
     for (const Frame& frame : problem_.frames) add_frame(frame);
     add_tree();
@@ -93,9 +94,16 @@ class MachineBuilder {
 
   int add_link(const std::string& name, int parent, const poinsot::Joint<double>& joint, const Vector& origin,
                const MassProperties<double>& mass) {
-    const int link = builder_.add_body(name, parent, joint,
-                                       SpatialTransform<double>::translation(origin - machine_.drawn_origin.at(parent)),
-                                       translated(-origin, mass));
+    int link = 0;
+    try {
+      link = builder_.add_body(name, parent, joint, SpatialTransform<double>::translation(origin - machine_.drawn_origin.at(parent)),
+                               translated(-origin, mass));
+    } catch (const std::invalid_argument& error) {
+      Mark mark{1, 1};
+      for (const Body& body : problem_.bodies)
+        if (body.name == name) mark = body.mark;
+      fail(file(), mark, error.what());
+    }
     machine_.drawn_origin[link] = origin;
     machine_.links.push_back({joint.type, parent, origin, joint.axis, joint.pitch, static_cast<int>(machine_.q.size()),
                               static_cast<int>(machine_.mechanism.coordinate_names.size())});
@@ -523,6 +531,11 @@ class MachineBuilder {
       drive.at = at;
       // The axis rides with both bodies of its link; on the sense of `to` relative to `from` in either case.
       drive.along = riding(moved, axes.freedom[k]);
+      for (std::size_t other = 0; freedom.turning && other < joint.freedoms.size(); ++other) {
+        const auto found = link_of_freedom_.find({joint.name, other});
+        if (other != k && joint.freedoms[other].turning && found != link_of_freedom_.end())
+          drive.others.push_back(riding(found->second.first, axes.freedom[other]));
+      }
       const bool accel_known = std::any_of(machine_.accelerations.begin(), machine_.accelerations.end(),
                                            [&](const StatedRate& stated) { return stated.velocity == drive.coordinate; });
       drive.held = accel_known && !freedom.effort && !freedom.stiffness && !freedom.damping;

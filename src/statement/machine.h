@@ -76,6 +76,7 @@ struct Machine {
 };
 
 struct MachineOptions {
+  bool lenient = false;                                // unknowns have trial values
   double time = 0;                                     // s
   Vector3<double> open_gravity{};                      // taken if the statement says nothing of gravity
   std::optional<std::vector<std::string>> loads;       // those that act; all when left out

@@ -24,7 +24,8 @@ bool is_any(const Expression& expression) {
 
 class MassReader {
  public:
-  MassReader(const Body& body, DataScope<double>& data, const AnyValue& any) : body_(body), data_(data), any_(any) {}
+  MassReader(const Body& body, DataScope<double>& data, const AnyValue& any, bool lenient)
+      : body_(body), data_(data), any_(any), lenient_(lenient) {}
 
   BodyMass of_shapes();
   BodyMass of_numbers();
@@ -37,7 +38,7 @@ class MassReader {
   }
   double positive(const Expression& expression, const Dimension& dimension, const std::string& what) {
     const double value = number(expression, dimension);
-    if (!(value > 0) && !(value == 0)) fail(file(), expression.mark(), what + " is negative", "a part that is cut out has hole: true");
+    if (!lenient_ && !(value > 0) && !(value == 0)) fail(file(), expression.mark(), what + " is negative", "a part that is cut out has hole: true");
     return value;
   }
   // mass: 10 lb and weight: 10 kg are the mistakes that people make.
@@ -97,11 +98,13 @@ class MassReader {
     if (dot(a[0], cross(a[1], a[2])) < 0) fail(file(), inertia.mark, "the axes are not right-handed", "reverse one of them");
     return Matrix3<double>::from_columns(a[0], a[1], a[2]);
   }
-  SymmetricMatrix3<double> stated_tensor(const StatedInertia& inertia, double mass);
+  // spread: square of the distance from the mass center to the point of the moments, m^2.
+  SymmetricMatrix3<double> stated_tensor(const StatedInertia& inertia, double mass, double spread);
 
   const Body& body_;
   DataScope<double>& data_;
   const AnyValue& any_;
+  bool lenient_;
 };
 
 void append(BodyMass& whole, std::vector<MassProperties<double>>& list, const ShapeValues& shape, double mass) {
@@ -117,7 +120,7 @@ BodyMass MassReader::of_shapes() {
   double shared_measure = 0, stated_mass = 0;
   std::optional<Extent> shared_extent;
   for (const Part& part : body_.parts) {
-    shapes.push_back(shape_values(part.shape, data_));
+    shapes.push_back(shape_values(part.shape, data_, part.name));
     const ShapeValues& shape = shapes.back();
     const std::string part_owner = body_.parts.size() == 1 ? owner : "part '" + part.name + "' of " + owner;
     const double sign = part.hole ? -1 : 1;
@@ -162,7 +165,7 @@ BodyMass MassReader::of_shapes() {
   }
   for (const Part& part : body_.added) {
     const std::string part_owner = "the added '" + part.name + "' of " + owner;
-    const ShapeValues shape = shape_values(part.shape, data_);
+    const ShapeValues shape = shape_values(part.shape, data_, part.name);
     if (!states(part.amount)) fail(file(), part.mark, part_owner + " has no mass", "write mass:");
     append(whole, list, shape, amount_of(part.amount, shape, part_owner));
   }
@@ -170,7 +173,7 @@ BodyMass MassReader::of_shapes() {
   return whole;
 }
 
-SymmetricMatrix3<double> MassReader::stated_tensor(const StatedInertia& inertia, double mass) {
+SymmetricMatrix3<double> MassReader::stated_tensor(const StatedInertia& inertia, double mass, double spread) {
   const Dimension dimension = inertia.radii ? dimensions::length : dimensions::moment_of_inertia;
   const auto moment = [&](const Expression& expression) {
     const double value = number(expression, dimension);
@@ -196,12 +199,15 @@ SymmetricMatrix3<double> MassReader::stated_tensor(const StatedInertia& inertia,
   }
   Vector moments = Vector::zero();
   ProductsOfInertia<double> products;
+  double size = mass * spread;
   for (int i = 0; i < 3; ++i) {
-    // What `rest: any` leaves open: moments large enough for any products.
-    moments[i] = inertia.moments[i] ? moment(*inertia.moments[i]) : any_(dimensions::moment_of_inertia);
-    double product = inertia.products[i] ? number(*inertia.products[i], dimension) : 0;
+    const double product = inertia.products[i] ? number(*inertia.products[i], dimension) : 0;
     (i == 0 ? products.xy : i == 1 ? products.yz : products.zx) = product;
+    size += std::abs(product);
   }
+  for (int i = 0; i < 3; ++i)
+    // What `rest: any` leaves open: moments large enough for these products.
+    moments[i] = inertia.moments[i] ? moment(*inertia.moments[i]) : any_(dimensions::moment_of_inertia) * std::max(2 * size, 1e-300);
   return inertia_tensor(moments, products);
 }
 
@@ -217,7 +223,8 @@ BodyMass MassReader::of_numbers() {
   SymmetricMatrix3<double> tensor = SymmetricMatrix3<double>::zero();
   if (body_.inertia) {
     const StatedInertia& inertia = *body_.inertia;
-    tensor = rotated(axes_of(inertia), stated_tensor(inertia, mass));
+    const double spread = inertia.about ? norm_squared(center - data_.place(*inertia.about)) : 0;
+    tensor = rotated(axes_of(inertia), stated_tensor(inertia, mass, spread));
     if (inertia.about) {
       const Vector about = data_.place(*inertia.about);
       whole.properties = from_inertia_about(about, mass, center, tensor);
@@ -227,12 +234,12 @@ BodyMass MassReader::of_numbers() {
   } else {
     whole.properties = {mass, center, tensor};
   }
-  if (const auto report = validate(whole.properties, body_.name))
+  if (const auto report = validate(whole.properties, body_.name); report && !lenient_)
     fail(file(), body_.inertia ? body_.inertia->mark : body_.mark, report->message);
-  whole.particles = equivalent_particles(whole.properties);
+  if (!lenient_) whole.particles = equivalent_particles(whole.properties);
   std::vector<MassProperties<double>> list{whole.properties};
   for (const Part& part : body_.added) {
-    const ShapeValues shape = shape_values(part.shape, data_);
+    const ShapeValues shape = shape_values(part.shape, data_, part.name);
     if (!states(part.amount)) fail(file(), part.mark, "the added '" + part.name + "' of " + owner + " has no mass", "write mass:");
     append(whole, list, shape, amount_of(part.amount, shape, "the added '" + part.name + "' of " + owner));
   }
@@ -242,11 +249,11 @@ BodyMass MassReader::of_numbers() {
 
 }  // namespace
 
-BodyMass body_mass(const Body& body, DataScope<double>& data, const AnyValue& any) {
+BodyMass body_mass(const Body& body, DataScope<double>& data, const AnyValue& any, bool lenient) {
   if (body.massless) return {massless<double>(), {}};
-  MassReader reader(body, data, any);
+  MassReader reader(body, data, any, lenient);
   BodyMass result = body.parts.empty() ? reader.of_numbers() : reader.of_shapes();
-  if (const auto report = validate(result.properties, body.name)) fail(data.problem().file, body.mark, report->message);
+  if (const auto report = validate(result.properties, body.name); report && !lenient) fail(data.problem().file, body.mark, report->message);
   return result;
 }
 

@@ -20,7 +20,8 @@ struct BodyMass {
 };
 
 // Throws StatementError: negative masses, shapes without extent, inertias that no body can have, wrong dimensions.
-BodyMass body_mass(const Body& body, DataScope<double>& data, const AnyValue& any);
+// lenient: for trial values of unknowns, negative masses and impossible inertias pass.
+BodyMass body_mass(const Body& body, DataScope<double>& data, const AnyValue& any, bool lenient = false);
 
 enum class ContactShape {
   round,    // a circle or sphere of the body

@@ -62,6 +62,13 @@ constexpr QuantityFunction functions[] = {
     {"drive", "drive(shaft), drive(slide of collar)", Level::force},
     {"tension", "tension(wire)", Level::force},
     {"load", "load(push)", Level::force},
+    {"symmetry_axis", "symmetry_axis(satellite)", Level::position},
+    {"precession_axis", "precession_axis(satellite)", Level::velocity},
+    {"precession_rate", "precession_rate(satellite)", Level::velocity},
+    {"spin_rate", "spin_rate(satellite), spin_rate(satellite about z) for its sense", Level::velocity},
+    {"precession_sense", "precession_sense(satellite)", Level::velocity},
+    {"body_cone", "body_cone(satellite)", Level::velocity},
+    {"space_cone", "space_cone(satellite)", Level::velocity},
     {"impulse", "impulse(A), impulse(stop on plate)", Level::velocity},
     {"impulsive_couple", "impulsive_couple(A), impulsive_couple(hinge on plate about A)", Level::velocity},
 };
@@ -385,6 +392,13 @@ Value<Scalar> QuantityScope<Scalar>::call(const Call& call, const Mark& mark, co
       {"drive", {""}},
       {"tension", {""}},
       {"load", {""}},
+      {"symmetry_axis", {""}},
+      {"precession_axis", {""}},
+      {"precession_rate", {""}},
+      {"spin_rate", {"", "about"}},
+      {"precession_sense", {""}},
+      {"body_cone", {""}},
+      {"space_cone", {""}},
       {"impulse", {"", "of", "on"}},
       {"impulsive_couple", {"", "of", "on about"}},
   };
@@ -403,6 +417,9 @@ Value<Scalar> QuantityScope<Scalar>::call(const Call& call, const Mark& mark, co
     return kinematic(call, evaluator);
   if (f == "momentum" || f == "angular_momentum" || f == "kinetic_energy" || f == "potential_energy" || f == "mass" || f == "weight")
     return momentum(call, evaluator);
+  if (f == "symmetry_axis" || f == "precession_axis" || f == "precession_rate" || f == "spin_rate" || f == "precession_sense" ||
+      f == "body_cone" || f == "space_cone")
+    return free_motion(call, mark, evaluator);
   if (f == "axis" || f == "distance" || f == "direction_angles") return geometry(call, evaluator);
   if (f == "rate") return rate(call, mark, evaluator);
   if (function->level == Level::force || f == "impulse" || f == "impulsive_couple") return force(call, mark, evaluator);
@@ -539,6 +556,49 @@ Value<Scalar> QuantityScope<Scalar>::inertia(const Call& call, const Mark& mark,
     return Result::of_list(std::move(items));
   } else {
     evaluator.fail(mark, f + " cannot stand inside rate()");
+  }
+}
+
+// Of a body of revolution under no moment about its mass center (Eqs. 18.46 to 18.49): it precesses about its angular
+// momentum H_G at H_G/I' and spins about its axis at H_G cos(theta) (I' - I)/(I I').
+template <class Scalar>
+Value<Scalar> QuantityScope<Scalar>::free_motion(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+  if constexpr (!std::is_same_v<Scalar, double>) {
+    evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known of the velocities");
+  } else {
+    const std::string& f = call.function;
+    const Expression& what = call.arguments[0].value;
+    const int body = body_of(what, evaluator);
+    if (is_frame(body)) evaluator.fail(what.mark(), "'" + to_string(what) + "' is no body");
+    const Vector3<double> G = mass_center_of(body, what, evaluator);
+    const Vector3<double> H = body_momentum(model_, workspace_, body, G).angular;
+    const Vector3<double>& w = angular_velocity(workspace_, body);
+    if (f == "precession_axis") {
+      if (!(norm(H) > 0)) evaluator.fail(mark, "'" + to_string(what) + "' does not turn: it has no angular momentum");
+      return vector_value(normalized(H), dimensions::none);
+    }
+    if (f == "space_cone") return number_value(std::atan2(norm(cross(H, w)), dot(H, w)), dimensions::angle);
+    const PrincipalAxes<double> principal = principal_axes(current_mass(body).inertia_center, 1e-9);
+    if (principal.symmetry != InertiaSymmetry::axisymmetric)
+      evaluator.fail(what.mark(), "'" + to_string(what) + "' is no body of revolution: " +
+                                      (principal.symmetry == InertiaSymmetry::spherical ? "all its axes are alike" : "its three principal moments differ"),
+                     "its motion is no steady precession");
+    const double axial = principal.moments[principal.symmetry_axis], transverse = principal.moments[principal.symmetry_axis == 0 ? 1 : 0];
+    // The sense of the axis: that of the angular velocity, unless the caller says.
+    Vector3<double> axis = principal.axes.column(principal.symmetry_axis);
+    if (dot(axis, w) < 0) axis = -axis;
+    if (const Expression* about = call.argument("about")) {
+      const Result sense = evaluator(*about);
+      if (!sense.is_vector() || norm(cross(sense.vector, axis)) > 1e-6 * norm(sense.vector))
+        evaluator.fail(about->mark(), "'" + to_string(*about) + "' is not the axis of revolution of '" + to_string(what) + "'");
+      if (dot(sense.vector, axis) < 0) axis = -axis;
+    }
+    if (f == "symmetry_axis") return vector_value(axis, dimensions::none);
+    if (f == "body_cone") return number_value(std::atan2(norm(cross(axis, w)), std::abs(dot(axis, w))), dimensions::angle);
+    if (f == "precession_rate") return number_value(norm(H) / transverse, dimensions::angular_velocity);
+    const double spin = dot(H, axis) * (transverse - axial) / (axial * transverse);
+    if (f == "spin_rate") return number_value(spin, dimensions::angular_velocity);
+    return Result::of_text(axial < transverse ? "direct" : "retrograde");
   }
 }
 
@@ -689,10 +749,12 @@ Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, c
   if (f == "drive" && actions.size() > 1)
     evaluator.fail(name_mark, "joint '" + name + "' has several freedoms", "write drive(FREEDOM of " + name + "), FREEDOM one of turn, slide, first, second, slide1, slide2");
   if (f == "drive") {
-    bool turning = true;
-    for (const Drive<double>& drive : mechanism.drives)
-      if (drive.action == static_cast<int>(actions.front())) turning = drive.turning;
-    return turning ? as_vector(wrench.moment, dimensions::moment) : as_vector(wrench.force, dimensions::force);
+    // What it exerts along or about its own axis; gimbals may pass on more.
+    for (const Drive<double>& drive : mechanism.drives) {
+      if (drive.action != static_cast<int>(actions.front())) continue;
+      const Vector3<double> d = moment_->direction(drive.along);
+      return drive.turning ? as_vector(dot(wrench.moment, d) * d, dimensions::moment) : as_vector(wrench.force, dimensions::force);
+    }
   }
   if (f == "force" || f == "reaction") return as_vector(wrench.force, dimensions::force);
   if (f == "impulse") return as_vector(wrench.force, dimensions::momentum);

@@ -77,6 +77,7 @@ class QuantityScope : public Scope<Scalar> {
   Result kinematic(const Call& call, const Evaluator<Scalar>& evaluator);
   Result momentum(const Call& call, const Evaluator<Scalar>& evaluator);
   Result inertia(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
+  Result free_motion(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
   Result geometry(const Call& call, const Evaluator<Scalar>& evaluator);
   Result force(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
   Result rate(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);

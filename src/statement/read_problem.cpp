@@ -319,7 +319,9 @@ Expected read_expected(const Key& name, const Entry& entry, const std::string& f
   Expected expected;
   expected.part = name.text;
   expected.mark = name.mark;
-  expected.value = members.expression("value");
+  expected.roots = members.find("roots") != nullptr;
+  if (expected.roots && members.find("value")) fail(file, entry.mark, "'" + name.text + "' expects a value and roots", "state one of them");
+  expected.value = members.expression(expected.roots ? "roots" : "value");
   expected.formula = members.expression("formula");
   expected.holds = members.boolean("holds");
   if (const Entry* unit = members.find("unit")) expected.unit = read_unit(*unit, file);
@@ -448,6 +450,24 @@ void note_units(const Entry& entry, const std::string& file, UnitHabits& habits)
     if (key.text != "title" && key.text != "source") note_units(value, file, habits);
 }
 
+// Choices are among impulses and added masses; only added masses can be left out.
+void check_choices(Problem& problem) {
+  std::vector<std::string> added, all;
+  for (const Body& body : problem.bodies)
+    for (const Part& part : body.added) added.push_back(part.name);
+  all = added;
+  for (const Impulse& impulse : problem.impulses) all.push_back(impulse.name);
+  for (const Choice& choice : problem.choose)
+    for (const std::string& name : choice.of)
+      if (std::find(all.begin(), all.end(), name) == all.end())
+        fail(problem.file, choice.mark, "'" + name + "' is no impulse and no added mass", did_you_mean(name, all));
+  for (const std::string& name : problem.without)
+    if (std::find(added.begin(), added.end(), name) == added.end())
+      fail(problem.file, Mark{1, 1}, "without: '" + name + "' is no added mass", did_you_mean(name, added));
+  for (Body& body : problem.bodies)
+    std::erase_if(body.added, [&](const Part& part) { return std::find(problem.without.begin(), problem.without.end(), part.name) != problem.without.end(); });
+}
+
 Problem read_one(const Entry& root, const std::string& file) {
   const Members members(root, file, {"problem"});
   Problem problem;
@@ -479,6 +499,26 @@ Problem read_one(const Entry& root, const std::string& file) {
     if (!(text.kind == Entry::Kind::scalar && text.text == "1")) unknown.unit = read_unit(text, file);
     problem.find.push_back(std::move(unknown));
   }
+  for (const auto& [name, entry] : named(members, "choose", file)) {
+    check_name(name.text, name.mark, file);
+    const Members choice(entry, file, {"choice"});
+    Choice stated;
+    stated.name = name.text;
+    stated.mark = name.mark;
+    const Entry& of = choice.require("of", "of: [A, B, C, D]");
+    if (of.kind != Entry::Kind::list) fail(file, of.mark, "expected a list of names", "write of: [A, B, C, D]");
+    for (const Entry& item : of.items) stated.of.push_back(scalar_text(item, file, "a name"));
+    const std::string& count = scalar_text(choice.require("exactly", "exactly: 2"), file, "a whole number");
+    if (count.empty() || count.size() > 2 || count.find_first_not_of("0123456789") != std::string::npos || stoul(count) > stated.of.size())
+      fail(file, choice.mark_of("exactly"), "'" + count + "' is no number of things among " + std::to_string(stated.of.size()));
+    stated.exactly = std::stoi(count);
+    if (stated.of.size() > 16) fail(file, of.mark, "a choice among more than 16 things is too large");
+    problem.choose.push_back(std::move(stated));
+  }
+  if (const Entry* without = members.find("without")) {
+    if (without->kind != Entry::Kind::list) fail(file, without->mark, "expected a list of names", "write without: [A, B]");
+    for (const Entry& item : without->items) problem.without.push_back(scalar_text(item, file, "the name of an added mass"));
+  }
   problem.where = members.list("where");
   problem.gravity = members.expression("gravity");
   problem.points = named_expressions(members, "points", file);
@@ -503,7 +543,9 @@ Problem read_one(const Entry& root, const std::string& file) {
   read_all("stages", problem.stages, [&](const Key& name, const Entry& entry) { return read_stage(name, entry, file); });
   if (const Entry* steady = members.find("steady")) problem.steady = read_steady(*steady, file);
   for (const auto& [name, entry] : named(members, "instants", file)) problem.instants.push_back(read_instant(name, entry, file));
+  if (const Entry* facts = members.find("facts")) problem.instants.push_back(read_instant(Key{"facts", facts->mark}, *facts, file));
   check_holders(problem);
+  check_choices(problem);
   note_units(root, file, problem.habits);
   for (const Letter& letter : problem.letters) problem.habits.note(letter.unit);
   for (const Unknown& unknown : problem.find) problem.habits.note(unknown.unit);
@@ -516,7 +558,7 @@ Entry laid_over(const Entry& base, const Entry& overlay) {
   Entry merged = base;
   for (const auto& [key, value] : overlay.members) {
     const auto found = std::find_if(merged.members.begin(), merged.members.end(),
-                                    [&](const auto& member) { return member.first.text == key.text; });
+                                    [&name = key.text](const auto& member) { return member.first.text == name; });
     if (found == merged.members.end())
       merged.members.emplace_back(key, value);
     else

@@ -1,9 +1,7 @@
 #include "statement/shapes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "poinsot/mass/particles.h"
@@ -20,7 +18,9 @@ using Vector = Vector3<double>;
 // The arguments of one shape with their values.
 class Arguments {
  public:
-  Arguments(const Shape& shape, DataScope<double>& data) : shape_(shape), data_(data) {}
+  // owner: the body or part, for messages.
+  Arguments(const Shape& shape, DataScope<double>& data, const std::string& owner)
+      : shape_(shape), data_(data), owner_(owner) {}
 
   bool has(const std::string& name) const {
     return std::any_of(shape_.arguments.begin(), shape_.arguments.end(),
@@ -40,16 +40,7 @@ class Arguments {
     if (!(norm(d) > 0)) refuse("the point under " + name + " is where it should be seen from");
     return normalized(d);
   }
-  double length(const std::string& name) const {
-    const double value = data_.number(expression(name), dimensions::length);
-    if (!(value > 0)) {
-      std::array<char, 32> text{};
-      std::snprintf(text.data(), text.size(), "%.6g m", value);
-      fail(file(), expression(name).mark(),
-           "the " + name + " of a " + shape_.kind + " must be positive, not " + text.data());
-    }
-    return value;
-  }
+  double length(const std::string& name) const { return data_.number(expression(name), dimensions::length); }
   double angle(const std::string& name) const { return data_.number(expression(name), dimensions::angle); }
   // The items of a list of places; `count` of them unless zero.
   std::vector<Vector> places(const std::string& name, std::size_t count = 0) const {
@@ -70,8 +61,13 @@ class Arguments {
   const std::string& file() const { return data_.problem().file; }
   const Shape& shape() const { return shape_; }
 
+  const std::string& owner() const { return owner_; }
+
+  void check(const shape_faults::Fault& fault) const {
+    if (fault) fail(file(), shape_.mark, fault->message);
+  }
   [[noreturn]] void refuse(const std::string& message, const std::string& hint = "") const {
-    fail(file(), shape_.mark, shape_.kind + ": " + message, hint);
+    fail(file(), shape_.mark, shape_.kind + " '" + owner_ + "': " + message, hint);
   }
 
  private:
@@ -87,19 +83,20 @@ class Arguments {
 
   const Shape& shape_;
   DataScope<double>& data_;
+  const std::string& owner_;
 };
 
 ShapeValues arc(const Arguments& a) {
   if (a.has("diameter")) {
     const auto ends = a.places("diameter", 2);
     const Vector toward = a.toward("toward", 0.5 * (ends[0] + ends[1]));
+    a.check(shape_faults::semicircular_arc(a.owner(), ends[0], ends[1], toward));
     return {Extent::length, shapes::semicircular_arc(ends[0], ends[1], toward),
             particles::semicircular_arc(ends[0], ends[1], toward)};
   }
   const Vector center = a.place("center"), start = a.place("start"), normal = a.direction("normal");
   const double angle = a.angle("angle");
-  if (std::abs(dot(normal, start - center)) > 1e-9 * norm(start - center))
-    a.refuse("its start does not lie in the plane through its center across the normal");
+  a.check(shape_faults::arc_from_point(a.owner(), center, normal, start, angle));
   return {Extent::length, shapes::arc_from_point(center, normal, start, angle),
           particles::arc_from_point(center, normal, start, angle)};
 }
@@ -108,24 +105,22 @@ ShapeValues rectangle(const Arguments& a) {
   if (a.has("sides")) {
     const Vector center = a.place("center");
     const auto sides = a.places("sides", 2);
-    if (std::abs(dot(sides[0], sides[1])) > 1e-9 * norm(sides[0]) * norm(sides[1])) a.refuse("its sides are not at right angles");
+    a.check(shape_faults::rectangle(a.owner(), center, sides[0], sides[1]));
     return {Extent::area, shapes::rectangle(center, sides[0], sides[1]), particles::rectangle(center, sides[0], sides[1])};
   }
   const auto corners = a.places("corners");
   if (corners.size() != 3 && corners.size() != 4) a.refuse("it needs three corners in turn, or all four");
-  const Vector first = corners[1] - corners[0], second = corners[2] - corners[1];
-  if (std::abs(dot(first, second)) > 1e-9 * norm(first) * norm(second))
-    a.refuse("its corners make no right angle", "list the corners in turn; other plates are a polygon:");
-  if (corners.size() == 4 && norm(corners[3] - (corners[0] + second)) > 1e-9 * norm(corners[2] - corners[0]))
-    a.refuse("its fourth corner does not complete the rectangle");
+  a.check(shape_faults::rectangle_from_corners(a.owner(), corners[0], corners[1], corners[2]));
+  const Vector fourth = corners[0] + corners[2] - corners[1];
+  if (corners.size() == 4 && norm(corners[3] - fourth) > shape_faults::default_tolerance * norm(corners[2] - corners[0]))
+    a.refuse("its fourth corner does not complete the rectangle", "list the corners in turn; other plates are a polygon:");
   return {Extent::area, shapes::rectangle_from_corners(corners[0], corners[1], corners[2]),
           particles::rectangle_from_corners(corners[0], corners[1], corners[2])};
 }
 
 ShapeValues polygon(const Arguments& a) {
   const auto vertices = a.places("points");
-  if (vertices.size() < 3) a.refuse("it needs at least three corners");
-  if (const auto fault = shape_faults::polygon("it", vertices)) a.refuse(fault->message);
+  a.check(shape_faults::polygon(a.owner(), vertices));
   return {Extent::area, shapes::polygon(vertices), particles::polygon(vertices)};
 }
 
@@ -133,21 +128,23 @@ ShapeValues box(const Arguments& a) {
   if (a.has("sides")) {
     const Vector c = a.place("center");
     const auto s = a.places("sides", 3);
-    for (int i = 0; i < 3; ++i)
-      if (std::abs(dot(s[i], s[(i + 1) % 3])) > 1e-9 * norm(s[i]) * norm(s[(i + 1) % 3])) a.refuse("its sides are not at right angles");
+    a.check(shape_faults::box(a.owner(), c, s[0], s[1], s[2]));
     return {Extent::volume, shapes::box(c, s[0], s[1], s[2]), particles::box(c, s[0], s[1], s[2])};
   }
   const auto c = a.places("corners", 2);
+  a.check(shape_faults::box_between(a.owner(), c[0], c[1]));
   return {Extent::volume, shapes::box_between(c[0], c[1]), particles::box_between(c[0], c[1])};
 }
 
 ShapeValues cube(const Arguments& a) {
   if (a.has("diagonal")) {
     const auto ends = a.places("diagonal", 2);
+    a.check(shape_faults::cube_from_diagonal(a.owner(), ends[0], ends[1]));
     return {Extent::volume, shapes::cube_from_diagonal(ends[0], ends[1]), particles::cube_from_diagonal(ends[0], ends[1])};
   }
   const Vector center = a.place("center");
   const double side = a.length("side");
+  a.check(shape_faults::cube(a.owner(), center, side));
   return {Extent::volume, shapes::cube(center, side), particles::cube(center, side)};
 }
 
@@ -156,17 +153,18 @@ ShapeValues ellipsoid(const Arguments& a) {
   const auto s = a.lengths("semi_axes", 3);
   std::vector<Vector> axes{Vector::unit(0), Vector::unit(1), Vector::unit(2)};
   if (a.has("axes")) axes = a.directions("axes", 3);
-  for (int i = 0; i < 3; ++i) {
-    if (!(s[i] > 0)) a.refuse("its semi_axes must be positive");
-    if (std::abs(dot(axes[i], axes[(i + 1) % 3])) > 1e-9) a.refuse("its axes are not at right angles");
-  }
+  for (double length : s)
+    if (!(length > 0)) a.refuse("its semi_axes must be more than zero");
+  a.check(shape_faults::ellipsoid(a.owner(), center, s[0] * axes[0], s[1] * axes[1], s[2] * axes[2]));
   return {Extent::volume, shapes::ellipsoid(center, s[0] * axes[0], s[1] * axes[1], s[2] * axes[2]),
           particles::ellipsoid(center, s[0] * axes[0], s[1] * axes[1], s[2] * axes[2])};
 }
 
 // The two ends of a cylinder given by center, axis and length.
 std::pair<Vector, Vector> ends_of(const Arguments& a) {
-  const Vector half = 0.5 * a.length("length") * a.direction("axis");
+  const double length = a.length("length");
+  if (!(length > 0)) a.refuse("its length must be more than zero");
+  const Vector half = 0.5 * length * a.direction("axis");
   return {a.place("center") - half, a.place("center") + half};
 }
 
@@ -177,17 +175,19 @@ const std::map<std::string, Builder>& builders() {
       {"particle",
        [](const Arguments& a) -> ShapeValues {
          const Vector P = a.place("points");
+         a.check(shape_faults::particle(a.owner(), P));
          return {Extent::point, shapes::particle(P), particles::particle(P)};
        }},
       {"rod",
        [](const Arguments& a) -> ShapeValues {
          const auto P = a.places("points", 2);
+         a.check(shape_faults::rod(a.owner(), P[0], P[1]));
          return {Extent::length, shapes::rod(P[0], P[1]), particles::rod(P[0], P[1])};
        }},
       {"wire",
        [](const Arguments& a) -> ShapeValues {
          const auto P = a.places("points");
-         if (P.size() < 2) a.refuse("it needs at least two points");
+         a.check(shape_faults::polyline(a.owner(), P));
          return {Extent::length, shapes::polyline(P), particles::polyline(P)};
        }},
       {"arc", arc},
@@ -195,12 +195,14 @@ const std::map<std::string, Builder>& builders() {
        [](const Arguments& a) -> ShapeValues {
          const Vector c = a.place("center"), n = a.direction("normal");
          const double r = a.length("radius");
+         a.check(shape_faults::ring(a.owner(), c, n, r));
          return {Extent::length, shapes::ring(c, n, r), particles::ring(c, n, r)};
        }},
       {"rectangle", rectangle},
       {"triangle",
        [](const Arguments& a) -> ShapeValues {
          const auto P = a.places("points", 3);
+         a.check(shape_faults::triangle(a.owner(), P[0], P[1], P[2]));
          return {Extent::area, shapes::triangle(P[0], P[1], P[2]), particles::polygon(P)};
        }},
       {"polygon", polygon},
@@ -208,63 +210,70 @@ const std::map<std::string, Builder>& builders() {
        [](const Arguments& a) -> ShapeValues {
          const auto P = a.places("diameter", 2);
          const Vector toward = a.toward("toward", 0.5 * (P[0] + P[1]));
-         if (norm(cross(P[1] - P[0], toward)) < 1e-9 * norm(P[1] - P[0])) a.refuse("toward lies along the diameter");
+         a.check(shape_faults::semicircle(a.owner(), P[0], P[1], toward));
          return {Extent::area, shapes::semicircle(P[0], P[1], toward), particles::semicircle(P[0], P[1], toward)};
        }},
       {"disk",
        [](const Arguments& a) -> ShapeValues {
          const Vector c = a.place("center"), n = a.direction("normal");
          const double r = a.length("radius");
+         a.check(shape_faults::disk(a.owner(), c, n, r));
          return {Extent::area, shapes::disk(c, n, r), particles::disk(c, n, r)};
        }},
       {"annulus",
        [](const Arguments& a) -> ShapeValues {
          const Vector c = a.place("center"), n = a.direction("normal");
          const double r = a.length("radius"), inner = a.length("inner_radius");
-         if (inner >= r) a.refuse("its inner_radius is not smaller than its radius");
+         a.check(shape_faults::annulus(a.owner(), c, n, r, inner));
          return {Extent::area, shapes::annulus(c, n, r, inner), particles::annulus(c, n, r, inner)};
        }},
       {"sector",
        [](const Arguments& a) -> ShapeValues {
          const Vector c = a.place("center"), n = a.direction("normal"), middle = a.toward("middle", c);
          const double r = a.length("radius"), angle = a.angle("angle");
-         if (!(angle > 0) || angle > 6.283185307179587) a.refuse("its angle must lie between 0 and 360 deg");
-         if (std::abs(dot(n, middle)) > 1e-9) a.refuse("middle does not lie across the normal");
+         if (std::abs(dot(n, middle)) > shape_faults::default_tolerance) a.refuse("middle does not lie across the normal");
+         a.check(shape_faults::sector(a.owner(), c, n, r, middle, angle));
          return {Extent::area, shapes::sector(c, n, r, middle, angle), particles::sector(c, n, r, middle, angle)};
        }},
       {"box_shell",
        [](const Arguments& a) -> ShapeValues {
          const auto c = a.places("corners", 2);
+         a.check(shape_faults::box_shell_between(a.owner(), c[0], c[1]));
          return {Extent::area, shapes::box_shell_between(c[0], c[1]), particles::box_shell_between(c[0], c[1])};
        }},
       {"sphere_shell",
        [](const Arguments& a) -> ShapeValues {
          const Vector c = a.place("center");
          const double r = a.length("radius");
+         a.check(shape_faults::sphere_shell(a.owner(), c, r));
          return {Extent::area, shapes::sphere_shell(c, r), particles::sphere_shell(c, r)};
        }},
       {"hemisphere_shell",
        [](const Arguments& a) -> ShapeValues {
          const Vector c = a.place("center"), toward = a.toward("toward", c);
          const double r = a.length("radius");
+         a.check(shape_faults::hemisphere_shell(a.owner(), c, toward, r));
          return {Extent::area, shapes::hemisphere_shell(c, toward, r), particles::hemisphere_shell(c, toward, r)};
        }},
       {"cylinder_shell",
        [](const Arguments& a) -> ShapeValues {
          const auto [A, B] = ends_of(a);
          const double r = a.length("radius");
+         a.check(shape_faults::cylinder_shell(a.owner(), A, B, r));
          return {Extent::area, shapes::cylinder_shell(A, B, r), particles::cylinder_shell(A, B, r)};
        }},
       {"closed_cylinder_shell",
        [](const Arguments& a) -> ShapeValues {
          const auto [A, B] = ends_of(a);
          const double r = a.length("radius");
+         a.check(shape_faults::closed_cylinder_shell(a.owner(), A, B, r));
          return {Extent::area, shapes::closed_cylinder_shell(A, B, r), particles::closed_cylinder_shell(A, B, r)};
        }},
       {"cone_shell",
        [](const Arguments& a) -> ShapeValues {
          const Vector apex = a.place("apex"), base = a.place("base");
          const double r = a.length("radius");
+         a.check(shape_faults::cone_shell(a.owner(), apex, base, r));
          return {Extent::area, shapes::cone_shell(apex, base, r), particles::cone_shell(apex, base, r)};
        }},
       {"box", box},
@@ -273,37 +282,42 @@ const std::map<std::string, Builder>& builders() {
        [](const Arguments& a) -> ShapeValues {
          const Vector c = a.place("center");
          const double r = a.length("radius");
+         a.check(shape_faults::sphere(a.owner(), c, r));
          return {Extent::volume, shapes::sphere(c, r), particles::sphere(c, r)};
        }},
       {"hemisphere",
        [](const Arguments& a) -> ShapeValues {
          const Vector c = a.place("center"), toward = a.toward("toward", c);
          const double r = a.length("radius");
+         a.check(shape_faults::hemisphere(a.owner(), c, toward, r));
          return {Extent::volume, shapes::hemisphere(c, toward, r), particles::hemisphere(c, toward, r)};
        }},
       {"cylinder",
        [](const Arguments& a) -> ShapeValues {
          const auto [A, B] = ends_of(a);
          const double r = a.length("radius");
+         a.check(shape_faults::cylinder(a.owner(), A, B, r));
          return {Extent::volume, shapes::cylinder(A, B, r), particles::cylinder(A, B, r)};
        }},
       {"tube",
        [](const Arguments& a) -> ShapeValues {
          const auto [A, B] = ends_of(a);
          const double r = a.length("radius"), inner = a.length("inner_radius");
-         if (inner >= r) a.refuse("its inner_radius is not smaller than its radius");
+         a.check(shape_faults::tube(a.owner(), A, B, r, inner));
          return {Extent::volume, shapes::tube(A, B, r, inner), particles::tube(A, B, r, inner)};
        }},
       {"cone",
        [](const Arguments& a) -> ShapeValues {
          const Vector apex = a.place("apex"), base = a.place("base");
          const double r = a.length("radius");
+         a.check(shape_faults::cone(a.owner(), apex, base, r));
          return {Extent::volume, shapes::cone(apex, base, r), particles::cone(apex, base, r)};
        }},
       {"frustum",
        [](const Arguments& a) -> ShapeValues {
          const Vector A = a.place("base"), B = a.place("top");
          const double r_A = a.length("base_radius"), r_B = a.length("top_radius");
+         a.check(shape_faults::frustum(a.owner(), A, r_A, B, r_B));
          return {Extent::volume, shapes::frustum(A, r_A, B, r_B), particles::frustum(A, r_A, B, r_B)};
        }},
       {"ellipsoid", ellipsoid},
@@ -311,12 +325,13 @@ const std::map<std::string, Builder>& builders() {
        [](const Arguments& a) -> ShapeValues {
          const Vector c = a.place("center"), n = a.direction("normal");
          const double r = a.length("radius"), section = a.length("tube_radius");
-         if (section > r) a.refuse("its tube_radius is larger than its radius");
+         a.check(shape_faults::torus(a.owner(), c, n, r, section));
          return {Extent::volume, shapes::torus(c, n, r, section), particles::torus(c, n, r, section)};
        }},
       {"tetrahedron",
        [](const Arguments& a) -> ShapeValues {
          const auto P = a.places("points", 4);
+         a.check(shape_faults::tetrahedron(a.owner(), P[0], P[1], P[2], P[3]));
          return {Extent::volume, shapes::tetrahedron(P[0], P[1], P[2], P[3]), particles::tetrahedron(P[0], P[1], P[2], P[3])};
        }},
       {"mesh",
@@ -335,8 +350,8 @@ const Expression& shape_argument(const Shape& shape, const std::string& name, co
   fail(file, shape.mark, "a " + shape.kind + " needs '" + name + "'");
 }
 
-ShapeValues shape_values(const Shape& shape, DataScope<double>& data) {
-  const Arguments arguments(shape, data);
+ShapeValues shape_values(const Shape& shape, DataScope<double>& data, const std::string& owner) {
+  const Arguments arguments(shape, data, owner);
   const ShapeValues values = builders().at(shape.kind)(arguments);
   const double measure = values.properties.measure;
   const SymmetricMatrix3<double>& I = values.properties.inertia_center;

@@ -18,8 +18,9 @@ struct ShapeValues {
   ParticleSet<double> particles;
 };
 
-// Throws StatementError for missing arguments, wrong dimensions and shapes without extent.
-ShapeValues shape_values(const Shape& shape, DataScope<double>& data);
+// owner: the body or part, named in messages. Throws StatementError for missing arguments, wrong dimensions and shapes
+// that no body has (poinsot/mass/shape_faults.h).
+ShapeValues shape_values(const Shape& shape, DataScope<double>& data, const std::string& owner);
 
 // The value of an argument of the shape; throws if it is missing.
 const Expression& shape_argument(const Shape& shape, const std::string& name, const std::string& file);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -31,6 +32,7 @@ bool asks_model(const Problem& problem, const Expression& expression, bool into_
   collect_names(expression, names, into_at);
   for (const std::string& name : names) {
     if (std::any_of(problem.find.begin(), problem.find.end(), [&](const Unknown& unknown) { return unknown.name == name; })) return true;
+    if (std::any_of(problem.choose.begin(), problem.choose.end(), [&](const Choice& choice) { return choice.name == name; })) return true;
     for (const Joint& joint : problem.joints)
       for (const Freedom& freedom : joint.freedoms)
         if (freedom.position && freedom.position->as<Name>() && freedom.position->as<Name>()->name == name) return true;
@@ -114,6 +116,7 @@ class Sample {
         fail(statement_.file, mark, "a part of this stands without @: when is it meant?", "write @ " + at->instant + " or another instant behind every quantity");
       return resolve(at->instant, at->instant_mark);
     }
+    if (statement_.situations.size() > 1 && !asks_instant(expression)) return {0, statement_.situations.front().problem.has_blow() ? 1u : 0u};
     if (statement_.situations.size() > 1) {
       std::string names;
       for (const Situation& situation : statement_.situations) names += (names.empty() ? "" : ", ") + situation.name;
@@ -126,6 +129,14 @@ class Sample {
       fail(statement_.file, mark, "in which stage is this asked?", "write " + to_string(expression) + " @ one of " + names);
     }
     return {0, statement_.situations.front().problem.has_blow() ? 1u : 0u};
+  }
+
+  // Whether an expression names a quantity of the model and not only unknowns.
+  bool asks_instant(const Expression& expression) const {
+    Problem bare = statement_.situations.front().problem;
+    bare.find.clear();
+    bare.choose.clear();
+    return asks_model(bare, expression);
   }
 
   struct AtFinder {
@@ -289,7 +300,7 @@ class StatementSolver {
       return result;
     }
     // With letters open, roots are sought at drawn values, to see which answers depend on which letters.
-    const RootsFound found = find_unknowns(settings_with_letters());
+    const RootsFound found = find_with_choices(settings_with_letters());
     result.warnings = found.warnings;
     for (const Settings& root : found.roots) {
       Solution solution = solve_one(root);
@@ -343,6 +354,74 @@ class StatementSolver {
     std::mt19937_64 random(1000);
     for (const Letter& letter : open_) settings[letter.name] = Value<double>::of_number(draw(letter, random), letter.unit.dimension);
     return settings;
+  }
+
+  // Unknowns of what is not chosen are zero; every choice that leads to a solution gives one.
+  RootsFound find_with_choices(const Settings& settings) {
+    std::vector<const Choice*> choices;
+    for (const Situation& situation : statement_.situations)
+      for (const Choice& choice : situation.problem.choose)
+        if (std::none_of(choices.begin(), choices.end(), [&](const Choice* other) { return other->name == choice.name; })) choices.push_back(&choice);
+    if (choices.empty()) return find_unknowns(settings);
+    if (choices.size() > 1) fail(statement_.file, choices[1]->mark, "only one choice can be made in a problem");
+    const Choice& choice = *choices.front();
+    RootsFound all;
+    const std::vector<Unknown> unknowns = unknowns_;
+    for (std::size_t subset = 0; subset < (std::size_t{1} << choice.of.size()); ++subset) {
+      if (std::popcount(subset) != choice.exactly) continue;
+      Settings chosen = settings;
+      unknowns_ = unknowns;
+      std::vector<Value<double>> names;
+      for (std::size_t k = 0; k < choice.of.size(); ++k) {
+        if (subset >> k & 1) {
+          names.push_back(Value<double>::of_text(choice.of[k]));
+          continue;
+        }
+        for (const std::string& name : unknowns_of(choice.of[k])) {
+          const auto unknown = std::find_if(unknowns_.begin(), unknowns_.end(), [&](const Unknown& u) { return u.name == name; });
+          if (unknown == unknowns_.end()) continue;
+          chosen[name] = Value<double>::of_number(0, unknown->unit.dimension);
+          unknowns_.erase(unknown);
+        }
+      }
+      chosen[choice.name] = Value<double>::of_list(std::move(names));
+      RootsFound found = find_unknowns(chosen);
+      for (Settings& root : found.roots) {
+        const bool known = std::any_of(all.roots.begin(), all.roots.end(), [&](const Settings& other) {
+          return std::all_of(unknowns.begin(), unknowns.end(), [&](const Unknown& u) {
+            const double a = root.at(u.name).number, b = other.at(u.name).number;
+            return std::abs(a - b) <= 1e-9 * std::max({std::abs(a), std::abs(b), u.unit.factor});
+          });
+        });
+        if (!known) all.roots.push_back(std::move(root));
+      }
+      for (const std::string& name : found.open)
+        if (std::find(all.open.begin(), all.open.end(), name) == all.open.end()) all.open.push_back(name);
+    }
+    unknowns_ = unknowns;
+    if (all.roots.empty())
+      all.warnings.push_back("no choice of " + std::to_string(choice.exactly) + " of them under '" + choice.name +
+                             "' satisfies all conditions with values in their ranges (durations and masses are not negative)");
+    return all;
+  }
+  // The unknowns that stand in the data of an impulse or an added mass.
+  std::set<std::string> unknowns_of(const std::string& name) const {
+    std::set<std::string> names;
+    const auto collect = [&](const std::optional<Expression>& expression) {
+      if (expression) collect_names(*expression, names);
+    };
+    for (const Situation& situation : statement_.situations) {
+      for (const Impulse& impulse : situation.problem.impulses)
+        if (impulse.name == name)
+          for (const auto* expression : {&impulse.value, &impulse.force, &impulse.lasts, &impulse.couple}) collect(*expression);
+      for (const Body& body : situation.problem.bodies)
+        for (const Part& part : body.added)
+          if (part.name == name) {
+            collect(part.amount.mass);
+            collect(part.amount.weight);
+          }
+    }
+    return names;
   }
 
   RootsFound find_unknowns(const Settings& settings);
@@ -552,12 +631,21 @@ class StatementSolver {
         fail(problem.file, ask.mark, "the answer is " + to_string(dimension) + ", but " + ask.unit->text + " is a unit of " + to_string(ask.unit->dimension),
              "ask for it in a unit such as " + problem.habits.unit_for(dimension).text);
       solved.unit = *ask.unit;
-    } else if (!value.is_boolean() && !value.is_text()) {
+    } else if (const Name* name = ask.of.size() == 1 ? ask.of.front().as<Name>() : nullptr; name && unknown_unit(problem, name->name)) {
+      solved.unit = *unknown_unit(problem, name->name);
+    } else if (!value.is_boolean() && !value.is_text() && !dimension_is_text(value)) {
       solved.unit = problem.habits.unit_for(dimension, std::all_of(ask.of.begin(), ask.of.end(), asks_energy));
     }
     solved.words = describe(ask, problem, has_vector(value));
     if (has_vector(value)) solved.component_names.assign(problem.axes.begin(), problem.axes.end());
   }
+
+  static const Unit* unknown_unit(const Problem& problem, const std::string& name) {
+    for (const Unknown& unknown : problem.find)
+      if (unknown.name == name) return &unknown.unit;
+    return nullptr;
+  }
+  static bool dimension_is_text(const Value<double>& value) { return value.is_list() && !value.items.empty() && value.items.front().is_text(); }
 
   // A cord that would push or a contact that would pull: what depends on forces is refused.
   void physical(Solution& result) {
@@ -664,7 +752,7 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Settings& setti
     SolvedInstant instant(first, settings_at(ones), When{}, OpenChoice{.trial = true});
     for (std::size_t k = 0; k < slots.size(); ++k) {
       const double natural = instant.natural_size(unknowns_[slots[k].unknown].unit.dimension), ratio = natural / roots.ranges[k].scale;
-      if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e4 || ratio < 1e-4)) roots.ranges[k].scale = natural;
+      if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e6 || ratio < 1e-6)) roots.ranges[k].scale = natural;
     }
   } catch (const StatementError&) {
     // These values make no sense; the units serve.
@@ -675,16 +763,17 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Settings& setti
     return std::nullopt;
   });
   std::optional<StatementError> refusal;
-  roots.equations = [&](const std::vector<double>& x) -> std::optional<std::vector<double>> {
+  roots.equations = [&](const std::vector<double>& x) -> std::optional<solve::RootEquations> {
     const Settings trial = settings_at(x);
-    std::vector<double> misfits;
+    solve::RootEquations misfits;
     try {
       for (const Situation& situation : statement_.situations) {
         if (!situation.problem.stages.empty())
           fail(situation.problem.file, situation.problem.stages.front().mark, "unknowns of a problem with stages are not found", "give the datum a value with --set");
         SolvedInstant instant(situation.problem, trial, When{0, situation.problem.has_blow()}, OpenChoice{.trial = true});
         if (unknowns_need_forces(situation.problem)) instant.solve_forces();
-        misfits.insert(misfits.end(), instant.misfits().begin(), instant.misfits().end());
+        misfits.values.insert(misfits.values.end(), instant.misfits().begin(), instant.misfits().end());
+        misfits.size = std::max(misfits.size, instant.misfit_size());
       }
     } catch (const StatementError& error) {
       // Values without sense are outside the range; a statement without sense has no value anywhere.

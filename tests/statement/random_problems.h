@@ -206,7 +206,6 @@ struct FreedomData {
   std::string name;
   bool turning = true;
   Vector axis{};
-  std::string coordinate;  // a name for it
   double position = 0;
   std::optional<double> rate;
   std::optional<double> accel, effort;
@@ -217,9 +216,7 @@ struct FreedomData {
     std::string all;
     const auto add = [&](const std::string& entry) { all += (all.empty() ? "" : ", ") + entry; };
     const NamedUnit place = turning ? u.angle : u.length;
-    if (!coordinate.empty())
-      add(std::string(turning ? "angle: " : "displacement: ") + coordinate);
-    else if (position != 0)
+    if (position != 0)
       add(std::string(turning ? "angle: " : "displacement: ") + style.number(position, place));
     if (rate) add("rate: " + style.number(*rate, turning ? u.rate() : u.velocity()));
     if (accel) add("accel: " + style.number(*accel, turning ? u.angular_acceleration() : u.acceleration()));
@@ -239,6 +236,7 @@ struct JointData {
   double pitch = 0;
   std::vector<FreedomData> freedoms;
   Vector w{}, v{};  // of a ball and of a free body, in the ground: angular velocity, and velocity of the point `at`
+  bool stated = true;  // whether they are stated
 
   std::string text(const Style& style) const {
     std::string all;
@@ -261,7 +259,8 @@ struct JointData {
       if (!own.empty()) all += ", " + own;
     } else if (!freedoms.empty()) {
       std::string list;
-      for (const FreedomData& f : freedoms) {
+      for (FreedomData f : freedoms) {
+        if (kind == "angles") f.position = 0;  // a fact: the angle's name stands for it
         const std::string own = f.text(style);
         if (!own.empty()) list += (list.empty() ? "" : ", ") + f.name + ": {" + own + "}";
       }
@@ -341,12 +340,16 @@ struct ProblemData {
     section("springs", style.ordered(lines));
     lines.clear();
     for (const JointData& joint : joints) {
+      if (!joint.stated) continue;
       if (joint.kind == "ball" || joint.kind == "free")
         lines.push_back("  angular_velocity(" + joint.to + "): " + style.vector(joint.w, u.rate()));
       if (joint.kind == "free" || joint.kind == "planar")
         lines.push_back("  velocity(at_" + joint.name + " of " + joint.to + (joint.kind == "planar" ? " relative to " + joint.from : "") +
                         "): " + style.vector(joint.v, u.velocity()));
     }
+    for (const JointData& joint : joints)
+      if (joint.kind == "angles")
+        for (const FreedomData& f : joint.freedoms) lines.push_back("  " + f.name + ": " + style.number(f.position, u.angle));
     lines = style.ordered(lines);
     if (!lines.empty()) lines.insert(lines.begin(), "now:");
     section("instants", lines);

@@ -103,6 +103,8 @@ struct Drive {
   bool turning = true;
   Place<Scalar> at;
   Direction<Scalar> along;
+  // The axes of the other turnings of its joint, at most two: its couple does no work on them, as in gimbals.
+  std::vector<Direction<Scalar>> others{};
   bool held = false;  // its motion is given: the effort is unknown
   Scalar effort{};    // known couple or force of `from` on `on`
   Scalar stiffness{}, free_position{}, damping{};

@@ -12,6 +12,7 @@ struct LinearSolution {
   std::vector<std::vector<std::size_t>> share;  // for each of `open`: the unknowns that it moves
   std::vector<std::size_t> conflict;            // equations that cannot hold together; empty when all hold
   std::vector<double> misfit;                   // of each equation, in its natural unit
+  double size = 0;                              // of the largest term of any equation, in natural units
   double residual = 0;                          // largest misfit, relative to the largest term of any equation
   double condition = 1;                         // ratio of the extreme pivots, after scaling
 
@@ -44,6 +45,7 @@ class LinearSystem {
   };
   std::vector<std::string> names_, words_;
   std::vector<double> unknown_scale_, equation_scale_, right_side_;
+  std::vector<double> right_size_;  // sums of the magnitudes added to each right side, which may cancel there
   std::vector<Entry> entries_;
 };
 

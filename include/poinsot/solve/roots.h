@@ -14,10 +14,16 @@ struct RootRange {
   bool lower_open = false, upper_open = false;  // the end itself is excluded, and what lies within rounding of it
 };
 
+// Left sides of equations that must vanish, and the size of the largest terms in them.
+struct RootEquations {
+  std::vector<double> values;
+  double size = 0;
+};
+
 struct RootProblem {
   std::vector<RootRange> ranges;  // one for each unknown
-  // Equations that must vanish, at least as many as unknowns; nothing where they have no value.
-  std::function<std::optional<std::vector<double>>(const std::vector<double>&)> equations;
+  // At least as many equations as unknowns; nothing where they have no value.
+  std::function<std::optional<RootEquations>(const std::vector<double>&)> equations;
 };
 
 enum class RootSearch {
@@ -35,7 +41,7 @@ struct Roots {
   std::size_t starts = 0;
 };
 
-// Equations are taken as equal to zero below a misfit of 1e-9 of their sizes near the root. Ends within `seconds`.
+// Equations are taken as equal to zero below a misfit of 1e-9 of the sizes of their terms. Ends within `seconds`.
 Roots find_roots(const RootProblem& problem, double seconds = 8);
 
 }  // namespace poinsot::solve

@@ -193,6 +193,14 @@ struct Strike {
   Mark mark;
 };
 
+// Exactly so many of some things: impulses, or masses added to bodies. What belongs to the others is zero.
+struct Choice {
+  std::string name;
+  std::vector<std::string> of;
+  int exactly = 0;
+  Mark mark;
+};
+
 // What is known at an instant: `quantity == value` each, or that everything rests.
 struct Fact {
   Expression quantity;
@@ -238,6 +246,7 @@ struct Ask {
 struct Expected {
   std::string part;
   std::optional<Expression> value, formula;
+  bool roots = false;                     // value lists one number for each solution
   std::optional<Unit> unit;
   std::optional<std::vector<std::string>> names;
   std::optional<bool> holds;
@@ -258,6 +267,8 @@ struct Problem {
   std::vector<NamedExpression> given;
   std::vector<Letter> letters;
   std::vector<Unknown> find;
+  std::vector<Choice> choose;
+  std::vector<std::string> without;       // added masses and loads that are left out
   std::vector<Expression> where;          // comparisons that the unknowns must satisfy
   std::array<std::string, 3> axes{"x", "y", "z"};
   std::optional<Expression> gravity;      // absent: not stated; the name `none`: no gravity
