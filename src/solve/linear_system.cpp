@@ -102,6 +102,14 @@ LinearSolution LinearSystem::solve() const {
   b.array() *= row_scale.array();
 
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
+  if (m == 0) {
+    // Without equations all is open.
+    for (std::size_t j = 0; j < unknowns(); ++j) {
+      solution.open.emplace_back(unknowns());
+      solution.open.back()[j] = unknown_scale_[j];
+      solution.share.push_back({j});
+    }
+  }
   if (m && n) {
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
     qr.setThreshold(rank_tolerance);

@@ -198,10 +198,11 @@ void SolvedInstant::take_misfits(const solve::LinearSolution& solution) {
 
 // Another member of the family of solutions.
 void SolvedInstant::move_along(const solve::LinearSolution& solution, std::vector<double>& values) {
-  if (choice_.direction >= solution.open.size()) return;
-  const std::vector<double>& direction = solution.open[choice_.direction];
-  const double amount = std::uniform_real_distribution<double>(0.5, 2)(random_);
-  for (std::size_t k = 0; k < values.size(); ++k) values[k] += amount * direction[k];
+  for (std::size_t d = 0; d < solution.open.size(); ++d) {
+    if (d != choice_.direction && choice_.direction != OpenChoice::every) continue;
+    const double amount = std::uniform_real_distribution<double>(0.5, 2)(random_);
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] += amount * solution.open[d][k];
+  }
 }
 
 std::vector<solve::Condition> SolvedInstant::rate_conditions() const {
@@ -663,6 +664,13 @@ double SolvedInstant::natural_size(const Dimension& d) const {
     pace = std::max({pace, std::sqrt(norm(motion.alpha)), std::sqrt(norm(motion.a) / scales_.length)});
   }
   pace = std::max(pace, std::sqrt(norm(machine_.mechanism.tree.gravity()) / scales_.length));
+  // Forces that balance each other set a pace as well.
+  if (motion_)
+    for (std::size_t i = 0; i < machine_.mechanism.actions.size(); ++i) {
+      const SpatialForce<double> wrench = solve::action_wrench(*moment_, unknowns_, i);
+      const double force = std::max(norm(wrench.force), norm(wrench.moment) / scales_.length);
+      pace = std::max(pace, std::sqrt(force / (scales_.mass * scales_.length)));
+    }
   return natural_unit(d) * (d.time == 0 ? 1 : std::pow(pace, -d.time / 12.0));
 }
 

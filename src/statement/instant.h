@@ -21,7 +21,9 @@ struct OpenChoice {
   bool gravity = false;      // gravity, where nothing is said of it
   bool velocities = false;   // velocities that nothing fixes
   bool forces = false;       // accelerations and forces that nothing fixes; impulses at a blow
-  std::size_t direction = 0;  // which of the open directions of these
+  std::size_t direction = 0;  // which of the open directions of these, or `every`
+
+  static constexpr std::size_t every = static_cast<std::size_t>(-1);
   bool trial = false;        // unknowns have trial values: what does not hold is a misfit, not an error
 };
 

@@ -18,6 +18,7 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"problem", "choose", named, "choice", "which of some impulses or added masses take part"},
     {"problem", "without", list, "", "added masses that are left out, in a situation"},
     {"problem", "facts", named, "", "what is known, where there is only one instant: quantity and value"},
+    {"problem", "neglect", list, "", "squares of unknowns that are taken as nothing beside the unknowns: [phidot^2]"},
     {"problem", "axes", list, "", "the names of the three axes, right-handed; [x, y, z] when left out"},
     {"problem", "gravity", vector, "", "the direction in which weights pull, `none`, or the vector of its acceleration"},
     {"problem", "points", named, "", "places as drawn"},

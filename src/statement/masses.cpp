@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <limits>
 
 #include "poinsot/mass/composition.h"
 #include "poinsot/mass/particles.h"
@@ -177,7 +178,7 @@ SymmetricMatrix3<double> MassReader::stated_tensor(const StatedInertia& inertia,
   const Dimension dimension = inertia.radii ? dimensions::length : dimensions::moment_of_inertia;
   const auto moment = [&](const Expression& expression) {
     const double value = number(expression, dimension);
-    if (!(value >= 0)) fail(file(), expression.mark(), inertia.radii ? "a radius of gyration is negative" : "a moment of inertia is negative");
+    if (!(value >= 0)) fail(file(), expression.mark(), std::string("a ") + (inertia.radii ? "radius of gyration" : "moment of inertia") + " of body '" + body_.name + "' is negative");
     return inertia.radii ? mass * value * value : value;
   };
   if (inertia.matrix) {
@@ -205,9 +206,25 @@ SymmetricMatrix3<double> MassReader::stated_tensor(const StatedInertia& inertia,
     (i == 0 ? products.xy : i == 1 ? products.yz : products.zx) = product;
     size += std::abs(product);
   }
-  for (int i = 0; i < 3; ++i)
-    // What `rest: any` leaves open: moments large enough for these products.
-    moments[i] = inertia.moments[i] ? moment(*inertia.moments[i]) : any_(dimensions::moment_of_inertia) * std::max(2 * size, 1e-300);
+  // Moments left open become such as a body with the others can have: two open ones are large and nearly equal, one alone
+  // lies between the difference and the sum of the others.
+  std::vector<int> open;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    if (inertia.moments[i] && !is_any(*inertia.moments[i])) {
+      moments[i] = moment(*inertia.moments[i]);
+      smallest = std::min(smallest, moments[i]);
+      size += moments[i];
+    } else {
+      open.push_back(i);
+    }
+  }
+  for (int i : open) {
+    const double choice = any_(dimensions::moment_of_inertia);  // from 0.5 to 2
+    const double a = moments[(i + 1) % 3], b = moments[(i + 2) % 3];
+    moments[i] = open.size() == 1 ? std::abs(a - b) + (0.2 + 0.3 * choice) * (a + b - std::abs(a - b))
+                                  : 8 * std::max(size, 1e-300) + 0.25 * choice * std::min(smallest, size);
+  }
   return inertia_tensor(moments, products);
 }
 

@@ -29,8 +29,14 @@ std::string path_of(const Shape& shape, const std::string& problem_file) {
 ShapeValues mesh_shape(const Shape& shape, const Vector3<double>& p_OM, const std::string& problem_file) {
   if (!same_kind(shape.mesh_unit.dimension, dimensions::length))
     fail(problem_file, shape.mark, "the unit of a mesh is a unit of length, not " + to_string(shape.mesh_unit.dimension));
-  MeshReadResult read = read_mesh_file(path_of(shape, problem_file), limits);
-  if (!read.mesh) fail(problem_file, shape.mark, read.error.message);
+  const std::string path = path_of(shape, problem_file);
+  MeshReadResult read = read_mesh_file(path, limits);
+  if (!read.mesh) {
+    // Named as its author names it.
+    std::string message = read.error.message;
+    if (message.starts_with(path)) message.replace(0, path.size(), "mesh '" + shape.file + "'");
+    fail(problem_file, shape.mark, message);
+  }
   for (Vector3<double>& vertex : read.mesh->vertices) vertex = shape.mesh_unit.factor * vertex + p_OM;
   const std::vector<MeshFault> faults = find_faults(*read.mesh, shape.file);
   if (!faults.empty()) fail(problem_file, shape.mark, faults.front().message);

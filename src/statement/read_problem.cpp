@@ -4,6 +4,7 @@
 
 #include "poinsot/statement/keys.h"
 #include "poinsot/statement/problem.h"
+#include "statement/definition_limits.h"
 #include "statement/read_bodies.h"
 #include "statement/read_joints.h"
 #include "statement/reader.h"
@@ -384,7 +385,7 @@ void check_holders(const Problem& problem) {
     std::string all;
     for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
     fail(problem.file, mark, "there is no " + std::string(what) + " '" + name + "'",
-         !near.empty() ? "did you mean '" + near + "'?" : "known: " + all);
+         !near.empty() ? "did you mean '" + near + "'?" : all.empty() ? "the problem has none" : "known: " + all);
   };
   for (const Frame& frame : problem.frames)
     if (!frame.rides_on.empty()) check(frame.rides_on, frame.rides_on_mark, bodies, "body");
@@ -519,6 +520,16 @@ Problem read_one(const Entry& root, const std::string& file) {
     if (without->kind != Entry::Kind::list) fail(file, without->mark, "expected a list of names", "write without: [A, B]");
     for (const Entry& item : without->items) problem.without.push_back(scalar_text(item, file, "the name of an added mass"));
   }
+  problem.neglect = members.list("neglect");
+  for (const Expression& square : problem.neglect) {
+    const Binary* power = square.as<Binary>();
+    const Name* name = power && power->operation == '^' ? power->left.as<Name>() : nullptr;
+    const Number* two = power ? power->right.as<Number>() : nullptr;
+    if (!name || !two || two->value != 2 || two->has_unit)
+      fail(file, square.mark(), "only squares of unknowns can be neglected", "write neglect: [phidot^2]");
+    if (std::none_of(problem.find.begin(), problem.find.end(), [&](const Unknown& unknown) { return unknown.name == name->name; }))
+      fail(file, square.mark(), "'" + name->name + "' is no unknown under find:", "only squares of unknowns can be neglected");
+  }
   problem.where = members.list("where");
   problem.gravity = members.expression("gravity");
   problem.points = named_expressions(members, "points", file);
@@ -544,6 +555,11 @@ Problem read_one(const Entry& root, const std::string& file) {
   if (const Entry* steady = members.find("steady")) problem.steady = read_steady(*steady, file);
   for (const auto& [name, entry] : named(members, "instants", file)) problem.instants.push_back(read_instant(name, entry, file));
   if (const Entry* facts = members.find("facts")) problem.instants.push_back(read_instant(Key{"facts", facts->mark}, *facts, file));
+  // Equations are solved as full matrices: a machine of more bodies would take minutes.
+  constexpr std::size_t most_bodies = 100;
+  if (problem.bodies.size() > most_bodies)
+    fail(file, problem.bodies[most_bodies].mark, "there are more than " + std::to_string(most_bodies) + " bodies", "bodies that never move apart are parts: of one");
+  check_definition_limits(problem);
   check_holders(problem);
   check_choices(problem);
   note_units(root, file, problem.habits);
@@ -588,7 +604,7 @@ Statement read_statement(std::string_view text, const std::string& file) {
     return member.first.text == "ask" || member.first.text == "expect" || member.first.text == "situations";
   });
   const auto add = [&](const std::string& name, const Entry& entry) {
-    statement.situations.push_back({name, read_one(entry, file)});
+    statement.situations.push_back({name, read_one(entry, file), {}});
   };
   const Entry* situations = members.find("situations");
   if (!situations) {
@@ -603,6 +619,8 @@ Statement read_statement(std::string_view text, const std::string& file) {
         if (key.text == "ask" || key.text == "expect" || key.text == "situations" || key.text == "title")
           fail(file, key.mark, "'" + key.text + "' cannot stand in a situation", "it belongs at the top of the file");
       add(name.text, laid_over(shared, entry));
+      if (const Entry* find = entry.find("find"); find && find->kind == Entry::Kind::map)
+        for (const auto& [unknown, unit] : find->members) statement.situations.back().own_unknowns.push_back(unknown.text);
     }
   }
   if (statement.asks.empty())

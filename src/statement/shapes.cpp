@@ -358,7 +358,7 @@ ShapeValues shape_values(const Shape& shape, DataScope<double>& data, const std:
   if (values.extent != Extent::point && !(measure > 0))
     arguments.refuse("it has no extent", "its points coincide or lie in one line or plane");
   if (!std::isfinite(measure + I.xx + I.yy + I.zz + I.xy + I.yz + I.zx + norm(values.properties.center)))
-    arguments.refuse("its mass properties are not finite", "a direction of length zero, or points that coincide");
+    arguments.refuse("its mass properties are beyond the range of numbers", "its lengths are too large");
   return values;
 }
 

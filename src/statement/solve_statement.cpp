@@ -33,6 +33,8 @@ bool asks_model(const Problem& problem, const Expression& expression, bool into_
   for (const std::string& name : names) {
     if (std::any_of(problem.find.begin(), problem.find.end(), [&](const Unknown& unknown) { return unknown.name == name; })) return true;
     if (std::any_of(problem.choose.begin(), problem.choose.end(), [&](const Choice& choice) { return choice.name == name; })) return true;
+    // A point that rides with a body: A of plate.
+    if (std::any_of(problem.bodies.begin(), problem.bodies.end(), [&](const Body& body) { return body.name == name; })) return true;
     for (const Joint& joint : problem.joints)
       for (const Freedom& freedom : joint.freedoms)
         if (freedom.position && freedom.position->as<Name>() && freedom.position->as<Name>()->name == name) return true;
@@ -42,10 +44,13 @@ bool asks_model(const Problem& problem, const Expression& expression, bool into_
   return false;
 }
 
+// What has a value from outside the file or is found, in each situation.
+using AllSettings = std::vector<Settings>;
+
 // One choice of everything that the statement leaves open, and the instants solved for it so far.
 class Sample {
  public:
-  Sample(const Statement& statement, Settings settings, const OpenChoice& choice)
+  Sample(const Statement& statement, AllSettings settings, const OpenChoice& choice)
       : statement_(statement), settings_(std::move(settings)), choice_(choice) {}
 
   Value<double> value(const Ask& ask) {
@@ -116,7 +121,7 @@ class Sample {
         fail(statement_.file, mark, "a part of this stands without @: when is it meant?", "write @ " + at->instant + " or another instant behind every quantity");
       return resolve(at->instant, at->instant_mark);
     }
-    if (statement_.situations.size() > 1 && !asks_instant(expression)) return {0, statement_.situations.front().problem.has_blow() ? 1u : 0u};
+    if (statement_.situations.size() > 1 && !asks_instant(expression) && !asks_own_unknown(expression)) return {0, statement_.situations.front().problem.has_blow() ? 1u : 0u};
     if (statement_.situations.size() > 1) {
       std::string names;
       for (const Situation& situation : statement_.situations) names += (names.empty() ? "" : ", ") + situation.name;
@@ -137,6 +142,15 @@ class Sample {
     bare.find.clear();
     bare.choose.clear();
     return asks_model(bare, expression);
+  }
+
+  bool asks_own_unknown(const Expression& expression) const {
+    std::set<std::string> names;
+    collect_names(expression, names, false);
+    for (const Situation& situation : statement_.situations)
+      for (const std::string& name : situation.own_unknowns)
+        if (names.contains(name)) return true;
+    return false;
   }
 
   struct AtFinder {
@@ -169,13 +183,13 @@ class Sample {
   SolvedInstant& instant(std::size_t situation, std::size_t stage) {
     auto& found = instants_[{situation, stage}];
     if (!found)
-      found = std::make_unique<SolvedInstant>(statement_.situations[situation].problem, settings_,
+      found = std::make_unique<SolvedInstant>(statement_.situations[situation].problem, settings_[situation],
                                               when(statement_.situations[situation].problem, stage), choice_);
     return *found;
   }
 
   const Statement& statement_;
-  Settings settings_;
+  AllSettings settings_;
   OpenChoice choice_;
   std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<SolvedInstant>> instants_;
 };
@@ -270,10 +284,10 @@ void narrow_ranges(const Problem& problem, const Settings& settings, solve::Root
   }
 }
 
-bool satisfies_where(const Statement& statement, const Settings& settings) {
-  for (const Situation& situation : statement.situations)
-    for (const Expression& condition : situation.problem.where) {
-      DataScope<double> data(situation.problem, settings);
+bool satisfies_where(const Statement& statement, const std::vector<std::size_t>& situations, const AllSettings& settings) {
+  for (std::size_t i : situations)
+    for (const Expression& condition : statement.situations[i].problem.where) {
+      DataScope<double> data(statement.situations[i].problem, settings[i]);
       const Value<double> value = data.value(condition);
       if (value.is_boolean() && !value.truth) return false;
     }
@@ -296,15 +310,15 @@ class StatementSolver {
     SolvedStatement result;
     result.open_letters = open_;
     if (unknowns_.empty()) {
-      result.solutions.push_back(solve_one(settings_));
+      result.solutions.push_back(solve_one(AllSettings(statement_.situations.size(), settings_)));
       return result;
     }
     // With letters open, roots are sought at drawn values, to see which answers depend on which letters.
-    const RootsFound found = find_with_choices(settings_with_letters());
+    const RootsFound found = find_everywhere(settings_with_letters());
     result.warnings = found.warnings;
-    for (const Settings& root : found.roots) {
+    for (const AllSettings& root : found.roots) {
       Solution solution = solve_one(root);
-      for (const Unknown& unknown : unknowns_) solution.unknowns.push_back({unknown.name, unknown.unit, root.at(unknown.name)});
+      list_unknowns(root, solution);
       if (!open_.empty()) {
         for (SolvedAsk& ask : solution.asks) {
           ask.state = AskState::needs_letters;
@@ -338,10 +352,66 @@ class StatementSolver {
 
  private:
   struct RootsFound {
-    std::vector<Settings> roots;
+    std::vector<AllSettings> roots;
     std::vector<std::string> open, warnings;
-    std::optional<Settings> alternative;  // another solution, where unknowns stay open
+    std::optional<AllSettings> alternative;  // another solution, where unknowns stay open
   };
+  // The unknowns of one search, and the situations whose conditions they must satisfy.
+  struct Search {
+    std::vector<Unknown> unknowns;
+    std::vector<std::size_t> situations;
+  };
+
+  bool is_own(std::size_t situation, const std::string& name) const {
+    const auto& own = statement_.situations[situation].own_unknowns;
+    return std::find(own.begin(), own.end(), name) != own.end();
+  }
+  bool is_common(const std::string& name) const {
+    for (std::size_t i = 0; i < statement_.situations.size(); ++i)
+      if (is_own(i, name)) return false;
+    return true;
+  }
+
+  void list_unknowns(const AllSettings& root, Solution& solution) const {
+    for (const Unknown& unknown : unknowns_) {
+      if (is_common(unknown.name)) solution.unknowns.push_back({unknown.name, unknown.unit, root.front().at(unknown.name)});
+      for (std::size_t i = 0; i < root.size(); ++i)
+        if (is_own(i, unknown.name)) solution.unknowns.push_back({unknown.name + " @ " + statement_.situations[i].name, unknown.unit, root[i].at(unknown.name)});
+    }
+  }
+
+  // First the unknowns common to all situations that have none of their own, then those of each situation by itself.
+  RootsFound find_everywhere(const Settings& settings) {
+    Search common;
+    for (const Unknown& unknown : unknowns_)
+      if (is_common(unknown.name)) common.unknowns.push_back(unknown);
+    for (std::size_t i = 0; i < statement_.situations.size(); ++i)
+      if (statement_.situations[i].own_unknowns.empty()) common.situations.push_back(i);
+    RootsFound found;
+    found.roots.push_back(AllSettings(statement_.situations.size(), settings));
+    const auto refine = [&](const Search& search) {
+      if (search.unknowns.empty()) return;
+      std::vector<AllSettings> refined;
+      for (const AllSettings& root : found.roots) {
+        RootsFound more = find_with_choices(search, root);
+        refined.insert(refined.end(), more.roots.begin(), more.roots.end());
+        for (const auto& [list, fresh] : {std::pair{&found.open, &more.open}, std::pair{&found.warnings, &more.warnings}})
+          for (const std::string& text : *fresh)
+            if (std::find(list->begin(), list->end(), text) == list->end()) list->push_back(text);
+        if (more.alternative) found.alternative = more.alternative;
+      }
+      found.roots = std::move(refined);
+      if (found.roots.size() > 64) found.roots.resize(64);
+    };
+    refine(common);
+    for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
+      Search own{{}, {i}};
+      for (const Unknown& unknown : statement_.situations[i].problem.find)
+        if (is_own(i, unknown.name) && !settings_.contains(unknown.name)) own.unknowns.push_back(unknown);
+      refine(own);
+    }
+    return found;
+  }
 
   template <class Item>
   void add_once(std::vector<Item>& list, const Item& item) const {
@@ -357,39 +427,41 @@ class StatementSolver {
   }
 
   // Unknowns of what is not chosen are zero; every choice that leads to a solution gives one.
-  RootsFound find_with_choices(const Settings& settings) {
+  RootsFound find_with_choices(const Search& search, const AllSettings& settings) {
     std::vector<const Choice*> choices;
-    for (const Situation& situation : statement_.situations)
-      for (const Choice& choice : situation.problem.choose)
+    for (std::size_t i : search.situations)
+      for (const Choice& choice : statement_.situations[i].problem.choose)
         if (std::none_of(choices.begin(), choices.end(), [&](const Choice* other) { return other->name == choice.name; })) choices.push_back(&choice);
-    if (choices.empty()) return find_unknowns(settings);
+    if (choices.empty()) return find_unknowns(search, settings);
     if (choices.size() > 1) fail(statement_.file, choices[1]->mark, "only one choice can be made in a problem");
     const Choice& choice = *choices.front();
     RootsFound all;
-    const std::vector<Unknown> unknowns = unknowns_;
     for (std::size_t subset = 0; subset < (std::size_t{1} << choice.of.size()); ++subset) {
       if (std::popcount(subset) != choice.exactly) continue;
-      Settings chosen = settings;
-      unknowns_ = unknowns;
+      AllSettings chosen = settings;
+      Search rest = search;
       std::vector<Value<double>> names;
+      const auto give = [&](const std::string& name, const Value<double>& value) {
+        for (Settings& one : chosen) one[name] = value;
+      };
       for (std::size_t k = 0; k < choice.of.size(); ++k) {
         if (subset >> k & 1) {
           names.push_back(Value<double>::of_text(choice.of[k]));
           continue;
         }
         for (const std::string& name : unknowns_of(choice.of[k])) {
-          const auto unknown = std::find_if(unknowns_.begin(), unknowns_.end(), [&](const Unknown& u) { return u.name == name; });
-          if (unknown == unknowns_.end()) continue;
-          chosen[name] = Value<double>::of_number(0, unknown->unit.dimension);
-          unknowns_.erase(unknown);
+          const auto unknown = std::find_if(rest.unknowns.begin(), rest.unknowns.end(), [&](const Unknown& u) { return u.name == name; });
+          if (unknown == rest.unknowns.end()) continue;
+          give(name, Value<double>::of_number(0, unknown->unit.dimension));
+          rest.unknowns.erase(unknown);
         }
       }
-      chosen[choice.name] = Value<double>::of_list(std::move(names));
-      RootsFound found = find_unknowns(chosen);
-      for (Settings& root : found.roots) {
-        const bool known = std::any_of(all.roots.begin(), all.roots.end(), [&](const Settings& other) {
-          return std::all_of(unknowns.begin(), unknowns.end(), [&](const Unknown& u) {
-            const double a = root.at(u.name).number, b = other.at(u.name).number;
+      give(choice.name, Value<double>::of_list(std::move(names)));
+      RootsFound found = find_unknowns(rest, chosen);
+      for (AllSettings& root : found.roots) {
+        const bool known = std::any_of(all.roots.begin(), all.roots.end(), [&](const AllSettings& other) {
+          return std::all_of(search.unknowns.begin(), search.unknowns.end(), [&](const Unknown& u) {
+            const double a = root.front().at(u.name).number, b = other.front().at(u.name).number;
             return std::abs(a - b) <= 1e-9 * std::max({std::abs(a), std::abs(b), u.unit.factor});
           });
         });
@@ -398,7 +470,6 @@ class StatementSolver {
       for (const std::string& name : found.open)
         if (std::find(all.open.begin(), all.open.end(), name) == all.open.end()) all.open.push_back(name);
     }
-    unknowns_ = unknowns;
     if (all.roots.empty())
       all.warnings.push_back("no choice of " + std::to_string(choice.exactly) + " of them under '" + choice.name +
                              "' satisfies all conditions with values in their ranges (durations and masses are not negative)");
@@ -424,10 +495,10 @@ class StatementSolver {
     return names;
   }
 
-  RootsFound find_unknowns(const Settings& settings);
+  RootsFound find_unknowns(const Search& search, const AllSettings& settings);
 
   // The answers with everything known that will be known.
-  Solution solve_one(const Settings& settings) {
+  Solution solve_one(const AllSettings& settings) {
     base_ = settings;
     sample_.reset();
     natural_.clear();
@@ -452,11 +523,12 @@ class StatementSolver {
   Values with_letters(const OpenChoice& choice, const std::string* only) {
     constexpr int most_draws = 40;
     for (int attempt = 0;; ++attempt) {
-      Settings settings = base_;
+      AllSettings settings = base_;
       std::mt19937_64 random(1000 + static_cast<std::uint64_t>(attempt) + (only ? 500 : 0));
       for (const Letter& letter : open_) {
         const double value = draw(letter, random);
-        if (!only || *only == letter.name) settings[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
+        if (only && *only != letter.name) continue;
+        for (Settings& one : settings) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
       }
       try {
         auto sample = std::make_unique<Sample>(statement_, settings, choice);
@@ -534,6 +606,21 @@ class StatementSolver {
       undetermined({.seed = 13, .velocities = true, .direction = d}, [&](const Ask& ask) { return open_velocity(sample_->instant_of(ask), d); });
     for (std::size_t d = 0; d < std::min(forces, most); ++d)
       undetermined({.seed = 14, .forces = true, .direction = d}, [&](const Ask& ask) { return open_force(sample_->instant_of(ask), d); });
+    // What rests on several of them at once, as the product of gravity and a velocity, moves with none by itself.
+    if (any + gravity + velocities + forces > 1) {
+      const Values other = varied({.seed = 15, .any = any, .gravity = gravity, .velocities = velocities > 0, .forces = forces > 0, .direction = OpenChoice::every});
+      for (std::size_t i = 0; i < base.size(); ++i) {
+        if (result.asks[i].state != AskState::found || !differs(other, i)) continue;
+        result.asks[i].state = AskState::undetermined;
+        std::vector<std::string> open;
+        if (any) open.emplace_back("the values given as `any`");
+        if (gravity) open.emplace_back("gravity");
+        if (velocities) open.emplace_back("velocities");
+        if (forces) open.emplace_back("accelerations or forces");
+        result.asks[i].reason = "it depends on several things that are left open: " + listed(open, "and");
+        fixed_[i] = {false, false, false};
+      }
+    }
     tell_fixed_components(result);
   }
 
@@ -688,7 +775,8 @@ class StatementSolver {
   }
 
   const Statement& statement_;
-  Settings settings_, base_;
+  Settings settings_;
+  AllSettings base_;
   std::vector<Letter> open_;
   std::vector<Unknown> unknowns_;
   std::unique_ptr<Sample> sample_;
@@ -705,17 +793,17 @@ bool unknowns_need_forces(const Problem& problem) {
   return false;
 }
 
-StatementSolver::RootsFound StatementSolver::find_unknowns(const Settings& settings) {
+StatementSolver::RootsFound StatementSolver::find_unknowns(const Search& search, const AllSettings& settings) {
   RootsFound found;
-  const Problem& first = statement_.situations.front().problem;
+  const std::vector<Unknown>& unknowns = search.unknowns;
   solve::RootProblem roots;
   // Flat list: vectors have three components.
   struct Slot {
     std::size_t unknown, component;
   };
   std::vector<Slot> slots;
-  for (std::size_t i = 0; i < unknowns_.size(); ++i) {
-    const Unknown& unknown = unknowns_[i];
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const Unknown& unknown = unknowns[i];
     for (std::size_t k = 0; k < (unknown.vector ? 3u : 1u); ++k) {
       slots.push_back({i, k});
       solve::RootRange range;
@@ -733,14 +821,18 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Settings& setti
     }
   }
   const auto settings_at = [&](const std::vector<double>& x) {
-    Settings all = settings;
+    AllSettings all = settings;
     for (std::size_t k = 0; k < slots.size(); ++k) {
-      const Unknown& unknown = unknowns_[slots[k].unknown];
-      if (!unknown.vector) {
-        all[unknown.name] = Value<double>::of_number(x[k], unknown.unit.dimension);
-      } else {
-        auto [entry, fresh] = all.emplace(unknown.name, Value<double>::of_vector(Vector3<double>::zero(), unknown.unit.dimension));
-        entry->second.vector[slots[k].component] = x[k];
+      const Unknown& unknown = unknowns[slots[k].unknown];
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool reached = std::find(search.situations.begin(), search.situations.end(), i) != search.situations.end();
+        if (!reached && !is_common(unknown.name)) continue;
+        if (!unknown.vector) {
+          all[i][unknown.name] = Value<double>::of_number(x[k], unknown.unit.dimension);
+        } else {
+          auto [entry, fresh] = all[i].emplace(unknown.name, Value<double>::of_vector(Vector3<double>::zero(), unknown.unit.dimension));
+          entry->second.vector[slots[k].component] = x[k];
+        }
       }
     }
     return all;
@@ -748,29 +840,33 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Settings& setti
   // The unit in which an unknown is wanted is a natural size of it, unless the problem is of another order altogether.
   try {
     std::vector<double> ones;
-    for (const Slot& slot : slots) ones.push_back(unknowns_[slot.unknown].unit.factor);
-    SolvedInstant instant(first, settings_at(ones), When{}, OpenChoice{.trial = true});
+    for (const Slot& slot : slots) ones.push_back(unknowns[slot.unknown].unit.factor);
+    const AllSettings trial = settings_at(ones);
+    const std::size_t first = search.situations.empty() ? 0 : search.situations.front();
+    SolvedInstant instant(statement_.situations[first].problem, trial[first], When{}, OpenChoice{.trial = true});
     for (std::size_t k = 0; k < slots.size(); ++k) {
-      const double natural = instant.natural_size(unknowns_[slots[k].unknown].unit.dimension), ratio = natural / roots.ranges[k].scale;
+      const double natural = instant.natural_size(unknowns[slots[k].unknown].unit.dimension), ratio = natural / roots.ranges[k].scale;
       if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e6 || ratio < 1e-6)) roots.ranges[k].scale = natural;
     }
   } catch (const StatementError&) {
     // These values make no sense; the units serve.
   }
-  narrow_ranges(first, settings, roots, [&](const std::string& name) -> std::optional<std::size_t> {
-    for (std::size_t k = 0; k < slots.size(); ++k)
-      if (unknowns_[slots[k].unknown].name == name && !unknowns_[slots[k].unknown].vector) return k;
-    return std::nullopt;
-  });
+  for (std::size_t i : search.situations)
+    narrow_ranges(statement_.situations[i].problem, settings[i], roots, [&](const std::string& name) -> std::optional<std::size_t> {
+      for (std::size_t k = 0; k < slots.size(); ++k)
+        if (unknowns[slots[k].unknown].name == name && !unknowns[slots[k].unknown].vector) return k;
+      return std::nullopt;
+    });
   std::optional<StatementError> refusal;
-  roots.equations = [&](const std::vector<double>& x) -> std::optional<solve::RootEquations> {
-    const Settings trial = settings_at(x);
+  const auto exact = [&](const std::vector<double>& x) -> std::optional<solve::RootEquations> {
+    const AllSettings trial = settings_at(x);
     solve::RootEquations misfits;
     try {
-      for (const Situation& situation : statement_.situations) {
+      for (std::size_t i : search.situations) {
+        const Situation& situation = statement_.situations[i];
         if (!situation.problem.stages.empty())
           fail(situation.problem.file, situation.problem.stages.front().mark, "unknowns of a problem with stages are not found", "give the datum a value with --set");
-        SolvedInstant instant(situation.problem, trial, When{0, situation.problem.has_blow()}, OpenChoice{.trial = true});
+        SolvedInstant instant(situation.problem, trial[i], When{0, situation.problem.has_blow()}, OpenChoice{.trial = true});
         if (unknowns_need_forces(situation.problem)) instant.solve_forces();
         misfits.values.insert(misfits.values.end(), instant.misfits().begin(), instant.misfits().end());
         misfits.size = std::max(misfits.size, instant.misfit_size());
@@ -782,19 +878,48 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Settings& setti
     }
     return misfits;
   };
+  // Without the squares of some unknowns: the equations, linear in these around zero.
+  std::vector<std::size_t> small;
+  for (std::size_t i : search.situations)
+    for (const Expression& square : statement_.situations[i].problem.neglect)
+      for (std::size_t k = 0; k < slots.size(); ++k)
+        if (unknowns[slots[k].unknown].name == square.as<Binary>()->left.as<Name>()->name) small.push_back(k);
+  roots.equations = exact;
+  if (!small.empty()) {
+    roots.equations = [&](const std::vector<double>& x) -> std::optional<solve::RootEquations> {
+      std::vector<double> at = x;
+      for (std::size_t k : small) at[k] = 0;
+      auto sum = exact(at);
+      if (!sum) return std::nullopt;
+      for (std::size_t k : small) {
+        const double h = 0.5 * roots.ranges[k].scale;
+        at[k] = h;
+        const auto ahead = exact(at);
+        at[k] = -h;
+        const auto behind = exact(at);
+        at[k] = 0;
+        if (!ahead || !behind) return std::nullopt;
+        for (std::size_t i = 0; i < sum->values.size(); ++i) sum->values[i] += (ahead->values[i] - behind->values[i]) / (2 * h) * x[k];
+      }
+      return sum;
+    };
+    std::string names;
+    for (std::size_t k : small) names += (names.empty() ? "" : ", ") + unknowns[slots[k].unknown].name + "^2";
+    found.warnings.push_back("neglected, as stated: " + names);
+  }
   const solve::Roots result = solve::find_roots(roots);
   for (const auto& point : result.points) {
-    Settings root = settings_at(point);
-    if (satisfies_where(statement_, root)) found.roots.push_back(std::move(root));
+    AllSettings root = settings_at(point);
+    if (satisfies_where(statement_, search.situations, root)) found.roots.push_back(std::move(root));
   }
   if (!result.alternative.empty()) found.alternative = settings_at(result.alternative);
   for (std::size_t k : result.open_unknowns)
-    if (const std::string& name = unknowns_[slots[k].unknown].name; std::find(found.open.begin(), found.open.end(), name) == found.open.end())
+    if (const std::string& name = unknowns[slots[k].unknown].name; std::find(found.open.begin(), found.open.end(), name) == found.open.end())
       found.open.push_back(name);
   if (found.roots.empty()) {
     if (result.best_misfit == std::numeric_limits<double>::infinity() && refusal) throw *refusal;
     std::string names;
-    for (const Unknown& unknown : unknowns_) names += (names.empty() ? "" : ", ") + unknown.name;
+    for (const Unknown& unknown : unknowns) names += (names.empty() ? "" : ", ") + unknown.name;
     found.warnings.push_back("no values of " + names + " in their ranges satisfy all conditions" +
                              (result.search == solve::RootSearch::linear ? " (the equations are linear)" : " (" + std::to_string(result.starts) + " starts tried)"));
   } else if (result.search == solve::RootSearch::many_starts) {

@@ -84,6 +84,8 @@ TEST(LinearSystem, KnowsNothingOfUnknownsInNoEquation) {
   const LinearSolution solution = system.solve();
   EXPECT_EQ(solution.value, std::vector<double>{0});
   EXPECT_TRUE(solution.conflict.empty());
+  EXPECT_FALSE(solution.determined(0));
+  EXPECT_EQ(solution.open, (std::vector<std::vector<double>>{{1}}));
 }
 
 TEST(LinearSystem, AnUnknownInNoEquationIsOpen) {

@@ -383,17 +383,20 @@ TEST(Equivalence, MotionGivenForceFoundAndBack) {
         const std::string body = second ? joint.to : joint.from, A = "A" + joint.name, tip = (second ? "S" : "F") + joint.name;
         asked.points[A] = joint.at;
         asked.points[tip] = joint.at + normalized(second ? joint.second : joint.axis);
-        asked.asks.push_back("(" + tip + " of " + body + ") - (" + A + " of " + body + ")");
+        asked.asks.push_back(body == "ground" ? "center(b0)" : "(" + tip + " of " + body + ") - (" + A + " of " + body + ")");
       }
     if (freedoms.empty()) continue;
     const Solution efforts = solved(asked.text());
     ProblemData force = motion;
     for (std::size_t n = 0; n < freedoms.size(); ++n) {
-      const SolvedAsk &drive = efforts.asks[2 * n], &axis = efforts.asks[2 * n + 1];
+      const SolvedAsk& drive = efforts.asks[2 * n];
+      const JointData& joint = force.joints[freedoms[n].first];
+      const bool second = joint.kind == "universal" && freedoms[n].second == 1;
+      const Vector axis = joint.from == "ground" && !second ? normalized(joint.axis) : efforts.asks[2 * n + 1].value.vector;
       ASSERT_EQ(drive.state, AskState::found) << drive.reason << asked.text();
       FreedomData& f = force.joints[freedoms[n].first].freedoms[freedoms[n].second];
       f.accel.reset();
-      f.effort = dot(drive.value.vector, axis.value.vector);
+      f.effort = dot(drive.value.vector, axis);
     }
     expect_same(motion.text(), force.text(), 1e-9);
     if (HasFatalFailure()) return;

@@ -268,6 +268,7 @@ struct Problem {
   std::vector<Letter> letters;
   std::vector<Unknown> find;
   std::vector<Choice> choose;
+  std::vector<Expression> neglect;        // squares of unknowns that count as nothing
   std::vector<std::string> without;       // added masses and loads that are left out
   std::vector<Expression> where;          // comparisons that the unknowns must satisfy
   std::array<std::string, 3> axes{"x", "y", "z"};
@@ -295,6 +296,7 @@ struct Problem {
 struct Situation {
   std::string name;  // "" when the file states none
   Problem problem;
+  std::vector<std::string> own_unknowns;  // found in this situation by itself; the others are common to all
 };
 
 // What one file says.

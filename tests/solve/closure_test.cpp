@@ -1,0 +1,63 @@
+#include "poinsot/solve/closure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "poinsot/model/builder.h"
+
+namespace poinsot::solve {
+namespace {
+
+using Vector = Vector3<double>;
+
+// A crank of length a on the origin, a coupler of length b, and a slider on the x axis: x = a cos q + sqrt(b^2 - a^2 sin^2 q).
+Mechanism<double> slider_crank(double a, double b) {
+  ModelBuilder<double> builder;
+  const Vector z{0.0, 0.0, 1.0};
+  const MassProperties<double> none{};
+  const int crank = builder.add_body("crank", ground, Joint<double>::revolute(z), SpatialTransform<double>::identity(), none);
+  const int coupler = builder.add_body("coupler", crank, Joint<double>::revolute(z), SpatialTransform<double>::translation({a, 0.0, 0.0}), none);
+  const int slider = builder.add_body("slider", ground, Joint<double>::prismatic({1.0, 0.0, 0.0}), SpatialTransform<double>::translation({a + b, 0.0, 0.0}), none);
+  Mechanism<double> mechanism;
+  mechanism.tree = builder.build();
+  mechanism.takes_part.assign(3, true);
+  mechanism.coordinate_names.assign(3, "v");
+  for (std::size_t k = 0; k < 2; ++k) {
+    VelocityConstraint<double> c;
+    c.kind = VelocityConstraintKind::point;
+    c.words = "pin";
+    c.on = slider;
+    c.from = coupler;
+    c.at = {slider, Vector::zero()};
+    c.toward = {coupler, {b, 0.0, 0.0}};
+    c.along = {coupler, Vector::unit(k)};
+    mechanism.constraints.push_back(c);
+  }
+  return mechanism;
+}
+
+TEST(Closure, ASliderCrankFollowsItsCrank) {
+  for (const double q : {-2.5, -1.0, 0.01, 0.7, 1.5707963, 2.9}) {
+    const double a = 0.3, b = 0.8;
+    const Closure closure = close_pose(slider_crank(a, b), {q, 0.0, 0.0}, {true, false, false});
+    EXPECT_LT(closure.gap, 1e-12);
+    EXPECT_EQ(closure.q[0], q);
+    EXPECT_NEAR(closure.q[2], a * std::cos(q) + std::sqrt(b * b - std::pow(a * std::sin(q), 2)) - (a + b), 1e-9);
+  }
+}
+
+TEST(Closure, AnImpossiblePoseKeepsItsGapAndNamesTheConstraint) {
+  const Closure closure = close_pose(slider_crank(0.8, 0.3), {1.5, 0.0, 0.0}, {true, false, false});
+  EXPECT_GT(closure.gap, 1e-3);
+  EXPECT_EQ(closure.where, "pin");
+}
+
+TEST(Closure, TheDrawnPoseIsKeptWhenNothingMoves) {
+  const Closure closure = close_pose(slider_crank(0.3, 0.8), {0.0, 0.0, 0.0}, {true, false, false});
+  EXPECT_EQ(closure.gap, 0);
+  EXPECT_EQ(closure.q, (std::vector<double>{0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace poinsot::solve
