@@ -11,6 +11,9 @@ using Wrench = SpatialForce<double>;
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
+// What is left of a vector's vanishing components and of vanishing differences, as part of their sizes.
+constexpr double rounding = 4e-15;
+
 SpatialForce<double> force_at(const Vector& position, const Vector& force) { return {cross(position, force), force}; }
 
 // One row of a constraint: coefficients of the velocity coordinates, and the rate that the velocities bring.
@@ -322,11 +325,13 @@ LinearSolution solve_motion(const Moment& given, const Scales& scales, const std
     const SpatialInertia<double>& I = tree.body(i).inertia;
     const Vector c = I.first_moment / mass;
     const SymmetricMatrix3<double> I_G = I.inertia - mass * unit_mass_inertia(c);
+    const double spread = I.inertia.xx + I.inertia.yy + I.inertia.zz;
     for_each_coordinate_motion(tree, moment.workspace(), i, G, [&](int coordinate, const SpatialMotion<double>& S) {
       const Vector H = R * (I_G * transpose_times(R, S.angular));
+      const double turning = norm(S.angular), reach = norm(S.linear) + turning * (norm(G) + norm(S.linear));
       for (std::size_t k = 0; k < 3; ++k) {
-        system.add(row + k, static_cast<std::size_t>(coordinate), mass * S.linear[k]);
-        system.add(row + 3 + k, static_cast<std::size_t>(coordinate), H[k]);
+        system.add(row + k, static_cast<std::size_t>(coordinate), mass * S.linear[k], rounding * mass * reach);
+        system.add(row + 3 + k, static_cast<std::size_t>(coordinate), H[k], rounding * spread * turning);
       }
     });
   }
@@ -336,9 +341,11 @@ LinearSolution solve_motion(const Moment& given, const Scales& scales, const std
       if (body == ground || !mechanism.takes_part[static_cast<std::size_t>(body)]) continue;
       const std::size_t row = first_row[static_cast<std::size_t>(body)];
       const Vector moment_G = wrench.moment - cross(center[static_cast<std::size_t>(body)], wrench.force);
+      const double force = norm(wrench.force);
+      const double couple = norm(wrench.moment) + norm(center[static_cast<std::size_t>(body)]) * force;
       for (std::size_t k = 0; k < 3; ++k) {
-        add(row + k, sign * wrench.force[k]);
-        add(row + 3 + k, sign * moment_G[k]);
+        add(row + k, sign * wrench.force[k], rounding * force);
+        add(row + 3 + k, sign * moment_G[k], rounding * couple);
       }
     }
   };
@@ -346,16 +353,16 @@ LinearSolution solve_motion(const Moment& given, const Scales& scales, const std
   std::size_t column = unknowns.accelerations;
   for (const Component<double>& component : mechanism.components) {
     on_both(action_of(component), moment.component_wrench(component),
-            [&](std::size_t row, double value) { system.add(row, column, -value); });
+            [&](std::size_t row, double value, double error) { system.add(row, column, -value, error); });
     ++column;
   }
   for (std::size_t drive : unknowns.drive_of_effort) {
     on_both(action_of(mechanism.drives[drive]), moment.drive_wrench(mechanism.drives[drive]),
-            [&](std::size_t row, double value) { system.add(row, column, -value); });
+            [&](std::size_t row, double value, double error) { system.add(row, column, -value, error); });
     ++column;
   }
   const auto known = [&](const auto& item, const Wrench& wrench) {
-    on_both(action_of(item), wrench, [&](std::size_t row, double value) { system.add_right_side(row, value); });
+    on_both(action_of(item), wrench, [&](std::size_t row, double value, double) { system.add_right_side(row, value); });
   };
   for (const Drive<double>& drive : mechanism.drives) known(drive, moment.known_effort(drive) * moment.drive_wrench(drive));
   for (const KnownForce<double>& force : mechanism.forces) known(force, moment.known_wrench(force));

@@ -56,8 +56,8 @@ std::size_t LinearSystem::add_equation(std::string words, double scale) {
   return words_.size() - 1;
 }
 
-void LinearSystem::add(std::size_t equation, std::size_t unknown, double coefficient) {
-  entries_.push_back({equation, unknown, coefficient});
+void LinearSystem::add(std::size_t equation, std::size_t unknown, double coefficient, std::optional<double> rounding) {
+  entries_.push_back({equation, unknown, coefficient, rounding});
 }
 
 void LinearSystem::add_right_side(std::size_t equation, double value) {
@@ -72,7 +72,7 @@ LinearSolution LinearSystem::solve() const {
   LinearSolution solution;
   solution.value.assign(unknowns(), 0.0);
 
-  // In natural units, where what is below rounding is nothing.
+  // In natural units.
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(m, n);
   Eigen::VectorXd b(m), rows(m), columns(n);
   rows.setOnes();
@@ -83,10 +83,14 @@ LinearSolution LinearSystem::solve() const {
     b[row] = right_side_[i] * rows[row];
   }
   for (Eigen::Index j = 0; j < n; ++j) columns[j] = unknown_scale_[j];
+  Eigen::MatrixXd rounding = Eigen::MatrixXd::Zero(m, n);
+  std::vector<bool> known_rounding(static_cast<std::size_t>(m), true);
   for (const Entry& entry : entries_) {
     const auto i = static_cast<Eigen::Index>(entry.equation);
     const auto j = static_cast<Eigen::Index>(entry.unknown);
     A(i, j) += entry.coefficient * rows[i] * columns[j];
+    rounding(i, j) += entry.rounding.value_or(0) * rows[i] * columns[j];
+    if (!entry.rounding) known_rounding[entry.equation] = false;
   }
   // Numbers that overflowed on the way hold nowhere.
   for (Eigen::Index i = 0; i < m; ++i)
@@ -95,21 +99,14 @@ LinearSolution LinearSystem::solve() const {
     solution.residual = std::numeric_limits<double>::infinity();
     return solution;
   }
-  const double largest = m && n ? A.cwiseAbs().maxCoeff() : 0;
-  A = (A.array().abs() < 1e-14 * largest).select(0, A);
+  for (Eigen::Index i = 0; i < m && n; ++i)
+    if (!known_rounding[static_cast<std::size_t>(i)]) rounding.row(i).setConstant(1e-14 * A.row(i).cwiseAbs().maxCoeff());
+  A = (A.array().abs() <= rounding.array()).select(0, A);
   Eigen::VectorXd row_scale = Eigen::VectorXd::Ones(m), column_scale = Eigen::VectorXd::Ones(n);
   if (m && n) equilibrate(A, row_scale, column_scale);
   b.array() *= row_scale.array();
 
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
-  if (m == 0) {
-    // Without equations all is open.
-    for (std::size_t j = 0; j < unknowns(); ++j) {
-      solution.open.emplace_back(unknowns());
-      solution.open.back()[j] = unknown_scale_[j];
-      solution.share.push_back({j});
-    }
-  }
   if (m && n) {
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
     qr.setThreshold(rank_tolerance);

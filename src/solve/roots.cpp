@@ -152,32 +152,55 @@ class RootFinder {
     return u;
   }
 
-  std::vector<VectorXd> starts() const {
-    const int count = n_ == 1 ? 80 : n_ == 2 ? 200 : 300;
-    std::vector<VectorXd> list{middle()};
-    std::mt19937_64 random(17);
-    std::uniform_real_distribution<double> part(0, 1);
-    for (int i = 0; i < count; ++i) {
-      VectorXd u(n_);
-      for (Eigen::Index k = 0; k < n_; ++k) {
-        const RootRange& range = problem_.ranges[static_cast<std::size_t>(k)];
-        const bool low = std::isfinite(range.lower), high = std::isfinite(range.upper);
-        // One unknown is scanned evenly, several at random.
-        const double t = n_ == 1 ? (i + 0.5) / count : part(random);
-        double x = 0;
-        if (low && high) {
-          x = range.lower + t * (range.upper - range.lower);
-        } else if (low || high) {
-          const double away = range.scale * std::pow(10, 6 * t - 3);
-          x = low ? range.lower + away : range.upper - away;
-        } else {
-          const double s = 2 * t - 1;
-          x = (s < 0 ? -1 : 1) * range.scale * std::pow(10, 6 * std::abs(s) - 3);
-        }
-        u[k] = x / range.scale;
-      }
-      list.push_back(u);
+  // The value at the part t (0 to 1) of a range; an open one is covered over six decades of the natural size.
+  double at_part(std::size_t k, double t) const {
+    const RootRange& range = problem_.ranges[k];
+    const bool low = std::isfinite(range.lower), high = std::isfinite(range.upper);
+    if (low && high) return range.lower + t * (range.upper - range.lower);
+    if (low || high) {
+      const double away = range.scale * std::pow(10, 6 * t - 3);
+      return low ? range.lower + away : range.upper - away;
     }
+    const double s = 2 * t - 1;
+    return (s < 0 ? -1 : 1) * range.scale * std::pow(10, 6 * std::abs(s) - 3);
+  }
+
+  // One or two unknowns are scanned on a grid; Newton's method starts where the misfit is smaller than at all
+  // neighbours. More unknowns start at random.
+  std::vector<VectorXd> starts() const {
+    std::vector<VectorXd> list{middle()};
+    if (n_ > 2) {
+      std::mt19937_64 random(17);
+      std::uniform_real_distribution<double> part(0, 1);
+      for (int i = 0; i < 300; ++i) {
+        VectorXd u(n_);
+        for (Eigen::Index k = 0; k < n_; ++k)
+          u[k] = at_part(static_cast<std::size_t>(k), part(random)) / problem_.ranges[static_cast<std::size_t>(k)].scale;
+        list.push_back(u);
+      }
+      return list;
+    }
+    const int count = n_ == 1 ? 200 : 26, columns = n_ == 1 ? 1 : count;
+    std::vector<VectorXd> grid;
+    std::vector<double> misfit;
+    for (int i = 0; i < count; ++i)
+      for (int j = 0; j < columns; ++j) {
+        VectorXd u(n_);
+        u[0] = at_part(0, (i + 0.5) / count) / problem_.ranges[0].scale;
+        if (n_ == 2) u[1] = at_part(1, (j + 0.5) / count) / problem_.ranges[1].scale;
+        grid.push_back(u);
+        const auto r = Clock::now() < end_ ? equations(u) : std::nullopt;
+        misfit.push_back(r ? r->norm() : std::numeric_limits<double>::infinity());
+      }
+    for (int i = 0; i < count; ++i)
+      for (int j = 0; j < columns; ++j) {
+        const auto at = [&](int row, int column) { return misfit[static_cast<std::size_t>(row * columns + column)]; };
+        bool lowest = std::isfinite(at(i, j));
+        for (int di = -1; di <= 1; ++di)
+          for (int dj = -1; dj <= 1; ++dj)
+            if (i + di >= 0 && i + di < count && j + dj >= 0 && j + dj < columns) lowest = lowest && at(i, j) <= at(i + di, j + dj);
+        if (lowest) list.push_back(grid[static_cast<std::size_t>(i * columns + j)]);
+      }
     return list;
   }
 

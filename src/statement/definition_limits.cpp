@@ -37,7 +37,9 @@ class Measure {
     ++extent.depth;
     if (extent.depth > DefinitionLimits::depth) too_deep(stated);
     if (extent.size > DefinitionLimits::size)
-      fail(problem_.file, stated.mark, "'" + name + "' stands for an expression of more than " + std::to_string(static_cast<int>(DefinitionLimits::size)) + " operations",
+      fail(problem_.file, stated.mark,
+           "'" + name + "' stands for an expression of more than " +
+               std::to_string(static_cast<int>(DefinitionLimits::size)) + " operations",
            "define it with fewer of the other definitions");
     // The value of a datum or point is found once, that of a definition wherever it stands.
     if (!defined_.contains(name)) extent.size = 1;
@@ -74,7 +76,8 @@ class Measure {
     return extent;
   }
   [[noreturn]] void too_deep(const NamedExpression& item) {
-    fail(problem_.file, item.mark, "'" + item.name + "' is defined through more than " + std::to_string(DefinitionLimits::depth) + " other names",
+    fail(problem_.file, item.mark,
+         "'" + item.name + "' is defined through more than " + std::to_string(DefinitionLimits::depth) + " other names",
          "define it more directly");
   }
 

@@ -108,8 +108,9 @@ class MassReader {
   bool lenient_;
 };
 
-void append(BodyMass& whole, std::vector<MassProperties<double>>& list, const ShapeValues& shape, double mass) {
+void append(BodyMass& whole, std::vector<MassProperties<double>>& list, const ShapeValues& shape, double mass, bool lenient) {
   list.push_back(of_mass(shape.properties, mass));
+  if (lenient) return;  // a trial is not checked
   for (const Particle<double>& particle : particles_of_mass(shape.particles, mass)) whole.particles.push_back(particle);
 }
 
@@ -162,13 +163,13 @@ BodyMass MassReader::of_shapes() {
       mass = amount_of(body_.amount, shapes[i], part_owner);
     else
       mass = *shared_extent == Extent::point ? shared_mass : shared_mass * shapes[i].properties.measure / shared_measure;
-    append(whole, list, shapes[i], part.hole ? -mass : mass);
+    append(whole, list, shapes[i], part.hole ? -mass : mass, lenient_);
   }
   for (const Part& part : body_.added) {
     const std::string part_owner = "the added '" + part.name + "' of " + owner;
     const ShapeValues shape = shape_values(part.shape, data_, part.name);
     if (!states(part.amount)) fail(file(), part.mark, part_owner + " has no mass", "write mass:");
-    append(whole, list, shape, amount_of(part.amount, shape, part_owner));
+    append(whole, list, shape, amount_of(part.amount, shape, part_owner), lenient_);
   }
   whole.properties = sum(list);
   return whole;
@@ -258,7 +259,7 @@ BodyMass MassReader::of_numbers() {
   for (const Part& part : body_.added) {
     const ShapeValues shape = shape_values(part.shape, data_, part.name);
     if (!states(part.amount)) fail(file(), part.mark, "the added '" + part.name + "' of " + owner + " has no mass", "write mass:");
-    append(whole, list, shape, amount_of(part.amount, shape, "the added '" + part.name + "' of " + owner));
+    append(whole, list, shape, amount_of(part.amount, shape, "the added '" + part.name + "' of " + owner), lenient_);
   }
   whole.properties = sum(list);
   return whole;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -775,6 +776,8 @@ class StatementSolver {
   }
 
   const Statement& statement_;
+  static constexpr double most_seconds = 8;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   Settings settings_;
   AllSettings base_;
   std::vector<Letter> open_;
@@ -907,7 +910,9 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Search& search,
     for (std::size_t k : small) names += (names.empty() ? "" : ", ") + unknowns[slots[k].unknown].name + "^2";
     found.warnings.push_back("neglected, as stated: " + names);
   }
-  const solve::Roots result = solve::find_roots(roots);
+  // All searches of a statement together end in bounded time.
+  const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+  const solve::Roots result = solve::find_roots(roots, std::max(0.1, most_seconds - spent));
   for (const auto& point : result.points) {
     AllSettings root = settings_at(point);
     if (satisfies_where(statement_, search.situations, root)) found.roots.push_back(std::move(root));
@@ -921,7 +926,7 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Search& search,
     std::string names;
     for (const Unknown& unknown : unknowns) names += (names.empty() ? "" : ", ") + unknown.name;
     found.warnings.push_back("no values of " + names + " in their ranges satisfy all conditions" +
-                             (result.search == solve::RootSearch::linear ? " (the equations are linear)" : " (" + std::to_string(result.starts) + " starts tried)"));
+                             (result.search == solve::RootSearch::linear ? " (the equations are linear)" : " (searched from " + std::to_string(result.starts) + " starts)"));
   } else if (result.search == solve::RootSearch::many_starts) {
     found.warnings.push_back("the roots were found from " + std::to_string(result.starts) + " starts; others are not excluded");
   }

@@ -13,13 +13,15 @@ using namespace poinsot::statement;
 
 namespace {
 
-constexpr std::size_t most_bytes = 3000, most_bodies = 6, most_stages = 0, most_letters = 4;
+constexpr std::size_t most_bytes = 3000, most_bodies = 6, most_stages = 0, most_letters = 4, most_unknowns = 2;
 
 bool small_enough(const Statement& statement) {
   if (statement.situations.size() > 3 || statement.asks.size() > 12) return false;
   for (const Situation& situation : statement.situations) {
     const Problem& problem = situation.problem;
-    if (problem.bodies.size() + problem.frames.size() > most_bodies || problem.joints.size() > 2 * most_bodies) return false;
+    if (problem.bodies.size() + problem.frames.size() > most_bodies || problem.joints.size() > 2 * most_bodies)
+      return false;
+    if (problem.find.size() > most_unknowns || !problem.choose.empty()) return false;
     if (problem.stages.size() > most_stages || problem.letters.size() > most_letters) return false;
   }
   return true;

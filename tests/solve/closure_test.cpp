@@ -11,14 +11,18 @@ namespace {
 
 using Vector = Vector3<double>;
 
-// A crank of length a on the origin, a coupler of length b, and a slider on the x axis: x = a cos q + sqrt(b^2 - a^2 sin^2 q).
+// A crank of length a on the origin, a coupler of length b, and a slider on the x axis: x = a cos q + sqrt(b^2 - a^2
+// sin^2 q).
 Mechanism<double> slider_crank(double a, double b) {
   ModelBuilder<double> builder;
   const Vector z{0.0, 0.0, 1.0};
   const MassProperties<double> none{};
-  const int crank = builder.add_body("crank", ground, Joint<double>::revolute(z), SpatialTransform<double>::identity(), none);
-  const int coupler = builder.add_body("coupler", crank, Joint<double>::revolute(z), SpatialTransform<double>::translation({a, 0.0, 0.0}), none);
-  const int slider = builder.add_body("slider", ground, Joint<double>::prismatic({1.0, 0.0, 0.0}), SpatialTransform<double>::translation({a + b, 0.0, 0.0}), none);
+  const int crank =
+      builder.add_body("crank", ground, Joint<double>::revolute(z), SpatialTransform<double>::identity(), none);
+  const int coupler = builder.add_body("coupler", crank, Joint<double>::revolute(z),
+                                       SpatialTransform<double>::translation({a, 0.0, 0.0}), none);
+  const int slider = builder.add_body("slider", ground, Joint<double>::prismatic({1.0, 0.0, 0.0}),
+                                      SpatialTransform<double>::translation({a + b, 0.0, 0.0}), none);
   Mechanism<double> mechanism;
   mechanism.tree = builder.build();
   mechanism.takes_part.assign(3, true);

@@ -151,7 +151,8 @@ TEST(Equations, MotionAgreesWithHybridDynamics) {
   }
 }
 
-// What passes through each joint is what the redundant equations of the oracle find, loads, springs and drives included.
+// What passes through each joint is what the redundant equations of the oracle find, loads, springs and drives
+// included.
 TEST(Equations, ReactionsAgreeWithNewtonAndEuler) {
   Random random(22);
   for (int trial = 0; trial < 1000; ++trial) {
@@ -164,8 +165,8 @@ TEST(Equations, ReactionsAgreeWithNewtonAndEuler) {
       if (body == ground) return;
       const SpatialTransform<double> pose = body_pose(t.tree, drawn.workspace(), body);
       const Vector r = place - pose.p;
-      external[static_cast<std::size_t>(body)] += SpatialForce<double>{
-          transpose_times(pose.R, couple + cross(r, force)), transpose_times(pose.R, force)};
+      external[static_cast<std::size_t>(body)] +=
+          SpatialForce<double>{transpose_times(pose.R, couple + cross(r, force)), transpose_times(pose.R, force)};
     };
     for (int n = random.integer(0, 3); n > 0; --n) {
       KnownForce<double> force;
@@ -198,20 +199,21 @@ TEST(Equations, ReactionsAgreeWithNewtonAndEuler) {
       const Vector u = normalized(Q - P);
       const double lengthening = dot(u, point_velocity(t.tree, drawn.workspace(), from, spring.toward.point) -
                                             point_velocity(t.tree, drawn.workspace(), on, spring.at.point));
-      const Vector pull =
-          (spring.stiffness * (norm(Q - P) - spring.free_length) + spring.damping * lengthening) * u;
+      const Vector pull = (spring.stiffness * (norm(Q - P) - spring.free_length) + spring.damping * lengthening) * u;
       apply(on, P, pull, Vector::zero());
       apply(from, Q, -pull, Vector::zero());
     }
     // Springs and dampers in drives that are not held.
     for (Drive<double>& drive : t.mechanism.drives) {
-      if (drive.held || velocity_size(t.tree.body(t.mechanism.actions[static_cast<std::size_t>(drive.action)].on).joint) != 1)
+      if (drive.held ||
+          velocity_size(t.tree.body(t.mechanism.actions[static_cast<std::size_t>(drive.action)].on).joint) != 1)
         continue;
       drive.stiffness = random.uniform(0, 2);
       drive.free_position = random.uniform(-1, 1);
       drive.damping = random.uniform(0, 2);
       const auto k = static_cast<std::size_t>(drive.coordinate);
-      t.force[k] = drive.effort - drive.stiffness * (t.state.q[static_cast<std::size_t>(drive.position)] - drive.free_position) -
+      t.force[k] = drive.effort -
+                   drive.stiffness * (t.state.q[static_cast<std::size_t>(drive.position)] - drive.free_position) -
                    drive.damping * t.state.v[k];
     }
     const Moment moment = t.moment();
@@ -280,8 +282,8 @@ Timed forbidden(const Model<Timed>& tree, const Workspace<Timed>& w, const Veloc
       contact = center - Timed(c.radius) * normalized(Vector3<Timed>(n - dot(n, e) * e));
     }
   }
-  const Vector3<Timed> relative = on.v + cross(on.w, Vector3<Timed>(contact - on.p)) - from.v -
-                                  cross(from.w, Vector3<Timed>(contact - from.p));
+  const Vector3<Timed> relative =
+      on.v + cross(on.w, Vector3<Timed>(contact - on.p)) - from.v - cross(from.w, Vector3<Timed>(contact - from.p));
   return dot(d, relative);
 }
 
@@ -431,7 +433,8 @@ TEST(Equations, ARollingDisk) {
   EXPECT_NEAR(forces.value[7], 0, 1e-12);
 }
 
-// A four-bar linkage whose middle bar is parallel to the ground: both cranks turn at the same rate, and the bar does not.
+// A four-bar linkage whose middle bar is parallel to the ground: both cranks turn at the same rate, and the bar does
+// not.
 TEST(Equations, AParallelogramLinkage) {
   ModelBuilder<double> builder;
   const MassProperties<double> bar{1, Vector::zero(), SymmetricMatrix3<double>::diagonal(0.1, 0.1, 0.1)};
@@ -496,10 +499,16 @@ TEST(Equations, ASmallBodyBesideALargeOne) {
     const MassProperties<double> small{m, {0.3 * size, 0, 0}, SymmetricMatrix3<double>::diagonal(I, I, I)};
     StatedTree stated;
     stated.gravity = {0, -9.81, 0};
-    stated.bodies.push_back({ground, Joint<double>::revolute({0, 0, 1}), SpatialTransform<double>::identity(), large,
+    stated.bodies.push_back({ground,
+                             Joint<double>::revolute({0, 0, 1}),
+                             SpatialTransform<double>::identity(),
+                             large,
                              {CoordinateMode::free}});
-    stated.bodies.push_back({0, Joint<double>::revolute({0, 0.6, 0.8}), SpatialTransform<double>::translation({10, 0, 0}),
-                             small, {CoordinateMode::free}});
+    stated.bodies.push_back({0,
+                             Joint<double>::revolute({0, 0.6, 0.8}),
+                             SpatialTransform<double>::translation({10, 0, 0}),
+                             small,
+                             {CoordinateMode::free}});
     const Model<double> tree = testing::built(stated);
     Mechanism<double> mechanism = mechanism_of(stated, tree);
     mechanism.drives[1].effort = 4 * I;

@@ -40,7 +40,8 @@ struct Collision {
   explicit Collision(std::uint64_t seed, double restitution) : random(seed) {
     ModelBuilder<double> builder;
     for (const char* name : {"one", "other"})
-      builder.add_body(name, ground, Joint<double>::free(), SpatialTransform<double>::translation(random.vector(0.5)), random.body());
+      builder.add_body(name, ground, Joint<double>::free(), SpatialTransform<double>::translation(random.vector(0.5)),
+                       random.body());
     mechanism = mechanism_of(builder.build());
     mechanism.actions.push_back({ActionKind::impact, "stop", "", 0, 1});
     before.emplace(mechanism);
@@ -70,7 +71,8 @@ TEST(Impact, ConservesMomentaReversesTheApproachAndNeverGainsEnergy) {
     Moment after = before;
     after.set_velocities({solution.value.begin(), solution.value.begin() + 12});
     const Model<double>& tree = collision.mechanism.tree;
-    const auto p0 = momentum(tree, before.workspace(), Vector::zero()), p1 = momentum(tree, after.workspace(), Vector::zero());
+    const auto p0 = momentum(tree, before.workspace(), Vector::zero()),
+               p1 = momentum(tree, after.workspace(), Vector::zero());
     EXPECT_LT(norm(p1.linear - p0.linear), 1e-10 * (1 + norm(p0.linear)));
     EXPECT_LT(norm(p1.angular - p0.angular), 1e-10 * (1 + norm(p0.angular)));
     const Impact& impact = collision.blow.impacts[0];
@@ -78,7 +80,8 @@ TEST(Impact, ConservesMomentaReversesTheApproachAndNeverGainsEnergy) {
     EXPECT_GE(solution.value.back(), -1e-12) << "an impact pushes";
     const double T0 = kinetic_energy(tree, before.workspace()), T1 = kinetic_energy(tree, after.workspace());
     EXPECT_LE(T1, T0 * (1 + 1e-12));
-    // Carnot: the loss is (1 - e^2)/2 times the impulse of a plastic impact times the approach, here from the impulse itself.
+    // Carnot: the loss is (1 - e^2)/2 times the impulse of a plastic impact times the approach, here from the impulse
+    // itself.
     const double J = solution.value.back(), v = -approach(before, impact);
     EXPECT_NEAR(T0 - T1, 0.5 * J * v * (1 - e), 1e-9 * (1 + T0));
   }
@@ -118,7 +121,8 @@ TEST(Impact, AgreesWithAStiffShortForce) {
       gap += gap_rate * step;
       if (gap > 0 && gap_rate > 0) break;
     }
-    for (std::size_t k = 0; k < v.size(); ++k) EXPECT_NEAR(v[k], solution.value[k], 2e-3 * (1 + std::abs(v[k]))) << seed;
+    for (std::size_t k = 0; k < v.size(); ++k)
+      EXPECT_NEAR(v[k], solution.value[k], 2e-3 * (1 + std::abs(v[k]))) << seed;
     EXPECT_NEAR(impulse, solution.value.back(), 2e-3 * (1 + impulse));
   }
 }

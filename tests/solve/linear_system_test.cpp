@@ -204,7 +204,9 @@ TEST(LinearSystem, AgreesWithTheSingularValueDecomposition) {
       const double moved = n > rank ? null_space.row(j).norm() : 0;
       if (moved > 1e-9 && moved < 1e-6) continue;
       EXPECT_EQ(solution.determined(static_cast<std::size_t>(j)), moved < 1e-9) << trial << " unknown " << j;
-      if (moved < 1e-9) { EXPECT_NEAR(solution.value[static_cast<std::size_t>(j)], x[j], 1e-9) << trial; }
+      if (moved < 1e-9) {
+        EXPECT_NEAR(solution.value[static_cast<std::size_t>(j)], x[j], 1e-9) << trial;
+      }
     }
   }
 }
@@ -255,7 +257,9 @@ TEST(LinearSystem, IsIndifferentToTheUnitsOfUnknownsAndEquations) {
     EXPECT_EQ(solution.open.size(), plain.open.size()) << trial;
     for (std::size_t j = 0; j < static_cast<std::size_t>(n); ++j) {
       EXPECT_EQ(solution.determined(j), plain.determined(j)) << trial;
-      if (plain.determined(j)) { EXPECT_NEAR(solution.value[j] / unknown_scale[j], plain.value[j], 1e-9) << trial; }
+      if (plain.determined(j)) {
+        EXPECT_NEAR(solution.value[j] / unknown_scale[j], plain.value[j], 1e-9) << trial;
+      }
     }
   }
 }
@@ -277,7 +281,8 @@ TEST(LinearSystem, SolvesBadlyScaledSystemsWithoutBeingToldTheScales) {
     EXPECT_TRUE(solution.open.empty()) << trial;
     EXPECT_TRUE(solution.conflict.empty()) << trial;
     for (Eigen::Index j = 0; j < n; ++j)
-      EXPECT_NEAR(solution.value[static_cast<std::size_t>(j)] / x[j], 1, 1e-10 / std::min(1.0, std::abs(x[j]) / x.cwiseAbs().maxCoeff()))
+      EXPECT_NEAR(solution.value[static_cast<std::size_t>(j)] / x[j], 1,
+                  1e-10 / std::min(1.0, std::abs(x[j]) / x.cwiseAbs().maxCoeff()))
           << trial;
   }
 }

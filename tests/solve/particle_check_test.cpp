@@ -108,7 +108,8 @@ TEST(ParticleCheck, FindsEveryFalsifiedClaim) {
         };
         const double part = 1e-6;
         EXPECT_GT(falsified([&](CheckBody& b) { b.momentum[k] += part * norm(b.momentum); }).momentum, 1e-8);
-        EXPECT_GT(falsified([&](CheckBody& b) { b.angular_momentum[k] += part * norm(b.angular_momentum); }).momentum, 1e-8);
+        EXPECT_GT(falsified([&](CheckBody& b) { b.angular_momentum[k] += part * norm(b.angular_momentum); }).momentum,
+                  1e-8);
         EXPECT_GT(falsified([&](CheckBody& b) { b.kinetic_energy *= 1 + part; }).energy, 1e-8);
         EXPECT_GT(falsified([&](CheckBody& b) { b.wrench.force[k] += part * 10; }).newton_euler, 1e-9);
         EXPECT_GT(falsified([&](CheckBody& b) { b.wrench.moment[k] += part * 10; }).newton_euler, 1e-9);

@@ -14,9 +14,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 RootProblem of_one(double lower, double upper, double (*f)(double)) {
   RootProblem problem;
   problem.ranges = {{lower, upper, 1}};
-  problem.equations = [f](const std::vector<double>& x) {
-    return RootEquations{{f(x[0])}, 1 + std::abs(x[0])};
-  };
+  problem.equations = [f](const std::vector<double>& x) { return RootEquations{{f(x[0])}, 1 + std::abs(x[0])}; };
   return problem;
 }
 

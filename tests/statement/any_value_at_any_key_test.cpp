@@ -43,11 +43,30 @@ const Json& everything() {
 const std::vector<Json>& values() {
   static const std::vector<Json> list = [] {
     std::vector<Json> all = {nullptr, true, false, 0, -1, 3, 1e308, -1e-308, Json::array(), Json::object()};
-    for (const char* text : {"", " ", "any", "none", "rest", "x", "y", "-y", "O", "A", "n", "disk", "ground", "system", "time",
-                             "3 m", "-3 m", "3 kg", "0 kg", "10 lb", "2 rad/s", "25 deg", "1e308 m", "1e308 kg", "1e-308 m",
-                             "nan", "inf", "1/0", "sqrt(-1)", "kinetic_energy(disk)", "a", "b'", "A->O", "A of disk", "[0, 0, 0]",
-                             "[any, any, any]", "O @ now", "1 .. 2 by 0.5", "journal", "massless", "push", "../../etc/passwd",
-                             "((((", "1 < 2", "{", "@", "x'"})
+    for (const char* text : {"",          " ",
+                             "any",       "none",
+                             "rest",      "x",
+                             "y",         "-y",
+                             "O",         "A",
+                             "n",         "disk",
+                             "ground",    "system",
+                             "time",      "3 m",
+                             "-3 m",      "3 kg",
+                             "0 kg",      "10 lb",
+                             "2 rad/s",   "25 deg",
+                             "1e308 m",   "1e308 kg",
+                             "1e-308 m",  "nan",
+                             "inf",       "1/0",
+                             "sqrt(-1)",  "kinetic_energy(disk)",
+                             "a",         "b'",
+                             "A->O",      "A of disk",
+                             "[0, 0, 0]", "[any, any, any]",
+                             "O @ now",   "1 .. 2 by 0.5",
+                             "journal",   "massless",
+                             "push",      "../../etc/passwd",
+                             "((((",      "1 < 2",
+                             "{",         "@",
+                             "x'"})
       all.emplace_back(text);
     all.push_back(Json::array({1, 2, 3}));
     all.push_back(Json::array({"O", "A"}));
@@ -58,7 +77,8 @@ const std::vector<Json>& values() {
     all.push_back(Json::array({nullptr}));
     all.push_back(Json::array({Json::array({Json::array({1})})}));
     all.push_back(Json::array({Json::object()}));
-    all.push_back(Json::array({Json::object({{"phi", "x"}}), Json::object({{"theta", "y"}}), Json::object({{"psi", "z"}})}));
+    all.push_back(
+        Json::array({Json::object({{"phi", "x"}}), Json::object({{"theta", "y"}}), Json::object({{"psi", "z"}})}));
     all.push_back(Json::object({{"x", 1}}));
     all.push_back(Json::object({{"x", nullptr}}));
     all.push_back(Json::object({{"A", "y"}}));
@@ -101,7 +121,8 @@ std::string fault_of(const std::string& text) {
     return solved.solutions.empty() && solved.warnings.empty() ? "no solution and no reason" : "";
   } catch (const StatementError& error) {
     for (const Diagnostic& diagnostic : error.diagnostics())
-      if (diagnostic.mark.line < 1 || diagnostic.mark.column < 1 || diagnostic.message.empty()) return std::string("no place: ") + error.what();
+      if (diagnostic.mark.line < 1 || diagnostic.mark.column < 1 || diagnostic.message.empty())
+        return std::string("no place: ") + error.what();
     return "";
   } catch (const std::exception& error) {
     return std::string("another exception: ") + error.what();

@@ -143,7 +143,8 @@ TEST(Equivalence, ABodySplitIntoTwoBodiesWithAWeld) {
       whole.asks.push_back("angular_momentum(" + b + " about P)");
       welded.asks.push_back("angular_momentum(" + b + " about P)" + (here ? " + angular_momentum(other about P)" : ""));
       whole.asks.push_back("rate(angular_momentum(" + b + " about P))");
-      welded.asks.push_back("rate(angular_momentum(" + b + " about P))" + (here ? " + rate(angular_momentum(other about P))" : ""));
+      welded.asks.push_back("rate(angular_momentum(" + b + " about P))" +
+                            (here ? " + rate(angular_momentum(other about P))" : ""));
       for (const std::string f : {"angular_acceleration(", "acceleration(S of "}) {
         whole.asks.push_back(f + b + ")");
         welded.asks.push_back(f + (here && random.chance(0.5) ? "other" : b) + ")");
@@ -203,9 +204,11 @@ TEST(Equivalence, OrderedAnglesAreGimbals) {
     const std::vector<std::string> motion{"angular_velocity(b0)", "angular_acceleration(b0)", "acceleration(b0)",
                                           "angular_momentum(b0 about P)", "rate(angular_momentum(b0 about P))"};
     angles.asks = gimbals.asks = motion;
-    for (const char* ask : {"force(j0 on b0)", "couple(j0 on b0 about P)", "drive(phi of j0)", "drive(theta of j0)", "drive(psi of j0)"})
+    for (const char* ask :
+         {"force(j0 on b0)", "couple(j0 on b0 about P)", "drive(phi of j0)", "drive(theta of j0)", "drive(psi of j0)"})
       angles.asks.push_back(ask);
-    for (const char* ask : {"force(psi on b0)", "couple(psi on b0 about P)", "drive(phi)", "drive(theta)", "drive(psi)"})
+    for (const char* ask :
+         {"force(psi on b0)", "couple(psi on b0 about P)", "drive(phi)", "drive(theta)", "drive(psi)"})
       gimbals.asks.push_back(ask);
     expect_same(angles.text(), gimbals.text(), 1e-9);
     if (HasFatalFailure()) return;
@@ -220,7 +223,8 @@ TEST(Equivalence, ALoopCutElsewhere) {
     ProblemData loop;
     loop.gravity = random.vector(10);
     loop.points["P"] = random.vector();
-    const Vector corners[] = {random.vector(), random.vector() + Vector{0, 2, 0}, random.vector() + Vector{2, 2, 0}, random.vector() + Vector{3, 0, 0}};
+    const Vector corners[] = {random.vector(), random.vector() + Vector{0, 2, 0}, random.vector() + Vector{2, 2, 0},
+                              random.vector() + Vector{3, 0, 0}};
     for (std::size_t k = 0; k < 3; ++k) {
       BodyData body;
       body.name = fmt::format("b{}", k);
@@ -228,7 +232,8 @@ TEST(Equivalence, ALoopCutElsewhere) {
       body.parts[0].shape = PartData::Shape::sphere;
       loop.bodies.push_back(body);
     }
-    const auto joint = [&](const std::string& name, const std::string& kind, const std::string& from, const std::string& to, std::size_t at) {
+    const auto joint = [&](const std::string& name, const std::string& kind, const std::string& from,
+                           const std::string& to, std::size_t at) {
       JointData j;
       j.name = name;
       j.kind = kind;
@@ -240,7 +245,8 @@ TEST(Equivalence, ALoopCutElsewhere) {
       return j;
     };
     JointData crank = joint("crank", "revolute", "ground", "b0", 0);
-    const JointData ball = joint("ball", "ball", "b0", "b1", 1), cross_joint = joint("universal", "universal", "b1", "b2", 2),
+    const JointData ball = joint("ball", "ball", "b0", "b1", 1),
+                    cross_joint = joint("universal", "universal", "b1", "b2", 2),
                     rocker = joint("rocker", "revolute", "ground", "b2", 3);
     FreedomData turning;
     turning.rate = random.uniform(0.5, 2);
@@ -259,11 +265,13 @@ TEST(Equivalence, ALoopCutElsewhere) {
     for (ProblemData* problem : {&loop, &other})
       for (const char* body : {"b0", "b1", "b2"}) {
         const std::string b = body;
-        for (const std::string& ask : {"angular_momentum(" + b + " about P)", "angular_acceleration(" + b + ")", "acceleration(" + b + ")"})
+        for (const std::string& ask :
+             {"angular_momentum(" + b + " about P)", "angular_acceleration(" + b + ")", "acceleration(" + b + ")"})
           problem->asks.push_back(ask);
       }
     for (ProblemData* problem : {&loop, &other})
-      for (const auto& [name, body] : {std::pair{"crank", "b0"}, std::pair{"ball", "b1"}, std::pair{"universal", "b2"}, std::pair{"rocker", "b2"}}) {
+      for (const auto& [name, body] : {std::pair{"crank", "b0"}, std::pair{"ball", "b1"}, std::pair{"universal", "b2"},
+                                       std::pair{"rocker", "b2"}}) {
         problem->asks.push_back(fmt::format("force({} on {})", name, body));
         problem->asks.push_back(fmt::format("couple({} on {} about P)", name, body));
       }
@@ -284,7 +292,9 @@ TEST(Equivalence, ACordAndItsTension) {
   Random random(108);
   int taut = 0;
   for (int trial = 0; taut < trials && trial < 4 * trials; ++trial) {
-    ProblemData held = random_problem(random, {.least_bodies = 1, .most_bodies = 1, .positions = false, .planar = false, .loads = false, .unusual = false});
+    ProblemData held = random_problem(
+        random,
+        {.least_bodies = 1, .most_bodies = 1, .positions = false, .planar = false, .loads = false, .unusual = false});
     JointData& hinge = held.joints.front();
     hinge.kind = "revolute";
     FreedomData still;
@@ -312,7 +322,8 @@ TEST(Equivalence, ACordAndItsTension) {
     const double force = size_of(first.asks[0].value) + size;
     for (std::size_t i = 0; i < 3; ++i) {
       ASSERT_EQ(second.asks[i].state, AskState::found);
-      ASSERT_LE(norm(first.asks[i].value.vector - second.asks[i].value.vector), 1e-9 * force * (i == 2 ? 100 : 1)) << i << held.text() << pulled.text();
+      ASSERT_LE(norm(first.asks[i].value.vector - second.asks[i].value.vector), 1e-9 * force * (i == 2 ? 100 : 1))
+          << i << held.text() << pulled.text();
     }
     ++taut;
   }
@@ -348,8 +359,9 @@ TEST(Equivalence, DrawnWhereItStands) {
     }
     for (FreedomData& f : drawn.joints.front().freedoms) f.position = 0;
     for (ProblemData* problem : {&moved, &drawn})
-      for (const char* ask : {"angular_momentum(b0 about P)", "kinetic_energy(b0)", "acceleration(b0)", "angular_acceleration(b0)",
-                              "rate(angular_momentum(b0 about P))", "force(j0 on b0)", "couple(j0 on b0 about P)", "center(b0)"})
+      for (const char* ask :
+           {"angular_momentum(b0 about P)", "kinetic_energy(b0)", "acceleration(b0)", "angular_acceleration(b0)",
+            "rate(angular_momentum(b0 about P))", "force(j0 on b0)", "couple(j0 on b0 about P)", "center(b0)"})
         problem->asks.push_back(ask);
     expect_same(moved.text(), drawn.text(), 1e-9);
     if (HasFatalFailure()) return;
@@ -380,10 +392,12 @@ TEST(Equivalence, MotionGivenForceFoundAndBack) {
         freedoms.emplace_back(j, k);
         // Of a universal joint the first axis rides with the holder, the second with the held body.
         const bool second = joint.kind == "universal" && k == 1;
-        const std::string body = second ? joint.to : joint.from, A = "A" + joint.name, tip = (second ? "S" : "F") + joint.name;
+        const std::string body = second ? joint.to : joint.from, A = "A" + joint.name,
+                          tip = (second ? "S" : "F") + joint.name;
         asked.points[A] = joint.at;
         asked.points[tip] = joint.at + normalized(second ? joint.second : joint.axis);
-        asked.asks.push_back(body == "ground" ? "center(b0)" : "(" + tip + " of " + body + ") - (" + A + " of " + body + ")");
+        asked.asks.push_back(body == "ground" ? "center(b0)"
+                                              : "(" + tip + " of " + body + ") - (" + A + " of " + body + ")");
       }
     if (freedoms.empty()) continue;
     const Solution efforts = solved(asked.text());
@@ -392,7 +406,8 @@ TEST(Equivalence, MotionGivenForceFoundAndBack) {
       const SolvedAsk& drive = efforts.asks[2 * n];
       const JointData& joint = force.joints[freedoms[n].first];
       const bool second = joint.kind == "universal" && freedoms[n].second == 1;
-      const Vector axis = joint.from == "ground" && !second ? normalized(joint.axis) : efforts.asks[2 * n + 1].value.vector;
+      const Vector axis =
+          joint.from == "ground" && !second ? normalized(joint.axis) : efforts.asks[2 * n + 1].value.vector;
       ASSERT_EQ(drive.state, AskState::found) << drive.reason << asked.text();
       FreedomData& f = force.joints[freedoms[n].first].freedoms[freedoms[n].second];
       f.accel.reset();
@@ -407,7 +422,8 @@ TEST(Equivalence, MotionGivenForceFoundAndBack) {
 TEST(Equivalence, RatesAgainstDifferences) {
   Random random(111);
   for (int trial = 0; trial < trials; ++trial) {
-    ProblemData now = random_problem(random, {.least_bodies = 1, .most_bodies = 3, .planar = false, .loads = false, .unusual = false});
+    ProblemData now = random_problem(
+        random, {.least_bodies = 1, .most_bodies = 3, .planar = false, .loads = false, .unusual = false});
     for (JointData& joint : now.joints)
       for (FreedomData& f : joint.freedoms) {
         f.effort.reset();
@@ -415,8 +431,9 @@ TEST(Equivalence, RatesAgainstDifferences) {
         f.accel = random.uniform(-3, 3);
       }
     const std::string last = now.bodies.back().name;
-    const std::vector<std::string> asks{"angular_momentum(" + last + " about P)", "momentum(" + last + ")", "velocity(P of " + last + ")",
-                                        "angular_momentum(system about P)", "angular_velocity(" + last + ")"};
+    const std::vector<std::string> asks{"angular_momentum(" + last + " about P)", "momentum(" + last + ")",
+                                        "velocity(P of " + last + ")", "angular_momentum(system about P)",
+                                        "angular_velocity(" + last + ")"};
     ProblemData rates = now;
     for (const std::string& ask : asks) rates.asks.push_back("rate(" + ask + ")");
     now.asks = asks;
@@ -439,7 +456,8 @@ TEST(Equivalence, RatesAgainstDifferences) {
     }
     for (std::size_t i = 0; i < asks.size(); ++i) {
       ASSERT_EQ(rate.asks[i].state, AskState::found);
-      ASSERT_LE(norm(rate.asks[i].value.vector - difference[i]), 1e-9 * (10 + norm(difference[i]))) << asks[i] << "\n" << now.text();
+      ASSERT_LE(norm(rate.asks[i].value.vector - difference[i]), 1e-9 * (10 + norm(difference[i]))) << asks[i] << "\n"
+                                                                                                    << now.text();
     }
   }
 }

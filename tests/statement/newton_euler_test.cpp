@@ -36,7 +36,8 @@ struct Translation {
       const auto i = static_cast<std::size_t>(link.at(load.body));
       // Both act on ground axes unless they turn along; the point rides with the body.
       const Eigen::Matrix3d R = placed[i].R;
-      const Vector on_body = load.turns_along ? load.vector : vector_of(R.transpose() * poinsot::testing::eigen(load.vector));
+      const Vector on_body =
+          load.turns_along ? load.vector : vector_of(R.transpose() * poinsot::testing::eigen(load.vector));
       if (load.couple)
         external[i] += SpatialForce<double>{on_body, Vector::zero()};
       else
@@ -57,7 +58,8 @@ struct Translation {
       const auto near = end_of(spring.from, spring.at), far = end_of(spring.to, spring.end);
       const Eigen::Vector3d span = near.place - far.place;
       const Eigen::Vector3d u = span.normalized();
-      const double pull = spring.stiffness * (span.norm() - spring.free_length) + spring.damping * u.dot(near.velocity - far.velocity);
+      const double pull =
+          spring.stiffness * (span.norm() - spring.free_length) + spring.damping * u.dot(near.velocity - far.velocity);
       const auto apply = [&](const auto& end, const Eigen::Vector3d& pulling) {
         if (end.index == ground) return;
         const auto i = static_cast<std::size_t>(end.index);
@@ -70,7 +72,9 @@ struct Translation {
     }
   }
 
-  OracleResult solve() const { return poinsot::testing::oracle_dynamics(tree, state, modes, force, acceleration, external); }
+  OracleResult solve() const {
+    return poinsot::testing::oracle_dynamics(tree, state, modes, force, acceleration, external);
+  }
 
  private:
   void add_link(const LinkJoint& joint, int parent, const Vector& at, const MassProperties<double>& mass,
@@ -78,7 +82,8 @@ struct Translation {
     const Vector parent_origin = parent < 0 ? Vector::zero() : origin[static_cast<std::size_t>(parent)];
     MassProperties<double> own = mass;
     if (own.mass > 0) own.center = own.center - at;
-    tree.bodies.push_back(StatedBody{parent, joint, SpatialTransform<double>::translation(at - parent_origin), own, {}});
+    tree.bodies.push_back(
+        StatedBody{parent, joint, SpatialTransform<double>::translation(at - parent_origin), own, {}});
     origin.push_back(at);
     state.q.insert(state.q.end(), q.begin(), q.end());
     state.v.insert(state.v.end(), v.begin(), v.end());
@@ -93,7 +98,8 @@ struct Translation {
       modes.back() = CoordinateMode::prescribed;
       acceleration.back() = *f.accel;
     } else {
-      force.back() = f.effort.value_or(0) - f.stiffness * (f.position - f.free_position) - f.damping * f.rate.value_or(0);
+      force.back() =
+          f.effort.value_or(0) - f.stiffness * (f.position - f.free_position) - f.damping * f.rate.value_or(0);
     }
   }
 
@@ -103,7 +109,8 @@ struct Translation {
     const auto chain = [&](const std::vector<std::pair<LinkJoint, const FreedomData*>>& joints) {
       for (std::size_t k = 0; k < joints.size(); ++k) {
         const auto& [own, f] = joints[k];
-        add_link(own, parent, joint.at, k + 1 == joints.size() ? mass : massless<double>(), {f->position}, {f->rate.value_or(0)});
+        add_link(own, parent, joint.at, k + 1 == joints.size() ? mass : massless<double>(), {f->position},
+                 {f->rate.value_or(0)});
         know(*f);
         parent = static_cast<int>(tree.bodies.size()) - 1;
       }
@@ -133,7 +140,8 @@ struct Translation {
                  {relative.x, relative.y, relative.z, joint.v.x, joint.v.y, joint.v.z});
     } else if (joint.kind == "planar") {
       // Any two directions in the plane do.
-      const Vector n = normalized(joint.axis), first = normalized(cross(n, std::abs(n.x) < 0.7 ? Vector{1, 0, 0} : Vector{0, 1, 0}));
+      const Vector n = normalized(joint.axis),
+                   first = normalized(cross(n, std::abs(n.x) < 0.7 ? Vector{1, 0, 0} : Vector{0, 1, 0}));
       const Vector second = cross(n, first);
       FreedomData slide1, slide2;
       slide1.axis = first;
@@ -234,7 +242,8 @@ TEST_P(EachKind, AgreesWithNewtonAndEuler) {
   EXPECT_EQ(met, 100);
 }
 INSTANTIATE_TEST_SUITE_P(NewtonEuler, EachKind,
-                         ::testing::Values("revolute", "prismatic", "cylindrical", "universal", "ball", "planar", "screw", "weld", "free"),
+                         ::testing::Values("revolute", "prismatic", "cylindrical", "universal", "ball", "planar",
+                                           "screw", "weld", "free"),
                          [](const auto& kind) { return std::string(kind.param); });
 
 // Loads that turn with the body they act on.

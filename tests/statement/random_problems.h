@@ -68,14 +68,12 @@ struct Style {
   UnitSystem units;
   Matrix3<double> R = Matrix3<double>::identity();  // the figure is turned, then shifted
   Vector shift{};
-  std::optional<std::uint64_t> order;               // of bodies, joints, loads and springs; as they are when left out
+  std::optional<std::uint64_t> order;  // of bodies, joints, loads and springs; as they are when left out
 
   std::string number(double value, const NamedUnit& unit) const {
     return fmt::format("{:.17g} {}", value / unit.size, unit.name);
   }
-  std::string plain(const Vector& a) const {
-    return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", a.x, a.y, a.z);
-  }
+  std::string plain(const Vector& a) const { return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", a.x, a.y, a.z); }
   std::string vector(const Vector& a, const NamedUnit& unit) const {
     const Vector b = R * a;
     return "[" + number(b.x, unit) + ", " + number(b.y, unit) + ", " + number(b.z, unit) + "]";
@@ -111,7 +109,8 @@ struct PartData {
       case Shape::rod:
         return "rod: [" + style.place(a) + ", " + style.place(b) + "]" + amount;
       case Shape::disk:
-        return "disk: {center: " + style.place(a) + ", normal: " + style.direction(b) + ", radius: " + r() + "}" + amount;
+        return "disk: {center: " + style.place(a) + ", normal: " + style.direction(b) + ", radius: " + r() + "}" +
+               amount;
       case Shape::box:
         return "box: {center: " + style.place(a) + ", sides: [" + style.vector(b, style.units.length) + ", " +
                style.vector(c, style.units.length) + ", " + style.vector(d, style.units.length) + "]}" + amount;
@@ -216,11 +215,11 @@ struct FreedomData {
     std::string all;
     const auto add = [&](const std::string& entry) { all += (all.empty() ? "" : ", ") + entry; };
     const NamedUnit place = turning ? u.angle : u.length;
-    if (position != 0)
-      add(std::string(turning ? "angle: " : "displacement: ") + style.number(position, place));
+    if (position != 0) add(std::string(turning ? "angle: " : "displacement: ") + style.number(position, place));
     if (rate) add("rate: " + style.number(*rate, turning ? u.rate() : u.velocity()));
     if (accel) add("accel: " + style.number(*accel, turning ? u.angular_acceleration() : u.acceleration()));
-    if (effort) add(std::string(turning ? "couple: " : "force: ") + style.number(*effort, turning ? u.moment() : u.force));
+    if (effort)
+      add(std::string(turning ? "couple: " : "force: ") + style.number(*effort, turning ? u.moment() : u.force));
     if (stiffness != 0)
       add("spring: {stiffness: " + style.number(stiffness, turning ? u.turning_stiffness() : u.stiffness()) + ", " +
           (turning ? "free_angle: " : "free_displacement: ") + style.number(free_position, place) + "}");
@@ -235,7 +234,7 @@ struct JointData {
   Vector at{}, axis{}, second{};
   double pitch = 0;
   std::vector<FreedomData> freedoms;
-  Vector w{}, v{};  // of a ball and of a free body, in the ground: angular velocity, and velocity of the point `at`
+  Vector w{}, v{};     // of a ball and of a free body, in the ground: angular velocity, and velocity of the point `at`
   bool stated = true;  // whether they are stated
 
   std::string text(const Style& style) const {
@@ -246,12 +245,14 @@ struct JointData {
       all = "universal: [" + style.direction(axis) + ", " + style.direction(second) + "], at: " + style.place(at);
     else
       all = kind + ": " + style.direction(axis) + ", at: " + style.place(at);
-    if (kind == "screw") all += ", pitch: " + style.number(pitch, {style.units.length.name + "/rad", style.units.length.size});
+    if (kind == "screw")
+      all += ", pitch: " + style.number(pitch, {style.units.length.name + "/rad", style.units.length.size});
     if (from != "ground") all += ", from: " + from;
     all += ", to: " + to;
     if (kind == "angles") {
       std::string list;
-      for (const FreedomData& f : freedoms) list += (list.empty() ? "" : ", ") + f.name + ": " + style.direction(f.axis);
+      for (const FreedomData& f : freedoms)
+        list += (list.empty() ? "" : ", ") + f.name + ": " + style.direction(f.axis);
       all += ", angles: [" + list + "]";
     }
     if (freedoms.size() == 1) {
@@ -278,8 +279,9 @@ struct LoadData {
 
   std::string text(const Style& style) const {
     const UnitSystem& u = style.units;
-    return "{" + (couple ? "couple: " + style.vector(vector, u.moment())
-                         : "force: " + style.vector(vector, u.force) + ", at: " + style.place(at)) +
+    return "{" +
+           (couple ? "couple: " + style.vector(vector, u.moment())
+                   : "force: " + style.vector(vector, u.force) + ", at: " + style.place(at)) +
            ", body: " + body + (turns_along ? ", axes: " + body : "") + "}";
   }
 };
@@ -315,7 +317,8 @@ struct ProblemData {
   std::string text(const Style& style = {}) const {
     const UnitSystem& u = style.units;
     std::string all = "title: a random problem\n";
-    all += norm_squared(gravity) == 0 ? "gravity: none\n" : "gravity: " + style.vector(gravity, u.acceleration()) + "\n";
+    all +=
+        norm_squared(gravity) == 0 ? "gravity: none\n" : "gravity: " + style.vector(gravity, u.acceleration()) + "\n";
     const auto section = [&](const std::string& name, const std::vector<std::string>& lines) {
       if (lines.empty()) return;
       all += name + ":\n";
@@ -336,7 +339,8 @@ struct ProblemData {
     for (std::size_t i = 0; i < loads.size(); ++i) lines.push_back(fmt::format("load{}: ", i) + loads[i].text(style));
     section("loads", style.ordered(lines));
     lines.clear();
-    for (std::size_t i = 0; i < springs.size(); ++i) lines.push_back(fmt::format("spring{}: ", i) + springs[i].text(style));
+    for (std::size_t i = 0; i < springs.size(); ++i)
+      lines.push_back(fmt::format("spring{}: ", i) + springs[i].text(style));
     section("springs", style.ordered(lines));
     lines.clear();
     for (const JointData& joint : joints) {
@@ -344,12 +348,14 @@ struct ProblemData {
       if (joint.kind == "ball" || joint.kind == "free")
         lines.push_back("  angular_velocity(" + joint.to + "): " + style.vector(joint.w, u.rate()));
       if (joint.kind == "free" || joint.kind == "planar")
-        lines.push_back("  velocity(at_" + joint.name + " of " + joint.to + (joint.kind == "planar" ? " relative to " + joint.from : "") +
+        lines.push_back("  velocity(at_" + joint.name + " of " + joint.to +
+                        (joint.kind == "planar" ? " relative to " + joint.from : "") +
                         "): " + style.vector(joint.v, u.velocity()));
     }
     for (const JointData& joint : joints)
       if (joint.kind == "angles")
-        for (const FreedomData& f : joint.freedoms) lines.push_back("  " + f.name + ": " + style.number(f.position, u.angle));
+        for (const FreedomData& f : joint.freedoms)
+          lines.push_back("  " + f.name + ": " + style.number(f.position, u.angle));
     lines = style.ordered(lines);
     if (!lines.empty()) lines.insert(lines.begin(), "now:");
     section("instants", lines);
@@ -362,10 +368,10 @@ struct ProblemData {
 
 struct RandomOptions {
   int least_bodies = 1, most_bodies = 4;
-  bool positions = true;    // bodies stand elsewhere than drawn
+  bool positions = true;  // bodies stand elsewhere than drawn
   bool planar = true;
   bool loads = true;
-  bool unusual = true;      // balls, free bodies, screws, universal joints
+  bool unusual = true;  // balls, free bodies, screws, universal joints
 };
 
 // A random tree of bodies; every freedom has a rate, and either an acceleration or efforts.
@@ -394,12 +400,13 @@ inline ProblemData random_problem(Random& random, const RandomOptions& options =
     if (parent >= 0) joint.from = fmt::format("b{}", parent);
     joint.at = near + random.vector(0.5);
     joint.axis = random.uniform(0.5, 2) * random.direction();
-    static const std::vector<std::string> kinds{"revolute", "revolute", "prismatic", "cylindrical", "universal", "ball",
-                                                "planar",   "screw",    "weld",      "free"};
+    static const std::vector<std::string> kinds{"revolute", "revolute", "prismatic", "cylindrical", "universal",
+                                                "ball",     "planar",   "screw",     "weld",        "free"};
     do {
       joint.kind = kinds[static_cast<std::size_t>(random.integer(0, static_cast<int>(kinds.size()) - 1))];
     } while ((joint.kind == "planar" && !options.planar) ||
-             (!options.unusual && joint.kind != "revolute" && joint.kind != "prismatic" && joint.kind != "cylindrical" && joint.kind != "weld"));
+             (!options.unusual && joint.kind != "revolute" && joint.kind != "prismatic" &&
+              joint.kind != "cylindrical" && joint.kind != "weld"));
     // The plane of a planar joint must be known to state a velocity in it.
     if (joint.kind == "free" || joint.kind == "planar") joint.from = "ground";
     const auto freedom = [&](const std::string& name, bool turning, const Vector& axis) {
@@ -479,10 +486,11 @@ inline void ask_everything(ProblemData& problem) {
   for (const BodyData& body : problem.bodies) {
     const std::string& b = body.name;
     for (const std::string& ask :
-         {"momentum(" + b + ")", "angular_momentum(" + b + " about P)", "angular_momentum(" + b + " about center(" + b + "))",
-          "kinetic_energy(" + b + ")", "angular_velocity(" + b + ")", "angular_acceleration(" + b + ")", "velocity(" + b + ")",
-          "acceleration(P of " + b + ")", "rate(angular_momentum(" + b + " about P))", "rate(kinetic_energy(" + b + "))",
-          "mass(" + b + ")"})
+         {"momentum(" + b + ")", "angular_momentum(" + b + " about P)",
+          "angular_momentum(" + b + " about center(" + b + "))", "kinetic_energy(" + b + ")",
+          "angular_velocity(" + b + ")", "angular_acceleration(" + b + ")", "velocity(" + b + ")",
+          "acceleration(P of " + b + ")", "rate(angular_momentum(" + b + " about P))",
+          "rate(kinetic_energy(" + b + "))", "mass(" + b + ")"})
       problem.asks.push_back(ask);
   }
   for (const JointData& joint : problem.joints) {

@@ -1,6 +1,7 @@
 // Linear equations with names: what they determine, what they leave open, and where they contradict each other.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,9 @@ class LinearSystem {
  public:
   std::size_t add_unknown(std::string name, double scale = 1);
   std::size_t add_equation(std::string words, double scale = 1);
-  void add(std::size_t equation, std::size_t unknown, double coefficient);
+  // rounding: up to which a coefficient may be what rounding left of zero, in its own unit; a small part of the largest
+  // one of the equation when left out. Coefficients below it count as zero.
+  void add(std::size_t equation, std::size_t unknown, double coefficient, std::optional<double> rounding = {});
   void add_right_side(std::size_t equation, double value);
 
   std::size_t unknowns() const { return names_.size(); }
@@ -42,6 +45,7 @@ class LinearSystem {
   struct Entry {
     std::size_t equation, unknown;
     double coefficient;
+    std::optional<double> rounding;
   };
   std::vector<std::string> names_, words_;
   std::vector<double> unknown_scale_, equation_scale_, right_side_;
