@@ -99,7 +99,10 @@ int check(const std::vector<std::string>& paths) {
   for (const CheckResult& result : results) {
     if (result.failures.empty()) continue;
     ++failed;
-    std::string line = fmt::format("{}: {}", result.file, fmt::join(result.failures, "; "));
+    constexpr std::size_t most = 4;
+    const auto shown = std::min(result.failures.size(), most);
+    std::string line = fmt::format("{}: {}", result.file, fmt::join(result.failures.begin(), result.failures.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
+    if (result.failures.size() > shown) line += fmt::format("; {} more", result.failures.size() - shown);
     std::ranges::replace(line, '\n', ' ');
     text += line + "\n";
   }

@@ -316,9 +316,12 @@ LinearSolution solve_motion(const Moment& given, const Scales& scales, const std
     first_row[static_cast<std::size_t>(i)] = row;
     if (!(mass > 0)) continue;
     const Momentum<double> known = body_momentum_rate(tree, moment.workspace(), i, G);
+    const SymmetricMatrix3<double>& about_origin = tree.body(i).inertia.inertia;
+    const double gyroscopic = (about_origin.xx + about_origin.yy + about_origin.zz) *
+                              norm_squared(moment.workspace().motion[static_cast<std::size_t>(i + 1)].w);
     for (std::size_t k = 0; k < 3; ++k) {
       system.add_right_side(row + k, mass * tree.gravity()[k] - known.linear[k]);
-      system.add_right_side(row + 3 + k, -known.angular[k]);
+      system.add_right_side(row + 3 + k, -known.angular[k], gyroscopic);
     }
     // m a_G and I_G alpha per unit acceleration of each coordinate.
     const Matrix3<double> R = moment.workspace().motion[static_cast<std::size_t>(i + 1)].R;

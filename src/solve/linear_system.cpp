@@ -60,9 +60,9 @@ void LinearSystem::add(std::size_t equation, std::size_t unknown, double coeffic
   entries_.push_back({equation, unknown, coefficient, rounding});
 }
 
-void LinearSystem::add_right_side(std::size_t equation, double value) {
+void LinearSystem::add_right_side(std::size_t equation, double value, double size) {
   right_side_[equation] += value;
-  right_size_[equation] += std::abs(value);
+  right_size_[equation] += std::max(std::abs(value), size);
 }
 
 LinearSolution LinearSystem::solve() const {

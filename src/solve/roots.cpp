@@ -25,10 +25,20 @@ class RootFinder {
     roots.best_misfit = std::numeric_limits<double>::infinity();
     if (solve_linear(roots)) return roots;
     roots.search = RootSearch::many_starts;
+    // Of many unknowns: when a few starts have all led to one point, inside the ranges or not, it is taken for the only
+    // one. The search still counts as one from some starts.
+    constexpr int enough = 4, most = 24;
+    std::optional<VectorXd> only;
+    int led_there = 0;
     for (const VectorXd& start : starts()) {
-      if (Clock::now() > end_) break;
+      if (Clock::now() > end_ || (n_ > 2 && (led_there >= enough || static_cast<int>(roots.starts) >= most))) break;
       ++roots.starts;
-      if (const auto root = polish(start, roots)) keep(*root, roots);
+      const auto root = polish(start, roots);
+      if (!root) continue;
+      keep(*root, roots);
+      if (!only) only = *root;
+      const bool same = (*root - *only).norm() <= 1e-6 * (1e-3 + only->norm());
+      led_there = same && led_there >= 0 ? led_there + 1 : -1;  // two points: never enough
     }
     std::sort(roots.points.begin(), roots.points.end());
     return roots;
@@ -172,7 +182,7 @@ class RootFinder {
     if (n_ > 2) {
       std::mt19937_64 random(17);
       std::uniform_real_distribution<double> part(0, 1);
-      for (int i = 0; i < 300; ++i) {
+      for (int i = 0; i < 60; ++i) {
         VectorXd u(n_);
         for (Eigen::Index k = 0; k < n_; ++k)
           u[k] = at_part(static_cast<std::size_t>(k), part(random)) / problem_.ranges[static_cast<std::size_t>(k)].scale;

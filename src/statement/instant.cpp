@@ -602,6 +602,7 @@ std::vector<double> SolvedInstant::accelerations_at(double time, const std::vect
 void SolvedInstant::contradiction(const solve::LinearSystem& equations, const solve::LinearSolution& solution, bool forces) {
   std::vector<std::string> names;
   Mark mark{1, 1};
+  std::optional<Mark> fact_mark;
   for (std::size_t equation : solution.conflict) {
     const std::string& words = equations.words(equation);
     if (std::find(names.begin(), names.end(), words) == names.end()) names.push_back(words);
@@ -610,8 +611,12 @@ void SolvedInstant::contradiction(const solve::LinearSystem& equations, const so
     for (const StatedRate& rate : *list)
       if (std::find(names.begin(), names.end(), rate.words) != names.end()) mark = rate.mark;
   for (const Instant* instant : facts_)
-    for (const std::string& name : names)
+    for (const std::string& name : names) {
       if (name.starts_with("'" + instant->name + "'")) mark = instant->mark;
+      for (const Fact& fact : instant->facts)
+        if (name == "'" + instant->name + "': " + to_string(fact.quantity)) fact_mark = fact.mark;
+    }
+  if (fact_mark) mark = *fact_mark;
   std::string all;
   for (std::size_t i = 0; i < names.size() && i < 8; ++i) all += (all.empty() ? "" : "; ") + names[i];
   if (names.size() > 8) all += "; ...";

@@ -162,9 +162,15 @@ class MachineBuilder {
       state_rate(machine_.accelerations, owner + ": accel", first + k, alpha[k], true, frame.mark);
       state_rate(machine_.rates, owner + ": velocity", first + 3 + k, v[k], false, frame.mark);
     }
-    if (!frame.acceleration) return;
+    std::optional<Vector> stated;
+    if (frame.acceleration) stated = data_.vector(*frame.acceleration, dimensions::acceleration);
+    if (!stated && frame.velocity && depends_on_time(problem_, *frame.velocity)) {
+      const Vector3<TimeJet> jet = timed_.vector(*frame.velocity, dimensions::velocity);
+      stated = Vector{jet.x.partial[0].value, jet.y.partial[0].value, jet.z.partial[0].value};
+    }
+    if (!stated) return;
     // The coordinates are components on the frame's own axes: their rates are a - w x v.
-    const Vector a = data_.vector(*frame.acceleration, dimensions::acceleration) - cross(w, v);
+    const Vector a = *stated - cross(w, v);
     for (std::size_t k = 0; k < 3; ++k)
       state_rate(machine_.accelerations, owner + ": acceleration", first + 3 + k, a[k], false, frame.mark);
   }

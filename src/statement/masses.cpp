@@ -169,7 +169,7 @@ BodyMass MassReader::of_shapes() {
     const std::string part_owner = "the added '" + part.name + "' of " + owner;
     const ShapeValues shape = shape_values(part.shape, data_, part.name);
     if (!states(part.amount)) fail(file(), part.mark, part_owner + " has no mass", "write mass:");
-    append(whole, list, shape, amount_of(part.amount, shape, part_owner), lenient_);
+    append(whole, list, shape, (part.hole ? -1 : 1) * amount_of(part.amount, shape, part_owner), lenient_);
   }
   whole.properties = sum(list);
   return whole;
@@ -259,7 +259,7 @@ BodyMass MassReader::of_numbers() {
   for (const Part& part : body_.added) {
     const ShapeValues shape = shape_values(part.shape, data_, part.name);
     if (!states(part.amount)) fail(file(), part.mark, "the added '" + part.name + "' of " + owner + " has no mass", "write mass:");
-    append(whole, list, shape, amount_of(part.amount, shape, "the added '" + part.name + "' of " + owner), lenient_);
+    append(whole, list, shape, (part.hole ? -1 : 1) * amount_of(part.amount, shape, "the added '" + part.name + "' of " + owner), lenient_);
   }
   whole.properties = sum(list);
   return whole;

@@ -603,8 +603,23 @@ class StatementSolver {
       if (instant->after_blow()) forces = std::max(forces, instant->blow().open.size());
     }
     constexpr std::size_t most = 60;
-    for (std::size_t d = 0; d < std::min(velocities, most); ++d)
-      undetermined({.seed = 13, .velocities = true, .direction = d}, [&](const Ask& ask) { return open_velocity(sample_->instant_of(ask), d); });
+    std::vector<std::vector<std::string>> rates(base.size());  // that an ask depends on and nothing fixes
+    std::vector<std::size_t> missing(base.size(), 0);
+    for (std::size_t d = 0; d < std::min(velocities, most); ++d) {
+      const Values other = varied({.seed = 13, .velocities = true, .direction = d});
+      for (std::size_t i = 0; i < base.size(); ++i) {
+        if (!differs(other, i)) continue;
+        result.asks[i].state = AskState::undetermined;
+        ++missing[i];
+        const SolvedInstant& instant = sample_->instant_of(statement_.asks[i]);
+        for (std::size_t k : d < instant.velocities().share.size() ? instant.velocities().share[d] : std::vector<std::size_t>{})
+          if (const std::string& name = instant.velocity_equations().name(k); std::find(rates[i].begin(), rates[i].end(), name) == rates[i].end())
+            rates[i].push_back(name);
+        note_fixed_components(*base[i], other[i], i);
+      }
+    }
+    for (std::size_t i = 0; i < base.size(); ++i)
+      if (missing[i] > 0) result.asks[i].reason += (result.asks[i].reason.empty() ? "" : "; ") + open_velocities(rates[i], missing[i]);
     for (std::size_t d = 0; d < std::min(forces, most); ++d)
       undetermined({.seed = 14, .forces = true, .direction = d}, [&](const Ask& ask) { return open_force(sample_->instant_of(ask), d); });
     // What rests on several of them at once, as the product of gravity and a velocity, moves with none by itself.
@@ -682,11 +697,14 @@ class StatementSolver {
     return names;
   }
 
-  static std::string open_velocity(const SolvedInstant& instant, std::size_t direction) {
-    const auto& equations = instant.velocity_equations();
-    const std::vector<std::string> names = moved_names(equations, instant.velocities(), direction, 0, equations.unknowns());
-    return "nothing fixes " + listed(names, "and") + (names.size() == 1 ? "" : " (one of them would do, or another fact)") +
-           ": state it under joints: or instants:";
+  static std::string open_velocities(std::vector<std::string> names, std::size_t missing) {
+    const std::size_t count = names.size();
+    if (count > 6) {
+      names.resize(5);
+      names.emplace_back("more");
+    }
+    const std::string enough = missing >= count ? "" : " (" + (missing == 1 ? std::string("one") : std::to_string(missing)) + " of them would do, or another fact)";
+    return "nothing fixes " + listed(names, "and") + enough + ": state " + (count == 1 || missing == 1 ? "it" : "them") + " under joints: or instants:";
   }
 
   static std::string open_force(const SolvedInstant& instant, std::size_t direction) {
@@ -698,7 +716,7 @@ class StatementSolver {
     const std::vector<std::string> motions = moved_names(equations, instant.motion(), direction, 0, accelerations);
     if (!motions.empty()) return "nothing fixes the " + listed(motions, "and the") + ": state it, or the couple or force that causes it";
     return listed(moved_names(equations, instant.motion(), direction, accelerations, equations.unknowns()), "and") +
-           " share the same load: only their sum is fixed";
+           " share the same load: the statement does not fix them one by one";
   }
 
   void finish(const Ask& ask, const Value<double>& value, Sample& sample, SolvedAsk& solved) {

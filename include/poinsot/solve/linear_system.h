@@ -30,7 +30,8 @@ class LinearSystem {
   // rounding: up to which a coefficient may be what rounding left of zero, in its own unit; a small part of the largest
   // one of the equation when left out. Coefficients below it count as zero.
   void add(std::size_t equation, std::size_t unknown, double coefficient, std::optional<double> rounding = {});
-  void add_right_side(std::size_t equation, double value);
+  // size: of the terms that the value was made from, where they may have cancelled.
+  void add_right_side(std::size_t equation, double value, double size = 0);
 
   std::size_t unknowns() const { return names_.size(); }
   std::size_t equations() const { return words_.size(); }
