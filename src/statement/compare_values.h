@@ -1,0 +1,22 @@
+// Comparison of values up to rounding.
+#pragma once
+
+#include "poinsot/statement/value.h"
+
+namespace poinsot::statement {
+
+// The largest magnitude in a value.
+double size_of(const Value<double>& value);
+
+// Whether two values of one kind differ by no more than the tolerance (SI), item by item.
+bool same(const Value<double>& a, const Value<double>& b, double tolerance);
+
+// Numbers that are rounding beside the size become zero.
+void drop_noise(Value<double>& value, double size);
+
+// Of a list, that of its first item.
+Dimension dimension_of(const Value<double>& value);
+
+bool has_vector(const Value<double>& value);
+
+}  // namespace poinsot::statement
