@@ -55,7 +55,7 @@ TEST(Equivalence, TurnedAxesAndShiftedOrigin) {
     Style style;
     style.R = random.rotation();
     style.shift = random.vector(5);
-    expect_same(problem.text(), problem.text(style), 1e-9, style.R);
+    expect_same(problem.text(), problem.text(style), 1e-10, style.R);
     if (HasFatalFailure()) return;
   }
 }
@@ -67,7 +67,7 @@ TEST(Equivalence, OtherOrder) {
     ask_everything(problem);
     Style style;
     style.order = 1 + static_cast<std::uint64_t>(trial);
-    expect_same(problem.text(), problem.text(style), 1e-9);
+    expect_same(problem.text(), problem.text(style), 1e-10);
     if (HasFatalFailure()) return;
   }
 }
@@ -106,7 +106,7 @@ TEST(Equivalence, ABodySplitIntoParts) {
       }
       body.parts = parts;
     }
-    expect_same(whole.text(), split.text(), 1e-9);
+    expect_same(whole.text(), split.text(), 1e-10);
     if (HasFatalFailure()) return;
   }
 }
@@ -158,7 +158,7 @@ TEST(Equivalence, ABodySplitIntoTwoBodiesWithAWeld) {
         problem->asks.push_back("couple(" + joint.name + " on " + joint.to + " about P)");
       }
     }
-    expect_same(whole.text(), welded.text(), 1e-9);
+    expect_same(whole.text(), welded.text(), 1e-10);
     if (HasFatalFailure()) return;
   }
 }
@@ -210,7 +210,7 @@ TEST(Equivalence, OrderedAnglesAreGimbals) {
     for (const char* ask :
          {"force(psi on b0)", "couple(psi on b0 about P)", "drive(phi)", "drive(theta)", "drive(psi)"})
       gimbals.asks.push_back(ask);
-    expect_same(angles.text(), gimbals.text(), 1e-9);
+    expect_same(angles.text(), gimbals.text(), 1e-10);
     if (HasFatalFailure()) return;
   }
 }
@@ -280,7 +280,7 @@ TEST(Equivalence, ALoopCutElsewhere) {
     double fastest = 0;
     for (const SolvedAsk& ask : first.asks) fastest = std::max(fastest, size_of(ask.value));
     if (fastest > 500) continue;
-    expect_same(loop.text(), other.text(), 1e-9);
+    expect_same(loop.text(), other.text(), 1e-10);
     if (HasFatalFailure()) return;
     ++closed;
   }
@@ -363,7 +363,7 @@ TEST(Equivalence, DrawnWhereItStands) {
            {"angular_momentum(b0 about P)", "kinetic_energy(b0)", "acceleration(b0)", "angular_acceleration(b0)",
             "rate(angular_momentum(b0 about P))", "force(j0 on b0)", "couple(j0 on b0 about P)", "center(b0)"})
         problem->asks.push_back(ask);
-    expect_same(moved.text(), drawn.text(), 1e-9);
+    expect_same(moved.text(), drawn.text(), 1e-10);
     if (HasFatalFailure()) return;
   }
 }
@@ -413,7 +413,7 @@ TEST(Equivalence, MotionGivenForceFoundAndBack) {
       f.accel.reset();
       f.effort = dot(drive.value.vector, axis);
     }
-    expect_same(motion.text(), force.text(), 1e-9);
+    expect_same(motion.text(), force.text(), 1e-10);
     if (HasFatalFailure()) return;
   }
 }

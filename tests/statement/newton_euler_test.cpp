@@ -221,7 +221,7 @@ void expect_agreement(const ProblemData& stated, double tolerance) {
 TEST(NewtonEuler, AllKindsOfJoints) {
   Random random(201);
   for (int trial = 0; trial < 1000; ++trial) {
-    expect_agreement(random_problem(random, {.least_bodies = 1, .most_bodies = 5}), 1e-9);
+    expect_agreement(random_problem(random, {.least_bodies = 1, .most_bodies = 5}), 1e-10);
     if (HasFatalFailure()) return;
   }
 }
@@ -236,7 +236,7 @@ TEST_P(EachKind, AgreesWithNewtonAndEuler) {
     const ProblemData problem = random_problem(random, {.least_bodies = 1, .most_bodies = 2});
     if (problem.joints.back().kind != GetParam()) continue;
     ++met;
-    expect_agreement(problem, 1e-9);
+    expect_agreement(problem, 1e-10);
     if (HasFatalFailure()) return;
   }
   EXPECT_EQ(met, 100);
@@ -252,7 +252,7 @@ TEST(NewtonEuler, LoadsOnTheAxesOfTheBody) {
   for (int trial = 0; trial < 300; ++trial) {
     ProblemData problem = random_problem(random);
     for (LoadData& load : problem.loads) load.turns_along = true;
-    expect_agreement(problem, 1e-9);
+    expect_agreement(problem, 1e-10);
     if (HasFatalFailure()) return;
   }
 }
@@ -280,7 +280,7 @@ TEST(NewtonEuler, OrderedAngles) {
         f.effort = random.uniform(-4, 4);
       joint.freedoms.push_back(f);
     }
-    expect_agreement(problem, 1e-9);
+    expect_agreement(problem, 1e-10);
     if (HasFatalFailure()) return;
   }
 }
