@@ -101,7 +101,9 @@ int check(const std::vector<std::string>& paths) {
     ++failed;
     constexpr std::size_t most = 4;
     const auto shown = std::min(result.failures.size(), most);
-    std::string line = fmt::format("{}: {}", result.file, fmt::join(result.failures.begin(), result.failures.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
+    std::string line = fmt::format(
+        "{}: {}", result.file,
+        fmt::join(result.failures.begin(), result.failures.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
     if (result.failures.size() > shown) line += fmt::format("; {} more", result.failures.size() - shown);
     std::ranges::replace(line, '\n', ' ');
     text += line + "\n";

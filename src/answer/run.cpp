@@ -30,7 +30,8 @@ Datum datum(const Value<double>& value, double factor) {
 Solution solution_of(const statement::Statement& stated, const statement::Solution& solved) {
   Solution solution;
   for (const statement::SolvedUnknown& unknown : solved.unknowns)
-    solution.unknowns.push_back({unknown.name, datum(unknown.value, unknown.unit.factor), unknown.unit.text, datum(unknown.value, 1)});
+    solution.unknowns.push_back(
+        {unknown.name, datum(unknown.value, unknown.unit.factor), unknown.unit.text, datum(unknown.value, 1)});
   for (std::size_t i = 0; i < stated.asks.size(); ++i) {
     const statement::SolvedAsk& found = solved.asks[i];
     Answer answer;
@@ -67,14 +68,16 @@ Document document_of(const statement::Statement& stated, const statement::Solved
   Document document;
   document.file = stated.file;
   document.title = stated.title;
-  for (const statement::Letter& letter : solved.open_letters) document.open_letters.push_back({letter.name, letter.unit.text});
+  for (const statement::Letter& letter : solved.open_letters)
+    document.open_letters.push_back({letter.name, letter.unit.text});
   for (const statement::Solution& root : solved.solutions) document.solutions.push_back(solution_of(stated, root));
   document.warnings = solved.warnings;
   return document;
 }
 
 // What one part should be, in SI.
-Expectation expectation(const statement::Expected& expected, const statement::Problem& problem, const statement::Settings& settings) {
+Expectation expectation(const statement::Expected& expected, const statement::Problem& problem,
+                        const statement::Settings& settings) {
   Expectation result;
   result.part = expected.part;
   result.relative_tolerance = expected.relative_tolerance;
@@ -108,8 +111,8 @@ std::optional<statement::Dimension> dimension_of(const Value<double>& value) {
 }
 
 // What an expectation says of the kind of quantity, if it is another than the answer's.
-std::string wrong_kind(const statement::Expected& expected, const statement::Problem& problem, const statement::Settings& settings,
-                       const statement::Dimension& answer) {
+std::string wrong_kind(const statement::Expected& expected, const statement::Problem& problem,
+                       const statement::Settings& settings, const statement::Dimension& answer) {
   std::optional<statement::Dimension> stated;
   if (expected.value && expected.unit) stated = expected.unit->dimension;
   if (expected.formula) stated = dimension_of(statement::DataScope<double>(problem, settings).value(*expected.formula));
@@ -143,7 +146,8 @@ std::vector<std::string> check_file(const std::string& path) {
     Document seen = document;
     for (Solution& solution : seen.solutions)
       std::erase_if(solution.answers, [&](const Answer& answer) {
-        return std::none_of(expectations.begin(), expectations.end(), [&](const Expectation& e) { return e.part == answer.name; });
+        return std::none_of(expectations.begin(), expectations.end(),
+                            [&](const Expectation& e) { return e.part == answer.name; });
       });
     for (const std::string& failure : shortfalls(seen, expectations))
       failures.push_back(one.name.empty() ? failure : "case " + one.name + ": " + failure);

@@ -50,7 +50,8 @@ double gap_of(const Moment& moment, const VelocityConstraint<double>& c) {
 
 }  // namespace
 
-Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>& target, const std::vector<bool>& given) {
+Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>& target,
+                   const std::vector<bool>& given) {
   const Model<double>& tree = mechanism.tree;
   Closure result;
   result.q = neutral_state(tree).q;
@@ -67,7 +68,8 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
   std::vector<bool> movable(static_cast<std::size_t>(tree.velocity_size()), true);
   for (const Body<double>& body : tree.bodies())
     for (int k = 0; k < velocity_size(body.joint); ++k)
-      if (position_size(body.joint) == 1 && given[static_cast<std::size_t>(body.q)]) movable[static_cast<std::size_t>(body.v + k)] = false;
+      if (position_size(body.joint) == 1 && given[static_cast<std::size_t>(body.q)])
+        movable[static_cast<std::size_t>(body.v + k)] = false;
   const Scales scales = natural_scales(mechanism);
   Moment moment(mechanism);
   double largest = 0;
@@ -81,7 +83,8 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
     for (int iteration = 0; iteration < most; ++iteration) {
       moment.set_positions(result.q);
       LinearSystem system;
-      for (int k = 0; k < tree.velocity_size(); ++k) system.add_unknown("", coordinate_turns(tree, k) ? 1 : scales.length);
+      for (int k = 0; k < tree.velocity_size(); ++k)
+        system.add_unknown("", coordinate_turns(tree, k) ? 1 : scales.length);
       double worst = 0;
       for (std::size_t i : rows) {
         const VelocityConstraint<double>& c = mechanism.constraints[i];

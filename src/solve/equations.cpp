@@ -72,7 +72,8 @@ Row constraint_row(const Moment& moment, const VelocityConstraint<double>& c) {
       add(c.on, P, 1, d, true);
       add(c.from, P, -1, d, true);
       const Vector relative = angular_velocity(w, c.on) - w_from;
-      row.bias = dot(d, angular_acceleration(w, c.on) - angular_acceleration(w, c.from)) + dot(cross(w_from, d), relative);
+      row.bias =
+          dot(d, angular_acceleration(w, c.on) - angular_acceleration(w, c.from)) + dot(cross(w_from, d), relative);
       break;
     }
     case VelocityConstraintKind::point:
@@ -105,9 +106,12 @@ Row constraint_row(const Moment& moment, const VelocityConstraint<double>& c) {
 
 bool is_angular(const VelocityConstraint<double>& c) { return c.kind == VelocityConstraintKind::angular; }
 
-// The name of the second derivative from that of the first: "angular velocity of disk" -> "angular acceleration of disk".
+// The name of the second derivative from that of the first: "angular velocity of disk" -> "angular acceleration of
+// disk".
 std::string acceleration_name(std::string name) {
-  for (const auto& [rate, acceleration] : {std::pair{"the rate of ", "acceleration of "}, std::pair{"angular velocity", "angular acceleration"}, std::pair{"velocity", "acceleration"}}) {
+  for (const auto& [rate, acceleration] :
+       {std::pair{"the rate of ", "acceleration of "}, std::pair{"angular velocity", "angular acceleration"},
+        std::pair{"velocity", "acceleration"}}) {
     const std::size_t found = name.find(rate);
     if (found != std::string::npos) return name.replace(found, std::string_view(rate).size(), acceleration);
   }
@@ -208,8 +212,8 @@ Wrench Moment::component_wrench(const Component<double>& component) const {
   return wrench;
 }
 
-// What a motor about one axis passes on through gimbals that turn freely: a couple with moment one about its own axis and
-// none about the others.
+// What a motor about one axis passes on through gimbals that turn freely: a couple with moment one about its own axis
+// and none about the others.
 Wrench Moment::drive_wrench(const Drive<double>& drive) const {
   const Vector d = direction(drive.along);
   if (!drive.turning) return force_at(position(drive.at), d);
@@ -250,7 +254,8 @@ LinearSolution solve_velocities(const Moment& moment, const Scales& scales, cons
   const Mechanism<double>& mechanism = moment.mechanism();
   LinearSystem system;
   for (int k = 0; k < mechanism.tree.velocity_size(); ++k)
-    system.add_unknown(mechanism.coordinate_names[static_cast<std::size_t>(k)], coordinate_turns(mechanism.tree, k) ? 1 : scales.length);
+    system.add_unknown(mechanism.coordinate_names[static_cast<std::size_t>(k)],
+                       coordinate_turns(mechanism.tree, k) ? 1 : scales.length);
   for (const VelocityConstraint<double>& constraint : mechanism.constraints) {
     const std::size_t row = system.add_equation(constraint.words, is_angular(constraint) ? 1 : scales.length);
     const Row coefficients = constraint_row(moment, constraint);
@@ -295,10 +300,12 @@ LinearSolution solve_motion(const Moment& given, const Scales& scales, const std
   }
   const ForceUnknowns unknowns = force_unknowns(mechanism);
   for (std::size_t drive : unknowns.drive_of_effort)
-    system.add_unknown("drive(" + mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint + ")",
-                       mechanism.drives[drive].turning ? couple_scale : force_scale);
+    system.add_unknown(
+        "drive(" + mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint + ")",
+        mechanism.drives[drive].turning ? couple_scale : force_scale);
 
-  // Newton and Euler for each body that takes part: forces, then moments about its mass center (its origin if massless).
+  // Newton and Euler for each body that takes part: forces, then moments about its mass center (its origin if
+  // massless).
   std::vector<std::size_t> first_row(static_cast<std::size_t>(tree.body_count()), 0);
   std::vector<Vector> center(static_cast<std::size_t>(tree.body_count()));
   for (int i = 0; i < tree.body_count(); ++i) {
@@ -309,10 +316,12 @@ LinearSolution solve_motion(const Moment& given, const Scales& scales, const std
     center[static_cast<std::size_t>(i)] = G;
     std::size_t row = 0;
     for (int k = 0; k < 3; ++k) {
-      const std::size_t added = system.add_equation("forces on " + tree.name(i) + " along " + axis_names[k], force_scale);
+      const std::size_t added =
+          system.add_equation("forces on " + tree.name(i) + " along " + axis_names[k], force_scale);
       if (k == 0) row = added;
     }
-    for (int k = 0; k < 3; ++k) system.add_equation("moments on " + tree.name(i) + " about " + axis_names[k], couple_scale);
+    for (int k = 0; k < 3; ++k)
+      system.add_equation("moments on " + tree.name(i) + " about " + axis_names[k], couple_scale);
     first_row[static_cast<std::size_t>(i)] = row;
     if (!(mass > 0)) continue;
     const Momentum<double> known = body_momentum_rate(tree, moment.workspace(), i, G);
@@ -352,7 +361,9 @@ LinearSolution solve_motion(const Moment& given, const Scales& scales, const std
       }
     }
   };
-  const auto action_of = [&](const auto& item) -> const Action& { return mechanism.actions[static_cast<std::size_t>(item.action)]; };
+  const auto action_of = [&](const auto& item) -> const Action& {
+    return mechanism.actions[static_cast<std::size_t>(item.action)];
+  };
   std::size_t column = unknowns.accelerations;
   for (const Component<double>& component : mechanism.components) {
     on_both(action_of(component), moment.component_wrench(component),
@@ -367,7 +378,8 @@ LinearSolution solve_motion(const Moment& given, const Scales& scales, const std
   const auto known = [&](const auto& item, const Wrench& wrench) {
     on_both(action_of(item), wrench, [&](std::size_t row, double value, double) { system.add_right_side(row, value); });
   };
-  for (const Drive<double>& drive : mechanism.drives) known(drive, moment.known_effort(drive) * moment.drive_wrench(drive));
+  for (const Drive<double>& drive : mechanism.drives)
+    known(drive, moment.known_effort(drive) * moment.drive_wrench(drive));
   for (const KnownForce<double>& force : mechanism.forces) known(force, moment.known_wrench(force));
   for (const SpringLaw<double>& spring : mechanism.springs) known(spring, moment.spring_wrench(spring));
 
@@ -395,7 +407,8 @@ Wrench action_wrench(const Moment& moment, const std::vector<double>& unknowns, 
     ++column;
   }
   for (std::size_t drive : order.drive_of_effort) {
-    if (mechanism.drives[drive].action == index) total += unknowns[column] * moment.drive_wrench(mechanism.drives[drive]);
+    if (mechanism.drives[drive].action == index)
+      total += unknowns[column] * moment.drive_wrench(mechanism.drives[drive]);
     ++column;
   }
   for (const Drive<double>& drive : mechanism.drives)

@@ -40,7 +40,8 @@ LinearSolution solve_impulse(const Moment& before, const Scales& scales, const B
 
   LinearSystem system;
   for (int k = 0; k < tree.velocity_size(); ++k)
-    system.add_unknown(mechanism.coordinate_names[static_cast<std::size_t>(k)] + " after the blow", coordinate_turns(tree, k) ? 1 : scales.length);
+    system.add_unknown(mechanism.coordinate_names[static_cast<std::size_t>(k)] + " after the blow",
+                       coordinate_turns(tree, k) ? 1 : scales.length);
   for (const Component<double>& component : mechanism.components) {
     const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
     system.add_unknown(std::string(component.couple ? "impulsive couple" : "impulse") + "(" + action.name + ")" +
@@ -48,8 +49,9 @@ LinearSolution solve_impulse(const Moment& before, const Scales& scales, const B
                        component.couple ? couple_scale : impulse_scale);
   }
   for (std::size_t drive : unknowns.drive_of_effort)
-    system.add_unknown("impulsive drive(" + mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint + ")",
-                       mechanism.drives[drive].turning ? couple_scale : impulse_scale);
+    system.add_unknown(
+        "impulsive drive(" + mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint + ")",
+        mechanism.drives[drive].turning ? couple_scale : impulse_scale);
   for (const Impact& impact : blow.impacts) system.add_unknown("impulse(" + impact.name + ")", impulse_scale);
 
   // System momenta before + external impulses = system momenta after (Eq. 17.4), body by body, about its mass center.
@@ -63,7 +65,8 @@ LinearSolution solve_impulse(const Moment& before, const Scales& scales, const B
     center[static_cast<std::size_t>(i)] = G;
     std::size_t row = 0;
     for (int k = 0; k < 3; ++k) {
-      const std::size_t added = system.add_equation("impulses on " + tree.name(i) + " along " + axis_names[k], impulse_scale);
+      const std::size_t added =
+          system.add_equation("impulses on " + tree.name(i) + " along " + axis_names[k], impulse_scale);
       if (k == 0) row = added;
     }
     for (int k = 0; k < 3; ++k)
@@ -125,7 +128,8 @@ LinearSolution solve_impulse(const Moment& before, const Scales& scales, const B
   for (std::size_t i = 0; i < mechanism.constraints.size(); ++i) {
     const VelocityConstraint<double>& constraint = mechanism.constraints[i];
     if (constraint.action >= 0 && !acting[static_cast<std::size_t>(constraint.action)]) continue;
-    const std::size_t row = system.add_equation(constraint.words, constraint.kind == VelocityConstraintKind::angular ? 1 : scales.length);
+    const std::size_t row =
+        system.add_equation(constraint.words, constraint.kind == VelocityConstraintKind::angular ? 1 : scales.length);
     const std::vector<double> coefficients = constraint_coefficients(before, constraint);
     for (std::size_t k = 0; k < coefficients.size(); ++k)
       if (coefficients[k] != 0) system.add(row, k, coefficients[k]);
@@ -138,12 +142,15 @@ LinearSolution solve_impulse(const Moment& before, const Scales& scales, const B
   }
   for (std::size_t drive : unknowns.drive_of_effort) {
     const auto k = static_cast<std::size_t>(mechanism.drives[drive].coordinate);
-    const std::size_t row = system.add_equation(mechanism.coordinate_names[k] + " is held", coordinate_turns(tree, mechanism.drives[drive].coordinate) ? 1 : scales.length);
+    const std::size_t row =
+        system.add_equation(mechanism.coordinate_names[k] + " is held",
+                            coordinate_turns(tree, mechanism.drives[drive].coordinate) ? 1 : scales.length);
     system.add(row, k, 1);
     system.add_right_side(row, before.state().v[k]);
   }
   for (int k : blow.held_coordinates) {
-    const std::size_t row = system.add_equation(mechanism.coordinate_names[static_cast<std::size_t>(k)] + " is held", coordinate_turns(tree, k) ? 1 : scales.length);
+    const std::size_t row = system.add_equation(mechanism.coordinate_names[static_cast<std::size_t>(k)] + " is held",
+                                                coordinate_turns(tree, k) ? 1 : scales.length);
     system.add(row, static_cast<std::size_t>(k), 1);
     system.add_right_side(row, before.state().v[static_cast<std::size_t>(k)]);
   }
@@ -152,9 +159,10 @@ LinearSolution solve_impulse(const Moment& before, const Scales& scales, const B
     const std::size_t row = system.add_equation("restitution at '" + impact.name + "'", scales.length);
     const Vector P = before.position(impact.at), n = before.direction(impact.push);
     for (const auto& [body, sign] : {std::pair{impact.on, 1.0}, std::pair{impact.from, -1.0}})
-      for_each_coordinate_motion(tree, before.workspace(), body, P, [&, side = sign](int k, const SpatialMotion<double>& S) {
-        system.add(row, static_cast<std::size_t>(k), side * dot(n, S.linear));
-      });
+      for_each_coordinate_motion(tree, before.workspace(), body, P,
+                                 [&, side = sign](int k, const SpatialMotion<double>& S) {
+                                   system.add(row, static_cast<std::size_t>(k), side * dot(n, S.linear));
+                                 });
     system.add_right_side(row, -impact.restitution * approach(before, impact));
   }
   for (const Condition& condition : conditions) {
@@ -189,7 +197,8 @@ Wrench action_impulse(const Moment& moment, const Blow& blow, const std::vector<
     ++column;
   }
   for (std::size_t drive : order.drive_of_effort) {
-    if (mechanism.drives[drive].action == index) total += unknowns[column] * moment.drive_wrench(mechanism.drives[drive]);
+    if (mechanism.drives[drive].action == index)
+      total += unknowns[column] * moment.drive_wrench(mechanism.drives[drive]);
     ++column;
   }
   for (const Impact& impact : blow.impacts) {
@@ -200,10 +209,11 @@ Wrench action_impulse(const Moment& moment, const Blow& blow, const std::vector<
     if (impulse.action != index) continue;
     total += impulse.wrench;
     const Vector P = moment.position(impulse.at);
-    for_each_coordinate_motion(mechanism.tree, moment.workspace(), impulse.on, P, [&](int k, const SpatialMotion<double>& S) {
-      const Vector kept = (-impulse.absorbed * unknowns[static_cast<std::size_t>(k)]) * S.linear;
-      total += Wrench{cross(P, kept), kept};
-    });
+    for_each_coordinate_motion(
+        mechanism.tree, moment.workspace(), impulse.on, P, [&](int k, const SpatialMotion<double>& S) {
+          const Vector kept = (-impulse.absorbed * unknowns[static_cast<std::size_t>(k)]) * S.linear;
+          total += Wrench{cross(P, kept), kept};
+        });
   }
   return total;
 }

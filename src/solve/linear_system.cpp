@@ -37,9 +37,8 @@ void equilibrate(Eigen::MatrixXd& A, Eigen::VectorXd& rows, Eigen::VectorXd& col
 }  // namespace
 
 bool LinearSolution::determined(std::size_t unknown) const {
-  return std::none_of(share.begin(), share.end(), [&](const auto& moved) {
-    return std::find(moved.begin(), moved.end(), unknown) != moved.end();
-  });
+  return std::none_of(share.begin(), share.end(),
+                      [&](const auto& moved) { return std::find(moved.begin(), moved.end(), unknown) != moved.end(); });
 }
 
 std::size_t LinearSystem::add_unknown(std::string name, double scale) {
@@ -100,7 +99,8 @@ LinearSolution LinearSystem::solve() const {
     return solution;
   }
   for (Eigen::Index i = 0; i < m && n; ++i)
-    if (!known_rounding[static_cast<std::size_t>(i)]) rounding.row(i).setConstant(1e-14 * A.row(i).cwiseAbs().maxCoeff());
+    if (!known_rounding[static_cast<std::size_t>(i)])
+      rounding.row(i).setConstant(1e-14 * A.row(i).cwiseAbs().maxCoeff());
   A = (A.array().abs() <= rounding.array()).select(0, A);
   Eigen::VectorXd row_scale = Eigen::VectorXd::Ones(m), column_scale = Eigen::VectorXd::Ones(n);
   if (m && n) equilibrate(A, row_scale, column_scale);
@@ -128,9 +128,7 @@ LinearSolution LinearSystem::solve() const {
     for (Eigen::Index k = rank; k < n; ++k) {
       Eigen::VectorXd y = Eigen::VectorXd::Zero(n);
       if (rank > 0)
-        y.head(rank) = -R.topLeftCorner(rank, rank)
-                            .triangularView<Eigen::Upper>()
-                            .solve(R.col(k).head(rank));
+        y.head(rank) = -R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(R.col(k).head(rank));
       y[k] = 1;
       const Eigen::VectorXd direction = qr.colsPermutation() * y;
       const double size = direction.cwiseAbs().maxCoeff();

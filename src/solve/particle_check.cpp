@@ -71,7 +71,8 @@ std::vector<Displacement> displacements(const std::vector<CheckLink>& links, con
         if (link.type == JointType::free) {
           own.shift += Vector{q[link.position + 4], q[link.position + 5], q[link.position + 6]};
           // The velocity stands on the body's axes: its rate in space is a + w x v.
-          const Vector w{v[k], v[k + 1], v[k + 2]}, v_B{v[k + 3], v[k + 4], v[k + 5]}, a_B{a[k + 3], a[k + 4], a[k + 5]};
+          const Vector w{v[k], v[k + 1], v[k + 2]}, v_B{v[k + 3], v[k + 4], v[k + 5]},
+              a_B{a[k + 3], a[k + 4], a[k + 5]};
           own.shift += now * (t * v_B + (t * t / 2) * (a_B + cross(w, v_B)));
         }
         break;
@@ -104,7 +105,8 @@ Real ratio(Real misfit, Real size) {
 }  // namespace
 
 CheckResult check_with_particles(const std::vector<CheckLink>& links, const std::vector<CheckBody>& bodies,
-                                 const std::vector<double>& q, const std::vector<double>& v, const std::vector<double>& a) {
+                                 const std::vector<double>& q, const std::vector<double>& v,
+                                 const std::vector<double>& a) {
   // A step in which no angle changes by more than a few hundredths.
   Real pace = 0, length = 0;
   for (const CheckBody& body : bodies)
@@ -148,9 +150,12 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
       F_size += std::abs(m) * norm(acceleration);
       M_size += std::abs(m) * norm(x) * norm(acceleration);
     }
-    result.momentum = std::max<double>(result.momentum, static_cast<double>(ratio(norm(L - widened(body.momentum)), L_size)));
-    result.momentum = std::max<double>(result.momentum, static_cast<double>(ratio(norm(H - widened(body.angular_momentum)), H_size)));
-    result.energy = std::max<double>(result.energy, static_cast<double>(ratio(std::abs(T - Real(body.kinetic_energy)), T_size)));
+    result.momentum =
+        std::max<double>(result.momentum, static_cast<double>(ratio(norm(L - widened(body.momentum)), L_size)));
+    result.momentum =
+        std::max<double>(result.momentum, static_cast<double>(ratio(norm(H - widened(body.angular_momentum)), H_size)));
+    result.energy =
+        std::max<double>(result.energy, static_cast<double>(ratio(std::abs(T - Real(body.kinetic_energy)), T_size)));
     if (!body.forces_known) continue;
     const Vector force = widened(body.wrench.force), moment = widened(body.wrench.moment);
     force_misfit = larger(norm(F - force), force_misfit);
@@ -162,7 +167,8 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
   // Where only couples act, forces are small against couples over the length, and the other way round.
   if (length > 0) force_size = std::max(force_size, moment_size / length);
   moment_size = std::max(moment_size, force_size * length);
-  result.newton_euler = static_cast<double>(std::max(ratio(force_misfit, force_size), ratio(moment_misfit, moment_size)));
+  result.newton_euler =
+      static_cast<double>(std::max(ratio(force_misfit, force_size), ratio(moment_misfit, moment_size)));
   return result;
 }
 

@@ -18,7 +18,9 @@ constexpr double zero_tolerance = 1e-9;
 class RootFinder {
  public:
   RootFinder(const RootProblem& problem, double seconds)
-      : problem_(problem), n_(static_cast<Eigen::Index>(problem.ranges.size())), end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {}
+      : problem_(problem),
+        n_(static_cast<Eigen::Index>(problem.ranges.size())),
+        end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {}
 
   Roots find() {
     Roots roots;
@@ -49,7 +51,8 @@ class RootFinder {
 
   std::optional<VectorXd> equations(const VectorXd& u) const {
     std::vector<double> x(static_cast<std::size_t>(n_));
-    for (Eigen::Index k = 0; k < n_; ++k) x[static_cast<std::size_t>(k)] = u[k] * problem_.ranges[static_cast<std::size_t>(k)].scale;
+    for (Eigen::Index k = 0; k < n_; ++k)
+      x[static_cast<std::size_t>(k)] = u[k] * problem_.ranges[static_cast<std::size_t>(k)].scale;
     const auto values = problem_.equations(x);
     if (!values) return std::nullopt;
     VectorXd r(static_cast<Eigen::Index>(values->values.size()));
@@ -96,7 +99,8 @@ class RootFinder {
     for (const auto& known : roots.points) {
       bool same = true;
       for (std::size_t k = 0; k < x.size(); ++k)
-        same = same && std::abs(x[k] - known[k]) <= 1e-7 * std::max({std::abs(x[k]), std::abs(known[k]), 1e-3 * problem_.ranges[k].scale});
+        same = same && std::abs(x[k] - known[k]) <=
+                           1e-7 * std::max({std::abs(x[k]), std::abs(known[k]), 1e-3 * problem_.ranges[k].scale});
       if (same) return;
     }
     roots.points.push_back(std::move(x));
@@ -133,7 +137,8 @@ class RootFinder {
       for (Eigen::Index k = 0; k < n_; ++k)
         if (kernel.row(k).cwiseAbs().maxCoeff() > 1e-9) roots.open_unknowns.push_back(static_cast<std::size_t>(k));
       const VectorXd other = u + 0.7 * kernel.rowwise().sum();
-      for (Eigen::Index k = 0; k < n_; ++k) roots.alternative.push_back(other[k] * problem_.ranges[static_cast<std::size_t>(k)].scale);
+      for (Eigen::Index k = 0; k < n_; ++k)
+        roots.alternative.push_back(other[k] * problem_.ranges[static_cast<std::size_t>(k)].scale);
     }
     keep(u, roots);
     return true;
@@ -156,7 +161,10 @@ class RootFinder {
     for (Eigen::Index k = 0; k < n_; ++k) {
       const RootRange& range = problem_.ranges[static_cast<std::size_t>(k)];
       const bool low = std::isfinite(range.lower), high = std::isfinite(range.upper);
-      const double x = low && high ? 0.45 * range.lower + 0.55 * range.upper : low ? range.lower + range.scale : high ? range.upper - range.scale : 0.7 * range.scale;
+      const double x = low && high ? 0.45 * range.lower + 0.55 * range.upper
+                       : low       ? range.lower + range.scale
+                       : high      ? range.upper - range.scale
+                                   : 0.7 * range.scale;
       u[k] = x / range.scale;
     }
     return u;
@@ -185,7 +193,8 @@ class RootFinder {
       for (int i = 0; i < 60; ++i) {
         VectorXd u(n_);
         for (Eigen::Index k = 0; k < n_; ++k)
-          u[k] = at_part(static_cast<std::size_t>(k), part(random)) / problem_.ranges[static_cast<std::size_t>(k)].scale;
+          u[k] =
+              at_part(static_cast<std::size_t>(k), part(random)) / problem_.ranges[static_cast<std::size_t>(k)].scale;
         list.push_back(u);
       }
       return list;
@@ -208,7 +217,8 @@ class RootFinder {
         bool lowest = std::isfinite(at(i, j));
         for (int di = -1; di <= 1; ++di)
           for (int dj = -1; dj <= 1; ++dj)
-            if (i + di >= 0 && i + di < count && j + dj >= 0 && j + dj < columns) lowest = lowest && at(i, j) <= at(i + di, j + dj);
+            if (i + di >= 0 && i + di < count && j + dj >= 0 && j + dj < columns)
+              lowest = lowest && at(i, j) <= at(i + di, j + dj);
         if (lowest) list.push_back(grid[static_cast<std::size_t>(i * columns + j)]);
       }
     return list;
@@ -259,15 +269,18 @@ class RootFinder {
     for (Eigen::Index k = 0; k < n_; ++k)
       if (J->col(k).norm() * std::max(1.0, std::abs(u[k])) <= 1e-8 * size && inside(u)) {
         idle = true;
-        if (std::find(roots.open_unknowns.begin(), roots.open_unknowns.end(), static_cast<std::size_t>(k)) == roots.open_unknowns.end())
+        if (std::find(roots.open_unknowns.begin(), roots.open_unknowns.end(), static_cast<std::size_t>(k)) ==
+            roots.open_unknowns.end())
           roots.open_unknowns.push_back(static_cast<std::size_t>(k));
       }
     if (idle) {
       roots.open = true;
       if (!roots.points.empty()) {
         // Every value will do: one stands for all.
-        for (Eigen::Index k = 0; k < n_; ++k) roots.alternative.push_back(u[k] * problem_.ranges[static_cast<std::size_t>(k)].scale);
-        if (static_cast<Eigen::Index>(roots.alternative.size()) > n_) roots.alternative.resize(static_cast<std::size_t>(n_));
+        for (Eigen::Index k = 0; k < n_; ++k)
+          roots.alternative.push_back(u[k] * problem_.ranges[static_cast<std::size_t>(k)].scale);
+        if (static_cast<Eigen::Index>(roots.alternative.size()) > n_)
+          roots.alternative.resize(static_cast<std::size_t>(n_));
         return std::nullopt;
       }
       return u;

@@ -6,13 +6,14 @@
 namespace poinsot::statement {
 namespace {
 
-constexpr double noise = 1e-14;            // rounding, relative to the natural size of a quantity
+constexpr double noise = 1e-14;  // rounding, relative to the natural size of a quantity
 
 }  // namespace
 
 double size_of(const Value<double>& value) {
   if (value.is_number()) return std::abs(value.number);
-  if (value.is_vector()) return std::max({std::abs(value.vector.x), std::abs(value.vector.y), std::abs(value.vector.z)});
+  if (value.is_vector())
+    return std::max({std::abs(value.vector.x), std::abs(value.vector.y), std::abs(value.vector.z)});
   double largest = 0;
   for (const Value<double>& item : value.items) largest = std::max(largest, size_of(item));
   return largest;

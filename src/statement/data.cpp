@@ -29,7 +29,8 @@ const Unknown* find_unknown(const Problem& problem, const std::string& name) {
 }
 
 const Choice* find_choice(const Problem& problem, const std::string& name) {
-  const auto found = std::find_if(problem.choose.begin(), problem.choose.end(), [&](const Choice& choice) { return choice.name == name; });
+  const auto found = std::find_if(problem.choose.begin(), problem.choose.end(),
+                                  [&](const Choice& choice) { return choice.name == name; });
   return found == problem.choose.end() ? nullptr : &*found;
 }
 
@@ -173,8 +174,9 @@ DataScope<Scalar>::DataScope(const Problem& problem, const Settings& settings, S
 
 template <class Scalar>
 bool DataScope<Scalar>::knows(const std::string& name) const {
-  return find_unknown(problem_, name) || find_choice(problem_, name) || name == "time" || name == "g" || settings_.contains(name) || find_named(problem_.given, name) ||
-         find_letter(problem_, name) || find_named(problem_.points, name) || find_named(problem_.directions, name) ||
+  return find_unknown(problem_, name) || find_choice(problem_, name) || name == "time" || name == "g" ||
+         settings_.contains(name) || find_named(problem_.given, name) || find_letter(problem_, name) ||
+         find_named(problem_.points, name) || find_named(problem_.directions, name) ||
          std::find(problem_.axes.begin(), problem_.axes.end(), name) != problem_.axes.end();
 }
 
@@ -196,7 +198,8 @@ Value<Scalar> DataScope<Scalar>::lookup(const NamedExpression& item, const char*
 template <class Scalar>
 Value<Scalar> DataScope<Scalar>::name(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) {
   if (name.primes > 0)
-    evaluator.fail(mark, "'" + name.name + std::string(name.primes, '\'') + "' is a rate and cannot stand among the data",
+    evaluator.fail(mark,
+                   "'" + name.name + std::string(name.primes, '\'') + "' is a rate and cannot stand among the data",
                    "use it in instants:, define: or ask:");
   // One name, one meaning.
   std::vector<std::string> meanings;
@@ -281,12 +284,15 @@ Vector3<Scalar> DataScope<Scalar>::direction(const Expression& expression) {
   const Unary* sign = expression.as<Unary>();
   const Name* place = (sign ? sign->operand : expression).template as<Name>();
   if (place && place->primes == 0 && find_named(problem_.points, place->name))
-    fail(problem_.file, expression.mark(), "'" + place->name + "' is a place, not a direction", "write the direction to it, such as O->" + place->name);
+    fail(problem_.file, expression.mark(), "'" + place->name + "' is a place, not a direction",
+         "write the direction to it, such as O->" + place->name);
   const Value<Scalar> value = this->value(expression);
   if (!value.is_vector())
-    fail(problem_.file, expression.mark(), "expected a direction", "write an axis such as -y, A->B, or a list of three numbers");
+    fail(problem_.file, expression.mark(), "expected a direction",
+         "write an axis such as -y, A->B, or a list of three numbers");
   if (!(plain(norm_squared(value.vector)) > 0))
-    fail(problem_.file, expression.mark(), "this direction has length zero", "its two points coincide, or all its components vanish");
+    fail(problem_.file, expression.mark(), "this direction has length zero",
+         "its two points coincide, or all its components vanish");
   return normalized(value.vector);
 }
 
@@ -300,7 +306,8 @@ Scalar DataScope<Scalar>::gravity_size() {
       const Value<Scalar> gravity = value(*problem_.gravity);
       if (gravity.is_vector() && !gravity.bare && same_kind(gravity.dimension, dimensions::acceleration) &&
           std::abs(plain(norm(gravity.vector)) - plain(g)) > 1e-9 * plain(g))
-        fail(problem_.file, problem_.gravity->mark(), "gravity and the g under given: differ in size", "state one of them, or gravity: -y");
+        fail(problem_.file, problem_.gravity->mark(), "gravity and the g under given: differ in size",
+             "state one of them, or gravity: -y");
     }
     return g;
   }
@@ -311,7 +318,8 @@ Scalar DataScope<Scalar>::gravity_size() {
     const Name* word = problem_.gravity->as<Name>();
     if (!(word && word->name == "none")) {
       const Value<Scalar> gravity = value(*problem_.gravity);
-      if (gravity.is_vector() && !gravity.bare && same_kind(gravity.dimension, dimensions::acceleration)) return norm(gravity.vector);
+      if (gravity.is_vector() && !gravity.bare && same_kind(gravity.dimension, dimensions::acceleration))
+        return norm(gravity.vector);
     }
   }
   return Scalar(standard_gravity);

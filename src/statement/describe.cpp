@@ -98,7 +98,8 @@ std::string call_words(const Call& call, const Problem& problem) {
   }
   if (f == "reaction" || f == "reaction_couple") {
     const Sides sides = sides_of(problem, first);
-    return noun->second + " at " + first + rest + (sides.on.empty() ? "" : ", exerted on " + sides.on + " by " + sides.from);
+    return noun->second + " at " + first + rest +
+           (sides.on.empty() ? "" : ", exerted on " + sides.on + " by " + sides.from);
   }
   if (f == "drive") {
     const Sides sides = sides_of(problem, first);
@@ -131,7 +132,8 @@ std::string words_of(const Expression& expression, const Problem& problem) {
   if (const Call* call = expression.as<Call>()) return call_words(*call, problem);
   if (const At* at = expression.as<At>()) return words_of(at->expression, problem) + " @ " + at->instant;
   if (const Of* of = expression.as<Of>()) return words_of(of->point, problem) + " of " + words_of(of->body, problem);
-  if (const Member* member = expression.as<Member>()) return words_of(member->object, problem) + ", " + member->name + " component";
+  if (const Member* member = expression.as<Member>())
+    return words_of(member->object, problem) + ", " + member->name + " component";
   if (const Name* name = expression.as<Name>()) {
     if (name->primes == 1) return "rate of " + name->name;
     if (name->primes == 2) return "second derivative of " + name->name;
@@ -146,7 +148,9 @@ std::string describe(const Ask& ask, const Problem& problem, bool is_vector) {
   std::string words;
   for (const Expression& expression : ask.of) words += (words.empty() ? "" : "; ") + words_of(expression, problem);
   if (is_vector) {
-    const std::string axes = ask.axes ? (ask.axes->as<List>() ? "the axes " + to_string(*ask.axes) : "the axes of " + to_string(*ask.axes)) : "";
+    const std::string axes =
+        ask.axes ? (ask.axes->as<List>() ? "the axes " + to_string(*ask.axes) : "the axes of " + to_string(*ask.axes))
+                 : "";
     if (!axes.empty()) words += ", on " + axes;
   }
   return words;

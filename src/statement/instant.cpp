@@ -13,7 +13,8 @@ using Vector = Vector3<double>;
 
 }  // namespace
 
-SolvedInstant::SolvedInstant(const Problem& problem, const Settings& settings, const When& when, const OpenChoice& choice)
+SolvedInstant::SolvedInstant(const Problem& problem, const Settings& settings, const When& when,
+                             const OpenChoice& choice)
     : problem_(problem), settings_(settings), choice_(choice), random_(choice.seed) {
   if (problem.has_blow() && !problem.stages.empty())
     fail(problem.file, problem.stages.front().mark, "a problem has stages or something sudden, not both",
@@ -65,14 +66,17 @@ std::vector<const Instant*> SolvedInstant::instants_at(std::size_t stage) const 
   if (problem_.has_blow()) {
     for (const Instant& instant : problem_.instants) {
       if (instant.name != "before" && instant.name != "after")
-        fail(problem_.file, instant.mark, "the instants of a blow are called before and after, not '" + instant.name + "'");
+        fail(problem_.file, instant.mark,
+             "the instants of a blow are called before and after, not '" + instant.name + "'");
       if (instant.name == "before") found.push_back(&instant);
     }
     return found;
   }
   if (problem_.stages.empty()) {
     if (problem_.instants.size() > 1)
-      fail(problem_.file, problem_.instants[1].mark, "the instants '" + problem_.instants[0].name + "' and '" + problem_.instants[1].name + "' need stages that lead from one to the other",
+      fail(problem_.file, problem_.instants[1].mark,
+           "the instants '" + problem_.instants[0].name + "' and '" + problem_.instants[1].name +
+               "' need stages that lead from one to the other",
            "state one instant, or name the stages between them");
     for (const Instant& instant : problem_.instants) found.push_back(&instant);
     return found;
@@ -85,13 +89,15 @@ std::vector<const Instant*> SolvedInstant::instants_at(std::size_t stage) const 
       known = known || here;
       if (here && k == stage) found.push_back(&instant);
       if (here && k > 0 && stage == k)
-        fail(problem_.file, instant.mark, "what happens at '" + instant.name + "' follows from the stages before it", "state facts at the start of the first stage");
+        fail(problem_.file, instant.mark, "what happens at '" + instant.name + "' follows from the stages before it",
+             "state facts at the start of the first stage");
     }
     if (!known) {
       std::vector<std::string> names;
       for (const Stage& s : problem_.stages) names.insert(names.end(), {s.name, s.name + ".start"});
       const std::string hint = did_you_mean(instant.name, names);
-      fail(problem_.file, instant.mark, "there is no stage for the instant '" + instant.name + "'", hint.empty() ? "the start of a stage is called STAGE.start" : hint);
+      fail(problem_.file, instant.mark, "there is no stage for the instant '" + instant.name + "'",
+           hint.empty() ? "the start of a stage is called STAGE.start" : hint);
     }
   }
   return found;
@@ -109,7 +115,8 @@ void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
         std::vector<std::string> names;
         for (const NamedCoordinate& c : machine_.coordinates)
           if (!c.name.empty()) names.push_back(c.name);
-        fail(problem_.file, fact.mark, "'" + to_string(fact.quantity) + "' is no coordinate", did_you_mean(to_string(fact.quantity), names));
+        fail(problem_.file, fact.mark, "'" + to_string(fact.quantity) + "' is no coordinate",
+             did_you_mean(to_string(fact.quantity), names));
       }
       const auto k = static_cast<std::size_t>(coordinate->position);
       const double value = data_->number(fact.value, coordinate->turning ? dimensions::angle : dimensions::length);
@@ -125,10 +132,13 @@ void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
     for (const Joint& joint : problem_.joints)
       if (closure.where.find("'" + joint.name + "'") != std::string::npos) mark = joint.mark;
     for (const NamedCoordinate& coordinate : machine_.coordinates)
-      if (given[static_cast<std::size_t>(coordinate.position)] && q[static_cast<std::size_t>(coordinate.position)] != 0) mark = coordinate.mark;
+      if (given[static_cast<std::size_t>(coordinate.position)] && q[static_cast<std::size_t>(coordinate.position)] != 0)
+        mark = coordinate.mark;
     char text[200];
-    std::snprintf(text, sizeof text, "the mechanism does not close in the stated pose: %s is open by %.3g", closure.where.c_str(), closure.gap);
-    fail(problem_.file, mark, text, "the values of the coordinates do not fit together, or no position of the others closes the loop");
+    std::snprintf(text, sizeof text, "the mechanism does not close in the stated pose: %s is open by %.3g",
+                  closure.where.c_str(), closure.gap);
+    fail(problem_.file, mark, text,
+         "the values of the coordinates do not fit together, or no position of the others closes the loop");
   }
   machine_.q = closure.q;
   moment_->set_positions(machine_.q);
@@ -136,7 +146,8 @@ void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
 }
 
 double SolvedInstant::natural_unit(const Dimension& d) const {
-  return std::pow(scales_.length, d.length / 12.0) * std::pow(scales_.mass, d.mass / 12.0) * std::pow(scales_.time, d.time / 12.0);
+  return std::pow(scales_.length, d.length / 12.0) * std::pow(scales_.mass, d.mass / 12.0) *
+         std::pow(scales_.time, d.time / 12.0);
 }
 
 void SolvedInstant::take_misfits(const solve::LinearSolution& solution) {
@@ -153,7 +164,8 @@ void SolvedInstant::move_along(const solve::LinearSolution& solution, std::vecto
   }
 }
 
-void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants, const std::optional<std::vector<double>>& v) {
+void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants,
+                                     const std::optional<std::vector<double>>& v) {
   facts_ = instants;
   if (v) {
     // Carried over from the stage before; what is stated must still hold.
@@ -181,9 +193,13 @@ void SolvedInstant::solve_forces() {
   for (const VelocityConstraint<double>& constraint : machine_.mechanism.constraints)
     if (constraint.shape_unknown) {
       const std::string& name = machine_.mechanism.actions[static_cast<std::size_t>(constraint.action)].name;
-      const auto contact = std::find_if(problem_.contacts.begin(), problem_.contacts.end(), [&](const Contact& c) { return c.name == name; });
-      fail(problem_.file, contact->mark, "how the point of contact '" + name + "' moves is not known: the surfaces there are no circle, sphere or corner on a plane",
-           "velocities can be asked; for forces and accelerations give the body a round shape, or its inertia by axis:, axial:, transverse:");
+      const auto contact = std::find_if(problem_.contacts.begin(), problem_.contacts.end(),
+                                        [&](const Contact& c) { return c.name == name; });
+      fail(problem_.file, contact->mark,
+           "how the point of contact '" + name +
+               "' moves is not known: the surfaces there are no circle, sphere or corner on a plane",
+           "velocities can be asked; for forces and accelerations give the body a round shape, or its inertia by "
+           "axis:, axial:, transverse:");
     }
   motion_ = solve::solve_motion(*moment_, scales_, force_conditions(), &motion_equations_);
   if (choice_.trial)
@@ -196,7 +212,8 @@ void SolvedInstant::solve_forces() {
   moment_->set_accelerations(std::vector<double>(unknowns_.begin(), unknowns_.begin() + n));
 }
 
-void SolvedInstant::contradiction(const solve::LinearSystem& equations, const solve::LinearSolution& solution, bool forces) {
+void SolvedInstant::contradiction(const solve::LinearSystem& equations, const solve::LinearSolution& solution,
+                                  bool forces) {
   std::vector<std::string> names;
   Mark mark{1, 1};
   std::optional<Mark> fact_mark;
@@ -218,8 +235,8 @@ void SolvedInstant::contradiction(const solve::LinearSystem& equations, const so
   for (std::size_t i = 0; i < names.size() && i < 8; ++i) all += (all.empty() ? "" : "; ") + names[i];
   if (names.size() > 8) all += "; ...";
   const bool only_balance = forces && std::all_of(names.begin(), names.end(), [](const std::string& name) {
-    return name.starts_with("forces on ") || name.starts_with("moments on ");
-  });
+                              return name.starts_with("forces on ") || name.starts_with("moments on ");
+                            });
   if (only_balance) {
     if (mark.line == 1 && !problem_.joints.empty()) mark = problem_.joints.front().mark;
     fail(problem_.file, mark, "nothing carries what the motion needs: " + all,
@@ -242,11 +259,13 @@ QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, con
   return quantities;
 }
 
-Value<double> SolvedInstant::raw(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere) {
+Value<double> SolvedInstant::raw(const Expression& expression, const std::optional<Expression>& axes,
+                                 const Elsewhere& elsewhere) {
   return scope_for(expression, axes, elsewhere).value(expression);
 }
 
-Value<double> SolvedInstant::ask(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere) {
+Value<double> SolvedInstant::ask(const Expression& expression, const std::optional<Expression>& axes,
+                                 const Elsewhere& elsewhere) {
   QuantityScope<double> quantities = scope_for(expression, axes, elsewhere);
   Value<double> value = quantities.value(expression);
   const auto on_axes = [&](const auto& self, Value<double>& v) -> void {
@@ -258,7 +277,8 @@ Value<double> SolvedInstant::ask(const Expression& expression, const std::option
 }
 
 double SolvedInstant::natural_size(const Dimension& d) const {
-  // Only what grows with the pace of the motion has a size that rounding is measured by; of a thing at rest that is none.
+  // Only what grows with the pace of the motion has a size that rounding is measured by; of a thing at rest that is
+  // none.
   if (d.time > 0) return 0;
   double pace = 0;
   for (const BodyMotion<double>& motion : moment_->workspace().motion) {
@@ -289,8 +309,9 @@ std::vector<std::string> SolvedInstant::unphysical() const {
     for (std::size_t j = 0; j < mechanism.components.size(); ++j)
       if (!mechanism.components[j].couple) largest = std::max(largest, 1e-9 * std::abs(unknowns_[first + j]));
     if (unknowns_[first + k] >= -largest) continue;
-    found.push_back(action.kind == ActionKind::cord ? "the cord '" + action.name + "' would have to push: it goes slack"
-                                                    : "the contact '" + action.name + "' would have to pull: it is lost");
+    found.push_back(action.kind == ActionKind::cord
+                        ? "the cord '" + action.name + "' would have to push: it goes slack"
+                        : "the contact '" + action.name + "' would have to pull: it is lost");
   }
   return found;
 }
@@ -349,7 +370,8 @@ SolvedInstant::Residuals SolvedInstant::check() const {
   }
   if (impulse_size > 0) residuals.impulse = impulse_misfit / impulse_size;
   impulse_moment_size = std::max(impulse_moment_size, impulse_size * scales_.length);
-  if (impulse_moment_size > 0) residuals.impulse = std::max(residuals.impulse, impulse_moment_misfit / impulse_moment_size);
+  if (impulse_moment_size > 0)
+    residuals.impulse = std::max(residuals.impulse, impulse_moment_misfit / impulse_moment_size);
   residuals.particles = solve::check_with_particles(machine_.links, bodies, machine_.q, v_, a);
   return residuals;
 }

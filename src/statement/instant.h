@@ -16,20 +16,20 @@ namespace poinsot::statement {
 
 // How to choose what a statement leaves open. An answer is determined when no choice changes it.
 struct OpenChoice {
-  std::uint64_t seed = 0;    // of the random choices
-  bool any = false;          // values given as `any`
-  bool gravity = false;      // gravity, where nothing is said of it
-  bool velocities = false;   // velocities that nothing fixes
-  bool forces = false;       // accelerations and forces that nothing fixes; impulses at a blow
+  std::uint64_t seed = 0;     // of the random choices
+  bool any = false;           // values given as `any`
+  bool gravity = false;       // gravity, where nothing is said of it
+  bool velocities = false;    // velocities that nothing fixes
+  bool forces = false;        // accelerations and forces that nothing fixes; impulses at a blow
   std::size_t direction = 0;  // which of the open directions of these, or `every`
 
   static constexpr std::size_t every = static_cast<std::size_t>(-1);
-  bool trial = false;        // unknowns have trial values: what does not hold is a misfit, not an error
+  bool trial = false;  // unknowns have trial values: what does not hold is a misfit, not an error
 };
 
 // Where in time: the only instant, the start of a stage, or just before or after a blow.
 struct When {
-  std::size_t stage = 0;     // number of stages passed before
+  std::size_t stage = 0;  // number of stages passed before
   bool after_blow = false;
 };
 
@@ -93,16 +93,19 @@ class SolvedInstant {
   void take_misfits(const solve::LinearSolution& solution);
   void move_along(const solve::LinearSolution& solution, std::vector<double>& values);
   void run_stages(std::size_t count);
-  std::vector<double> accelerations_at(double time, const std::vector<double>& q, const std::vector<double>& v, std::size_t stage);
+  std::vector<double> accelerations_at(double time, const std::vector<double>& q, const std::vector<double>& v,
+                                       std::size_t stage);
   double natural_unit(const Dimension& dimension) const;
-  [[noreturn]] void contradiction(const solve::LinearSystem& equations, const solve::LinearSolution& solution, bool forces);
-  QuantityScope<double> scope_for(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere);
+  [[noreturn]] void contradiction(const solve::LinearSystem& equations, const solve::LinearSolution& solution,
+                                  bool forces);
+  QuantityScope<double> scope_for(const Expression& expression, const std::optional<Expression>& axes,
+                                  const Elsewhere& elsewhere);
 
   const Problem& problem_;
   const Settings& settings_;
   OpenChoice choice_;
   std::mt19937_64 random_;
-  std::vector<double> any_values_;    // chosen so far, so that every building of the machine takes the same
+  std::vector<double> any_values_;  // chosen so far, so that every building of the machine takes the same
   std::unique_ptr<DataScope<double>> data_;
   std::unique_ptr<DataScope<TimeJet>> timed_;
   Machine machine_;

@@ -1,9 +1,8 @@
 // The instant after a blow.
-#include "statement/instant.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "statement/instant.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
@@ -24,7 +23,9 @@ void SolvedInstant::solve_blow() {
       const auto center_velocity = [&](int body) {
         if (body == ground) return Vector::zero();
         const double mass = machine_.mechanism.tree.body(body).inertia.mass;
-        return mass > 0 ? body_momentum(machine_.mechanism.tree, moment_->workspace(), body, Vector::zero()).linear / mass : Vector::zero();
+        return mass > 0
+                   ? body_momentum(machine_.mechanism.tree, moment_->workspace(), body, Vector::zero()).linear / mass
+                   : Vector::zero();
       };
       const Vector absolute = vector + stated.particle_mass * center_velocity(*stated.relative_to);
       const Vector relative = absolute - stated.particle_mass * center_velocity(stated.on);
@@ -36,8 +37,11 @@ void SolvedInstant::solve_blow() {
   }
   for (const solve::Impact& impact : machine_.impacts) {
     if (approach(*moment_, impact) >= 0) {
-      const auto stated = std::find_if(problem_.impacts.begin(), problem_.impacts.end(), [&](const Impact& i) { return i.name == impact.name; });
-      fail(problem_.file, stated->mark, "nothing strikes at impact '" + impact.name + "': before it the two do not approach each other along the push",
+      const auto stated = std::find_if(problem_.impacts.begin(), problem_.impacts.end(),
+                                       [&](const Impact& i) { return i.name == impact.name; });
+      fail(problem_.file, stated->mark,
+           "nothing strikes at impact '" + impact.name +
+               "': before it the two do not approach each other along the push",
            "check the direction under pushes: and the motion before");
     }
     blow_.impacts.push_back(impact);
@@ -71,7 +75,8 @@ void SolvedInstant::solve_blow() {
     bool good = choice_.trial || solution.conflict.empty();
     for (std::size_t k = 0; good && k < mechanism.components.size(); ++k) {
       const auto action = static_cast<std::size_t>(mechanism.components[k].action);
-      if (mechanism.components[k].one_sided && acting[action]) good = solution.value[n + k] >= -1e-9 * (largest + 1e-6 * impulse_unit);
+      if (mechanism.components[k].one_sided && acting[action])
+        good = solution.value[n + k] >= -1e-9 * (largest + 1e-6 * impulse_unit);
     }
     for (std::size_t i = 0; good && i < mechanism.constraints.size(); ++i) {
       const VelocityConstraint<double>& constraint = mechanism.constraints[i];
@@ -90,7 +95,9 @@ void SolvedInstant::solve_blow() {
     if (choice_.trial) take_misfits(blow_solution_);
     if (!good && !choice_.trial) {
       if (one_sided.empty()) contradiction(blow_equations_, blow_solution_, true);
-      fail(problem_.file, {1, 1}, "no motion after the blow fits: whichever cords and contacts act, one would have to push or pull the wrong way");
+      fail(problem_.file, {1, 1},
+           "no motion after the blow fits: whichever cords and contacts act, one would have to push or pull the wrong "
+           "way");
     }
     break;
   }
@@ -98,7 +105,8 @@ void SolvedInstant::solve_blow() {
   if (choice_.forces) move_along(blow_solution_, impulses_);
   for (std::size_t k = 0; k < blow_.impacts.size(); ++k)
     if (impulses_[impulses_.size() - blow_.impacts.size() + k] < -1e-9 * impulse_unit && !choice_.forces)
-      fail(problem_.file, {1, 1}, "the impact '" + blow_.impacts[k].name + "' would have to pull", "check the direction under pushes:");
+      fail(problem_.file, {1, 1}, "the impact '" + blow_.impacts[k].name + "' would have to pull",
+           "check the direction under pushes:");
   v_.assign(impulses_.begin(), impulses_.begin() + static_cast<std::ptrdiff_t>(n));
   moment_->set_velocities(v_);
 }

@@ -1,9 +1,8 @@
 // What is stated about rates, velocities, accelerations and forces, as linear conditions.
-#include "statement/instant.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "statement/instant.h"
 #include "statement/reader.h"
 #include "statement/scalar_value.h"
 
@@ -80,7 +79,8 @@ std::vector<solve::Condition> SolvedInstant::velocity_facts(const std::vector<co
     for (std::size_t k = 0; k < n; ++k) state.v.push_back(k == seed ? Dual<1>::variable(v[k], 0) : Dual<1>(v[k]));
     QuantityScope<Dual<1>> scope(machine_, model, data, std::move(state));
     scope.set_elsewhere([&](const At& past, const Mark& mark) {
-      if (past.instant != "before" || !before_) fail(problem_.file, mark, "a fact can look back to `before` a blow only, not to '" + past.instant + "'");
+      if (past.instant != "before" || !before_)
+        fail(problem_.file, mark, "a fact can look back to `before` a blow only, not to '" + past.instant + "'");
       QuantityScope<double> earlier(machine_, machine_.mechanism.tree, *data_, before_->state());
       return lifted<Dual<1>>(earlier.value(past.expression));
     });
@@ -90,9 +90,11 @@ std::vector<solve::Condition> SolvedInstant::velocity_facts(const std::vector<co
     if (instant->rest) {
       for (std::size_t k = 0; k < n; ++k) {
         // Frames move as they state.
-        const auto moved = std::find_if(machine_.links.begin(), machine_.links.end(), [&](const solve::CheckLink& link) {
-          return static_cast<int>(k) >= link.velocity && static_cast<int>(k) < link.velocity + velocity_size(link.type);
-        });
+        const auto moved =
+            std::find_if(machine_.links.begin(), machine_.links.end(), [&](const solve::CheckLink& link) {
+              return static_cast<int>(k) >= link.velocity &&
+                     static_cast<int>(k) < link.velocity + velocity_size(link.type);
+            });
         const auto body = static_cast<std::size_t>(moved - machine_.links.begin());
         const bool frame = std::any_of(problem_.frames.begin(), problem_.frames.end(), [&](const Frame& f) {
           return machine_.index.at(f.name) == static_cast<int>(body);
@@ -108,12 +110,13 @@ std::vector<solve::Condition> SolvedInstant::velocity_facts(const std::vector<co
       const std::vector<double> zero(n, 0.0);
       const auto base = at(zero, n, fact);
       for (std::size_t i = 0; i < base.size(); ++i)
-        conditions.push_back({"'" + instant->name + "': " + to_string(fact.quantity), std::vector<double>(n), -base[i].value.value,
-                              natural_unit(base[i].dimension)});
+        conditions.push_back({"'" + instant->name + "': " + to_string(fact.quantity), std::vector<double>(n),
+                              -base[i].value.value, natural_unit(base[i].dimension)});
       const std::size_t first = conditions.size() - base.size();
       for (std::size_t k = 0; k < n; ++k) {
         const auto slope = at(zero, k, fact);
-        for (std::size_t i = 0; i < slope.size(); ++i) conditions[first + i].coefficients[k] = slope[i].value.partial[0];
+        for (std::size_t i = 0; i < slope.size(); ++i)
+          conditions[first + i].coefficients[k] = slope[i].value.partial[0];
       }
       // A fact that is not linear would give one of several motions, silently.
       std::vector<double> other(n);
@@ -127,7 +130,8 @@ std::vector<solve::Condition> SolvedInstant::velocity_facts(const std::vector<co
           size += std::abs(conditions[first + i].coefficients[k] * other[k]);
         }
         if (std::abs(there[i].value.value - linear) > 1e-9 * (size + std::abs(there[i].value.value)))
-          fail(problem_.file, fact.mark, "'" + to_string(fact.quantity) + "' is not linear in the velocities: it does not fix them alone",
+          fail(problem_.file, fact.mark,
+               "'" + to_string(fact.quantity) + "' is not linear in the velocities: it does not fix them alone",
                "state rates, velocities or momenta");
       }
     }
@@ -158,11 +162,13 @@ std::vector<solve::Condition> SolvedInstant::force_conditions() {
       const auto base = at(unknowns, fact);
       const std::size_t first = conditions.size();
       for (const auto& difference : base)
-        conditions.push_back({"'" + instant->name + "': " + to_string(fact.quantity), std::vector<double>(n), -difference.value, natural_unit(difference.dimension)});
+        conditions.push_back({"'" + instant->name + "': " + to_string(fact.quantity), std::vector<double>(n),
+                              -difference.value, natural_unit(difference.dimension)});
       for (std::size_t k = 0; k < n; ++k) {
         unknowns[k] = 1;
         const auto one = at(unknowns, fact);
-        for (std::size_t i = 0; i < one.size(); ++i) conditions[first + i].coefficients[k] = one[i].value - base[i].value;
+        for (std::size_t i = 0; i < one.size(); ++i)
+          conditions[first + i].coefficients[k] = one[i].value - base[i].value;
         unknowns[k] = 0;
       }
     }

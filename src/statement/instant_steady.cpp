@@ -1,8 +1,8 @@
 // What `steady:` says of velocities and accelerations.
-#include "statement/instant.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "statement/instant.h"
 
 namespace poinsot::statement {
 namespace {
@@ -24,20 +24,24 @@ void SolvedInstant::add_steady(std::vector<solve::Condition>& conditions, bool a
   const Steady& steady = *problem_.steady;
   const Model<double>& tree = machine_.mechanism.tree;
   const int frame = machine_.index.at(steady.frame);
-  const std::size_t size = accelerations ? solve::force_unknowns(machine_.mechanism).size() : static_cast<std::size_t>(tree.velocity_size());
+  const std::size_t size =
+      accelerations ? solve::force_unknowns(machine_.mechanism).size() : static_cast<std::size_t>(tree.velocity_size());
   const std::string words = "steady motion in '" + steady.frame + "'";
   const auto stated = [&](const std::vector<StatedRate>& list, int k) {
     return std::any_of(list.begin(), list.end(), [&](const StatedRate& rate) { return rate.velocity == k; });
   };
-  const auto rides = std::find_if(problem_.frames.begin(), problem_.frames.end(), [&](const Frame& f) { return f.name == steady.frame; });
+  const auto rides = std::find_if(problem_.frames.begin(), problem_.frames.end(),
+                                  [&](const Frame& f) { return f.name == steady.frame; });
   const Workspace<double>& w = moment_->workspace();
   const BodyMotion<double>& F = w.motion[static_cast<std::size_t>(frame + 1)];
   for (int i = 0; i < tree.body_count(); ++i) {
     const auto& body = tree.body(i);
     const std::string& name = tree.name(i);
-    const bool is_frame = std::any_of(problem_.frames.begin(), problem_.frames.end(), [&](const Frame& f) { return machine_.index.at(f.name) == i; });
+    const bool is_frame = std::any_of(problem_.frames.begin(), problem_.frames.end(),
+                                      [&](const Frame& f) { return machine_.index.at(f.name) == i; });
     if (is_frame || i == frame) continue;
-    const auto spin = std::find_if(steady.spins.begin(), steady.spins.end(), [&](const Spin& s) { return s.body == name; });
+    const auto spin =
+        std::find_if(steady.spins.begin(), steady.spins.end(), [&](const Spin& s) { return s.body == name; });
     if (hangs_on(i, frame) && frame != ground && spin == steady.spins.end()) {
       for (int k = body.v; k < body.v + velocity_size(body.joint); ++k) {
         if (stated(accelerations ? machine_.accelerations : machine_.rates, k)) continue;
@@ -54,7 +58,8 @@ void SolvedInstant::add_steady(std::vector<solve::Condition>& conditions, bool a
     if (hangs_on(frame, i)) continue;  // it carries the frame
     // w = W + s u, alpha = dW/dt + W x s u; the mass center goes with the frame.
     Vector spin_vector = Vector::zero();
-    if (spin != steady.spins.end()) spin_vector = data_->number(spin->rate, dimensions::angular_velocity) * data_->direction(spin->about);
+    if (spin != steady.spins.end())
+      spin_vector = data_->number(spin->rate, dimensions::angular_velocity) * data_->direction(spin->about);
     const bool rides_here = rides != problem_.frames.end() && rides->rides_on == name;
     const double mass = body.inertia.mass;
     const Vector G = mass > 0 ? body_mass_center(tree, w, i) : w.motion[static_cast<std::size_t>(i + 1)].p;

@@ -39,7 +39,8 @@ class MachineBuilder {
     add_tree();
     machine_.mechanism.tree = builder_.build();
     machine_.mechanism.takes_part.resize(static_cast<std::size_t>(machine_.mechanism.tree.body_count()), false);
-    for (const Body& body : problem_.bodies) machine_.mechanism.takes_part[static_cast<std::size_t>(machine_.index.at(body.name))] = true;
+    for (const Body& body : problem_.bodies)
+      machine_.mechanism.takes_part[static_cast<std::size_t>(machine_.index.at(body.name))] = true;
     for (const Joint& joint : problem_.joints) add_joint_actions(joint);
     for (const Contact& contact : problem_.contacts) add_contact(contact);
     for (const Cord& cord : problem_.cords) add_cord(cord);
@@ -63,16 +64,19 @@ class MachineBuilder {
     if (problem_.gravity) {
       const Name* name = problem_.gravity->as<Name>();
       if (name && !data_.knows(name->name) && name->name != "none")
-        fail(file(), problem_.gravity->mark(), "'" + name->name + "' is no direction for gravity", "write gravity: -y or gravity: none");
+        fail(file(), problem_.gravity->mark(), "'" + name->name + "' is no direction for gravity",
+             "write gravity: -y or gravity: none");
       if (name && name->name == "none" && name->primes == 0) {
         gravity = Vector::zero();
       } else {
         const Value<double> value = data_.value(*problem_.gravity);
-        const bool direction = value.bare || same_kind(value.dimension, dimensions::none) || same_kind(value.dimension, dimensions::length);
+        const bool direction = value.bare || same_kind(value.dimension, dimensions::none) ||
+                               same_kind(value.dimension, dimensions::length);
         if (value.is_vector() && same_kind(value.dimension, dimensions::acceleration) && !value.bare)
           gravity = value.vector;
         else if (!value.is_vector() || !direction)
-          fail(file(), problem_.gravity->mark(), "gravity is " + to_string(value.dimension) + "; expected a direction or a vector of acceleration",
+          fail(file(), problem_.gravity->mark(),
+               "gravity is " + to_string(value.dimension) + "; expected a direction or a vector of acceleration",
                "write gravity: -y, gravity: none, or gravity: [0, -9.8 m/s^2, 0]");
         else
           gravity = data_.gravity_size() * data_.direction(*problem_.gravity);
@@ -87,7 +91,8 @@ class MachineBuilder {
     std::optional<double> derivative, second_derivative;
   };
   Rate timed_number(const Expression& expression, const Dimension& dimension) {
-    if (!depends_on_time(problem_, expression)) return {data_.number(expression, dimension), std::nullopt, std::nullopt};
+    if (!depends_on_time(problem_, expression))
+      return {data_.number(expression, dimension), std::nullopt, std::nullopt};
     const TimeJet value = timed_.number(expression, dimension);
     return {value.value.value, value.partial[0].value, value.partial[0].partial[0]};
   }
@@ -96,7 +101,8 @@ class MachineBuilder {
                const MassProperties<double>& mass) {
     int link = 0;
     try {
-      link = builder_.add_body(name, parent, joint, SpatialTransform<double>::translation(origin - machine_.drawn_origin.at(parent)),
+      link = builder_.add_body(name, parent, joint,
+                               SpatialTransform<double>::translation(origin - machine_.drawn_origin.at(parent)),
                                translated(-origin, mass));
     } catch (const std::invalid_argument& error) {
       Mark mark{1, 1};
@@ -123,13 +129,13 @@ class MachineBuilder {
           std::string(k < 3 ? "angular velocity of " : "velocity of ") + owner + " along " + problem_.axes[k % 3];
   }
 
-  void state_rate(std::vector<StatedRate>& list, const std::string& words, std::size_t velocity, double value, bool turning,
-                  const Mark& mark) {
+  void state_rate(std::vector<StatedRate>& list, const std::string& words, std::size_t velocity, double value,
+                  bool turning, const Mark& mark) {
     list.push_back({words, static_cast<int>(velocity), value, turning, mark});
   }
 
   void add_frame(const Frame& frame) {
-    const Vector origin = frame.origin ? data_.place(*frame.origin)
+    const Vector origin = frame.origin             ? data_.place(*frame.origin)
                           : frame.rides_on.empty() ? Vector::zero()
                                                    : masses_[index_of_body(frame.rides_on)].properties.center;
     const std::string owner = "frame '" + frame.name + "'";
@@ -139,11 +145,13 @@ class MachineBuilder {
     if (frame.turns) {
       const Vector axis = data_.direction(*frame.turns);
       const Rate rate = timed_number(*frame.rate, dimensions::angular_velocity);
-      const double accel = frame.accel ? timed_number(*frame.accel, dimensions::angular_acceleration).value : rate.derivative.value_or(0);
+      const double accel = frame.accel ? timed_number(*frame.accel, dimensions::angular_acceleration).value
+                                       : rate.derivative.value_or(0);
       w = rate.value * axis;
       alpha = accel * axis;
       if (!translates) {
-        machine_.index[frame.name] = add_link(frame.name, ground, poinsot::Joint<double>::revolute(axis), origin, massless<double>());
+        machine_.index[frame.name] =
+            add_link(frame.name, ground, poinsot::Joint<double>::revolute(axis), origin, massless<double>());
         machine_.mechanism.coordinate_names[first] = "rate of " + owner;
         state_rate(machine_.rates, owner + ": rate", first, rate.value, true, frame.mark);
         state_rate(machine_.accelerations, owner + ": accel", first, accel, true, frame.mark);
@@ -151,10 +159,12 @@ class MachineBuilder {
       }
     }
     if (!translates) {
-      machine_.index[frame.name] = add_link(frame.name, ground, poinsot::Joint<double>::weld(), origin, massless<double>());
+      machine_.index[frame.name] =
+          add_link(frame.name, ground, poinsot::Joint<double>::weld(), origin, massless<double>());
       return;
     }
-    machine_.index[frame.name] = add_link(frame.name, ground, poinsot::Joint<double>::free(), origin, massless<double>());
+    machine_.index[frame.name] =
+        add_link(frame.name, ground, poinsot::Joint<double>::free(), origin, massless<double>());
     name_free(owner, first, 6);
     const Vector v = frame.velocity ? data_.vector(*frame.velocity, dimensions::velocity) : Vector::zero();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -177,7 +187,8 @@ class MachineBuilder {
 
   static bool states_motion(const Joint& joint) {
     return std::any_of(joint.freedoms.begin(), joint.freedoms.end(), [](const Freedom& freedom) {
-      return freedom.position || freedom.rate || freedom.accel || freedom.effort || freedom.stiffness || freedom.damping;
+      return freedom.position || freedom.rate || freedom.accel || freedom.effort || freedom.stiffness ||
+             freedom.damping;
     });
   }
 
@@ -214,7 +225,8 @@ class MachineBuilder {
       const std::size_t first = next_velocity();
       const std::size_t i = static_cast<std::size_t>(free - problem_.bodies.begin());
       const Vector origin = free->massless ? Vector::zero() : masses_[i].properties.center;
-      machine_.index[free->name] = add_link(free->name, ground, poinsot::Joint<double>::free(), origin, masses_[i].properties);
+      machine_.index[free->name] =
+          add_link(free->name, ground, poinsot::Joint<double>::free(), origin, masses_[i].properties);
       name_free(free->name, first, 6);
       placed.insert(free->name);
     }
@@ -223,8 +235,8 @@ class MachineBuilder {
 
   struct Axes {
     Vector at;
-    std::vector<Vector> freedom;   // direction of each freedom
-    std::optional<Vector> main;    // the joint's axis, normal or direction
+    std::vector<Vector> freedom;  // direction of each freedom
+    std::optional<Vector> main;   // the joint's axis, normal or direction
   };
   Axes axes_of(const Joint& joint) {
     Axes axes;
@@ -234,7 +246,8 @@ class MachineBuilder {
       if (const Arrow* arrow = joint.place.as<Arrow>()) return data_.place(arrow->from);
       if (!joint.supports.empty()) return support_place(joint.supports.front());
       if (joint.kind == JointKind::prismatic) return Vector::zero();
-      fail(file(), joint.mark, "joint '" + joint.name + "' has a direction but no place", "write at: P, a point of its axis");
+      fail(file(), joint.mark, "joint '" + joint.name + "' has a direction but no place",
+           "write at: P, a point of its axis");
     };
     switch (joint.kind) {
       case JointKind::weld:
@@ -303,10 +316,12 @@ class MachineBuilder {
     if (joint.kind == JointKind::weld || (joint.kind == JointKind::ball && joint.freedoms.empty())) {
       const std::size_t first = next_velocity();
       const bool ball = joint.kind == JointKind::ball;
-      machine_.index[child] = add_link(child, parent, ball ? poinsot::Joint<double>::ball() : poinsot::Joint<double>::weld(), axes.at, mass);
+      machine_.index[child] = add_link(
+          child, parent, ball ? poinsot::Joint<double>::ball() : poinsot::Joint<double>::weld(), axes.at, mass);
       if (ball)
         for (std::size_t k = 0; k < 3; ++k)
-          machine_.mechanism.coordinate_names[first + k] = "angular velocity of " + child + " at " + joint.name + " along " + problem_.axes[k];
+          machine_.mechanism.coordinate_names[first + k] =
+              "angular velocity of " + child + " at " + joint.name + " along " + problem_.axes[k];
       return;
     }
     const std::size_t n = joint.freedoms.size();
@@ -317,8 +332,8 @@ class MachineBuilder {
       const Vector direction = reversed ? -axes.freedom[k] : axes.freedom[k];
       const std::size_t velocity = next_velocity();
       const std::size_t position = machine_.q.size();
-      const int link = add_link(last ? child : joint.name + "." + freedom.name, parent, link_joint(joint, k, direction), axes.at,
-                                last ? mass : massless<double>());
+      const int link = add_link(last ? child : joint.name + "." + freedom.name, parent, link_joint(joint, k, direction),
+                                axes.at, last ? mass : massless<double>());
       link_of_freedom_[{joint.name, k}] = {link, parent};
       name_coordinate(joint, freedom, position, velocity);
       parent = link;
@@ -349,7 +364,8 @@ class MachineBuilder {
         coordinate.mark = freedom.position->mark();
         for (const NamedCoordinate& other : machine_.coordinates)
           if (other.name == coordinate.name)
-            fail(file(), coordinate.mark, "two coordinates have the name '" + coordinate.name + "'", "rename one of them");
+            fail(file(), coordinate.mark, "two coordinates have the name '" + coordinate.name + "'",
+                 "rename one of them");
       }
       if (valued) {
         const Rate value = timed_number(*freedom.position, freedom.turning ? dimensions::angle : dimensions::length);
@@ -358,30 +374,35 @@ class MachineBuilder {
         if (value.derivative) {
           const std::string words = owner + ": position as a function of time";
           state_rate(machine_.rates, words, velocity, *value.derivative, freedom.turning, freedom.position->mark());
-          state_rate(machine_.accelerations, words, velocity, *value.second_derivative, freedom.turning, freedom.position->mark());
+          state_rate(machine_.accelerations, words, velocity, *value.second_derivative, freedom.turning,
+                     freedom.position->mark());
         }
       }
     }
     machine_.mechanism.coordinate_names[velocity] =
         "the rate of " + (coordinate.name.empty() ? owner : "'" + coordinate.name + "' at " + owner);
     if (freedom.rate) {
-      const Rate rate = timed_number(*freedom.rate, freedom.turning ? dimensions::angular_velocity : dimensions::velocity);
+      const Rate rate =
+          timed_number(*freedom.rate, freedom.turning ? dimensions::angular_velocity : dimensions::velocity);
       state_rate(machine_.rates, owner + ": rate", velocity, rate.value, freedom.turning, freedom.rate->mark());
       if (rate.derivative && !freedom.accel)
-        state_rate(machine_.accelerations, owner + ": rate as a function of time", velocity, *rate.derivative, freedom.turning,
-                   freedom.rate->mark());
+        state_rate(machine_.accelerations, owner + ": rate as a function of time", velocity, *rate.derivative,
+                   freedom.turning, freedom.rate->mark());
     }
     if (freedom.accel)
-      state_rate(machine_.accelerations, owner + ": accel", velocity,
-                 timed_number(*freedom.accel, freedom.turning ? dimensions::angular_acceleration : dimensions::acceleration).value,
-                 freedom.turning, freedom.accel->mark());
+      state_rate(
+          machine_.accelerations, owner + ": accel", velocity,
+          timed_number(*freedom.accel, freedom.turning ? dimensions::angular_acceleration : dimensions::acceleration)
+              .value,
+          freedom.turning, freedom.accel->mark());
     machine_.coordinates.push_back(std::move(coordinate));
   }
 
   // A joint whose bodies are both placed: what it does not allow becomes constraints.
   void close_loop(const Joint& joint) {
     if (states_motion(joint))
-      fail(file(), joint.mark, "joint '" + joint.name + "' closes a loop, and all its bodies are already placed by other joints",
+      fail(file(), joint.mark,
+           "joint '" + joint.name + "' closes a loop, and all its bodies are already placed by other joints",
            "state angles, rates and couples at the other joints of the loop");
     machine_.loop_joints.push_back(joint.name);
     loops_.push_back(&joint);
@@ -391,7 +412,8 @@ class MachineBuilder {
     machine_.mechanism.actions.push_back({kind, name, joint, on, from});
     return static_cast<int>(machine_.mechanism.actions.size()) - 1;
   }
-  Component<double> component(int action, const std::string& axis, bool couple, const Place<double>& at, const Direction<double>& along) {
+  Component<double> component(int action, const std::string& axis, bool couple, const Place<double>& at,
+                              const Direction<double>& along) {
     Component<double> c;
     c.action = action;
     c.axis = axis;
@@ -452,9 +474,8 @@ class MachineBuilder {
     const double pitch = joint.kind == JointKind::screw ? pitch_of(joint) : 0;
     const Carried carried = carried_by(joint.kind, axes, pitch);
     // The couple of a universal joint stands across both axes, which the link between them carries.
-    const int couple_body = joint.kind == JointKind::universal && link_of_freedom_.contains({joint.name, 0})
-                                ? middle_link(joint)
-                                : from;
+    const int couple_body =
+        joint.kind == JointKind::universal && link_of_freedom_.contains({joint.name, 0}) ? middle_link(joint) : from;
     if (!joint.supports_stated) {
       const int action = add_action(ActionKind::joint, joint.name, "", to, from);
       for (const Vector& d : carried.forces)
@@ -462,7 +483,8 @@ class MachineBuilder {
       for (const Vector& d : carried.couples)
         machine_.mechanism.components.push_back(component(action, direction_name(d), true, at, riding(couple_body, d)));
       if (carried.screw) {
-        machine_.mechanism.components.push_back(component(action, direction_name(*axes.main), false, at, riding(from, *axes.main)));
+        machine_.mechanism.components.push_back(
+            component(action, direction_name(*axes.main), false, at, riding(from, *axes.main)));
         machine_.mechanism.components.back().couple_per_force = *carried.screw;
       }
     } else {
@@ -471,9 +493,11 @@ class MachineBuilder {
     add_drives(joint, axes, at, to, from);
     if (std::find(loops_.begin(), loops_.end(), &joint) == loops_.end()) return;
     for (const Vector& d : carried.forces)
-      add_constraint(VelocityConstraintKind::point, "joint '" + joint.name + "' along " + direction_name(d), to, from, at, d);
+      add_constraint(VelocityConstraintKind::point, "joint '" + joint.name + "' along " + direction_name(d), to, from,
+                     at, d);
     for (const Vector& d : carried.couples)
-      add_constraint(VelocityConstraintKind::angular, "joint '" + joint.name + "' about " + direction_name(d), to, from, at, d);
+      add_constraint(VelocityConstraintKind::angular, "joint '" + joint.name + "' about " + direction_name(d), to, from,
+                     at, d);
     if (joint.kind == JointKind::universal || joint.kind == JointKind::screw || joint.kind == JointKind::planar)
       fail(file(), joint.mark, "joint '" + joint.name + "' closes a loop, which a joint of this kind cannot do here",
            "let it stand first and close the loop with a revolute, ball, weld, prismatic or cylindrical joint");
@@ -500,7 +524,8 @@ class MachineBuilder {
       const bool along_axis = support.kind != "journal" && support.kind != "collar";
       const bool with_couples = support.kind != "journal" && support.kind != "thrust" && support.kind != "ball";
       if (!axes.main && support.kind != "ball")
-        fail(file(), support.mark, "joint '" + joint.name + "' has no axis: its support '" + support.name + "' cannot be a " + support.kind,
+        fail(file(), support.mark,
+             "joint '" + joint.name + "' has no axis: its support '" + support.name + "' cannot be a " + support.kind,
              "list the directions that it carries");
       std::vector<Vector> directions{Vector::unit(0), Vector::unit(1), Vector::unit(2)};
       if (axes.main) {
@@ -516,8 +541,10 @@ class MachineBuilder {
       for (std::size_t i = 0; i < list.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j)
           if (norm(cross(list[i].second, list[j].second)) < 1e-9)
-            fail(file(), support.mark, "support '" + support.name + "' lists the direction " + list[i].first + " twice");
-        machine_.mechanism.components.push_back(component(action, list[i].first, couple, at, riding(from, list[i].second)));
+            fail(file(), support.mark,
+                 "support '" + support.name + "' lists the direction " + list[i].first + " twice");
+        machine_.mechanism.components.push_back(
+            component(action, list[i].first, couple, at, riding(from, list[i].second)));
       }
     };
     add(forces, false);
@@ -542,8 +569,9 @@ class MachineBuilder {
         if (other != k && joint.freedoms[other].turning && found != link_of_freedom_.end())
           drive.others.push_back(riding(found->second.first, axes.freedom[other]));
       }
-      const bool accel_known = std::any_of(machine_.accelerations.begin(), machine_.accelerations.end(),
-                                           [&](const StatedRate& stated) { return stated.velocity == drive.coordinate; });
+      const bool accel_known =
+          std::any_of(machine_.accelerations.begin(), machine_.accelerations.end(),
+                      [&](const StatedRate& stated) { return stated.velocity == drive.coordinate; });
       drive.held = accel_known && !freedom.effort && !freedom.stiffness && !freedom.damping;
       const Dimension effort = freedom.turning ? dimensions::moment : dimensions::force;
       const Dimension position = freedom.turning ? dimensions::angle : dimensions::length;
@@ -551,14 +579,18 @@ class MachineBuilder {
       if (freedom.stiffness) drive.stiffness = data_.number(*freedom.stiffness, effort / position);
       if (freedom.free_position) drive.free_position = data_.number(*freedom.free_position, position);
       if (freedom.damping) drive.damping = data_.number(*freedom.damping, effort / position * dimensions::time);
-      for (const auto& [expression, value] : {std::pair{&freedom.stiffness, drive.stiffness}, std::pair{&freedom.damping, drive.damping}})
-        if (value < 0) fail(file(), (*expression)->mark(), "joint '" + joint.name + "': stiffness and damping are not negative");
-      drive.action = add_action(ActionKind::drive, joint.name + (freedom.name.empty() ? "" : "." + freedom.name), joint.name, to, from);
+      for (const auto& [expression, value] :
+           {std::pair{&freedom.stiffness, drive.stiffness}, std::pair{&freedom.damping, drive.damping}})
+        if (value < 0)
+          fail(file(), (*expression)->mark(), "joint '" + joint.name + "': stiffness and damping are not negative");
+      drive.action = add_action(ActionKind::drive, joint.name + (freedom.name.empty() ? "" : "." + freedom.name),
+                                joint.name, to, from);
       machine_.mechanism.drives.push_back(drive);
     }
   }
 
-  void add_constraint(VelocityConstraintKind kind, const std::string& words, int on, int from, const Place<double>& at, const Vector& drawn) {
+  void add_constraint(VelocityConstraintKind kind, const std::string& words, int on, int from, const Place<double>& at,
+                      const Vector& drawn) {
     VelocityConstraint<double> c;
     c.kind = kind;
     c.words = words;
@@ -599,7 +631,8 @@ class MachineBuilder {
     }
     // The motion that it forbids.
     const Body& stated = problem_.bodies[index_of_body(contact.of)];
-    const RollingSurface surface = rolling_surface(stated, data_, C, masses_[index_of_body(contact.of)].properties.center);
+    const RollingSurface surface =
+        rolling_surface(stated, data_, C, masses_[index_of_body(contact.of)].properties.center);
     if (surface.shape == ContactShape::missed) {
       char text[120];
       std::snprintf(text, sizeof text, "%.3g m off the surface of '%s'", surface.gap, contact.of.c_str());
@@ -612,12 +645,13 @@ class MachineBuilder {
       const std::size_t other = index_of_body(contact.against);
       const RollingSurface below = rolling_surface(problem_.bodies[other], data_, C, masses_[other].properties.center);
       // A flat side of a round body shows its axis along the normal.
-      unknown = unknown || (below.shape == ContactShape::round && norm(cross(below.axis, n)) > 1e-9) || below.shape == ContactShape::unknown ||
-                (below.shape == ContactShape::round && norm(below.axis) == 0);
+      unknown = unknown || (below.shape == ContactShape::round && norm(cross(below.axis, n)) > 1e-9) ||
+                below.shape == ContactShape::unknown || (below.shape == ContactShape::round && norm(below.axis) == 0);
     }
     const bool round = surface.shape == ContactShape::round;
     const auto forbid = [&](const Vector& d) {
-      const std::string words = std::string(contact.no_slip ? "rolling" : "touching") + " at contact '" + contact.name + "' along " + direction_name(d);
+      const std::string words = std::string(contact.no_slip ? "rolling" : "touching") + " at contact '" + contact.name +
+                                "' along " + direction_name(d);
       add_constraint(round ? VelocityConstraintKind::rolling : VelocityConstraintKind::point, words, on, from, at, d);
       VelocityConstraint<double>& c = machine_.mechanism.constraints.back();
       c.action = action;
@@ -655,7 +689,8 @@ class MachineBuilder {
     c.toward = machine_.place(from, start);
     c.one_sided = true;
     machine_.mechanism.components.push_back(c);
-    add_constraint(VelocityConstraintKind::cord_length, "cord '" + cord.name + "' taut", on, from, at, normalized(start - end));
+    add_constraint(VelocityConstraintKind::cord_length, "cord '" + cord.name + "' taut", on, from, at,
+                   normalized(start - end));
     machine_.mechanism.constraints.back().toward = machine_.place(from, start);
     machine_.mechanism.constraints.back().length = norm(end - start);
     machine_.mechanism.constraints.back().action = action;
@@ -669,10 +704,12 @@ class MachineBuilder {
     law.at = machine_.place(on, end);
     law.toward = machine_.place(from, start);
     const double drawn = norm(end - start);
-    if (!(drawn > 0)) fail(file(), spring.mark, "spring '" + spring.name + "' has length zero as drawn: it has no direction");
+    if (!(drawn > 0))
+      fail(file(), spring.mark, "spring '" + spring.name + "' has length zero as drawn: it has no direction");
     if (spring.stiffness) {
       law.stiffness = data_.number(*spring.stiffness, dimensions::stiffness);
-      if (!(law.stiffness > 0)) fail(file(), spring.stiffness->mark(), "the stiffness of spring '" + spring.name + "' must be positive");
+      if (!(law.stiffness > 0))
+        fail(file(), spring.stiffness->mark(), "the stiffness of spring '" + spring.name + "' must be positive");
       law.free_length = spring.free_length ? data_.number(*spring.free_length, dimensions::length)
                                            : drawn - data_.number(*spring.tension, dimensions::force) / law.stiffness;
       if (!(law.free_length >= 0)) fail(file(), spring.mark, "spring '" + spring.name + "' has a negative free length");
@@ -692,7 +729,8 @@ class MachineBuilder {
     force.axes = body(load.axes);
     const Expression& size = load.couple ? *load.couple : *load.force;
     const Dimension dimension = load.couple ? dimensions::moment : dimensions::force;
-    if (options_.loads && std::find(options_.loads->begin(), options_.loads->end(), load.name) == options_.loads->end()) {
+    if (options_.loads &&
+        std::find(options_.loads->begin(), options_.loads->end(), load.name) == options_.loads->end()) {
       force.vector = Vector::zero();
     } else if (load.direction) {
       force.vector = data_.number(size, dimension) * data_.direction(*load.direction);
@@ -702,8 +740,10 @@ class MachineBuilder {
     if (!force.couple) {
       const Body& stated = problem_.bodies[index_of_body(load.body)];
       if (!load.at && stated.massless)
-        fail(file(), load.mark, "load '" + load.name + "' needs the point at which it acts: the body is massless", "write at: P");
-      force.at = machine_.place(on, load.at ? data_.place(*load.at) : masses_[index_of_body(load.body)].properties.center);
+        fail(file(), load.mark, "load '" + load.name + "' needs the point at which it acts: the body is massless",
+             "write at: P");
+      force.at =
+          machine_.place(on, load.at ? data_.place(*load.at) : masses_[index_of_body(load.body)].properties.center);
     }
     machine_.mechanism.forces.push_back(force);
   }
@@ -719,11 +759,14 @@ class MachineBuilder {
     if (duration < 0) fail(file(), impulse.lasts->mark(), "impulse '" + impulse.name + "' lasts a negative time");
     Dimension dimension = stated.couple ? dimensions::moment : dimensions::force;
     if (!impulse.lasts) dimension = dimension * dimensions::time;
-    stated.vector = duration * (impulse.direction ? data_.number(size, dimension) * data_.direction(*impulse.direction) : data_.vector(size, dimension));
-    if (!stated.couple) stated.at = impulse_place(impulse.body, impulse.at, "impulse '" + impulse.name + "'", impulse.mark);
+    stated.vector = duration * (impulse.direction ? data_.number(size, dimension) * data_.direction(*impulse.direction)
+                                                  : data_.vector(size, dimension));
+    if (!stated.couple)
+      stated.at = impulse_place(impulse.body, impulse.at, "impulse '" + impulse.name + "'", impulse.mark);
     machine_.impulses.push_back(stated);
   }
-  Place<double> impulse_place(const std::string& on, const std::optional<Expression>& at, const std::string& owner, const Mark& mark) {
+  Place<double> impulse_place(const std::string& on, const std::optional<Expression>& at, const std::string& owner,
+                              const Mark& mark) {
     const std::size_t i = index_of_body(on);
     if (!at && problem_.bodies[i].massless)
       fail(file(), mark, owner + " needs the point at which it acts: the body is massless", "write at: P");
@@ -746,8 +789,9 @@ class MachineBuilder {
 
   void add_strike(const Strike& strike) {
     const std::string owner = "strike '" + strike.name + "'";
-    const double mass = strike.amount.mass ? data_.number(*strike.amount.mass, dimensions::mass)
-                                           : data_.number(*strike.amount.weight, dimensions::force) / data_.gravity_size();
+    const double mass = strike.amount.mass
+                            ? data_.number(*strike.amount.mass, dimensions::mass)
+                            : data_.number(*strike.amount.weight, dimensions::force) / data_.gravity_size();
     if (!(mass >= 0)) fail(file(), strike.mark, owner + ": the mass of the particle is negative");
     StatedImpulse stated;
     stated.on = body(strike.hits);
@@ -757,7 +801,8 @@ class MachineBuilder {
     stated.relative_to = body(strike.relative_to);
     if (strike.loses) {
       const double loss = data_.number(*strike.loses, dimensions::none);
-      if (loss < 0 || loss > 1) fail(file(), strike.loses->mark(), owner + ": a particle loses between 0 and 100 % of its speed");
+      if (loss < 0 || loss > 1)
+        fail(file(), strike.loses->mark(), owner + ": a particle loses between 0 and 100 % of its speed");
       stated.kept = 1 - loss;
     }
     stated.absorbed = strike.stays && !strike.mass_neglected ? mass : 0;
@@ -793,8 +838,10 @@ std::vector<std::size_t> Machine::actions_of(const std::string& name, const std:
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
     const Action& action = mechanism.actions[i];
-    const bool of_joint = (action.kind == ActionKind::support || action.kind == ActionKind::drive) && action.joint == name;
-    const bool itself = action.kind != ActionKind::drive && action.name == name && (joint.empty() || action.joint == joint);
+    const bool of_joint =
+        (action.kind == ActionKind::support || action.kind == ActionKind::drive) && action.joint == name;
+    const bool itself =
+        action.kind != ActionKind::drive && action.name == name && (joint.empty() || action.joint == joint);
     if (of_joint || itself) found.push_back(i);
   }
   return found;

@@ -1,4 +1,5 @@
-// From a stated problem with values to a mechanism: bodies, frames and joints become a tree, everything else acts on it.
+// From a stated problem with values to a mechanism: bodies, frames and joints become a tree, everything else acts on
+// it.
 #pragma once
 
 #include <map>
@@ -16,10 +17,10 @@ namespace poinsot::statement {
 
 // A coordinate that has a name in the statement, or belongs to a joint of one freedom.
 struct NamedCoordinate {
-  std::string name;   // "" if only its joint names it
+  std::string name;  // "" if only its joint names it
   std::string joint;
-  int position = 0;   // in q
-  int velocity = 0;   // in v
+  int position = 0;  // in q
+  int velocity = 0;  // in v
   bool turning = true;
   Mark mark;
 };
@@ -34,7 +35,7 @@ struct StatedRate {
 };
 
 struct JointPlace {
-  Place<double> at;                      // rides with the held body
+  Place<double> at;  // rides with the held body
   std::optional<Direction<double>> axis;
   int from = ground, to = ground;
 };
@@ -45,7 +46,7 @@ struct StatedImpulse {
   int on = ground;
   bool couple = false;
   Place<double> at;
-  Vector3<double> vector{};   // on the axes of `axes`
+  Vector3<double> vector{};  // on the axes of `axes`
   int axes = ground;
   double absorbed = 0;
   double particle_mass = 0;        // of a strike
@@ -55,18 +56,18 @@ struct StatedImpulse {
 
 struct Machine {
   Mechanism<double> mechanism;
-  std::vector<solve::CheckLink> links;                // of each body of the tree, as drawn
-  std::map<std::string, int> index;                   // of bodies and frames, and "ground"
-  std::map<int, Vector3<double>> drawn_origin;        // of each tree body, on ground axes
-  std::vector<std::pair<int, BodyMass>> masses;       // of each body of the statement
+  std::vector<solve::CheckLink> links;           // of each body of the tree, as drawn
+  std::map<std::string, int> index;              // of bodies and frames, and "ground"
+  std::map<int, Vector3<double>> drawn_origin;   // of each tree body, on ground axes
+  std::vector<std::pair<int, BodyMass>> masses;  // of each body of the statement
   std::vector<NamedCoordinate> coordinates;
-  std::vector<double> q;                              // positions that the data give; the rest as drawn
-  std::vector<bool> position_given;                   // of each entry of q
+  std::vector<double> q;             // positions that the data give; the rest as drawn
+  std::vector<bool> position_given;  // of each entry of q
   std::vector<StatedRate> rates, accelerations;
   std::vector<StatedImpulse> impulses;
   std::vector<solve::Impact> impacts;
   std::map<std::string, JointPlace> joints;
-  std::vector<std::string> loop_joints;               // joints that close loops
+  std::vector<std::string> loop_joints;  // joints that close loops
 
   // The place that a point as drawn takes on a body.
   Place<double> place(int body, const Vector3<double>& drawn) const;
@@ -76,10 +77,10 @@ struct Machine {
 };
 
 struct MachineOptions {
-  bool lenient = false;                                // unknowns have trial values
-  double time = 0;                                     // s
-  Vector3<double> open_gravity{};                      // taken if the statement says nothing of gravity
-  std::optional<std::vector<std::string>> loads;       // those that act; all when left out
+  bool lenient = false;                           // unknowns have trial values
+  double time = 0;                                // s
+  Vector3<double> open_gravity{};                 // taken if the statement says nothing of gravity
+  std::optional<std::vector<std::string>> loads;  // those that act; all when left out
 };
 
 // data must have been made for the same problem and time. Throws StatementError.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <limits>
 
 #include "poinsot/mass/composition.h"
 #include "poinsot/mass/particles.h"
@@ -39,7 +38,8 @@ class MassReader {
   }
   double positive(const Expression& expression, const Dimension& dimension, const std::string& what) {
     const double value = number(expression, dimension);
-    if (!lenient_ && !(value > 0) && !(value == 0)) fail(file(), expression.mark(), what + " is negative", "a part that is cut out has hole: true");
+    if (!lenient_ && !(value > 0) && !(value == 0))
+      fail(file(), expression.mark(), what + " is negative", "a part that is cut out has hole: true");
     return value;
   }
   // mass: 10 lb and weight: 10 kg are the mistakes that people make.
@@ -52,7 +52,8 @@ class MassReader {
         std::string other;
         if (literal && literal->unit.text == "lb") other = " or mass: " + text.substr(0, text.size() - 2) + "lbm";
         if (literal && literal->unit.text == "oz") other = " or mass: " + text.substr(0, text.size() - 2) + "ozm";
-        fail(file(), expression.mark(), "the mass of " + owner + " is given as a force", "write weight: " + text + other);
+        fail(file(), expression.mark(), "the mass of " + owner + " is given as a force",
+             "write weight: " + text + other);
       }
     }
     return positive(expression, dimensions::mass, "the mass of " + owner);
@@ -61,13 +62,15 @@ class MassReader {
     if (!is_any(expression)) {
       const Value<double> value = data_.value(expression);
       if (value.is_number() && same_kind(value.dimension, dimensions::mass))
-        fail(file(), expression.mark(), "the weight of " + owner + " is given as a mass", "write mass: " + to_string(expression));
+        fail(file(), expression.mark(), "the weight of " + owner + " is given as a mass",
+             "write mass: " + to_string(expression));
     }
     return positive(expression, dimensions::force, "the weight of " + owner) / data_.gravity_size();
   }
   // Mass per length, area or volume.
   double density_of(const Expression& expression, Extent extent, bool weight, const std::string& owner) {
-    if (extent == Extent::point) fail(file(), expression.mark(), owner + " is a particle: it has no density", "write mass:");
+    if (extent == Extent::point)
+      fail(file(), expression.mark(), owner + " is a particle: it has no density", "write mass:");
     const int power = extent == Extent::length ? 1 : extent == Extent::area ? 2 : 3;
     Dimension dimension = (weight ? dimensions::force : dimensions::mass) / Dimension::of(power, 0, 0);
     if (is_any(expression)) return any_(dimension);
@@ -75,14 +78,16 @@ class MassReader {
     if (!value.is_number() || !same_kind(value.dimension, dimension)) {
       static constexpr std::array<const char*, 4> words{"", "length", "area", "volume"};
       fail(file(), expression.mark(),
-           "the " + std::string(weight ? "specific weight" : "density") + " of " + owner + " is " + to_string(value.dimension) +
-               "; expected " + (weight ? "weight" : "mass") + " per " + words[power],
+           "the " + std::string(weight ? "specific weight" : "density") + " of " + owner + " is " +
+               to_string(value.dimension) + "; expected " + (weight ? "weight" : "mass") + " per " + words[power],
            weight ? "" : "a weight per length, area or volume stands under specific_weight:");
     }
     if (!(value.number >= 0)) fail(file(), expression.mark(), "the density of " + owner + " is negative");
     return weight ? value.number / data_.gravity_size() : value.number;
   }
-  bool states(const Amount& amount) const { return amount.mass || amount.weight || amount.density || amount.specific_weight; }
+  bool states(const Amount& amount) const {
+    return amount.mass || amount.weight || amount.density || amount.specific_weight;
+  }
   double amount_of(const Amount& amount, const ShapeValues& shape, const std::string& owner) {
     if (amount.mass) return mass_of(*amount.mass, owner);
     if (amount.weight) return weight_of(*amount.weight, owner);
@@ -95,8 +100,10 @@ class MassReader {
     Vector a[3];
     for (int i = 0; i < 3; ++i) a[i] = data_.direction(inertia.axes[i]);
     for (int i = 0; i < 3; ++i)
-      if (std::abs(dot(a[i], a[(i + 1) % 3])) > 1e-9) fail(file(), inertia.axes[i].mark(), "the axes are not at right angles");
-    if (dot(a[0], cross(a[1], a[2])) < 0) fail(file(), inertia.mark, "the axes are not right-handed", "reverse one of them");
+      if (std::abs(dot(a[i], a[(i + 1) % 3])) > 1e-9)
+        fail(file(), inertia.axes[i].mark(), "the axes are not at right angles");
+    if (dot(a[0], cross(a[1], a[2])) < 0)
+      fail(file(), inertia.mark, "the axes are not right-handed", "reverse one of them");
     return Matrix3<double>::from_columns(a[0], a[1], a[2]);
   }
   // spread: square of the distance from the mass center to the point of the moments, m^2.
@@ -108,7 +115,8 @@ class MassReader {
   bool lenient_;
 };
 
-void append(BodyMass& whole, std::vector<MassProperties<double>>& list, const ShapeValues& shape, double mass, bool lenient) {
+void append(BodyMass& whole, std::vector<MassProperties<double>>& list, const ShapeValues& shape, double mass,
+            bool lenient) {
   list.push_back(of_mass(shape.properties, mass));
   if (lenient) return;  // a trial is not checked
   for (const Particle<double>& particle : particles_of_mass(shape.particles, mass)) whole.particles.push_back(particle);
@@ -131,10 +139,10 @@ BodyMass MassReader::of_shapes() {
       continue;
     }
     if (body_.amount.density || body_.amount.specific_weight) continue;
-    if (!states(body_.amount))
-      fail(file(), part.mark, part_owner + " has no mass", "write mass:, weight: or density:");
+    if (!states(body_.amount)) fail(file(), part.mark, part_owner + " has no mass", "write mass:, weight: or density:");
     if (shared_extent && *shared_extent != shape.extent)
-      fail(file(), part.mark, "the parts of " + owner + " have lengths, areas and volumes: its mass cannot be shared among them",
+      fail(file(), part.mark,
+           "the parts of " + owner + " have lengths, areas and volumes: its mass cannot be shared among them",
            "state the mass of each part");
     if (shape.extent == Extent::point && body_.parts.size() > 1)
       fail(file(), part.mark, part_owner + " is a particle without mass", "state its mass");
@@ -143,15 +151,18 @@ BodyMass MassReader::of_shapes() {
   }
   double shared_mass = 0;
   if (shared_extent) {
-    const double total = body_.amount.mass ? mass_of(*body_.amount.mass, owner) : weight_of(*body_.amount.weight, owner);
+    const double total =
+        body_.amount.mass ? mass_of(*body_.amount.mass, owner) : weight_of(*body_.amount.weight, owner);
     shared_mass = total - stated_mass;
     if (shared_mass < 0) fail(file(), body_.mark, "the parts of " + owner + " weigh more than the whole");
     if (*shared_extent != Extent::point && !(shared_measure > 0))
       fail(file(), body_.mark, "the holes of " + owner + " leave nothing of it");
   } else if (body_.amount.mass || body_.amount.weight) {
-    const double total = body_.amount.mass ? mass_of(*body_.amount.mass, owner) : weight_of(*body_.amount.weight, owner);
+    const double total =
+        body_.amount.mass ? mass_of(*body_.amount.mass, owner) : weight_of(*body_.amount.weight, owner);
     if (std::abs(total - stated_mass) > 1e-9 * std::abs(total))
-      fail(file(), body_.mark, "the masses of the parts of " + owner + " do not add up to its mass", "leave one of them out");
+      fail(file(), body_.mark, "the masses of the parts of " + owner + " do not add up to its mass",
+           "leave one of them out");
   }
   for (std::size_t i = 0; i < body_.parts.size(); ++i) {
     const Part& part = body_.parts[i];
@@ -162,7 +173,8 @@ BodyMass MassReader::of_shapes() {
     else if (body_.amount.density || body_.amount.specific_weight)
       mass = amount_of(body_.amount, shapes[i], part_owner);
     else
-      mass = *shared_extent == Extent::point ? shared_mass : shared_mass * shapes[i].properties.measure / shared_measure;
+      mass =
+          *shared_extent == Extent::point ? shared_mass : shared_mass * shapes[i].properties.measure / shared_measure;
     append(whole, list, shapes[i], part.hole ? -mass : mass, lenient_);
   }
   for (const Part& part : body_.added) {
@@ -179,19 +191,24 @@ SymmetricMatrix3<double> MassReader::stated_tensor(const StatedInertia& inertia,
   const Dimension dimension = inertia.radii ? dimensions::length : dimensions::moment_of_inertia;
   const auto moment = [&](const Expression& expression) {
     const double value = number(expression, dimension);
-    if (!(value >= 0)) fail(file(), expression.mark(), std::string("a ") + (inertia.radii ? "radius of gyration" : "moment of inertia") + " of body '" + body_.name + "' is negative");
+    if (!(value >= 0))
+      fail(file(), expression.mark(),
+           std::string("a ") + (inertia.radii ? "radius of gyration" : "moment of inertia") + " of body '" +
+               body_.name + "' is negative");
     return inertia.radii ? mass * value * value : value;
   };
   if (inertia.matrix) {
     const Value<double> rows = data_.value(*inertia.matrix);
-    if (!rows.is_list() || rows.items.size() != 3) fail(file(), inertia.matrix->mark(), "an inertia matrix has three rows of three");
+    if (!rows.is_list() || rows.items.size() != 3)
+      fail(file(), inertia.matrix->mark(), "an inertia matrix has three rows of three");
     Matrix3<double> I = Matrix3<double>::zero();
     for (int i = 0; i < 3; ++i) {
       if (!rows.items[i].is_vector() || !(same_kind(rows.items[i].dimension, dimension) || rows.items[i].bare))
         fail(file(), inertia.matrix->mark(), "an inertia matrix has three rows of three moments of inertia");
       I.row(i) = rows.items[i].vector;
     }
-    if (const auto report = validate(mass, Vector::zero(), I, body_.name); report && report->rule == MassRule::symmetric_tensor)
+    if (const auto report = validate(mass, Vector::zero(), I, body_.name);
+        report && report->rule == MassRule::symmetric_tensor)
       fail(file(), inertia.mark, report->message);
     return symmetric_part(I);
   }
@@ -207,8 +224,8 @@ SymmetricMatrix3<double> MassReader::stated_tensor(const StatedInertia& inertia,
     (i == 0 ? products.xy : i == 1 ? products.yz : products.zx) = product;
     size += std::abs(product);
   }
-  // Moments left open become such as a body with the others can have: two open ones are large and nearly equal, one alone
-  // lies between the difference and the sum of the others.
+  // Moments left open become such as a body with the others can have: two open ones are large and nearly equal, one
+  // alone lies between the difference and the sum of the others.
   std::vector<int> open;
   double smallest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
@@ -258,8 +275,10 @@ BodyMass MassReader::of_numbers() {
   std::vector<MassProperties<double>> list{whole.properties};
   for (const Part& part : body_.added) {
     const ShapeValues shape = shape_values(part.shape, data_, part.name);
-    if (!states(part.amount)) fail(file(), part.mark, "the added '" + part.name + "' of " + owner + " has no mass", "write mass:");
-    append(whole, list, shape, (part.hole ? -1 : 1) * amount_of(part.amount, shape, "the added '" + part.name + "' of " + owner), lenient_);
+    if (!states(part.amount))
+      fail(file(), part.mark, "the added '" + part.name + "' of " + owner + " has no mass", "write mass:");
+    append(whole, list, shape,
+           (part.hole ? -1 : 1) * amount_of(part.amount, shape, "the added '" + part.name + "' of " + owner), lenient_);
   }
   whole.properties = sum(list);
   return whole;
@@ -271,11 +290,13 @@ BodyMass body_mass(const Body& body, DataScope<double>& data, const AnyValue& an
   if (body.massless) return {massless<double>(), {}};
   MassReader reader(body, data, any, lenient);
   BodyMass result = body.parts.empty() ? reader.of_numbers() : reader.of_shapes();
-  if (const auto report = validate(result.properties, body.name); report && !lenient) fail(data.problem().file, body.mark, report->message);
+  if (const auto report = validate(result.properties, body.name); report && !lenient)
+    fail(data.problem().file, body.mark, report->message);
   return result;
 }
 
-RollingSurface rolling_surface(const Body& body, DataScope<double>& data, const Vector& p_OC, const Vector& center_of_mass) {
+RollingSurface rolling_surface(const Body& body, DataScope<double>& data, const Vector& p_OC,
+                               const Vector& center_of_mass) {
   constexpr double on_surface = 1e-6;  // of its radius
   const std::string& file = data.problem().file;
   RollingSurface nearest_surface;
@@ -291,7 +312,9 @@ RollingSurface rolling_surface(const Body& body, DataScope<double>& data, const 
     const std::string& kind = part.shape.kind;
     const auto place = [&](const char* name) { return data.place(shape_argument(part.shape, name, file)); };
     const auto direction = [&](const char* name) { return data.direction(shape_argument(part.shape, name, file)); };
-    const auto length = [&](const char* name) { return data.number(shape_argument(part.shape, name, file), dimensions::length); };
+    const auto length = [&](const char* name) {
+      return data.number(shape_argument(part.shape, name, file), dimensions::length);
+    };
     // A frustum from A (radius r_A) to B (radius r_B): the circle about its axis through the point.
     const auto frustum = [&](const Vector& A, double r_A, const Vector& B, double r_B) {
       const Vector axis = normalized(B - A);
@@ -330,7 +353,8 @@ RollingSurface rolling_surface(const Body& body, DataScope<double>& data, const 
   }
   if (!other_shapes) return {ContactShape::missed, {}, {}, nearest_surface.radius, nearest_surface.gap};
   const bool curved = std::any_of(body.parts.begin(), body.parts.end(), [](const Part& part) {
-    return part.shape.kind == "torus" || part.shape.kind == "ellipsoid" || part.shape.kind == "mesh" || part.shape.kind == "arc";
+    return part.shape.kind == "torus" || part.shape.kind == "ellipsoid" || part.shape.kind == "mesh" ||
+           part.shape.kind == "arc";
   });
   return {curved ? ContactShape::unknown : ContactShape::corner, {}, {}, 0, 0};
 }

@@ -15,8 +15,8 @@ namespace poinsot::statement {
 using AnyValue = std::function<double(const Dimension&)>;
 
 struct BodyMass {
-  MassProperties<double> properties;          // on the ground's axes, as drawn
-  std::vector<Particle<double>> particles;    // the same body on the independent road
+  MassProperties<double> properties;        // on the ground's axes, as drawn
+  std::vector<Particle<double>> particles;  // the same body on the independent road
 };
 
 // Throws StatementError: negative masses, shapes without extent, inertias that no body can have, wrong dimensions.
@@ -36,7 +36,7 @@ struct RollingSurface {
   Vector3<double> center{};
   Vector3<double> axis{};  // unit vector; zero for a sphere
   double radius = 0;
-  double gap = 0;          // from the place to the surface, m
+  double gap = 0;  // from the place to the surface, m
 };
 // From the shape of the body whose surface the place C lies on, or from its axis of symmetry.
 RollingSurface rolling_surface(const Body& body, DataScope<double>& data, const Vector3<double>& p_OC,

@@ -28,7 +28,8 @@ std::string path_of(const Shape& shape, const std::string& problem_file) {
 
 ShapeValues mesh_shape(const Shape& shape, const Vector3<double>& p_OM, const std::string& problem_file) {
   if (!same_kind(shape.mesh_unit.dimension, dimensions::length))
-    fail(problem_file, shape.mark, "the unit of a mesh is a unit of length, not " + to_string(shape.mesh_unit.dimension));
+    fail(problem_file, shape.mark,
+         "the unit of a mesh is a unit of length, not " + to_string(shape.mesh_unit.dimension));
   const std::string path = path_of(shape, problem_file);
   MeshReadResult read = read_mesh_file(path, limits);
   if (!read.mesh) {

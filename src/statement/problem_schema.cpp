@@ -29,7 +29,9 @@ Json type_of(const LanguageKey& key) {
     case KeyType::object:
       return reference(key.object_name);
     case KeyType::named:
-      return {{"type", "object"}, {"additionalProperties", key.object_name.empty() ? Json(true) : Json{{"anyOf", {reference(key.object_name), expression, list}}}}};
+      return {{"type", "object"},
+              {"additionalProperties",
+               key.object_name.empty() ? Json(true) : Json{{"anyOf", {reference(key.object_name), expression, list}}}}};
     case KeyType::any:
       return Json::object();
   }
@@ -53,10 +55,12 @@ std::string problem_schema() {
   }
   // Shapes stand in bodies and parts. Moments of inertia stand under the names of the axes, facts under quantities.
   for (const char* owner : {"body", "part"})
-    for (const auto& [key, property] : definitions["shape"]["properties"].items()) definitions[owner]["properties"][key] = property;
+    for (const auto& [key, property] : definitions["shape"]["properties"].items())
+      definitions[owner]["properties"][key] = property;
   definitions.erase("shape");
   for (auto& [name, object] : definitions.items())
-    object["additionalProperties"] = name == "inertia" || name == "radii_of_gyration" || name == "instant" || name == "expected";
+    object["additionalProperties"] =
+        name == "inertia" || name == "radii_of_gyration" || name == "instant" || name == "expected";
   schema["$defs"] = definitions;
   return schema.dump(2) + "\n";
 }

@@ -40,12 +40,14 @@ constexpr QuantityFunction functions[] = {
     {"angular_acceleration", "angular_acceleration(disk)", Level::force},
     {"momentum", "momentum(disk)", Level::velocity},
     {"angular_momentum", "angular_momentum(disk about G)", Level::velocity},
-    {"kinetic_energy", "kinetic_energy(disk), kinetic_energy(disk about center(disk)) for its rotation", Level::velocity},
+    {"kinetic_energy", "kinetic_energy(disk), kinetic_energy(disk about center(disk)) for its rotation",
+     Level::velocity},
     {"potential_energy", "potential_energy(disk)", Level::position},
     {"rate", "rate(angular_momentum(disk about G)), rate(X relative to frame)", Level::force},
     {"mass", "mass(disk)", Level::position},
     {"weight", "weight(disk)", Level::position},
-    {"moment_of_inertia", "moment_of_inertia(plate about A->B), moment_of_inertia(plate about x at A)", Level::position},
+    {"moment_of_inertia", "moment_of_inertia(plate about A->B), moment_of_inertia(plate about x at A)",
+     Level::position},
     {"radius_of_gyration", "radius_of_gyration(plate about A->B)", Level::position},
     {"moments_of_inertia", "moments_of_inertia(plate about A)", Level::position},
     {"products_of_inertia", "products_of_inertia(plate about A)", Level::position},
@@ -155,8 +157,14 @@ const std::vector<FunctionForm>& quantity_functions() {
 }
 
 template <class Scalar>
-QuantityScope<Scalar>::QuantityScope(const Machine& machine, const Model<Scalar>& model, DataScope<Scalar>& data, State<Scalar> state)
-    : machine_(machine), model_(model), data_(data), problem_(data.problem()), state_(std::move(state)), workspace_(model) {
+QuantityScope<Scalar>::QuantityScope(const Machine& machine, const Model<Scalar>& model, DataScope<Scalar>& data,
+                                     State<Scalar> state)
+    : machine_(machine),
+      model_(model),
+      data_(data),
+      problem_(data.problem()),
+      state_(std::move(state)),
+      workspace_(model) {
   update_velocities(model_, workspace_, state_);
 }
 
@@ -188,11 +196,13 @@ Matrix3<Scalar> QuantityScope<Scalar>::axes_of(const Expression& expression) {
     std::array<Vector, 3> d;
     for (std::size_t i = 0; i < 3; ++i) {
       const Result value = evaluator(list->items[i]);
-      if (!value.is_vector() || plain(norm_squared(value.vector)) == 0) evaluator.fail(list->items[i].mark(), "expected a direction");
+      if (!value.is_vector() || plain(norm_squared(value.vector)) == 0)
+        evaluator.fail(list->items[i].mark(), "expected a direction");
       d[i] = normalized(value.vector);
     }
     for (std::size_t i = 0; i < 3; ++i)
-      if (std::abs(plain(dot(d[i], d[(i + 1) % 3]))) > 1e-9) evaluator.fail(expression.mark(), "the axes are not at right angles");
+      if (std::abs(plain(dot(d[i], d[(i + 1) % 3]))) > 1e-9)
+        evaluator.fail(expression.mark(), "the axes are not at right angles");
     if (plain(dot(d[0], cross(d[1], d[2]))) < 0) evaluator.fail(expression.mark(), "the axes are not right-handed");
     return Matrix3<Scalar>::from_columns(d[0], d[1], d[2]);
   }
@@ -207,7 +217,8 @@ bool QuantityScope<Scalar>::is_frame(int body) const {
 constexpr int whole_system = -2;
 
 template <class Scalar>
-int QuantityScope<Scalar>::body_of(const Expression& expression, const Evaluator<Scalar>& evaluator, bool system_allowed) {
+int QuantityScope<Scalar>::body_of(const Expression& expression, const Evaluator<Scalar>& evaluator,
+                                   bool system_allowed) {
   const Name* name = plain_name(expression);
   if (!name) evaluator.fail(expression.mark(), "expected the name of a body");
   if (name->name == "system") {
@@ -225,7 +236,8 @@ int QuantityScope<Scalar>::body_of(const Expression& expression, const Evaluator
 }
 
 template <class Scalar>
-Vector3<Scalar> QuantityScope<Scalar>::mass_center_of(int body, const Expression& expression, const Evaluator<Scalar>& evaluator) {
+Vector3<Scalar> QuantityScope<Scalar>::mass_center_of(int body, const Expression& expression,
+                                                      const Evaluator<Scalar>& evaluator) {
   if (body == whole_system) return mass_center(model_, workspace_);
   if (is_frame(body)) return point_position(model_, workspace_, body, Vector::zero());
   if (!(plain(model_.body(body).inertia.mass) > 0))
@@ -235,20 +247,24 @@ Vector3<Scalar> QuantityScope<Scalar>::mass_center_of(int body, const Expression
 }
 
 template <class Scalar>
-typename QuantityScope<Scalar>::Riding QuantityScope<Scalar>::riding(const Expression& expression, const Evaluator<Scalar>& evaluator) {
+typename QuantityScope<Scalar>::Riding QuantityScope<Scalar>::riding(const Expression& expression,
+                                                                     const Evaluator<Scalar>& evaluator) {
   const auto at = [&](int body, const Vector& position) {
-    return Riding{body, direction_on_body(model_, workspace_, body, position - point_position(model_, workspace_, body, Vector::zero()))};
+    return Riding{body, direction_on_body(model_, workspace_, body,
+                                          position - point_position(model_, workspace_, body, Vector::zero()))};
   };
   if (const Of* of = expression.as<Of>()) {
     const int body = body_of(of->body, evaluator);
     const Vector3<double> drawn = plain(data_.place(of->point));
     return {body, lifted<Scalar>(machine_.place(body, drawn).point)};
   }
-  if (const Call* call = expression.as<Call>(); call && call->function == "center" && call->pattern().empty() && call->arguments.size() == 1) {
+  if (const Call* call = expression.as<Call>();
+      call && call->function == "center" && call->pattern().empty() && call->arguments.size() == 1) {
     const int body = body_of(call->arguments[0].value, evaluator);
     return at(body, mass_center_of(body, call->arguments[0].value, evaluator));
   }
-  if (const Name* name = plain_name(expression); name && machine_.index.contains(name->name) && name->name != "ground") {
+  if (const Name* name = plain_name(expression);
+      name && machine_.index.contains(name->name) && name->name != "ground") {
     const int body = machine_.index.at(name->name);
     return at(body, mass_center_of(body, expression, evaluator));
   }
@@ -286,15 +302,18 @@ Value<Scalar> QuantityScope<Scalar>::name(const Name& name, const Mark& mark, co
                                     [&](const NamedExpression& item) { return item.name == name.name; });
   const bool is_defined = defined != problem_.define.end();
   if (is_defined && (coordinate || data_.knows(name.name)))
-    evaluator.fail(mark, "'" + name.name + "' could mean what is defined under define: or " + (coordinate ? "a coordinate" : "a datum"),
-                   "rename one of them");
+    evaluator.fail(
+        mark,
+        "'" + name.name + "' could mean what is defined under define: or " + (coordinate ? "a coordinate" : "a datum"),
+        "rename one of them");
   if (coordinate) {
     const Dimension dimension = coordinate->turning ? dimensions::angle : dimensions::length;
     const auto q = static_cast<std::size_t>(coordinate->position), v = static_cast<std::size_t>(coordinate->velocity);
     if (name.primes == 0) return number_value(state_.q[q], dimension);
     if (name.primes == 1) return number_value(state_.v[v], dimension / dimensions::time);
     if (name.primes == 2) {
-      if (has_accelerations_) return number_value(Scalar(accelerations_[v]), dimension / dimensions::time / dimensions::time);
+      if (has_accelerations_)
+        return number_value(Scalar(accelerations_[v]), dimension / dimensions::time / dimensions::time);
       evaluator.fail(mark, "the acceleration " + name.name + "'' cannot stand inside rate() or among the velocities");
     }
     evaluator.fail(mark, "only first and second derivatives are known: " + name.name + "' and " + name.name + "''");
@@ -313,14 +332,16 @@ Value<Scalar> QuantityScope<Scalar>::name(const Name& name, const Mark& mark, co
     return value;
   }
   if (name.primes > 0 && data_.knows(name.name))
-    evaluator.fail(mark, "'" + name.name + "' is a datum, no coordinate: it has no rate", "name the coordinate at its joint: angle: " + name.name);
+    evaluator.fail(mark, "'" + name.name + "' is a datum, no coordinate: it has no rate",
+                   "name the coordinate at its joint: angle: " + name.name);
   const auto axis = std::find(problem_.axes.begin(), problem_.axes.end(), name.name);
   if (axis != problem_.axes.end() && name.primes == 0) {
     data_.name(name, mark, Evaluator<Scalar>(data_, problem_.file));
     return vector_value(axes_.column(static_cast<std::size_t>(axis - problem_.axes.begin())), dimensions::none);
   }
   if (!data_.knows(name.name) && machine_.index.contains(name.name))
-    evaluator.fail(mark, "'" + name.name + "' is a body", "ask for a quantity of it, such as velocity(" + name.name + ")");
+    evaluator.fail(mark, "'" + name.name + "' is a body",
+                   "ask for a quantity of it, such as velocity(" + name.name + ")");
   if (!data_.knows(name.name)) {
     std::vector<std::string> known = settable_names(problem_);
     for (const NamedCoordinate& c : machine_.coordinates)
@@ -338,7 +359,8 @@ Value<Scalar> QuantityScope<Scalar>::of(const Of& of, const Mark& mark, const Ev
   const int body = body_of(of.body, evaluator);
   (void)mark;
   const Vector3<double> drawn = plain(data_.place(of.point));
-  return vector_value(point_position(model_, workspace_, body, lifted<Scalar>(machine_.place(body, drawn).point)), dimensions::length);
+  return vector_value(point_position(model_, workspace_, body, lifted<Scalar>(machine_.place(body, drawn).point)),
+                      dimensions::length);
 }
 
 template <class Scalar>
@@ -348,7 +370,8 @@ Value<Scalar> QuantityScope<Scalar>::at(const At& at, const Mark& mark, const Ev
 }
 
 template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::member(const Member& member, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+Value<Scalar> QuantityScope<Scalar>::member(const Member& member, const Mark& mark,
+                                            const Evaluator<Scalar>& evaluator) {
   const Result object = evaluator(member.object);
   const auto axis = std::find(problem_.axes.begin(), problem_.axes.end(), member.name);
   if (!object.is_vector()) evaluator.fail(mark, "only vectors have components");
@@ -413,12 +436,14 @@ Value<Scalar> QuantityScope<Scalar>::call(const Call& call, const Mark& mark, co
   if (call.arguments.empty() || std::find(allowed.begin(), allowed.end(), call.pattern()) == allowed.end())
     evaluator.fail(mark, call.function + " is not written like this", std::string("write ") + function->form);
   const std::string& f = call.function;
-  if (f == "velocity" || f == "acceleration" || f == "angular_velocity" || f == "angular_acceleration" || f == "position" || f == "center")
+  if (f == "velocity" || f == "acceleration" || f == "angular_velocity" || f == "angular_acceleration" ||
+      f == "position" || f == "center")
     return kinematic(call, evaluator);
-  if (f == "momentum" || f == "angular_momentum" || f == "kinetic_energy" || f == "potential_energy" || f == "mass" || f == "weight")
+  if (f == "momentum" || f == "angular_momentum" || f == "kinetic_energy" || f == "potential_energy" || f == "mass" ||
+      f == "weight")
     return momentum(call, evaluator);
-  if (f == "symmetry_axis" || f == "precession_axis" || f == "precession_rate" || f == "spin_rate" || f == "precession_sense" ||
-      f == "body_cone" || f == "space_cone")
+  if (f == "symmetry_axis" || f == "precession_axis" || f == "precession_rate" || f == "spin_rate" ||
+      f == "precession_sense" || f == "body_cone" || f == "space_cone")
     return free_motion(call, mark, evaluator);
   if (f == "axis" || f == "distance" || f == "direction_angles") return geometry(call, evaluator);
   if (f == "rate") return rate(call, mark, evaluator);
@@ -430,9 +455,11 @@ template <class Scalar>
 Value<Scalar> QuantityScope<Scalar>::kinematic(const Call& call, const Evaluator<Scalar>& evaluator) {
   const std::string& f = call.function;
   const Expression& what = call.arguments[0].value;
-  if (f == "center") return vector_value(mass_center_of(body_of(what, evaluator, true), what, evaluator), dimensions::length);
+  if (f == "center")
+    return vector_value(mass_center_of(body_of(what, evaluator, true), what, evaluator), dimensions::length);
   if (f == "position") {
-    if (plain_name(what) && !machine_.index.contains(plain_name(what)->name)) return vector_value(place(what, evaluator), dimensions::length);
+    if (plain_name(what) && !machine_.index.contains(plain_name(what)->name))
+      return vector_value(place(what, evaluator), dimensions::length);
     const Riding point = riding(what, evaluator);
     return vector_value(point_position(model_, workspace_, point.body, point.local), dimensions::length);
   }
@@ -442,12 +469,15 @@ Value<Scalar> QuantityScope<Scalar>::kinematic(const Call& call, const Evaluator
   const int frame = relative_to ? body_of(*relative_to, evaluator) : ground;
   const BodyMotion<Scalar>& F = workspace_.motion[static_cast<std::size_t>(frame + 1)];
   if (f == "angular_velocity")
-    return vector_value(Vector(angular_velocity(workspace_, body_of(what, evaluator)) - F.w), dimensions::angular_velocity);
+    return vector_value(Vector(angular_velocity(workspace_, body_of(what, evaluator)) - F.w),
+                        dimensions::angular_velocity);
   if (f == "angular_acceleration")
-    return vector_value(Vector(angular_acceleration(workspace_, body_of(what, evaluator))), dimensions::angular_acceleration);
+    return vector_value(Vector(angular_acceleration(workspace_, body_of(what, evaluator))),
+                        dimensions::angular_acceleration);
   // The system moves as its mass center.
   if (const Name* name = plain_name(what); name && name->name == "system" && f == "velocity")
-    return vector_value(poinsot::momentum(model_, workspace_, Vector::zero()).linear / total_mass(model_), dimensions::velocity);
+    return vector_value(poinsot::momentum(model_, workspace_, Vector::zero()).linear / total_mass(model_),
+                        dimensions::velocity);
   const Riding point = riding(what, evaluator);
   const Vector r = point_position(model_, workspace_, point.body, point.local) - F.p;
   const Vector v = point_velocity(model_, workspace_, point.body, point.local) - F.v - cross(F.w, r);
@@ -470,7 +500,8 @@ Value<Scalar> QuantityScope<Scalar>::momentum(const Call& call, const Evaluator<
     return number_value(mass * data_.gravity_size(), dimensions::force);
   }
   if (f == "momentum") {
-    const auto total = all ? poinsot::momentum(model_, workspace_, Vector::zero()) : body_momentum(model_, workspace_, body, Vector::zero());
+    const auto total = all ? poinsot::momentum(model_, workspace_, Vector::zero())
+                           : body_momentum(model_, workspace_, body, Vector::zero());
     return vector_value(total.linear, dimensions::momentum);
   }
   if (f == "angular_momentum") {
@@ -491,7 +522,8 @@ Value<Scalar> QuantityScope<Scalar>::momentum(const Call& call, const Evaluator<
     if (plain(norm(P - G)) > 1e-9 * (1 + plain(norm(G))))
       evaluator.fail(about->mark(), "the kinetic energy of the motion about a point is meant about the mass center",
                      "write kinetic_energy(" + to_string(what) + " about center(" + to_string(what) + "))");
-    const Vector L = (all ? poinsot::momentum(model_, workspace_, P) : body_momentum(model_, workspace_, body, P)).linear;
+    const Vector L =
+        (all ? poinsot::momentum(model_, workspace_, P) : body_momentum(model_, workspace_, body, P)).linear;
     const Scalar mass = all ? total_mass(model_) : model_.body(body).inertia.mass;
     return number_value(Scalar(T - Scalar(0.5) * norm_squared(L) / mass), dimensions::energy);
   }
@@ -499,7 +531,8 @@ Value<Scalar> QuantityScope<Scalar>::momentum(const Call& call, const Evaluator<
 }
 
 template <class Scalar>
-std::pair<Vector3<Scalar>, Vector3<Scalar>> QuantityScope<Scalar>::line(const Call& call, const Evaluator<Scalar>& evaluator) {
+std::pair<Vector3<Scalar>, Vector3<Scalar>> QuantityScope<Scalar>::line(const Call& call,
+                                                                        const Evaluator<Scalar>& evaluator) {
   const Expression& about = *call.argument("about");
   if (const Expression* at = call.argument("at")) {
     const Result d = evaluator(about);
@@ -516,7 +549,8 @@ std::pair<Vector3<Scalar>, Vector3<Scalar>> QuantityScope<Scalar>::line(const Ca
     const JointPlace& joint = machine_.joints.at(plain_name(axis->arguments[0].value)->name);
     return {point_position(model_, workspace_, joint.at.body, lifted<Scalar>(joint.at.point)), d};
   }
-  evaluator.fail(about.mark(), "this axis has a direction but no place", "write about A->B, about axis(hinge), or about x at A");
+  evaluator.fail(about.mark(), "this axis has a direction but no place",
+                 "write about A->B, about axis(hinge), or about x at A");
 }
 
 template <class Scalar>
@@ -545,14 +579,16 @@ Value<Scalar> QuantityScope<Scalar>::inertia(const Call& call, const Mark& mark,
   if (f == "products_of_inertia") return numbers({Scalar(-I.xy), Scalar(-I.yz), Scalar(-I.zx)});
   if (f == "inertia_matrix") {
     const Matrix3<Scalar> M = as_matrix(I);
-    return Result::of_list({numbers({M.row0.x, M.row0.y, M.row0.z}), numbers({M.row1.x, M.row1.y, M.row1.z}), numbers({M.row2.x, M.row2.y, M.row2.z})});
+    return Result::of_list({numbers({M.row0.x, M.row0.y, M.row0.z}), numbers({M.row1.x, M.row1.y, M.row1.z}),
+                            numbers({M.row2.x, M.row2.y, M.row2.z})});
   }
   if constexpr (std::is_same_v<Scalar, double>) {
     const PrincipalAxes<double> principal = principal_axes(I);
     if (f == "principal_moments") return numbers({principal.moments.x, principal.moments.y, principal.moments.z});
     // Components on the asked axes; the caller takes vectors from ground axes.
     std::vector<Result> items;
-    for (std::size_t k = 0; k < 3; ++k) items.push_back(vector_value(axes_ * principal.axes.column(k), dimensions::none));
+    for (std::size_t k = 0; k < 3; ++k)
+      items.push_back(vector_value(axes_ * principal.axes.column(k), dimensions::none));
     return Result::of_list(std::move(items));
   } else {
     evaluator.fail(mark, f + " cannot stand inside rate()");
@@ -562,7 +598,8 @@ Value<Scalar> QuantityScope<Scalar>::inertia(const Call& call, const Mark& mark,
 // Of a body of revolution under no moment about its mass center (Eqs. 18.46 to 18.49): it precesses about its angular
 // momentum H_G at H_G/I' and spins about its axis at H_G cos(theta) (I' - I)/(I I').
 template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::free_motion(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+Value<Scalar> QuantityScope<Scalar>::free_motion(const Call& call, const Mark& mark,
+                                                 const Evaluator<Scalar>& evaluator) {
   if constexpr (!std::is_same_v<Scalar, double>) {
     evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known of the velocities");
   } else {
@@ -580,21 +617,26 @@ Value<Scalar> QuantityScope<Scalar>::free_motion(const Call& call, const Mark& m
     if (f == "space_cone") return number_value(std::atan2(norm(cross(H, w)), dot(H, w)), dimensions::angle);
     const PrincipalAxes<double> principal = principal_axes(current_mass(body).inertia_center, 1e-9);
     if (principal.symmetry != InertiaSymmetry::axisymmetric)
-      evaluator.fail(what.mark(), "'" + to_string(what) + "' is no body of revolution: " +
-                                      (principal.symmetry == InertiaSymmetry::spherical ? "all its axes are alike" : "its three principal moments differ"),
+      evaluator.fail(what.mark(),
+                     "'" + to_string(what) + "' is no body of revolution: " +
+                         (principal.symmetry == InertiaSymmetry::spherical ? "all its axes are alike"
+                                                                           : "its three principal moments differ"),
                      "its motion is no steady precession");
-    const double axial = principal.moments[principal.symmetry_axis], transverse = principal.moments[principal.symmetry_axis == 0 ? 1 : 0];
+    const double axial = principal.moments[principal.symmetry_axis],
+                 transverse = principal.moments[principal.symmetry_axis == 0 ? 1 : 0];
     // The sense of the axis: that of the angular velocity, unless the caller says.
     Vector3<double> axis = principal.axes.column(principal.symmetry_axis);
     if (dot(axis, w) < 0) axis = -axis;
     if (const Expression* about = call.argument("about")) {
       const Result sense = evaluator(*about);
       if (!sense.is_vector() || norm(cross(sense.vector, axis)) > 1e-6 * norm(sense.vector))
-        evaluator.fail(about->mark(), "'" + to_string(*about) + "' is not the axis of revolution of '" + to_string(what) + "'");
+        evaluator.fail(about->mark(),
+                       "'" + to_string(*about) + "' is not the axis of revolution of '" + to_string(what) + "'");
       if (dot(sense.vector, axis) < 0) axis = -axis;
     }
     if (f == "symmetry_axis") return vector_value(axis, dimensions::none);
-    if (f == "body_cone") return number_value(std::atan2(norm(cross(axis, w)), std::abs(dot(axis, w))), dimensions::angle);
+    if (f == "body_cone")
+      return number_value(std::atan2(norm(cross(axis, w)), std::abs(dot(axis, w))), dimensions::angle);
     if (f == "precession_rate") return number_value(norm(H) / transverse, dimensions::angular_velocity);
     const double spin = dot(H, axis) * (transverse - axial) / (axial * transverse);
     if (f == "spin_rate") return number_value(spin, dimensions::angular_velocity);
@@ -616,8 +658,9 @@ Value<Scalar> QuantityScope<Scalar>::geometry(const Call& call, const Evaluator<
       evaluator.fail(what.mark(), "there is no joint '" + to_string(what) + "'", did_you_mean(to_string(what), joints));
     }
     if (!found->second.axis) evaluator.fail(what.mark(), "joint '" + name->name + "' has no axis of its own");
-    return vector_value(direction_on_ground(model_, workspace_, found->second.axis->body, lifted<Scalar>(found->second.axis->vector)),
-                        dimensions::none);
+    return vector_value(
+        direction_on_ground(model_, workspace_, found->second.axis->body, lifted<Scalar>(found->second.axis->vector)),
+        dimensions::none);
   }
   if (f == "direction_angles") {
     const Result v = evaluator(what);
@@ -669,7 +712,8 @@ Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, c
   std::vector<std::size_t> actions;
   for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
     const Action& action = mechanism.actions[i];
-    const bool drive = action.kind == ActionKind::drive, support = action.kind == ActionKind::support, load = action.kind == ActionKind::load;
+    const bool drive = action.kind == ActionKind::drive, support = action.kind == ActionKind::support,
+               load = action.kind == ActionKind::load;
     const bool of_joint = (support || drive) && action.joint == name;
     const bool itself = !drive && action.name == name && (joint.empty() || action.joint == joint);
     bool wanted = false;
@@ -690,7 +734,9 @@ Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, c
   if (actions.empty()) {
     std::vector<std::string> known;
     for (const Action& action : mechanism.actions) {
-      const bool fits = f == "load" ? action.kind == ActionKind::load : f == "tension" ? action.kind == ActionKind::cord : action.kind != ActionKind::load;
+      const bool fits = f == "load"      ? action.kind == ActionKind::load
+                        : f == "tension" ? action.kind == ActionKind::cord
+                                         : action.kind != ActionKind::load;
       if (!fits) continue;
       for (const std::string& word : {action.joint, action.name})
         if (!word.empty() && std::find(known.begin(), known.end(), word) == known.end()) known.push_back(word);
@@ -698,20 +744,23 @@ Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, c
     std::string all;
     for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
     const std::string hint = did_you_mean(name, known);
-    evaluator.fail(name_mark, "nothing named '" + name + "' has a " + f, hint.empty() ? (all.empty() ? "" : "known: " + all) : hint);
+    evaluator.fail(name_mark, "nothing named '" + name + "' has a " + f,
+                   hint.empty() ? (all.empty() ? "" : "known: " + all) : hint);
   }
   // One name for two supports of different joints must say which.
   if (f == "reaction" || f == "reaction_couple") {
     for (std::size_t i : actions)
       if (mechanism.actions[i].kind == ActionKind::support && mechanism.actions[i].name == name &&
           mechanism.actions[i].joint != mechanism.actions[actions.front()].joint)
-        evaluator.fail(name_mark, "'" + name + "' is a support of the joints '" + mechanism.actions[actions.front()].joint + "' and '" +
-                                      mechanism.actions[i].joint + "'",
+        evaluator.fail(name_mark,
+                       "'" + name + "' is a support of the joints '" + mechanism.actions[actions.front()].joint +
+                           "' and '" + mechanism.actions[i].joint + "'",
                        "write reaction(" + name + " of " + mechanism.actions[i].joint + ")");
   }
   SpatialForce<double> wrench = SpatialForce<double>::zero();
   for (std::size_t i : actions)
-    wrench += sudden ? solve::action_impulse(*before_, *blow_, *impulses_, i) : solve::action_wrench(*moment_, *unknowns_, i);
+    wrench +=
+        sudden ? solve::action_impulse(*before_, *blow_, *impulses_, i) : solve::action_wrench(*moment_, *unknowns_, i);
   const Action& first = mechanism.actions[actions.front()];
   double sign = 1;
   if (const Expression* on = call.argument("on")) {
@@ -732,14 +781,16 @@ Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, c
   const auto own_place = [&]() -> Vector3<double> {
     for (const Component<double>& component : mechanism.components)
       if (component.action == static_cast<int>(actions.front())) return now.position(component.at);
-    if (const auto found = machine_.joints.find(name); found != machine_.joints.end()) return now.position(found->second.at);
+    if (const auto found = machine_.joints.find(name); found != machine_.joints.end())
+      return now.position(found->second.at);
     return Vector3<double>::zero();
   };
   if (f == "tension") {
     // Of size one along the cord, so that a cord that would have to push shows a negative tension.
     for (std::size_t k = 0; k < mechanism.components.size(); ++k)
       if (mechanism.components[k].action == static_cast<int>(actions.front()))
-        return number_value(Scalar((*unknowns_)[solve::force_unknowns(mechanism).accelerations + k]), dimensions::force);
+        return number_value(Scalar((*unknowns_)[solve::force_unknowns(mechanism).accelerations + k]),
+                            dimensions::force);
   }
   if (f == "load") {
     for (const KnownForce<double>& force : mechanism.forces)
@@ -747,13 +798,15 @@ Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, c
         return force.couple ? as_vector(wrench.moment, dimensions::moment) : as_vector(wrench.force, dimensions::force);
   }
   if (f == "drive" && actions.size() > 1)
-    evaluator.fail(name_mark, "joint '" + name + "' has several freedoms", "write drive(FREEDOM of " + name + "), FREEDOM one of turn, slide, first, second, slide1, slide2");
+    evaluator.fail(name_mark, "joint '" + name + "' has several freedoms",
+                   "write drive(FREEDOM of " + name + "), FREEDOM one of turn, slide, first, second, slide1, slide2");
   if (f == "drive") {
     // What it exerts along or about its own axis; gimbals may pass on more.
     for (const Drive<double>& drive : mechanism.drives) {
       if (drive.action != static_cast<int>(actions.front())) continue;
       const Vector3<double> d = moment_->direction(drive.along);
-      return drive.turning ? as_vector(dot(wrench.moment, d) * d, dimensions::moment) : as_vector(wrench.force, dimensions::force);
+      return drive.turning ? as_vector(dot(wrench.moment, d) * d, dimensions::moment)
+                           : as_vector(wrench.force, dimensions::force);
     }
   }
   if (f == "force" || f == "reaction") return as_vector(wrench.force, dimensions::force);

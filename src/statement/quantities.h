@@ -46,7 +46,9 @@ class QuantityScope : public Scope<Scalar> {
   // The axes that an `axes:` entry names: a body, a frame, `ground`, or a list of three directions.
   Matrix3<Scalar> axes_of(const Expression& expression);
   // What stands before an `@` is asked of another scope.
-  void set_elsewhere(std::function<Value<Scalar>(const At&, const Mark&)> elsewhere) { elsewhere_ = std::move(elsewhere); }
+  void set_elsewhere(std::function<Value<Scalar>(const At&, const Mark&)> elsewhere) {
+    elsewhere_ = std::move(elsewhere);
+  }
 
   Value<Scalar> value(const Expression& expression);
 

@@ -90,8 +90,7 @@ std::vector<Part> read_parts(const Entry& entry, const std::string& file) {
     part.name = key.text;
     part.mark = key.mark;
     const std::optional<Shape> shape = find_shape(members, file, "part '" + key.text + "'");
-    if (!shape)
-      fail(file, value.mark, "part '" + key.text + "' has no shape", "give it one, such as rod: [A, B]");
+    if (!shape) fail(file, value.mark, "part '" + key.text + "' has no shape", "give it one, such as rod: [A, B]");
     part.shape = *shape;
     part.amount = read_amount(members, file, "part '" + key.text + "'");
     part.hole = members.boolean("hole").value_or(false);
@@ -139,8 +138,8 @@ StatedInertia read_inertia(const std::string& key, const Entry& entry, const Rea
   const bool any_moment = std::any_of(inertia.moments.begin(), inertia.moments.end(),
                                       [](const auto& moment) { return moment.has_value(); });
   if (inertia.axis && any_moment)
-    fail(context.file, entry.mark, key + " states both an axis of revolution and moments about " + axes[0] + ", " +
-                                       axes[1] + ", " + axes[2],
+    fail(context.file, entry.mark,
+         key + " states both an axis of revolution and moments about " + axes[0] + ", " + axes[1] + ", " + axes[2],
          "state one or the other");
   if (inertia.axis && !(inertia.axial && inertia.transverse))
     fail(context.file, entry.mark, key + " with an axis needs axial and transverse");
@@ -176,7 +175,8 @@ Body read_body(const std::string& name, Mark mark, const Entry& entry, const Rea
   if (const Entry* parts = members.find("parts")) body.parts = read_parts(*parts, file);
   if (const Entry* added = members.find("added")) body.added = read_parts(*added, file);
   if (auto shape = find_shape(members, file, owner)) {
-    if (!body.parts.empty()) fail(file, shape->mark, owner + " has both a shape and parts", "move the shape into parts:");
+    if (!body.parts.empty())
+      fail(file, shape->mark, owner + " has both a shape and parts", "move the shape into parts:");
     Part part;
     part.name = name;
     part.shape = std::move(*shape);

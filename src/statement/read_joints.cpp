@@ -140,7 +140,8 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
     case JointKind::ball:
       if (const Entry* angles = members.find("angles")) {
         if (angles->kind != Entry::Kind::list || angles->items.size() != 3)
-          fail(file, angles->mark, owner + ": angles are three, in order", "write angles: [phi: Z, theta: -Y, psi: G->A]");
+          fail(file, angles->mark, owner + ": angles are three, in order",
+               "write angles: [phi: Z, theta: -Y, psi: G->A]");
         for (const Entry& item : angles->items) {
           if (item.kind != Entry::Kind::map || item.members.size() != 1)
             fail(file, item.mark, owner + ": an angle is a name and its axis", "write phi: Z");
@@ -167,8 +168,7 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
     std::string names;
     for (const Freedom& freedom : joint.freedoms) names += (names.empty() ? "" : ", ") + freedom.name;
     fail(file, mark, owner + " has " + (joint.freedoms.empty() ? "no freedom of its own" : "several freedoms"),
-         joint.freedoms.empty() ? "state its motion under instants:"
-                                : "state each under freedoms: " + names);
+         joint.freedoms.empty() ? "state its motion under instants:" : "state each under freedoms: " + names);
   }
   if (const Entry* freedoms = members.find("freedoms")) {
     if (freedoms->kind != Entry::Kind::map) fail(file, freedoms->mark, "expected a map of freedoms");

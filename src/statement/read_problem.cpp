@@ -20,7 +20,8 @@ const Named& named(const Members& members, std::string_view key, const std::stri
   const Entry* entry = members.find(key);
   if (!entry || entry->kind == Entry::Kind::null) return none;
   if (entry->kind != Entry::Kind::map)
-    fail(file, entry->mark, "expected names under '" + std::string(key) + "'", "write " + std::string(key) + ": {NAME: ...}");
+    fail(file, entry->mark, "expected names under '" + std::string(key) + "'",
+         "write " + std::string(key) + ": {NAME: ...}");
   return entry->members;
 }
 
@@ -55,18 +56,23 @@ Frame read_frame(const Key& name, const Entry& entry, const std::string& file) {
   frame.acceleration = members.expression("acceleration");
   if (const auto rides_on = members.expression("rides_on")) {
     const Call* call = rides_on->as<Call>();
-    const Name* body = call && call->function == "center" && call->arguments.size() == 1 ? call->arguments[0].value.as<Name>() : nullptr;
-    if (!body) fail(file, rides_on->mark(), "a frame rides on the mass center of a body", "write rides_on: center(projectile)");
+    const Name* body = call && call->function == "center" && call->arguments.size() == 1
+                           ? call->arguments[0].value.as<Name>()
+                           : nullptr;
+    if (!body)
+      fail(file, rides_on->mark(), "a frame rides on the mass center of a body", "write rides_on: center(projectile)");
     frame.rides_on = body->name;
     frame.rides_on_mark = rides_on->mark();
     if (frame.origin || frame.velocity || frame.acceleration)
-      fail(file, name.mark, "frame '" + name.text + "' rides on a body and states its own motion as well", "state one of them");
+      fail(file, name.mark, "frame '" + name.text + "' rides on a body and states its own motion as well",
+           "state one of them");
   }
   frame.turns = members.expression("turns");
   frame.rate = members.expression("rate");
   frame.accel = members.expression("accel");
   if (frame.turns.has_value() != frame.rate.has_value())
-    fail(file, name.mark, "frame '" + name.text + "' states " + (frame.turns ? "an axis but no rate" : "a rate but no axis"),
+    fail(file, name.mark,
+         "frame '" + name.text + "' states " + (frame.turns ? "an axis but no rate" : "a rate but no axis"),
          "write turns: y, rate: 3 rad/s");
   return frame;
 }
@@ -150,8 +156,7 @@ Load read_load(const Key& name, const Entry& entry, const std::string& file) {
            load.force ? "a force acts along a direction" : "a couple acts about an axis");
   load.direction = load.force ? members.expression("along") : members.expression("about");
   load.at = members.expression("at");
-  if (load.couple && load.at)
-    fail(file, members.mark_of("at"), "a couple has no point", "remove at:");
+  if (load.couple && load.at) fail(file, members.mark_of("at"), "a couple has no point", "remove at:");
   load.body = scalar_text(members.require("body", "body: shaft"), file, "the name of a body");
   load.body_mark = members.mark_of("body");
   load.axes = name_of(members, "axes", "ground");
@@ -177,8 +182,10 @@ Impulse read_impulse(const Key& name, const Entry& entry, const std::string& fil
   if (impulse.value.has_value() + impulse.force.has_value() + impulse.couple.has_value() != 1)
     fail(file, name.mark, "impulse '" + name.text + "' needs one of value, force (with lasts) and couple");
   if (impulse.force && !impulse.lasts)
-    fail(file, name.mark, "impulse '" + name.text + "' does not say how long its force lasts", "write lasts: 0.1 s, or value: with an impulse");
-  if (impulse.value && impulse.lasts) fail(file, members.mark_of("lasts"), "an impulse given by its value has no duration", "remove lasts:");
+    fail(file, name.mark, "impulse '" + name.text + "' does not say how long its force lasts",
+         "write lasts: 0.1 s, or value: with an impulse");
+  if (impulse.value && impulse.lasts)
+    fail(file, members.mark_of("lasts"), "an impulse given by its value has no duration", "remove lasts:");
   if (impulse.couple && impulse.at) fail(file, members.mark_of("at"), "a couple has no point", "remove at:");
   return impulse;
 }
@@ -217,10 +224,12 @@ Strike read_strike(const Key& name, const Entry& entry, const std::string& file)
   strike.loses = members.expression("loses");
   const std::string added = members.text("mass_added");
   if (!added.empty() && added != "neglected")
-    fail(file, members.mark_of("mass_added"), "'" + added + "' is not understood", "write mass_added: neglected, or leave it out");
+    fail(file, members.mark_of("mass_added"), "'" + added + "' is not understood",
+         "write mass_added: neglected, or leave it out");
   strike.mass_neglected = added == "neglected";
   if (strike.stays == strike.loses.has_value())
-    fail(file, name.mark, "strike '" + name.text + "' must say what becomes of the particle", "write stays: true, or loses: 20 %");
+    fail(file, name.mark, "strike '" + name.text + "' must say what becomes of the particle",
+         "write stays: true, or loses: 20 %");
   return strike;
 }
 
@@ -233,7 +242,8 @@ Instant read_instant(const Key& name, const Entry& entry, const std::string& fil
     return instant;
   }
   if (entry.kind != Entry::Kind::map)
-    fail(file, entry.mark, "an instant is `rest` or a map of facts", "write now: {angular_velocity(disk): [w1, any, any]}");
+    fail(file, entry.mark, "an instant is `rest` or a map of facts",
+         "write now: {angular_velocity(disk): [w1, any, any]}");
   for (const auto& [key, value] : entry.members) {
     Entry quantity;
     quantity.kind = Entry::Kind::scalar;
@@ -252,7 +262,8 @@ Steady read_steady(const Entry& entry, const std::string& file) {
   steady.frame_mark = members.mark_of("frame");
   for (const auto& [name, value] : named(members, "spins", file)) {
     const Members spin(value, file, {"spin"});
-    steady.spins.push_back({name.text, spin.require_expression("about", "about: A->B"), spin.require_expression("rate", "rate: psidot"), name.mark});
+    steady.spins.push_back({name.text, spin.require_expression("about", "about: A->B"),
+                            spin.require_expression("rate", "rate: psidot"), name.mark});
   }
   return steady;
 }
@@ -321,7 +332,8 @@ Expected read_expected(const Key& name, const Entry& entry, const std::string& f
   expected.part = name.text;
   expected.mark = name.mark;
   expected.roots = members.find("roots") != nullptr;
-  if (expected.roots && members.find("value")) fail(file, entry.mark, "'" + name.text + "' expects a value and roots", "state one of them");
+  if (expected.roots && members.find("value"))
+    fail(file, entry.mark, "'" + name.text + "' expects a value and roots", "state one of them");
   expected.value = members.expression(expected.roots ? "roots" : "value");
   expected.formula = members.expression("formula");
   expected.holds = members.boolean("holds");
@@ -333,7 +345,9 @@ Expected read_expected(const Key& name, const Entry& entry, const std::string& f
   }
   if (const Entry* rtol = members.find("rtol")) expected.relative_tolerance = read_number(*rtol, file);
   if (const Entry* atol = members.find("atol")) expected.absolute_tolerance = read_number(*atol, file);
-  if (expected.value.has_value() + expected.formula.has_value() + expected.names.has_value() + expected.holds.has_value() != 1)
+  if (expected.value.has_value() + expected.formula.has_value() + expected.names.has_value() +
+          expected.holds.has_value() !=
+      1)
     fail(file, entry.mark, "'" + name.text + "' expects one of value, formula, names or holds");
   return expected;
 }
@@ -385,7 +399,9 @@ void check_holders(const Problem& problem) {
     std::string all;
     for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
     fail(problem.file, mark, "there is no " + std::string(what) + " '" + name + "'",
-         !near.empty() ? "did you mean '" + near + "'?" : all.empty() ? "the problem has none" : "known: " + all);
+         !near.empty() ? "did you mean '" + near + "'?"
+         : all.empty() ? "the problem has none"
+                       : "known: " + all);
   };
   for (const Frame& frame : problem.frames)
     if (!frame.rides_on.empty()) check(frame.rides_on, frame.rides_on_mark, bodies, "body");
@@ -396,7 +412,8 @@ void check_holders(const Problem& problem) {
   for (const Joint& joint : problem.joints) {
     check(joint.from, joint.from_mark, holders, "body or frame");
     if (joint.to == "ground")
-      fail(problem.file, joint.to_mark, "joint '" + joint.name + "' holds the ground", "the ground holds and is not held: write it under from:");
+      fail(problem.file, joint.to_mark, "joint '" + joint.name + "' holds the ground",
+           "the ground holds and is not held: write it under from:");
     check(joint.to, joint.to_mark, bodies, "body");
     if (joint.from == joint.to)
       fail(problem.file, joint.mark, "joint '" + joint.name + "' joins '" + joint.to + "' to itself");
@@ -466,7 +483,9 @@ void check_choices(Problem& problem) {
     if (std::find(added.begin(), added.end(), name) == added.end())
       fail(problem.file, Mark{1, 1}, "without: '" + name + "' is no added mass", did_you_mean(name, added));
   for (Body& body : problem.bodies)
-    std::erase_if(body.added, [&](const Part& part) { return std::find(problem.without.begin(), problem.without.end(), part.name) != problem.without.end(); });
+    std::erase_if(body.added, [&](const Part& part) {
+      return std::find(problem.without.begin(), problem.without.end(), part.name) != problem.without.end();
+    });
 }
 
 Problem read_one(const Entry& root, const std::string& file) {
@@ -481,14 +500,16 @@ Problem read_one(const Entry& root, const std::string& file) {
       problem.axes[i] = scalar_text(axes->items[i], file, "the name of an axis");
       check_name(problem.axes[i], axes->items[i].mark, file);
       for (int j = 0; j < i; ++j)
-        if (problem.axes[i] == problem.axes[j]) fail(file, axes->items[i].mark, "two axes have the name '" + problem.axes[i] + "'");
+        if (problem.axes[i] == problem.axes[j])
+          fail(file, axes->items[i].mark, "two axes have the name '" + problem.axes[i] + "'");
     }
   }
   const ReadContext context{file, problem.axes};
   problem.given = named_expressions(members, "given", file);
   for (const auto& [name, unit] : named(members, "letters", file)) {
     check_name(name.text, name.mark, file);
-    problem.letters.push_back({name.text, unit.kind == Entry::Kind::scalar && unit.text == "1" ? Unit{} : read_unit(unit, file), name.mark});
+    problem.letters.push_back(
+        {name.text, unit.kind == Entry::Kind::scalar && unit.text == "1" ? Unit{} : read_unit(unit, file), name.mark});
   }
   for (const auto& [name, unit] : named(members, "find", file)) {
     check_name(name.text, name.mark, file);
@@ -510,15 +531,19 @@ Problem read_one(const Entry& root, const std::string& file) {
     if (of.kind != Entry::Kind::list) fail(file, of.mark, "expected a list of names", "write of: [A, B, C, D]");
     for (const Entry& item : of.items) stated.of.push_back(scalar_text(item, file, "a name"));
     const std::string& count = scalar_text(choice.require("exactly", "exactly: 2"), file, "a whole number");
-    if (count.empty() || count.size() > 2 || count.find_first_not_of("0123456789") != std::string::npos || stoul(count) > stated.of.size())
-      fail(file, choice.mark_of("exactly"), "'" + count + "' is no number of things among " + std::to_string(stated.of.size()));
+    if (count.empty() || count.size() > 2 || count.find_first_not_of("0123456789") != std::string::npos ||
+        stoul(count) > stated.of.size())
+      fail(file, choice.mark_of("exactly"),
+           "'" + count + "' is no number of things among " + std::to_string(stated.of.size()));
     stated.exactly = std::stoi(count);
     if (stated.of.size() > 16) fail(file, of.mark, "a choice among more than 16 things is too large");
     problem.choose.push_back(std::move(stated));
   }
   if (const Entry* without = members.find("without")) {
-    if (without->kind != Entry::Kind::list) fail(file, without->mark, "expected a list of names", "write without: [A, B]");
-    for (const Entry& item : without->items) problem.without.push_back(scalar_text(item, file, "the name of an added mass"));
+    if (without->kind != Entry::Kind::list)
+      fail(file, without->mark, "expected a list of names", "write without: [A, B]");
+    for (const Entry& item : without->items)
+      problem.without.push_back(scalar_text(item, file, "the name of an added mass"));
   }
   problem.neglect = members.list("neglect");
   for (const Expression& square : problem.neglect) {
@@ -527,8 +552,10 @@ Problem read_one(const Entry& root, const std::string& file) {
     const Number* two = power ? power->right.as<Number>() : nullptr;
     if (!name || !two || two->value != 2 || two->has_unit)
       fail(file, square.mark(), "only squares of unknowns can be neglected", "write neglect: [phidot^2]");
-    if (std::none_of(problem.find.begin(), problem.find.end(), [&](const Unknown& unknown) { return unknown.name == name->name; }))
-      fail(file, square.mark(), "'" + name->name + "' is no unknown under find:", "only squares of unknowns can be neglected");
+    if (std::none_of(problem.find.begin(), problem.find.end(),
+                     [&](const Unknown& unknown) { return unknown.name == name->name; }))
+      fail(file, square.mark(),
+           "'" + name->name + "' is no unknown under find:", "only squares of unknowns can be neglected");
   }
   problem.where = members.list("where");
   problem.gravity = members.expression("gravity");
@@ -541,24 +568,36 @@ Problem read_one(const Entry& root, const std::string& file) {
       list.push_back(read(name, entry));
     }
   };
-  read_all("frames", problem.frames, [&](const Key& name, const Entry& entry) { return read_frame(name, entry, file); });
-  read_all("bodies", problem.bodies, [&](const Key& name, const Entry& entry) { return read_body(name.text, name.mark, entry, context); });
-  read_all("joints", problem.joints, [&](const Key& name, const Entry& entry) { return read_joint(name.text, name.mark, entry, file); });
-  read_all("contacts", problem.contacts, [&](const Key& name, const Entry& entry) { return read_contact(name, entry, file); });
+  read_all("frames", problem.frames,
+           [&](const Key& name, const Entry& entry) { return read_frame(name, entry, file); });
+  read_all("bodies", problem.bodies,
+           [&](const Key& name, const Entry& entry) { return read_body(name.text, name.mark, entry, context); });
+  read_all("joints", problem.joints,
+           [&](const Key& name, const Entry& entry) { return read_joint(name.text, name.mark, entry, file); });
+  read_all("contacts", problem.contacts,
+           [&](const Key& name, const Entry& entry) { return read_contact(name, entry, file); });
   read_all("cords", problem.cords, [&](const Key& name, const Entry& entry) { return read_cord(name, entry, file); });
-  read_all("springs", problem.springs, [&](const Key& name, const Entry& entry) { return read_spring(name, entry, file); });
+  read_all("springs", problem.springs,
+           [&](const Key& name, const Entry& entry) { return read_spring(name, entry, file); });
   read_all("loads", problem.loads, [&](const Key& name, const Entry& entry) { return read_load(name, entry, file); });
-  read_all("impulses", problem.impulses, [&](const Key& name, const Entry& entry) { return read_impulse(name, entry, file); });
-  read_all("impacts", problem.impacts, [&](const Key& name, const Entry& entry) { return read_impact(name, entry, file); });
-  read_all("strikes", problem.strikes, [&](const Key& name, const Entry& entry) { return read_strike(name, entry, file); });
-  read_all("stages", problem.stages, [&](const Key& name, const Entry& entry) { return read_stage(name, entry, file); });
+  read_all("impulses", problem.impulses,
+           [&](const Key& name, const Entry& entry) { return read_impulse(name, entry, file); });
+  read_all("impacts", problem.impacts,
+           [&](const Key& name, const Entry& entry) { return read_impact(name, entry, file); });
+  read_all("strikes", problem.strikes,
+           [&](const Key& name, const Entry& entry) { return read_strike(name, entry, file); });
+  read_all("stages", problem.stages,
+           [&](const Key& name, const Entry& entry) { return read_stage(name, entry, file); });
   if (const Entry* steady = members.find("steady")) problem.steady = read_steady(*steady, file);
-  for (const auto& [name, entry] : named(members, "instants", file)) problem.instants.push_back(read_instant(name, entry, file));
-  if (const Entry* facts = members.find("facts")) problem.instants.push_back(read_instant(Key{"facts", facts->mark}, *facts, file));
+  for (const auto& [name, entry] : named(members, "instants", file))
+    problem.instants.push_back(read_instant(name, entry, file));
+  if (const Entry* facts = members.find("facts"))
+    problem.instants.push_back(read_instant(Key{"facts", facts->mark}, *facts, file));
   // Equations are solved as full matrices: a machine of more bodies would take minutes.
   constexpr std::size_t most_bodies = 100;
   if (problem.bodies.size() > most_bodies)
-    fail(file, problem.bodies[most_bodies].mark, "there are more than " + std::to_string(most_bodies) + " bodies", "bodies that never move apart are parts: of one");
+    fail(file, problem.bodies[most_bodies].mark, "there are more than " + std::to_string(most_bodies) + " bodies",
+         "bodies that never move apart are parts: of one");
   check_definition_limits(problem);
   check_holders(problem);
   check_choices(problem);
@@ -620,7 +659,8 @@ Statement read_statement(std::string_view text, const std::string& file) {
           fail(file, key.mark, "'" + key.text + "' cannot stand in a situation", "it belongs at the top of the file");
       add(name.text, laid_over(shared, entry));
       if (const Entry* find = entry.find("find"); find && find->kind == Entry::Kind::map)
-        for (const auto& [unknown, unit] : find->members) statement.situations.back().own_unknowns.push_back(unknown.text);
+        for (const auto& [unknown, unit] : find->members)
+          statement.situations.back().own_unknowns.push_back(unknown.text);
     }
   }
   if (statement.asks.empty())

@@ -92,7 +92,8 @@ void check_name(const std::string& name, Mark mark, const std::string& file) {
     fail(file, mark, "'" + name + "' cannot be a name", "names are letters, digits and _, and begin with a letter");
   for (const char* word : {"any", "pi", "time", "ground", "system", "rest", "none", "about", "along", "to", "with",
                            "from", "of", "on", "at", "by", "relative"})
-    if (name == word) fail(file, mark, "'" + name + "' is a word of the language and cannot be a name", "choose another name");
+    if (name == word)
+      fail(file, mark, "'" + name + "' is a word of the language and cannot be a name", "choose another name");
 }
 
 std::vector<Expression> expression_list(const Entry& entry, const std::string& file) {

@@ -28,7 +28,7 @@ class Members {
   Expression require_expression(std::string_view key, std::string_view example) const;
   std::vector<Expression> list(std::string_view key) const;  // empty when absent
   std::optional<bool> boolean(std::string_view key) const;
-  std::string text(std::string_view key) const;              // "" when absent
+  std::string text(std::string_view key) const;  // "" when absent
   const Entry& entry() const { return *entry_; }
 
  private:

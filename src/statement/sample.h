@@ -24,10 +24,15 @@ inline bool asks_model(const Problem& problem, const Expression& expression, boo
   std::set<std::string> names;
   collect_names(expression, names, into_at);
   for (const std::string& name : names) {
-    if (std::any_of(problem.find.begin(), problem.find.end(), [&](const Unknown& unknown) { return unknown.name == name; })) return true;
-    if (std::any_of(problem.choose.begin(), problem.choose.end(), [&](const Choice& choice) { return choice.name == name; })) return true;
+    if (std::any_of(problem.find.begin(), problem.find.end(),
+                    [&](const Unknown& unknown) { return unknown.name == name; }))
+      return true;
+    if (std::any_of(problem.choose.begin(), problem.choose.end(),
+                    [&](const Choice& choice) { return choice.name == name; }))
+      return true;
     // A point that rides with a body: A of plate.
-    if (std::any_of(problem.bodies.begin(), problem.bodies.end(), [&](const Body& body) { return body.name == name; })) return true;
+    if (std::any_of(problem.bodies.begin(), problem.bodies.end(), [&](const Body& body) { return body.name == name; }))
+      return true;
     for (const Joint& joint : problem.joints)
       for (const Freedom& freedom : joint.freedoms)
         if (freedom.position && freedom.position->as<Name>() && freedom.position->as<Name>()->name == name) return true;
@@ -57,12 +62,16 @@ class Sample {
     }
     return ask.is_list ? Value<double>::of_list(std::move(items)) : items.front();
   }
-  const std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<SolvedInstant>>& instants() const { return instants_; }
+  const std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<SolvedInstant>>& instants() const {
+    return instants_;
+  }
   SolvedInstant& instant_of(const Ask& ask) {
     const auto [situation, stage] = home(ask.of.front(), ask.mark);
     return instant(situation, stage);
   }
-  const Problem& problem_of(const Ask& ask) { return statement_.situations[home(ask.of.front(), ask.mark).first].problem; }
+  const Problem& problem_of(const Ask& ask) {
+    return statement_.situations[home(ask.of.front(), ask.mark).first].problem;
+  }
 
   // Where something is asked: the situation, and its instant as a number (see when()).
   using Home = std::pair<std::size_t, std::size_t>;
@@ -101,7 +110,10 @@ class Sample {
     std::string all;
     for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
     const std::string hint = did_you_mean(name, known);
-    fail(statement_.file, mark, "there is no instant, stage or situation '" + name + "'", !hint.empty() ? hint : all.empty() ? "" : "known: " + all);
+    fail(statement_.file, mark, "there is no instant, stage or situation '" + name + "'",
+         !hint.empty() ? hint
+         : all.empty() ? ""
+                       : "known: " + all);
   }
 
  private:
@@ -111,20 +123,24 @@ class Sample {
     const bool one = statement_.situations.size() == 1 && statement_.situations.front().problem.stages.size() <= 1;
     if (const At* at = first_at(expression); at && !one) {
       if (asks_model(statement_.situations.front().problem, expression, false))
-        fail(statement_.file, mark, "a part of this stands without @: when is it meant?", "write @ " + at->instant + " or another instant behind every quantity");
+        fail(statement_.file, mark, "a part of this stands without @: when is it meant?",
+             "write @ " + at->instant + " or another instant behind every quantity");
       return resolve(at->instant, at->instant_mark);
     }
-    if (statement_.situations.size() > 1 && !asks_instant(expression) && !asks_own_unknown(expression)) return {0, statement_.situations.front().problem.has_blow() ? 1u : 0u};
+    if (statement_.situations.size() > 1 && !asks_instant(expression) && !asks_own_unknown(expression))
+      return {0, statement_.situations.front().problem.has_blow() ? 1u : 0u};
     if (statement_.situations.size() > 1) {
       std::string names;
       for (const Situation& situation : statement_.situations) names += (names.empty() ? "" : ", ") + situation.name;
-      fail(statement_.file, mark, "in which situation is this asked?", "write " + to_string(expression) + " @ one of " + names);
+      fail(statement_.file, mark, "in which situation is this asked?",
+           "write " + to_string(expression) + " @ one of " + names);
     }
     const auto& stages = statement_.situations.front().problem.stages;
     if (stages.size() > 1) {
       std::string names;
       for (const Stage& stage : stages) names += (names.empty() ? "" : ", ") + stage.name;
-      fail(statement_.file, mark, "in which stage is this asked?", "write " + to_string(expression) + " @ one of " + names);
+      fail(statement_.file, mark, "in which stage is this asked?",
+           "write " + to_string(expression) + " @ one of " + names);
     }
     return {0, statement_.situations.front().problem.has_blow() ? 1u : 0u};
   }

@@ -106,14 +106,17 @@ ShapeValues rectangle(const Arguments& a) {
     const Vector center = a.place("center");
     const auto sides = a.places("sides", 2);
     a.check(shape_faults::rectangle(a.owner(), center, sides[0], sides[1]));
-    return {Extent::area, shapes::rectangle(center, sides[0], sides[1]), particles::rectangle(center, sides[0], sides[1])};
+    return {Extent::area, shapes::rectangle(center, sides[0], sides[1]),
+            particles::rectangle(center, sides[0], sides[1])};
   }
   const auto corners = a.places("corners");
   if (corners.size() != 3 && corners.size() != 4) a.refuse("it needs three corners in turn, or all four");
   a.check(shape_faults::rectangle_from_corners(a.owner(), corners[0], corners[1], corners[2]));
   const Vector fourth = corners[0] + corners[2] - corners[1];
-  if (corners.size() == 4 && norm(corners[3] - fourth) > shape_faults::default_tolerance * norm(corners[2] - corners[0]))
-    a.refuse("its fourth corner does not complete the rectangle", "list the corners in turn; other plates are a polygon:");
+  if (corners.size() == 4 &&
+      norm(corners[3] - fourth) > shape_faults::default_tolerance * norm(corners[2] - corners[0]))
+    a.refuse("its fourth corner does not complete the rectangle",
+             "list the corners in turn; other plates are a polygon:");
   return {Extent::area, shapes::rectangle_from_corners(corners[0], corners[1], corners[2]),
           particles::rectangle_from_corners(corners[0], corners[1], corners[2])};
 }
@@ -142,7 +145,8 @@ ShapeValues cube(const Arguments& a) {
   if (a.has("diagonal")) {
     const auto ends = a.places("diagonal", 2);
     a.check(shape_faults::cube_from_diagonal(a.owner(), ends[0], ends[1]));
-    return {Extent::volume, shapes::cube_from_diagonal(ends[0], ends[1]), particles::cube_from_diagonal(ends[0], ends[1])};
+    return {Extent::volume, shapes::cube_from_diagonal(ends[0], ends[1]),
+            particles::cube_from_diagonal(ends[0], ends[1])};
   }
   const Vector center = a.place("center");
   const double side = a.length("side");
@@ -233,7 +237,8 @@ const std::map<std::string, Builder>& builders() {
        [](const Arguments& a) -> ShapeValues {
          const Vector c = a.place("center"), n = a.direction("normal"), middle = a.toward("middle", c);
          const double r = a.length("radius"), angle = a.angle("angle");
-         if (std::abs(dot(n, middle)) > shape_faults::default_tolerance) a.refuse("middle does not lie across the normal");
+         if (std::abs(dot(n, middle)) > shape_faults::default_tolerance)
+           a.refuse("middle does not lie across the normal");
          a.check(shape_faults::sector(a.owner(), c, n, r, middle, angle));
          return {Extent::area, shapes::sector(c, n, r, middle, angle), particles::sector(c, n, r, middle, angle)};
        }},
@@ -334,7 +339,8 @@ const std::map<std::string, Builder>& builders() {
        [](const Arguments& a) -> ShapeValues {
          const auto P = a.places("points", 4);
          a.check(shape_faults::tetrahedron(a.owner(), P[0], P[1], P[2], P[3]));
-         return {Extent::volume, shapes::tetrahedron(P[0], P[1], P[2], P[3]), particles::tetrahedron(P[0], P[1], P[2], P[3])};
+         return {Extent::volume, shapes::tetrahedron(P[0], P[1], P[2], P[3]),
+                 particles::tetrahedron(P[0], P[1], P[2], P[3])};
        }},
       {"mesh",
        [](const Arguments& a) -> ShapeValues {

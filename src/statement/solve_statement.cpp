@@ -13,14 +13,14 @@
 #include "poinsot/solve/roots.h"
 #include "statement/compare_values.h"
 #include "statement/describe.h"
-#include "statement/sample.h"
 #include "statement/reader.h"
+#include "statement/sample.h"
 
 namespace poinsot::statement {
 namespace {
 
-constexpr double check_tolerance = 1e-8;   // residual on the road of particles, relative
-constexpr double same_tolerance = 1e-9;    // between two choices of what is open, relative
+constexpr double check_tolerance = 1e-8;  // residual on the road of particles, relative
+constexpr double same_tolerance = 1e-9;   // between two choices of what is open, relative
 
 bool asks_energy(const Expression& expression) {
   std::set<std::string> names;
@@ -38,11 +38,13 @@ template <class SlotOf>
 void narrow_ranges(const Problem& problem, const Settings& settings, solve::RootProblem& roots, SlotOf slot_of) {
   for (const Expression& condition : problem.where) {
     const Comparison* comparison = condition.as<Comparison>();
-    if (!comparison) fail(problem.file, condition.mark(), "a condition under where: is a comparison", "write 0 deg < b < 90 deg");
+    if (!comparison)
+      fail(problem.file, condition.mark(), "a condition under where: is a comparison", "write 0 deg < b < 90 deg");
     for (std::size_t i = 0; i + 1 < comparison->operands.size(); ++i) {
       const Expression &left = comparison->operands[i], &right = comparison->operands[i + 1];
       const bool less = comparison->relations[i] == Relation::less || comparison->relations[i] == Relation::less_equal;
-      const bool greater = comparison->relations[i] == Relation::greater || comparison->relations[i] == Relation::greater_equal;
+      const bool greater =
+          comparison->relations[i] == Relation::greater || comparison->relations[i] == Relation::greater_equal;
       const auto value_of = [&](const Expression& e) -> std::optional<double> {
         DataScope<double> data(problem, settings);
         try {
@@ -71,7 +73,8 @@ void narrow_ranges(const Problem& problem, const Settings& settings, solve::Root
   }
 }
 
-bool satisfies_where(const Statement& statement, const std::vector<std::size_t>& situations, const AllSettings& settings) {
+bool satisfies_where(const Statement& statement, const std::vector<std::size_t>& situations,
+                     const AllSettings& settings) {
   for (std::size_t i : situations)
     for (const Expression& condition : statement.situations[i].problem.where) {
       DataScope<double> data(statement.situations[i].problem, settings[i]);
@@ -86,7 +89,8 @@ using Values = std::vector<std::optional<Value<double>>>;
 
 class StatementSolver {
  public:
-  StatementSolver(const Statement& statement, Settings settings) : statement_(statement), settings_(std::move(settings)) {
+  StatementSolver(const Statement& statement, Settings settings)
+      : statement_(statement), settings_(std::move(settings)) {
     for (const Situation& situation : statement.situations) {
       for (const Letter& letter : situation.problem.letters) add_once(open_, letter);
       for (const Unknown& unknown : situation.problem.find) add_once(unknowns_, unknown);
@@ -124,7 +128,8 @@ class StatementSolver {
         for (std::size_t i = 0; i < solution.asks.size(); ++i) {
           SolvedAsk& ask = solution.asks[i];
           if (ask.state != AskState::found) continue;
-          if (found.alternative && same(ask.value, other.asks[i].value, tolerance(i, ask.value, other.asks[i].value))) continue;
+          if (found.alternative && same(ask.value, other.asks[i].value, tolerance(i, ask.value, other.asks[i].value)))
+            continue;
           ask.state = AskState::undetermined;
           ask.reason = "the conditions leave " + names + " open: one more fact is needed";
         }
@@ -161,9 +166,12 @@ class StatementSolver {
 
   void list_unknowns(const AllSettings& root, Solution& solution) const {
     for (const Unknown& unknown : unknowns_) {
-      if (is_common(unknown.name)) solution.unknowns.push_back({unknown.name, unknown.unit, root.front().at(unknown.name)});
+      if (is_common(unknown.name))
+        solution.unknowns.push_back({unknown.name, unknown.unit, root.front().at(unknown.name)});
       for (std::size_t i = 0; i < root.size(); ++i)
-        if (is_own(i, unknown.name)) solution.unknowns.push_back({unknown.name + " @ " + statement_.situations[i].name, unknown.unit, root[i].at(unknown.name)});
+        if (is_own(i, unknown.name))
+          solution.unknowns.push_back(
+              {unknown.name + " @ " + statement_.situations[i].name, unknown.unit, root[i].at(unknown.name)});
     }
   }
 
@@ -182,7 +190,8 @@ class StatementSolver {
       for (const AllSettings& root : found.roots) {
         RootsFound more = find_with_choices(search, root);
         refined.insert(refined.end(), more.roots.begin(), more.roots.end());
-        for (const auto& [list, fresh] : {std::pair{&found.open, &more.open}, std::pair{&found.warnings, &more.warnings}})
+        for (const auto& [list, fresh] :
+             {std::pair{&found.open, &more.open}, std::pair{&found.warnings, &more.warnings}})
           for (const std::string& text : *fresh)
             if (std::find(list->begin(), list->end(), text) == list->end()) list->push_back(text);
         if (more.alternative) found.alternative = more.alternative;
@@ -202,14 +211,17 @@ class StatementSolver {
 
   template <class Item>
   void add_once(std::vector<Item>& list, const Item& item) const {
-    const bool known = settings_.contains(item.name) || std::any_of(list.begin(), list.end(), [&](const Item& other) { return other.name == item.name; });
+    const bool known = settings_.contains(item.name) || std::any_of(list.begin(), list.end(), [&](const Item& other) {
+                         return other.name == item.name;
+                       });
     if (!known) list.push_back(item);
   }
 
   Settings settings_with_letters() const {
     Settings settings = settings_;
     std::mt19937_64 random(1000);
-    for (const Letter& letter : open_) settings[letter.name] = Value<double>::of_number(draw(letter, random), letter.unit.dimension);
+    for (const Letter& letter : open_)
+      settings[letter.name] = Value<double>::of_number(draw(letter, random), letter.unit.dimension);
     return settings;
   }
 
@@ -218,7 +230,9 @@ class StatementSolver {
     std::vector<const Choice*> choices;
     for (std::size_t i : search.situations)
       for (const Choice& choice : statement_.situations[i].problem.choose)
-        if (std::none_of(choices.begin(), choices.end(), [&](const Choice* other) { return other->name == choice.name; })) choices.push_back(&choice);
+        if (std::none_of(choices.begin(), choices.end(),
+                         [&](const Choice* other) { return other->name == choice.name; }))
+          choices.push_back(&choice);
     if (choices.empty()) return find_unknowns(search, settings);
     if (choices.size() > 1) fail(statement_.file, choices[1]->mark, "only one choice can be made in a problem");
     const Choice& choice = *choices.front();
@@ -237,7 +251,8 @@ class StatementSolver {
           continue;
         }
         for (const std::string& name : unknowns_of(choice.of[k])) {
-          const auto unknown = std::find_if(rest.unknowns.begin(), rest.unknowns.end(), [&](const Unknown& u) { return u.name == name; });
+          const auto unknown = std::find_if(rest.unknowns.begin(), rest.unknowns.end(),
+                                            [&](const Unknown& u) { return u.name == name; });
           if (unknown == rest.unknowns.end()) continue;
           give(name, Value<double>::of_number(0, unknown->unit.dimension));
           rest.unknowns.erase(unknown);
@@ -258,8 +273,9 @@ class StatementSolver {
         if (std::find(all.open.begin(), all.open.end(), name) == all.open.end()) all.open.push_back(name);
     }
     if (all.roots.empty())
-      all.warnings.push_back("no choice of " + std::to_string(choice.exactly) + " of them under '" + choice.name +
-                             "' satisfies all conditions with values in their ranges (durations and masses are not negative)");
+      all.warnings.push_back(
+          "no choice of " + std::to_string(choice.exactly) + " of them under '" + choice.name +
+          "' satisfies all conditions with values in their ranges (durations and masses are not negative)");
     return all;
   }
   // The unknowns that stand in the data of an impulse or an added mass.
@@ -271,7 +287,8 @@ class StatementSolver {
     for (const Situation& situation : statement_.situations) {
       for (const Impulse& impulse : situation.problem.impulses)
         if (impulse.name == name)
-          for (const auto* expression : {&impulse.value, &impulse.force, &impulse.lasts, &impulse.couple}) collect(*expression);
+          for (const auto* expression : {&impulse.value, &impulse.force, &impulse.lasts, &impulse.couple})
+            collect(*expression);
       for (const Body& body : situation.problem.bodies)
         for (const Part& part : body.added)
           if (part.name == name) {
@@ -293,7 +310,8 @@ class StatementSolver {
     Values values = with_letters(OpenChoice{}, nullptr);
     Sample& base = *sample_;
     result.asks.resize(statement_.asks.size());
-    for (std::size_t i = 0; i < statement_.asks.size(); ++i) finish(statement_.asks[i], *values[i], base, result.asks[i]);
+    for (std::size_t i = 0; i < statement_.asks.size(); ++i)
+      finish(statement_.asks[i], *values[i], base, result.asks[i]);
     find_dependencies(values, result);
     if (open_.empty()) physical(result);
     check(result);
@@ -367,7 +385,8 @@ class StatementSolver {
         if (!differs(other, i)) continue;
         result.asks[i].state = AskState::undetermined;
         std::string why = reason(statement_.asks[i]);
-        if (result.asks[i].reason.find(why) == std::string::npos) result.asks[i].reason += (result.asks[i].reason.empty() ? "" : "; ") + why;
+        if (result.asks[i].reason.find(why) == std::string::npos)
+          result.asks[i].reason += (result.asks[i].reason.empty() ? "" : "; ") + why;
         note_fixed_components(*base[i], other[i], i);
       }
     };
@@ -378,9 +397,12 @@ class StatementSolver {
       any = any || uses_any(situation.problem);
     }
     if (any)
-      undetermined({.seed = 11, .any = true}, [](const Ask&) { return std::string("it depends on a value that is given as `any`"); });
+      undetermined({.seed = 11, .any = true},
+                   [](const Ask&) { return std::string("it depends on a value that is given as `any`"); });
     if (gravity)
-      undetermined({.seed = 12, .gravity = true}, [](const Ask&) { return std::string("it depends on gravity, of which nothing is said: write gravity: -y or gravity: none"); });
+      undetermined({.seed = 12, .gravity = true}, [](const Ask&) {
+        return std::string("it depends on gravity, of which nothing is said: write gravity: -y or gravity: none");
+      });
     // Every open direction by itself, so that only what moves an answer is named.
     std::size_t velocities = 0, forces = 0;
     for (const auto& [key, instant] : sample_->instants()) {
@@ -398,19 +420,28 @@ class StatementSolver {
         result.asks[i].state = AskState::undetermined;
         ++missing[i];
         const SolvedInstant& instant = sample_->instant_of(statement_.asks[i]);
-        for (std::size_t k : d < instant.velocities().share.size() ? instant.velocities().share[d] : std::vector<std::size_t>{})
-          if (const std::string& name = instant.velocity_equations().name(k); std::find(rates[i].begin(), rates[i].end(), name) == rates[i].end())
+        for (std::size_t k :
+             d < instant.velocities().share.size() ? instant.velocities().share[d] : std::vector<std::size_t>{})
+          if (const std::string& name = instant.velocity_equations().name(k);
+              std::find(rates[i].begin(), rates[i].end(), name) == rates[i].end())
             rates[i].push_back(name);
         note_fixed_components(*base[i], other[i], i);
       }
     }
     for (std::size_t i = 0; i < base.size(); ++i)
-      if (missing[i] > 0) result.asks[i].reason += (result.asks[i].reason.empty() ? "" : "; ") + open_velocities(rates[i], missing[i]);
+      if (missing[i] > 0)
+        result.asks[i].reason += (result.asks[i].reason.empty() ? "" : "; ") + open_velocities(rates[i], missing[i]);
     for (std::size_t d = 0; d < std::min(forces, most); ++d)
-      undetermined({.seed = 14, .forces = true, .direction = d}, [&](const Ask& ask) { return open_force(sample_->instant_of(ask), d); });
+      undetermined({.seed = 14, .forces = true, .direction = d},
+                   [&](const Ask& ask) { return open_force(sample_->instant_of(ask), d); });
     // What rests on several of them at once, as the product of gravity and a velocity, moves with none by itself.
     if (any + gravity + velocities + forces > 1) {
-      const Values other = varied({.seed = 15, .any = any, .gravity = gravity, .velocities = velocities > 0, .forces = forces > 0, .direction = OpenChoice::every});
+      const Values other = varied({.seed = 15,
+                                   .any = any,
+                                   .gravity = gravity,
+                                   .velocities = velocities > 0,
+                                   .forces = forces > 0,
+                                   .direction = OpenChoice::every});
       for (std::size_t i = 0; i < base.size(); ++i) {
         if (result.asks[i].state != AskState::found || !differs(other, i)) continue;
         result.asks[i].state = AskState::undetermined;
@@ -439,7 +470,9 @@ class StatementSolver {
       for (std::size_t k = 0; k < 3; ++k)
         if (fixed_[i][k]) names.push_back("." + sample_->problem_of(statement_.asks[i]).axes[k]);
       if (!names.empty())
-        result.asks[i].reason += "; its component" + std::string(names.size() > 1 ? "s " : " ") + listed(names, "and") + (names.size() > 1 ? " are" : " is") + " fixed: ask for " + (names.size() > 1 ? "them" : "it");
+        result.asks[i].reason += "; its component" + std::string(names.size() > 1 ? "s " : " ") + listed(names, "and") +
+                                 (names.size() > 1 ? " are" : " is") + " fixed: ask for " +
+                                 (names.size() > 1 ? "them" : "it");
     }
   }
 
@@ -450,7 +483,8 @@ class StatementSolver {
       return names.contains("any");
     };
     return std::any_of(problem.bodies.begin(), problem.bodies.end(), [&](const Body& body) {
-      if (is_any(body.amount.mass) || is_any(body.amount.weight) || is_any(body.amount.density) || is_any(body.center)) return true;
+      if (is_any(body.amount.mass) || is_any(body.amount.weight) || is_any(body.amount.density) || is_any(body.center))
+        return true;
       for (const Part& part : body.parts)
         if (is_any(part.amount.mass) || is_any(part.amount.weight)) return true;
       if (!body.inertia) return false;
@@ -470,7 +504,8 @@ class StatementSolver {
   }
 
   // The names of the unknowns that one open direction moves.
-  static std::vector<std::string> moved_names(const solve::LinearSystem& equations, const solve::LinearSolution& solution, std::size_t direction,
+  static std::vector<std::string> moved_names(const solve::LinearSystem& equations,
+                                              const solve::LinearSolution& solution, std::size_t direction,
                                               std::size_t first, std::size_t last) {
     std::vector<std::string> names;
     if (direction >= solution.share.size()) return names;
@@ -489,18 +524,25 @@ class StatementSolver {
       names.resize(5);
       names.emplace_back("more");
     }
-    const std::string enough = missing >= count ? "" : " (" + (missing == 1 ? std::string("one") : std::to_string(missing)) + " of them would do, or another fact)";
-    return "nothing fixes " + listed(names, "and") + enough + ": state " + (count == 1 || missing == 1 ? "it" : "them") + " under joints: or instants:";
+    const std::string enough = missing >= count ? ""
+                                                : " (" + (missing == 1 ? std::string("one") : std::to_string(missing)) +
+                                                      " of them would do, or another fact)";
+    return "nothing fixes " + listed(names, "and") + enough + ": state " +
+           (count == 1 || missing == 1 ? "it" : "them") + " under joints: or instants:";
   }
 
   static std::string open_force(const SolvedInstant& instant, std::size_t direction) {
     if (instant.after_blow() && !instant.forces_solved())
       return "the blow does not fix " +
-             listed(moved_names(instant.blow_equations(), instant.blow(), direction, 0, instant.blow_equations().unknowns()), "and") + " one by one";
+             listed(moved_names(instant.blow_equations(), instant.blow(), direction, 0,
+                                instant.blow_equations().unknowns()),
+                    "and") +
+             " one by one";
     const auto& equations = instant.motion_equations();
     const std::size_t accelerations = solve::force_unknowns(instant.machine().mechanism).accelerations;
     const std::vector<std::string> motions = moved_names(equations, instant.motion(), direction, 0, accelerations);
-    if (!motions.empty()) return "nothing fixes the " + listed(motions, "and the") + ": state it, or the couple or force that causes it";
+    if (!motions.empty())
+      return "nothing fixes the " + listed(motions, "and the") + ": state it, or the couple or force that causes it";
     return listed(moved_names(equations, instant.motion(), direction, accelerations, equations.unknowns()), "and") +
            " share the same load: the statement does not fix them one by one";
   }
@@ -516,14 +558,19 @@ class StatementSolver {
     drop_noise(solved.value, std::max(size_of(value), natural_.back()));
     for (const Value<double>& item : value.items)
       if (!same_kind(dimension_of(item), dimension))
-        fail(problem.file, ask.mark, "the items of this list are of different kinds: " + to_string(dimension) + " and " + to_string(dimension_of(item)),
+        fail(problem.file, ask.mark,
+             "the items of this list are of different kinds: " + to_string(dimension) + " and " +
+                 to_string(dimension_of(item)),
              "ask them one by one");
     if (ask.unit) {
       if (!same_kind(ask.unit->dimension, dimension))
-        fail(problem.file, ask.mark, "the answer is " + to_string(dimension) + ", but " + ask.unit->text + " is a unit of " + to_string(ask.unit->dimension),
+        fail(problem.file, ask.mark,
+             "the answer is " + to_string(dimension) + ", but " + ask.unit->text + " is a unit of " +
+                 to_string(ask.unit->dimension),
              "ask for it in a unit such as " + problem.habits.unit_for(dimension).text);
       solved.unit = *ask.unit;
-    } else if (const Name* name = ask.of.size() == 1 ? ask.of.front().as<Name>() : nullptr; name && unknown_unit(problem, name->name)) {
+    } else if (const Name* name = ask.of.size() == 1 ? ask.of.front().as<Name>() : nullptr;
+               name && unknown_unit(problem, name->name)) {
       solved.unit = *unknown_unit(problem, name->name);
     } else if (!value.is_boolean() && !value.is_text() && !dimension_is_text(value)) {
       solved.unit = problem.habits.unit_for(dimension, std::all_of(ask.of.begin(), ask.of.end(), asks_energy));
@@ -537,7 +584,9 @@ class StatementSolver {
       if (unknown.name == name) return &unknown.unit;
     return nullptr;
   }
-  static bool dimension_is_text(const Value<double>& value) { return value.is_list() && !value.items.empty() && value.items.front().is_text(); }
+  static bool dimension_is_text(const Value<double>& value) {
+    return value.is_list() && !value.items.empty() && value.items.front().is_text();
+  }
 
   // A cord that would push or a contact that would pull: what depends on forces is refused.
   void physical(Solution& result) {
@@ -574,7 +623,8 @@ class StatementSolver {
       for (SolvedAsk& ask : result.asks) {
         if (ask.state != AskState::found) continue;
         ask.state = AskState::refused;
-        ask.reason = "the independent check with particles does not confirm it (" + name + " off by " + std::to_string(residual) + ")";
+        ask.reason = "the independent check with particles does not confirm it (" + name + " off by " +
+                     std::to_string(residual) + ")";
       }
     }
   }
@@ -618,7 +668,8 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Search& search,
       range.lower = -std::numeric_limits<double>::infinity();
       range.upper = std::numeric_limits<double>::infinity();
       const Dimension& d = unknown.unit.dimension;
-      if (!unknown.vector && (d == dimensions::mass || d == dimensions::time || d == dimensions::length)) range.lower = 0;
+      if (!unknown.vector && (d == dimensions::mass || d == dimensions::time || d == dimensions::length))
+        range.lower = 0;
       if (d == dimensions::angle) {
         range.lower = -3.141592653589793;
         range.upper = 3.141592653589793;
@@ -632,12 +683,14 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Search& search,
     for (std::size_t k = 0; k < slots.size(); ++k) {
       const Unknown& unknown = unknowns[slots[k].unknown];
       for (std::size_t i = 0; i < all.size(); ++i) {
-        const bool reached = std::find(search.situations.begin(), search.situations.end(), i) != search.situations.end();
+        const bool reached =
+            std::find(search.situations.begin(), search.situations.end(), i) != search.situations.end();
         if (!reached && !is_common(unknown.name)) continue;
         if (!unknown.vector) {
           all[i][unknown.name] = Value<double>::of_number(x[k], unknown.unit.dimension);
         } else {
-          auto [entry, fresh] = all[i].emplace(unknown.name, Value<double>::of_vector(Vector3<double>::zero(), unknown.unit.dimension));
+          auto [entry, fresh] =
+              all[i].emplace(unknown.name, Value<double>::of_vector(Vector3<double>::zero(), unknown.unit.dimension));
           entry->second.vector[slots[k].component] = x[k];
         }
       }
@@ -652,18 +705,20 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Search& search,
     const std::size_t first = search.situations.empty() ? 0 : search.situations.front();
     SolvedInstant instant(statement_.situations[first].problem, trial[first], When{}, OpenChoice{.trial = true});
     for (std::size_t k = 0; k < slots.size(); ++k) {
-      const double natural = instant.natural_size(unknowns[slots[k].unknown].unit.dimension), ratio = natural / roots.ranges[k].scale;
+      const double natural = instant.natural_size(unknowns[slots[k].unknown].unit.dimension),
+                   ratio = natural / roots.ranges[k].scale;
       if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e6 || ratio < 1e-6)) roots.ranges[k].scale = natural;
     }
   } catch (const StatementError&) {
     // These values make no sense; the units serve.
   }
   for (std::size_t i : search.situations)
-    narrow_ranges(statement_.situations[i].problem, settings[i], roots, [&](const std::string& name) -> std::optional<std::size_t> {
-      for (std::size_t k = 0; k < slots.size(); ++k)
-        if (unknowns[slots[k].unknown].name == name && !unknowns[slots[k].unknown].vector) return k;
-      return std::nullopt;
-    });
+    narrow_ranges(statement_.situations[i].problem, settings[i], roots,
+                  [&](const std::string& name) -> std::optional<std::size_t> {
+                    for (std::size_t k = 0; k < slots.size(); ++k)
+                      if (unknowns[slots[k].unknown].name == name && !unknowns[slots[k].unknown].vector) return k;
+                    return std::nullopt;
+                  });
   std::optional<StatementError> refusal;
   const auto exact = [&](const std::vector<double>& x) -> std::optional<solve::RootEquations> {
     const AllSettings trial = settings_at(x);
@@ -672,8 +727,10 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Search& search,
       for (std::size_t i : search.situations) {
         const Situation& situation = statement_.situations[i];
         if (!situation.problem.stages.empty())
-          fail(situation.problem.file, situation.problem.stages.front().mark, "unknowns of a problem with stages are not found", "give the datum a value with --set");
-        SolvedInstant instant(situation.problem, trial[i], When{0, situation.problem.has_blow()}, OpenChoice{.trial = true});
+          fail(situation.problem.file, situation.problem.stages.front().mark,
+               "unknowns of a problem with stages are not found", "give the datum a value with --set");
+        SolvedInstant instant(situation.problem, trial[i], When{0, situation.problem.has_blow()},
+                              OpenChoice{.trial = true});
         if (unknowns_need_forces(situation.problem)) instant.solve_forces();
         misfits.values.insert(misfits.values.end(), instant.misfits().begin(), instant.misfits().end());
         misfits.size = std::max(misfits.size, instant.misfit_size());
@@ -706,7 +763,8 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Search& search,
         const auto behind = exact(at);
         at[k] = 0;
         if (!ahead || !behind) return std::nullopt;
-        for (std::size_t i = 0; i < sum->values.size(); ++i) sum->values[i] += (ahead->values[i] - behind->values[i]) / (2 * h) * x[k];
+        for (std::size_t i = 0; i < sum->values.size(); ++i)
+          sum->values[i] += (ahead->values[i] - behind->values[i]) / (2 * h) * x[k];
       }
       return sum;
     };
@@ -723,16 +781,20 @@ StatementSolver::RootsFound StatementSolver::find_unknowns(const Search& search,
   }
   if (!result.alternative.empty()) found.alternative = settings_at(result.alternative);
   for (std::size_t k : result.open_unknowns)
-    if (const std::string& name = unknowns[slots[k].unknown].name; std::find(found.open.begin(), found.open.end(), name) == found.open.end())
+    if (const std::string& name = unknowns[slots[k].unknown].name;
+        std::find(found.open.begin(), found.open.end(), name) == found.open.end())
       found.open.push_back(name);
   if (found.roots.empty()) {
     if (result.best_misfit == std::numeric_limits<double>::infinity() && refusal) throw *refusal;
     std::string names;
     for (const Unknown& unknown : unknowns) names += (names.empty() ? "" : ", ") + unknown.name;
     found.warnings.push_back("no values of " + names + " in their ranges satisfy all conditions" +
-                             (result.search == solve::RootSearch::linear ? " (the equations are linear)" : " (searched from " + std::to_string(result.starts) + " starts)"));
+                             (result.search == solve::RootSearch::linear
+                                  ? " (the equations are linear)"
+                                  : " (searched from " + std::to_string(result.starts) + " starts)"));
   } else if (result.search == solve::RootSearch::many_starts) {
-    found.warnings.push_back("the roots were found from " + std::to_string(result.starts) + " starts; others are not excluded");
+    found.warnings.push_back("the roots were found from " + std::to_string(result.starts) +
+                             " starts; others are not excluded");
   }
   return found;
 }
@@ -754,14 +816,18 @@ Settings read_settings(const Statement& statement, const std::vector<std::pair<s
       std::set<std::string> unique(known.begin(), known.end());
       for (const std::string& word : unique) all += (all.empty() ? "" : ", ") + word;
       const std::string hint = did_you_mean(name, known);
-      fail("--set " + name, {}, "the problem has no letter or datum '" + name + "'", !hint.empty() ? hint : all.empty() ? "it has none at all" : "it has " + all);
+      fail("--set " + name, {}, "the problem has no letter or datum '" + name + "'",
+           !hint.empty() ? hint
+           : all.empty() ? "it has none at all"
+                         : "it has " + all);
     }
     settings[name] = read_setting(*owner, name, text);
   }
   return settings;
 }
 
-SolvedStatement solve_statement(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets) {
+SolvedStatement solve_statement(const Statement& statement,
+                                const std::vector<std::pair<std::string, std::string>>& sets) {
   return StatementSolver(statement, read_settings(statement, sets)).solve();
 }
 

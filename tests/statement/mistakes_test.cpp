@@ -628,15 +628,19 @@ ask: {a: angular_momentum(disk about O)}
   return list;
 }
 
-// Right angles and planes typed with few digits pass where the answers stand the check on particles; else they are named.
+// Right angles and planes typed with few digits pass where the answers stand the check on particles; else they are
+// named.
 TEST(Shapes, NearlyRightAnglesPassAndWarpedPlatesDoNot) {
   const auto plate = [](const std::string& shape) {
     return "title: t\nbodies: {p: {" + shape +
-           ", mass: 3 kg}}\njoints: {s: {revolute: x, at: [0, 0, 0], to: p, rate: 2 rad/s}}\nask: {a: \"angular_momentum(p about [0, 0, 0])\"}\n";
+           ", mass: 3 kg}}\njoints: {s: {revolute: x, at: [0, 0, 0], to: p, rate: 2 rad/s}}\nask: {a: "
+           "\"angular_momentum(p about [0, 0, 0])\"}\n";
   };
   const SolvedStatement skew = solve(plate("rectangle: {corners: [[0, 0, 0], [1 m, 0, 0], [1.0000005 m, 1 m, 0]]}"));
   EXPECT_EQ(skew.solutions[0].asks[0].state, AskState::found) << skew.solutions[0].asks[0].reason;
-  EXPECT_EQ(failure_of([&] { solve(plate("polygon: [[0, 0, 0], [1 m, 0, 0.0000005 m], [1 m, 1 m, 0], [0, 1 m, 0]]")); }).substr(0, 58),
+  EXPECT_EQ(failure_of([&] {
+              solve(plate("polygon: [[0, 0, 0], [1 m, 0, 0.0000005 m], [1 m, 1 m, 0], [0, 1 m, 0]]"));
+            }).substr(0, 58),
             "test.yaml:2:23: error: polygon 'p': vertex 4 at (0, 1, 0) ");
 }
 

@@ -24,8 +24,7 @@ struct Matrix3 {
   static constexpr Matrix3 identity() {
     return {Vector3<Scalar>::unit(0), Vector3<Scalar>::unit(1), Vector3<Scalar>::unit(2)};
   }
-  static constexpr Matrix3 from_columns(const Vector3<Scalar>& a, const Vector3<Scalar>& b,
-                                        const Vector3<Scalar>& c) {
+  static constexpr Matrix3 from_columns(const Vector3<Scalar>& a, const Vector3<Scalar>& b, const Vector3<Scalar>& c) {
     return {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}};
   }
 };

@@ -62,15 +62,15 @@ template <class Scalar>
 struct VelocityConstraint {
   VelocityConstraintKind kind = VelocityConstraintKind::point;
   bool shape_unknown = false;  // how the contact point moves cannot be told: good for velocities only
-  int action = -1;    // the cord or contact that it belongs to; -1: a joint
-  std::string words;  // "rolling at floor, along y"
+  int action = -1;             // the cord or contact that it belongs to; -1: a joint
+  std::string words;           // "rolling at floor, along y"
   int on = ground;
   int from = ground;
   Place<Scalar> at;         // rides with `on`
   Direction<Scalar> along;  // rides with `from`
-  Place<Scalar> toward;          // the same point, or the cord's other end, riding with `from`
-  Scalar length{};               // cord_length: as drawn, m
-  bool normal = false;           // of a contact: the direction in which it touches
+  Place<Scalar> toward;     // the same point, or the cord's other end, riding with `from`
+  Scalar length{};          // cord_length: as drawn, m
+  bool normal = false;      // of a contact: the direction in which it touches
   // rolling: the circle of `on` (center, unit axis, radius) that touches, or a sphere (axis zero), and the axis of the
   // surface of revolution on `from` (a plane's normal).
   Vector3<Scalar> center{}, axis{};

@@ -11,14 +11,15 @@ namespace poinsot::solve {
 
 struct Closure {
   std::vector<double> q;
-  double gap = 0;       // largest distance (m) or angle (rad) left open
-  std::string where;    // the words of the constraint that it belongs to
+  double gap = 0;     // largest distance (m) or angle (rad) left open
+  std::string where;  // the words of the constraint that it belongs to
 };
 
 // From the drawn pose, in which all is closed, the given coordinates move to their values in small steps and the others
 // follow by Newton's method, the least that closes. given: for each entry of q. The solution is the one reached without
 // a jump.
-Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>& target, const std::vector<bool>& given);
+Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>& target,
+                   const std::vector<bool>& given);
 
 // Contact points of bodies of revolution move over them as they turn: puts them where they touch now.
 void update_contacts(Mechanism<double>& mechanism, const Moment& moment);

@@ -59,6 +59,7 @@ SpatialForce<double> impact_wrench(const Moment& moment, const Impact& impact); 
 double approach(const Moment& moment, const Impact& impact);
 
 // Total impulse of one action, about the ground's origin on ground axes.
-SpatialForce<double> action_impulse(const Moment& moment, const Blow& blow, const std::vector<double>& unknowns, std::size_t action);
+SpatialForce<double> action_impulse(const Moment& moment, const Blow& blow, const std::vector<double>& unknowns,
+                                    std::size_t action);
 
 }  // namespace poinsot::solve

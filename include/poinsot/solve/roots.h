@@ -9,8 +9,8 @@
 namespace poinsot::solve {
 
 struct RootRange {
-  double lower = 0, upper = 0;  // infinite where open
-  double scale = 1;             // a natural size of the unknown
+  double lower = 0, upper = 0;                  // infinite where open
+  double scale = 1;                             // a natural size of the unknown
   bool lower_open = false, upper_open = false;  // the end itself is excluded, and what lies within rounding of it
 };
 
@@ -34,10 +34,10 @@ enum class RootSearch {
 struct Roots {
   std::vector<std::vector<double>> points;  // ascending by their first unknown
   RootSearch search = RootSearch::linear;
-  bool open = false;          // the equations leave the unknowns open, at least at a root
+  bool open = false;  // the equations leave the unknowns open, at least at a root
   std::vector<std::size_t> open_unknowns;
   std::vector<double> alternative;  // of linear equations that leave unknowns open: another solution
-  double best_misfit = 0;     // where there is no root: the smallest misfit met
+  double best_misfit = 0;           // where there is no root: the smallest misfit met
   std::size_t starts = 0;
 };
 

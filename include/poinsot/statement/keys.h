@@ -16,13 +16,13 @@ enum class KeyType {
   text,
   boolean,
   unit,
-  object,      // a map with its own keys, see LanguageKey::object_name
-  named,       // a map from names of the author's choice to `object_name`
+  object,  // a map with its own keys, see LanguageKey::object_name
+  named,   // a map from names of the author's choice to `object_name`
   any,
 };
 
 struct LanguageKey {
-  std::string_view object;       // where it stands: "problem", "body", "disk", ...
+  std::string_view object;  // where it stands: "problem", "body", "disk", ...
   std::string_view key;
   KeyType type;
   std::string_view object_name;  // for object and named

@@ -63,22 +63,22 @@ struct Part {
 
 // Inertia in numbers; moments and products carry the signs of Eqs. 18.5 and 18.6.
 struct StatedInertia {
-  std::optional<Expression> about;       // the point; the mass center when left out
-  std::vector<Expression> axes;          // three directions; those of the figure when left out
+  std::optional<Expression> about;                    // the point; the mass center when left out
+  std::vector<Expression> axes;                       // three directions; those of the figure when left out
   std::array<std::optional<Expression>, 3> moments;   // I_x I_y I_z
   std::array<std::optional<Expression>, 3> products;  // I_xy I_yz I_zx
   std::optional<Expression> axis, axial, transverse;  // of a body of revolution
-  std::optional<Expression> matrix;      // list of three rows, minus signs included
+  std::optional<Expression> matrix;                   // list of three rows, minus signs included
   bool rest_any = false;
-  bool radii = false;                    // the moments are radii of gyration
+  bool radii = false;  // the moments are radii of gyration
   Mark mark;
 };
 
 struct Body {
   std::string name;
   bool massless = false;
-  Amount amount;                   // of the whole, shared among parts that state none
-  std::vector<Part> parts;         // a body of one shape has one part
+  Amount amount;            // of the whole, shared among parts that state none
+  std::vector<Part> parts;  // a body of one shape has one part
   std::optional<Expression> center;
   std::optional<StatedInertia> inertia;
   std::vector<Part> added;
@@ -99,20 +99,20 @@ enum class JointKind { weld, revolute, prismatic, cylindrical, universal, ball, 
 
 // One freedom of a joint: its motion side and its force side.
 struct Freedom {
-  std::string name;                       // "" for the only freedom of its joint
-  bool turning = true;                    // an angle, else a displacement
-  std::optional<Expression> direction;    // axis or direction of sliding, where the joint's key does not say it
+  std::string name;                     // "" for the only freedom of its joint
+  bool turning = true;                  // an angle, else a displacement
+  std::optional<Expression> direction;  // axis or direction of sliding, where the joint's key does not say it
   std::optional<Expression> position;
   std::optional<Expression> rate, accel;
-  std::optional<Expression> effort;       // couple or force
+  std::optional<Expression> effort;  // couple or force
   std::optional<Expression> stiffness, free_position, damping;
   Mark mark;
 };
 
 // The components that one support of a joint can carry.
 struct Support {
-  std::string name;                       // also the point, unless `at` says otherwise
-  std::string kind;                       // journal, thrust, collar, hinge, ball; "" when components are listed
+  std::string name;  // also the point, unless `at` says otherwise
+  std::string kind;  // journal, thrust, collar, hinge, ball; "" when components are listed
   std::vector<Expression> forces, couples;
   std::optional<Expression> at;
   Mark mark;
@@ -121,7 +121,7 @@ struct Support {
 struct Joint {
   std::string name;
   JointKind kind = JointKind::weld;
-  Expression place;                       // axis or point, the value of the kind's key
+  Expression place;  // axis or point, the value of the kind's key
   std::optional<Expression> at;
   std::string from, to;
   Mark from_mark, to_mark;
@@ -235,9 +235,9 @@ struct Stage {
 
 struct Ask {
   std::string name;
-  std::vector<Expression> of;             // one, or several for a list
+  std::vector<Expression> of;  // one, or several for a list
   bool is_list = false;
-  std::string text;                       // as written
+  std::string text;  // as written
   std::optional<Unit> unit;
   std::optional<Expression> axes;
   Mark mark;
@@ -246,12 +246,12 @@ struct Ask {
 struct Expected {
   std::string part;
   std::optional<Expression> value, formula;
-  bool roots = false;                     // value lists one number for each solution
+  bool roots = false;  // value lists one number for each solution
   std::optional<Unit> unit;
   std::optional<std::vector<std::string>> names;
   std::optional<bool> holds;
   double relative_tolerance = 1e-6;
-  double absolute_tolerance = 0;          // in the unit of the value
+  double absolute_tolerance = 0;  // in the unit of the value
   Mark mark;
 };
 struct ExpectedCase {
@@ -268,11 +268,11 @@ struct Problem {
   std::vector<Letter> letters;
   std::vector<Unknown> find;
   std::vector<Choice> choose;
-  std::vector<Expression> neglect;        // squares of unknowns that count as nothing
-  std::vector<std::string> without;       // added masses and loads that are left out
-  std::vector<Expression> where;          // comparisons that the unknowns must satisfy
+  std::vector<Expression> neglect;   // squares of unknowns that count as nothing
+  std::vector<std::string> without;  // added masses and loads that are left out
+  std::vector<Expression> where;     // comparisons that the unknowns must satisfy
   std::array<std::string, 3> axes{"x", "y", "z"};
-  std::optional<Expression> gravity;      // absent: not stated; the name `none`: no gravity
+  std::optional<Expression> gravity;  // absent: not stated; the name `none`: no gravity
   std::vector<NamedExpression> points, directions, define;
   std::vector<Frame> frames;
   std::vector<Body> bodies;
@@ -289,7 +289,7 @@ struct Problem {
   std::optional<Steady> steady;
   // Whether something sudden happens: then there is a before and an after.
   bool has_blow() const { return !impulses.empty() || !impacts.empty() || !strikes.empty(); }
-  UnitHabits habits;                      // the units used, for the answers
+  UnitHabits habits;  // the units used, for the answers
 };
 
 // A setting of one machine: the statement with the entries of the setting laid over those at the top.

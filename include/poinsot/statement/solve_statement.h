@@ -40,14 +40,15 @@ struct Solution {
 };
 
 struct SolvedStatement {
-  std::vector<Solution> solutions;       // one for each root, ascending by the first unknown; none: warnings say why
+  std::vector<Solution> solutions;  // one for each root, ascending by the first unknown; none: warnings say why
   std::vector<Letter> open_letters;
   std::vector<std::string> warnings;
 };
 
 // sets: names of letters and data with the texts of their values; a later one for a name counts.
 // Throws StatementError: unknown names, wrong dimensions, contradictions, unphysical bodies.
-SolvedStatement solve_statement(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets);
+SolvedStatement solve_statement(const Statement& statement,
+                                const std::vector<std::pair<std::string, std::string>>& sets);
 
 // The settings that the texts stand for. Throws StatementError.
 Settings read_settings(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets);
