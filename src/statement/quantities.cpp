@@ -7,23 +7,11 @@
 #include <type_traits>
 
 #include "poinsot/mass/composition.h"
-#include "poinsot/mass/principal_axes.h"
+#include "statement/quantity_values.h"
 #include "statement/reader.h"
-#include "statement/scalar_value.h"
 
 namespace poinsot::statement {
 namespace {
-
-using statement::plain;
-
-template <class Scalar>
-Vector3<double> plain(const Vector3<Scalar>& a) {
-  return {plain(a.x), plain(a.y), plain(a.z)};
-}
-template <class Scalar>
-Vector3<Scalar> lifted(const Vector3<double>& a) {
-  return {Scalar(a.x), Scalar(a.y), Scalar(a.z)};
-}
 
 struct QuantityFunction {
   const char* name;
@@ -125,20 +113,6 @@ std::vector<std::string> body_names(const Machine& machine) {
   std::vector<std::string> names;
   for (const auto& [name, index] : machine.index) names.push_back(name);
   return names;
-}
-
-template <class Scalar>
-Value<Scalar> vector_value(const Vector3<Scalar>& v, const Dimension& dimension) {
-  return Value<Scalar>::of_vector(v, dimension);
-}
-template <class Scalar>
-Value<Scalar> number_value(const Scalar& x, const Dimension& dimension) {
-  return Value<Scalar>::of_number(x, dimension);
-}
-
-const Name* plain_name(const Expression& expression) {
-  const Name* name = expression.as<Name>();
-  return name && name->primes == 0 ? name : nullptr;
 }
 
 }  // namespace
@@ -554,97 +528,6 @@ std::pair<Vector3<Scalar>, Vector3<Scalar>> QuantityScope<Scalar>::line(const Ca
 }
 
 template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::inertia(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) {
-  const std::string& f = call.function;
-  const Expression& what = call.arguments[0].value;
-  const int body = body_of(what, evaluator, true);
-  if (body == ground) evaluator.fail(what.mark(), "the ground has no inertia");
-  const MassProperties<Scalar> mass = current_mass(body);
-  if (f == "moment_of_inertia" || f == "radius_of_gyration") {
-    const auto [P, d] = line(call, evaluator);
-    const Scalar I = moment_about_axis(mass, P, d);
-    if (f == "moment_of_inertia") return number_value(I, dimensions::moment_of_inertia);
-    if (!(plain(mass.mass) > 0)) evaluator.fail(mark, "a massless body has no radius of gyration");
-    using std::sqrt;
-    return number_value(Scalar(sqrt(I / mass.mass)), dimensions::length);
-  }
-  const Vector P = place(*call.argument("about"), evaluator);
-  const SymmetricMatrix3<Scalar> I = rotated(transpose(axes_), inertia_about(mass, P));
-  const auto numbers = [&](std::array<Scalar, 3> list) {
-    std::vector<Result> items;
-    for (const Scalar& x : list) items.push_back(number_value(x, dimensions::moment_of_inertia));
-    return Result::of_list(std::move(items));
-  };
-  if (f == "moments_of_inertia") return numbers({I.xx, I.yy, I.zz});
-  if (f == "products_of_inertia") return numbers({Scalar(-I.xy), Scalar(-I.yz), Scalar(-I.zx)});
-  if (f == "inertia_matrix") {
-    const Matrix3<Scalar> M = as_matrix(I);
-    return Result::of_list({numbers({M.row0.x, M.row0.y, M.row0.z}), numbers({M.row1.x, M.row1.y, M.row1.z}),
-                            numbers({M.row2.x, M.row2.y, M.row2.z})});
-  }
-  if constexpr (std::is_same_v<Scalar, double>) {
-    const PrincipalAxes<double> principal = principal_axes(I);
-    if (f == "principal_moments") return numbers({principal.moments.x, principal.moments.y, principal.moments.z});
-    // Components on the asked axes; the caller takes vectors from ground axes.
-    std::vector<Result> items;
-    for (std::size_t k = 0; k < 3; ++k)
-      items.push_back(vector_value(axes_ * principal.axes.column(k), dimensions::none));
-    return Result::of_list(std::move(items));
-  } else {
-    evaluator.fail(mark, f + " cannot stand inside rate()");
-  }
-}
-
-// Of a body of revolution under no moment about its mass center (Eqs. 18.46 to 18.49): it precesses about its angular
-// momentum H_G at H_G/I' and spins about its axis at H_G cos(theta) (I' - I)/(I I').
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::free_motion(const Call& call, const Mark& mark,
-                                                 const Evaluator<Scalar>& evaluator) {
-  if constexpr (!std::is_same_v<Scalar, double>) {
-    evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known of the velocities");
-  } else {
-    const std::string& f = call.function;
-    const Expression& what = call.arguments[0].value;
-    const int body = body_of(what, evaluator);
-    if (is_frame(body)) evaluator.fail(what.mark(), "'" + to_string(what) + "' is no body");
-    const Vector3<double> G = mass_center_of(body, what, evaluator);
-    const Vector3<double> H = body_momentum(model_, workspace_, body, G).angular;
-    const Vector3<double>& w = angular_velocity(workspace_, body);
-    if (f == "precession_axis") {
-      if (!(norm(H) > 0)) evaluator.fail(mark, "'" + to_string(what) + "' does not turn: it has no angular momentum");
-      return vector_value(normalized(H), dimensions::none);
-    }
-    if (f == "space_cone") return number_value(std::atan2(norm(cross(H, w)), dot(H, w)), dimensions::angle);
-    const PrincipalAxes<double> principal = principal_axes(current_mass(body).inertia_center, 1e-9);
-    if (principal.symmetry != InertiaSymmetry::axisymmetric)
-      evaluator.fail(what.mark(),
-                     "'" + to_string(what) + "' is no body of revolution: " +
-                         (principal.symmetry == InertiaSymmetry::spherical ? "all its axes are alike"
-                                                                           : "its three principal moments differ"),
-                     "its motion is no steady precession");
-    const double axial = principal.moments[principal.symmetry_axis],
-                 transverse = principal.moments[principal.symmetry_axis == 0 ? 1 : 0];
-    // The sense of the axis: that of the angular velocity, unless the caller says.
-    Vector3<double> axis = principal.axes.column(principal.symmetry_axis);
-    if (dot(axis, w) < 0) axis = -axis;
-    if (const Expression* about = call.argument("about")) {
-      const Result sense = evaluator(*about);
-      if (!sense.is_vector() || norm(cross(sense.vector, axis)) > 1e-6 * norm(sense.vector))
-        evaluator.fail(about->mark(),
-                       "'" + to_string(*about) + "' is not the axis of revolution of '" + to_string(what) + "'");
-      if (dot(sense.vector, axis) < 0) axis = -axis;
-    }
-    if (f == "symmetry_axis") return vector_value(axis, dimensions::none);
-    if (f == "body_cone")
-      return number_value(std::atan2(norm(cross(axis, w)), std::abs(dot(axis, w))), dimensions::angle);
-    if (f == "precession_rate") return number_value(norm(H) / transverse, dimensions::angular_velocity);
-    const double spin = dot(H, axis) * (transverse - axial) / (axial * transverse);
-    if (f == "spin_rate") return number_value(spin, dimensions::angular_velocity);
-    return Result::of_text(axial < transverse ? "direct" : "retrograde");
-  }
-}
-
-template <class Scalar>
 Value<Scalar> QuantityScope<Scalar>::geometry(const Call& call, const Evaluator<Scalar>& evaluator) {
   using std::acos;
   const std::string& f = call.function;
@@ -685,139 +568,6 @@ Value<Scalar> QuantityScope<Scalar>::geometry(const Call& call, const Evaluator<
     return number_value(norm(cross(d, Vector(A - P))), dimensions::length);
   }
   return number_value(norm(Vector(place(to, evaluator) - A)), dimensions::length);
-}
-
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) {
-  const bool sudden = call.function == "impulse" || call.function == "impulsive_couple";
-  if (sudden && !before_)
-    evaluator.fail(mark, call.function + "() belongs to a blow, and nothing sudden happens here",
-                   "state impulses:, impacts: or strikes:, and ask it after the blow");
-  if (!sudden && (!moment_ || !unknowns_))
-    evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known of the velocities");
-  const std::string& f = call.function;
-  const Mechanism<double>& mechanism = machine_.mechanism;
-  const Expression& what = call.arguments[0].value;
-  std::string name, joint;
-  Mark name_mark = what.mark();
-  if (const Of* of = what.as<Of>(); of && plain_name(of->point) && plain_name(of->body)) {
-    name = plain_name(of->point)->name;
-    joint = plain_name(of->body)->name;
-  } else if (const Name* only = plain_name(what)) {
-    name = only->name;
-    if (const Expression* owner = call.argument("of")) joint = to_string(*owner);
-  } else {
-    evaluator.fail(name_mark, "expected the name of a joint, support, contact, cord, spring or load");
-  }
-  std::vector<std::size_t> actions;
-  for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
-    const Action& action = mechanism.actions[i];
-    const bool drive = action.kind == ActionKind::drive, support = action.kind == ActionKind::support,
-               load = action.kind == ActionKind::load;
-    const bool of_joint = (support || drive) && action.joint == name;
-    const bool itself = !drive && action.name == name && (joint.empty() || action.joint == joint);
-    bool wanted = false;
-    if (f == "load")
-      wanted = load && itself;
-    else if (f == "tension")
-      wanted = action.kind == ActionKind::cord && itself;
-    else if (f == "drive")
-      wanted = drive && (joint.empty() ? action.joint == name : action.name == joint + "." + name);
-    else if (sudden)
-      wanted = !load && (itself || of_joint);
-    else if (f == "reaction" || f == "reaction_couple")
-      wanted = !load && ((itself && !drive) || (of_joint && !drive));
-    else
-      wanted = of_joint || itself;
-    if (wanted) actions.push_back(i);
-  }
-  if (actions.empty()) {
-    std::vector<std::string> known;
-    for (const Action& action : mechanism.actions) {
-      const bool fits = f == "load"      ? action.kind == ActionKind::load
-                        : f == "tension" ? action.kind == ActionKind::cord
-                                         : action.kind != ActionKind::load;
-      if (!fits) continue;
-      for (const std::string& word : {action.joint, action.name})
-        if (!word.empty() && std::find(known.begin(), known.end(), word) == known.end()) known.push_back(word);
-    }
-    std::string all;
-    for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
-    const std::string hint = did_you_mean(name, known);
-    evaluator.fail(name_mark, "nothing named '" + name + "' has a " + f,
-                   hint.empty() ? (all.empty() ? "" : "known: " + all) : hint);
-  }
-  // One name for two supports of different joints must say which.
-  if (f == "reaction" || f == "reaction_couple") {
-    for (std::size_t i : actions)
-      if (mechanism.actions[i].kind == ActionKind::support && mechanism.actions[i].name == name &&
-          mechanism.actions[i].joint != mechanism.actions[actions.front()].joint)
-        evaluator.fail(name_mark,
-                       "'" + name + "' is a support of the joints '" + mechanism.actions[actions.front()].joint +
-                           "' and '" + mechanism.actions[i].joint + "'",
-                       "write reaction(" + name + " of " + mechanism.actions[i].joint + ")");
-  }
-  SpatialForce<double> wrench = SpatialForce<double>::zero();
-  for (std::size_t i : actions)
-    wrench +=
-        sudden ? solve::action_impulse(*before_, *blow_, *impulses_, i) : solve::action_wrench(*moment_, *unknowns_, i);
-  const Action& first = mechanism.actions[actions.front()];
-  double sign = 1;
-  if (const Expression* on = call.argument("on")) {
-    const int body = body_of(*on, evaluator);
-    for (std::size_t i : actions)
-      if (mechanism.actions[i].on != first.on || mechanism.actions[i].from != first.from)
-        evaluator.fail(name_mark, "'" + name + "' means several things between different bodies");
-    if (body == first.from && body != first.on)
-      sign = -1;
-    else if (body != first.on)
-      evaluator.fail(on->mark(), "'" + name + "' does not act on '" + to_string(*on) + "'");
-  }
-  const auto as_vector = [&](const Vector3<double>& v, const Dimension& dimension) {
-    return vector_value(lifted<Scalar>(sign * v), dimension);
-  };
-  // Where the first component of the actions is carried.
-  const solve::Moment& now = sudden ? *before_ : *moment_;
-  const auto own_place = [&]() -> Vector3<double> {
-    for (const Component<double>& component : mechanism.components)
-      if (component.action == static_cast<int>(actions.front())) return now.position(component.at);
-    if (const auto found = machine_.joints.find(name); found != machine_.joints.end())
-      return now.position(found->second.at);
-    return Vector3<double>::zero();
-  };
-  if (f == "tension") {
-    // Of size one along the cord, so that a cord that would have to push shows a negative tension.
-    for (std::size_t k = 0; k < mechanism.components.size(); ++k)
-      if (mechanism.components[k].action == static_cast<int>(actions.front()))
-        return number_value(Scalar((*unknowns_)[solve::force_unknowns(mechanism).accelerations + k]),
-                            dimensions::force);
-  }
-  if (f == "load") {
-    for (const KnownForce<double>& force : mechanism.forces)
-      if (force.action == static_cast<int>(actions.front()))
-        return force.couple ? as_vector(wrench.moment, dimensions::moment) : as_vector(wrench.force, dimensions::force);
-  }
-  if (f == "drive" && actions.size() > 1)
-    evaluator.fail(name_mark, "joint '" + name + "' has several freedoms",
-                   "write drive(FREEDOM of " + name + "), FREEDOM one of turn, slide, first, second, slide1, slide2");
-  if (f == "drive") {
-    // What it exerts along or about its own axis; gimbals may pass on more.
-    for (const Drive<double>& drive : mechanism.drives) {
-      if (drive.action != static_cast<int>(actions.front())) continue;
-      const Vector3<double> d = moment_->direction(drive.along);
-      return drive.turning ? as_vector(dot(wrench.moment, d) * d, dimensions::moment)
-                           : as_vector(wrench.force, dimensions::force);
-    }
-  }
-  if (f == "force" || f == "reaction") return as_vector(wrench.force, dimensions::force);
-  if (f == "impulse") return as_vector(wrench.force, dimensions::momentum);
-  if (f == "impulsive_couple") {
-    const Expression* about = call.argument("about");
-    const Vector3<double> P = about ? plain(place(*about, evaluator)) : own_place();
-    return as_vector(wrench.moment - cross(P, wrench.force), dimensions::angular_momentum);
-  }
-  const Vector3<double> P = f == "couple" ? plain(place(*call.argument("about"), evaluator)) : own_place();
-  return as_vector(wrench.moment - cross(P, wrench.force), dimensions::moment);
 }
 
 template <class Scalar>

@@ -1,0 +1,37 @@
+// Small conversions for the functions that give quantities.
+#pragma once
+
+#include "poinsot/math/vector3.h"
+#include "poinsot/statement/expression.h"
+#include "poinsot/statement/value.h"
+#include "statement/scalar_value.h"
+
+namespace poinsot::statement {
+
+template <class Scalar>
+Vector3<double> plain(const Vector3<Scalar>& a) {
+  return {plain(a.x), plain(a.y), plain(a.z)};
+}
+
+template <class Scalar>
+Vector3<Scalar> lifted(const Vector3<double>& a) {
+  return {Scalar(a.x), Scalar(a.y), Scalar(a.z)};
+}
+
+template <class Scalar>
+Value<Scalar> vector_value(const Vector3<Scalar>& v, const Dimension& dimension) {
+  return Value<Scalar>::of_vector(v, dimension);
+}
+
+template <class Scalar>
+Value<Scalar> number_value(const Scalar& x, const Dimension& dimension) {
+  return Value<Scalar>::of_number(x, dimension);
+}
+
+// The name that an expression is, without primes; nullptr if it is anything else.
+inline const Name* plain_name(const Expression& expression) {
+  const Name* name = expression.as<Name>();
+  return name && name->primes == 0 ? name : nullptr;
+}
+
+}  // namespace poinsot::statement
