@@ -162,6 +162,10 @@ std::optional<std::string> answer_shortfall(const Answer* answer, const Expectat
   const Comparison comparison(expectation);
   if (!expectation.columns.empty()) return comparison.table_difference(answer->columns);
   if (!answer->columns.empty()) return fmt::format("a table, expected {}", text_of(expectation.si));
+  // One name may answer by itself or as a list of one.
+  const auto* names = std::get_if<List>(&expectation.si.content);
+  if (names != nullptr && names->size() == 1 && std::holds_alternative<std::string>(si_of(*answer).content))
+    return comparison.difference(si_of(*answer), names->front());
   return comparison.difference(si_of(*answer), expectation.si);
 }
 

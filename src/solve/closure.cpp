@@ -16,11 +16,7 @@ Vector rotation_vector(const Matrix3<double>& R) {
   return (std::atan2(sine, cosine) / (2 * sine)) * twice_sine;
 }
 
-// By how much a constraint is open; nothing for those that only bind velocities.
-bool has_gap(const VelocityConstraint<double>& c) {
-  return c.action < 0 || c.kind == VelocityConstraintKind::cord_length || c.normal;
-}
-
+// By how much a constraint is open.
 double gap_of(const Moment& moment, const VelocityConstraint<double>& c) {
   const Model<double>& tree = moment.mechanism().tree;
   const Workspace<double>& w = moment.workspace();
@@ -50,6 +46,10 @@ double gap_of(const Moment& moment, const VelocityConstraint<double>& c) {
 
 }  // namespace
 
+bool binds_positions(const VelocityConstraint<double>& c) {
+  return c.action < 0 || c.kind == VelocityConstraintKind::cord_length || c.normal;
+}
+
 Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>& target,
                    const std::vector<bool>& given) {
   const Model<double>& tree = mechanism.tree;
@@ -57,7 +57,7 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
   result.q = neutral_state(tree).q;
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < mechanism.constraints.size(); ++i)
-    if (has_gap(mechanism.constraints[i])) rows.push_back(i);
+    if (binds_positions(mechanism.constraints[i])) rows.push_back(i);
   bool moved = false;
   for (std::size_t k = 0; k < target.size(); ++k) moved = moved || (given[k] && target[k] != result.q[k]);
   if (rows.empty() || !moved) {

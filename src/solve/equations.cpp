@@ -304,16 +304,15 @@ LinearSolution solve_motion(const Moment& given, const Scales& scales, const std
         "drive(" + mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint + ")",
         mechanism.drives[drive].turning ? couple_scale : force_scale);
 
-  // Newton and Euler for each body that takes part: forces, then moments about its mass center (its origin if
-  // massless).
+  // Newton and Euler for each body that takes part: forces, then moments about its origin. About that point, and not
+  // about the mass center, the equations are linear in the body's mass, first moments and inertia.
   std::vector<std::size_t> first_row(static_cast<std::size_t>(tree.body_count()), 0);
   std::vector<Vector> center(static_cast<std::size_t>(tree.body_count()));
   for (int i = 0; i < tree.body_count(); ++i) {
     if (!mechanism.takes_part[static_cast<std::size_t>(i)]) continue;
     const double mass = tree.body(i).inertia.mass;
-    const Vector G = mass > 0 ? body_mass_center(tree, moment.workspace(), i)
-                              : moment.workspace().motion[static_cast<std::size_t>(i + 1)].p;
-    center[static_cast<std::size_t>(i)] = G;
+    const Vector O = moment.workspace().motion[static_cast<std::size_t>(i + 1)].p;
+    center[static_cast<std::size_t>(i)] = O;
     std::size_t row = 0;
     for (int k = 0; k < 3; ++k) {
       const std::size_t added =
@@ -324,26 +323,30 @@ LinearSolution solve_motion(const Moment& given, const Scales& scales, const std
       system.add_equation("moments on " + tree.name(i) + " about " + axis_names[k], couple_scale);
     first_row[static_cast<std::size_t>(i)] = row;
     if (!(mass > 0)) continue;
-    const Momentum<double> known = body_momentum_rate(tree, moment.workspace(), i, G);
+    const Vector first_moment = moment.workspace().motion[static_cast<std::size_t>(i + 1)].R *
+                                tree.body(i).inertia.first_moment;  // m c, from the origin, on ground axes
+    const Vector weight_moment = cross(first_moment, tree.gravity());
+    const Momentum<double> known = body_momentum_rate(tree, moment.workspace(), i, O);
     const SymmetricMatrix3<double>& about_origin = tree.body(i).inertia.inertia;
     const double gyroscopic = (about_origin.xx + about_origin.yy + about_origin.zz) *
                               norm_squared(moment.workspace().motion[static_cast<std::size_t>(i + 1)].w);
     for (std::size_t k = 0; k < 3; ++k) {
       system.add_right_side(row + k, mass * tree.gravity()[k] - known.linear[k]);
-      system.add_right_side(row + 3 + k, -known.angular[k], gyroscopic);
+      system.add_right_side(row + 3 + k, weight_moment[k] - known.angular[k], gyroscopic);
     }
-    // m a_G and I_G alpha per unit acceleration of each coordinate.
+    // m a_G and I_O alpha + m c x a_O per unit acceleration of each coordinate.
     const Matrix3<double> R = moment.workspace().motion[static_cast<std::size_t>(i + 1)].R;
     const SpatialInertia<double>& I = tree.body(i).inertia;
-    const Vector c = I.first_moment / mass;
-    const SymmetricMatrix3<double> I_G = I.inertia - mass * unit_mass_inertia(c);
-    const double spread = I.inertia.xx + I.inertia.yy + I.inertia.zz;
-    for_each_coordinate_motion(tree, moment.workspace(), i, G, [&](int coordinate, const SpatialMotion<double>& S) {
-      const Vector H = R * (I_G * transpose_times(R, S.angular));
-      const double turning = norm(S.angular), reach = norm(S.linear) + turning * (norm(G) + norm(S.linear));
+    const double spread = I.inertia.xx + I.inertia.yy + I.inertia.zz, arm = norm(first_moment) / mass;
+    for_each_coordinate_motion(tree, moment.workspace(), i, O, [&](int coordinate, const SpatialMotion<double>& S) {
+      const Vector m_a = mass * S.linear + cross(S.angular, first_moment);
+      const Vector H_rate = R * (I.inertia * transpose_times(R, S.angular)) + cross(first_moment, S.linear);
+      const double turning = norm(S.angular);
+      const double reach = norm(S.linear) + turning * (norm(O) + arm);
       for (std::size_t k = 0; k < 3; ++k) {
-        system.add(row + k, static_cast<std::size_t>(coordinate), mass * S.linear[k], rounding * mass * reach);
-        system.add(row + 3 + k, static_cast<std::size_t>(coordinate), H[k], rounding * spread * turning);
+        system.add(row + k, static_cast<std::size_t>(coordinate), m_a[k], rounding * mass * reach);
+        system.add(row + 3 + k, static_cast<std::size_t>(coordinate), H_rate[k],
+                   rounding * (spread * turning + mass * arm * reach));
       }
     });
   }

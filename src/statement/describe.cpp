@@ -41,6 +41,16 @@ const std::map<std::string, std::string>& nouns() {
       {"precession_rate", "rate of precession"},
       {"spin_rate", "rate of spin"},
       {"precession_sense", "sense of the precession"},
+      {"invariable_plane", "distance of the invariable plane"},
+      {"poinsot_ellipsoid", "semi-axes of the Poinsot ellipsoid"},
+      {"polhode", "course of the polhode"},
+      {"axis_stability", "stability of rotation about the principal axes"},
+      {"touching", "contact"},
+      {"taut", "pull"},
+      {"stable", "stability"},
+      {"stability", "stability"},
+      {"growth_rate", "fastest growth of a disturbance"},
+      {"frequencies", "frequencies of small oscillations"},
       {"body_cone", "half angle of the body cone"},
       {"space_cone", "half angle of the space cone"},
       {"impulse", "impulse"},
@@ -142,10 +152,26 @@ std::string words_of(const Expression& expression, const Problem& problem) {
   return to_string(expression);
 }
 
+// "stable(plate)": plate is stable.
+std::string condition_words(const Expression& condition, const Problem& problem) {
+  const Call* call = condition.as<Call>();
+  if (call && call->arguments.size() == 1)
+    for (const auto& [function, verb] :
+         {std::pair{"stable", " is stable"}, std::pair{"touching", " touches"}, std::pair{"taut", " is taut"}})
+      if (call->function == function) return words_of(call->arguments[0].value, problem) + verb;
+  return to_string(condition);
+}
+
 }  // namespace
 
 std::string describe(const Ask& ask, const Problem& problem, bool is_vector) {
   std::string words;
+  if (ask.extremum) {
+    words = std::string(ask.extremum->largest ? "largest " : "smallest ") + ask.extremum->name + " while ";
+    for (std::size_t i = 0; i < ask.extremum->conditions.size(); ++i)
+      words += (i > 0 ? " and " : "") + condition_words(ask.extremum->conditions[i], problem);
+    return words + (ask.extremum->situation.empty() ? "" : " @ " + ask.extremum->situation);
+  }
   for (const Expression& expression : ask.of) words += (words.empty() ? "" : "; ") + words_of(expression, problem);
   if (is_vector) {
     const std::string axes =

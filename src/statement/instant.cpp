@@ -111,6 +111,7 @@ void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
       if (level_of(problem_, fact.quantity) != Level::position) continue;
       const Name* name = fact.quantity.as<Name>();
       const NamedCoordinate* coordinate = name && name->primes == 0 ? machine_.coordinate(name->name) : nullptr;
+      if (!coordinate && !name) continue;  // what positions it demands is seen in position_facts()
       if (!coordinate) {
         std::vector<std::string> names;
         for (const NamedCoordinate& c : machine_.coordinates)
@@ -143,6 +144,7 @@ void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
   machine_.q = closure.q;
   moment_->set_positions(machine_.q);
   solve::update_contacts(machine_.mechanism, *moment_);
+  position_facts(instants);
 }
 
 double SolvedInstant::natural_unit(const Dimension& d) const {
@@ -256,6 +258,7 @@ QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, con
   if (before_) quantities.set_blow(&*before_, &blow_, &impulses_);
   if (axes) quantities.set_axes(*axes);
   if (elsewhere) quantities.set_elsewhere(elsewhere);
+  quantities.set_linearisation([this](const Mark& mark) -> const solve::Linearisation& { return linearisation(mark); });
   return quantities;
 }
 

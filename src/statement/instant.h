@@ -67,6 +67,9 @@ class SolvedInstant {
   // Cords that would have to push and contacts that would have to pull, in words. After solve_forces().
   std::vector<std::string> unphysical() const;
 
+  // The motion near this one, which must be steady; asked for at the mark.
+  const solve::Linearisation& linearisation(const Mark& mark);
+
   // The solution on the road of particles; forces are checked if they are solved.
   struct Residuals {
     solve::CheckResult particles;
@@ -83,6 +86,7 @@ class SolvedInstant {
   void set_positions(const std::vector<const Instant*>& instants);
   void solve_velocities(const std::vector<const Instant*>& instants, const std::optional<std::vector<double>>& v);
   std::vector<solve::Condition> rate_conditions() const;
+  void position_facts(const std::vector<const Instant*>& instants);
   std::vector<solve::Condition> velocity_facts(const std::vector<const Instant*>& instants);
   std::vector<solve::Condition> force_conditions();
   void add_steady(std::vector<solve::Condition>& conditions, bool accelerations) const;
@@ -118,6 +122,7 @@ class SolvedInstant {
   solve::LinearSolution velocities_;
   std::optional<solve::LinearSolution> motion_;
   std::vector<double> unknowns_;
+  std::optional<solve::Linearisation> linearisation_;
   std::vector<double> misfits_;
   double misfit_size_ = 0;
   // A blow, if this is the instant after it: what was before, and velocities after with all impulses.

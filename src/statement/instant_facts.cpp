@@ -67,6 +67,28 @@ std::vector<solve::Condition> SolvedInstant::rate_conditions() const {
   return conditions;
 }
 
+// Facts about positions, mass centers and mass properties demand something of unknowns, or must hold as it is.
+void SolvedInstant::position_facts(const std::vector<const Instant*>& instants) {
+  for (const Instant* instant : instants)
+    for (const Fact& fact : instant->facts) {
+      if (level_of(problem_, fact.quantity) != Level::position || fact.quantity.as<Name>()) continue;
+      QuantityScope<double> scope(
+          machine_, machine_.mechanism.tree, *data_,
+          State<double>{machine_.q, std::vector<double>(machine_.mechanism.tree.velocity_size())});
+      for (const auto& difference : differences(fact, scope, problem_.file)) {
+        const double misfit = difference.value / natural_unit(difference.dimension);
+        if (choice_.trial) {
+          misfits_.push_back(misfit);
+          misfit_size_ = std::max(misfit_size_, 1.0);
+        } else if (!(std::abs(misfit) <= 1e-9)) {
+          fail(problem_.file, fact.mark,
+               "'" + to_string(fact.quantity) + "' is not what is stated: it follows from the data",
+               "correct it, or leave a datum that it follows from to be found");
+        }
+      }
+    }
+}
+
 // Facts about velocities are linear in them: their coefficients are derivatives, by dual numbers.
 std::vector<solve::Condition> SolvedInstant::velocity_facts(const std::vector<const Instant*>& instants) {
   std::vector<solve::Condition> conditions;

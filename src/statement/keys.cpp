@@ -15,7 +15,7 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"problem", "letters", named, "", "data without a value yet: name and unit; --set gives values"},
     {"problem", "find", named, "unknown", "data to be found: name and unit, or {vector: unit}"},
     {"problem", "where", list, "", "ranges and conditions on the unknowns, such as 0 deg < b < 90 deg"},
-    {"problem", "choose", named, "choice", "which of some impulses or added masses take part"},
+    {"problem", "choose", named, "choice", "which of some impulses, loads or added masses take part"},
     {"problem", "without", list, "", "added masses that are left out, in a situation"},
     {"problem", "facts", named, "", "what is known, where there is only one instant: quantity and value"},
     {"problem", "neglect", list, "", "squares of unknowns that are taken as nothing beside the unknowns: [phidot^2]"},
@@ -44,6 +44,7 @@ constexpr auto table = std::to_array<LanguageKey>({
 
     {"choice", "of", list, "", "their names"},
     {"choice", "exactly", expression, "", "how many of them"},
+    {"choice", "least", name, "", "`total`: the choice with the least sum of their amounts"},
     {"unknown", "vector", unit, "", "the unit of an unknown vector"},
 
     {"frame", "origin", vector, "", "its origin as drawn; the ground's origin when left out"},
@@ -303,6 +304,10 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"stage", "loads", list, "", "the loads that act; all when left out"},
 
     {"ask", "of", any, "", "the quantity, or a list of them"},
+    {"ask", "largest", name, "", "instead of `of`: the datum whose largest value is asked"},
+    {"ask", "smallest", name, "", "instead of `of`: the datum whose smallest value is asked"},
+    {"ask", "while", any, "", "for largest and smallest: the condition that must hold, or a list of them"},
+    {"ask", "situation", name, "", "for largest and smallest: the situation in which it must hold"},
     {"ask", "unit", unit, "", "the unit of the answer"},
     {"ask", "axes", any, "", "the body, frame or three directions on whose axes components are given"},
 

@@ -59,6 +59,16 @@ constexpr QuantityFunction functions[] = {
     {"precession_sense", "precession_sense(satellite)", Level::velocity},
     {"body_cone", "body_cone(satellite)", Level::velocity},
     {"space_cone", "space_cone(satellite)", Level::velocity},
+    {"invariable_plane", "invariable_plane(satellite)", Level::velocity},
+    {"poinsot_ellipsoid", "poinsot_ellipsoid(satellite)", Level::velocity},
+    {"polhode", "polhode(satellite)", Level::velocity},
+    {"axis_stability", "axis_stability(satellite)", Level::velocity},
+    {"touching", "touching(mesh)", Level::force},
+    {"taut", "taut(wire)", Level::force},
+    {"stable", "stable(plate), stable(system)", Level::force},
+    {"stability", "stability(plate), stability(system)", Level::force},
+    {"growth_rate", "growth_rate(plate), growth_rate(system)", Level::force},
+    {"frequencies", "frequencies(plate), frequencies(system)", Level::force},
     {"impulse", "impulse(A), impulse(stop on plate)", Level::velocity},
     {"impulsive_couple", "impulsive_couple(A), impulsive_couple(hinge on plate about A)", Level::velocity},
 };
@@ -187,8 +197,6 @@ template <class Scalar>
 bool QuantityScope<Scalar>::is_frame(int body) const {
   return body == ground || !machine_.mechanism.takes_part[static_cast<std::size_t>(body)];
 }
-
-constexpr int whole_system = -2;
 
 template <class Scalar>
 int QuantityScope<Scalar>::body_of(const Expression& expression, const Evaluator<Scalar>& evaluator,
@@ -396,6 +404,16 @@ Value<Scalar> QuantityScope<Scalar>::call(const Call& call, const Mark& mark, co
       {"precession_sense", {""}},
       {"body_cone", {""}},
       {"space_cone", {""}},
+      {"invariable_plane", {""}},
+      {"poinsot_ellipsoid", {""}},
+      {"polhode", {""}},
+      {"axis_stability", {""}},
+      {"touching", {""}},
+      {"taut", {""}},
+      {"stable", {""}},
+      {"stability", {""}},
+      {"growth_rate", {""}},
+      {"frequencies", {""}},
       {"impulse", {"", "of", "on"}},
       {"impulsive_couple", {"", "of", "on about"}},
   };
@@ -417,10 +435,14 @@ Value<Scalar> QuantityScope<Scalar>::call(const Call& call, const Mark& mark, co
       f == "weight")
     return momentum(call, evaluator);
   if (f == "symmetry_axis" || f == "precession_axis" || f == "precession_rate" || f == "spin_rate" ||
-      f == "precession_sense" || f == "body_cone" || f == "space_cone")
+      f == "precession_sense" || f == "body_cone" || f == "space_cone" || f == "invariable_plane" ||
+      f == "poinsot_ellipsoid" || f == "polhode" || f == "axis_stability")
     return free_motion(call, mark, evaluator);
   if (f == "axis" || f == "distance" || f == "direction_angles") return geometry(call, evaluator);
   if (f == "rate") return rate(call, mark, evaluator);
+  if (f == "touching" || f == "taut") return holding(call, evaluator);
+  if (f == "stable" || f == "stability" || f == "growth_rate" || f == "frequencies")
+    return stability(call, mark, evaluator);
   if (function->level == Level::force || f == "impulse" || f == "impulsive_couple") return force(call, mark, evaluator);
   return inertia(call, mark, evaluator);
 }

@@ -9,6 +9,7 @@
 
 #include "poinsot/dynamics/momentum.h"
 #include "poinsot/solve/equations.h"
+#include "poinsot/solve/linearisation.h"
 #include "poinsot/statement/data.h"
 #include "statement/machine.h"
 
@@ -21,6 +22,9 @@ Level level_of(const Problem& problem, const Expression& expression, bool throug
 
 // The quantity functions and how each is written, for messages and the manual.
 const std::vector<FunctionForm>& quantity_functions();
+
+// Stands for all bodies together where a body is asked.
+constexpr int whole_system = -2;
 
 // A mechanism in motion as the scope of expressions. Scalar: double; Dual<1> differentiates by time or by a velocity.
 template <class Scalar>
@@ -48,6 +52,11 @@ class QuantityScope : public Scope<Scalar> {
   // What stands before an `@` is asked of another scope.
   void set_elsewhere(std::function<Value<Scalar>(const At&, const Mark&)> elsewhere) {
     elsewhere_ = std::move(elsewhere);
+  }
+
+  // The motion near this one; asked for at the mark.
+  void set_linearisation(std::function<const solve::Linearisation&(const Mark&)> linearisation) {
+    linearisation_ = std::move(linearisation);
   }
 
   Value<Scalar> value(const Expression& expression);
@@ -82,6 +91,8 @@ class QuantityScope : public Scope<Scalar> {
   Result free_motion(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
   Result geometry(const Call& call, const Evaluator<Scalar>& evaluator);
   Result force(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
+  Result holding(const Call& call, const Evaluator<Scalar>& evaluator);
+  Result stability(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
   Result rate(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
 
   const Machine& machine_;
@@ -93,6 +104,7 @@ class QuantityScope : public Scope<Scalar> {
   Matrix3<Scalar> axes_ = Matrix3<Scalar>::identity();
   std::optional<Expression> axes_expression_;
   std::function<Value<Scalar>(const At&, const Mark&)> elsewhere_;
+  std::function<const solve::Linearisation&(const Mark&)> linearisation_;
   bool has_accelerations_ = false;
   std::vector<double> accelerations_;
   const solve::Moment* moment_ = nullptr;

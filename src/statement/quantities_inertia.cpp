@@ -73,6 +73,39 @@ Value<Scalar> QuantityScope<Scalar>::free_motion(const Call& call, const Mark& m
     }
     if (f == "space_cone") return number_value(std::atan2(norm(cross(H, w)), dot(H, w)), dimensions::angle);
     const PrincipalAxes<double> principal = principal_axes(current_mass(body).inertia_center, 1e-9);
+    const auto equal = [&](std::size_t a, std::size_t b) {
+      return std::abs(principal.moments[a] - principal.moments[b]) <= 1e-9 * principal.moments[2];
+    };
+    if (f == "axis_stability") {
+      // Smallest, intermediate, largest; a rotation about one of two equal axes drifts to others when disturbed.
+      const char* outer[2] = {equal(0, 1) ? "neutral" : "stable", equal(1, 2) ? "neutral" : "stable"};
+      const char* middle = equal(0, 1) || equal(1, 2) ? "neutral" : "unstable";
+      return Result::of_list({Result::of_text(outer[0]), Result::of_text(middle), Result::of_text(outer[1])});
+    }
+    const double twice_energy = dot(w, H);
+    if (f == "invariable_plane" || f == "poinsot_ellipsoid" || f == "polhode") {
+      if (!(norm(H) > 0)) evaluator.fail(mark, "'" + to_string(what) + "' does not turn: it has no angular momentum");
+      if (f == "invariable_plane") return number_value(twice_energy / norm(H), dimensions::angular_velocity);
+      if (f == "poinsot_ellipsoid") {
+        std::vector<Result> semiaxes;
+        for (std::size_t k = 0; k < 3; ++k)
+          semiaxes.push_back(
+              number_value(std::sqrt(twice_energy / principal.moments[k]), dimensions::angular_velocity));
+        return Result::of_list(std::move(semiaxes));
+      }
+      // H^2 - 2 T I_2, from its terms: its sign tells about which axis the tip of w runs.
+      const Vector3<double> own = transpose_times(principal.axes, w);
+      const Vector3<double>& I = principal.moments;
+      const double towards_largest = I.z * (I.z - I.y) * own.z * own.z,
+                   towards_smallest = I.x * (I.y - I.x) * own.x * own.x;
+      const double size = I.z * (I.z - I.x) * norm_squared(own);
+      const double around = norm(cross(w, H)) / (norm(w) * norm(H));
+      if (around <= 1e-9) return Result::of_text("a point: the rotation about a principal axis");
+      if (std::abs(towards_largest - towards_smallest) <= 1e-9 * size)
+        return Result::of_text("on the separatrix, towards the intermediate axis");
+      return Result::of_text(towards_largest > towards_smallest ? "around the axis of the largest moment"
+                                                                : "around the axis of the smallest moment");
+    }
     if (principal.symmetry != InertiaSymmetry::axisymmetric)
       evaluator.fail(what.mark(),
                      "'" + to_string(what) + "' is no body of revolution: " +

@@ -100,6 +100,31 @@ std::string written(const Entry& entry) {
   return text.empty() ? "" : text + "]";
 }
 
+// {largest: w, while: stable(plate), situation: hanging}
+Extremum read_extremum(const Members& members, const Key& ask, const std::string& file) {
+  Extremum extremum;
+  extremum.largest = members.find("largest") != nullptr;
+  const char* key = extremum.largest ? "largest" : "smallest";
+  for (const char* other : {"of", "axes", extremum.largest ? "smallest" : "axes"})
+    if (members.find(other))
+      fail(file, members.mark_of(other),
+           "ask '" + ask.text + "' asks for the " + key + " value of a datum: no " + other,
+           "write {" + std::string(key) + ": w, while: stable(plate)}");
+  extremum.name = scalar_text(*members.find(key), file, "the name of a datum or letter");
+  extremum.name_mark = members.mark_of(key);
+  const Entry& conditions = members.require("while", "while: stable(plate)");
+  if (conditions.kind == Entry::Kind::list)
+    extremum.conditions = expression_list(conditions, file);
+  else
+    extremum.conditions.push_back(parse_expression(conditions, file));
+  if (extremum.conditions.empty()) fail(file, conditions.mark, "no condition stands under while:");
+  if (const Entry* situation = members.find("situation")) {
+    extremum.situation = scalar_text(*situation, file, "the name of a situation");
+    extremum.situation_mark = members.mark_of("situation");
+  }
+  return extremum;
+}
+
 Ask read_ask(const Key& name, const Entry& entry, const std::string& file) {
   Ask ask;
   ask.name = name.text;
@@ -107,6 +132,15 @@ Ask read_ask(const Key& name, const Entry& entry, const std::string& file) {
   const Entry* of = &entry;
   if (entry.kind == Entry::Kind::map) {
     const Members members(entry, file, {"ask"});
+    if (members.find("largest") || members.find("smallest")) {
+      ask.extremum = read_extremum(members, name, file);
+      if (const Entry* unit = members.find("unit")) ask.unit = read_unit(*unit, file);
+      ask.text = std::string(ask.extremum->largest ? "largest " : "smallest ") + ask.extremum->name + " while ";
+      for (std::size_t i = 0; i < ask.extremum->conditions.size(); ++i)
+        ask.text += (i > 0 ? " and " : "") + to_string(ask.extremum->conditions[i]);
+      if (!ask.extremum->situation.empty()) ask.text += " @ " + ask.extremum->situation;
+      return ask;
+    }
     of = &members.require("of", "of: angular_momentum(disk about G)");
     if (const Entry* unit = members.find("unit")) ask.unit = read_unit(*unit, file);
     ask.axes = members.expression("axes");
@@ -285,10 +319,11 @@ void check_choices(Problem& problem) {
     for (const Part& part : body.added) added.push_back(part.name);
   all = added;
   for (const Impulse& impulse : problem.impulses) all.push_back(impulse.name);
+  for (const Load& load : problem.loads) all.push_back(load.name);
   for (const Choice& choice : problem.choose)
     for (const std::string& name : choice.of)
       if (std::find(all.begin(), all.end(), name) == all.end())
-        fail(problem.file, choice.mark, "'" + name + "' is no impulse and no added mass", did_you_mean(name, all));
+        fail(problem.file, choice.mark, "'" + name + "' is no impulse, load or added mass", did_you_mean(name, all));
   for (const std::string& name : problem.without)
     if (std::find(added.begin(), added.end(), name) == added.end())
       fail(problem.file, Mark{1, 1}, "without: '" + name + "' is no added mass", did_you_mean(name, added));
@@ -340,13 +375,24 @@ Problem read_one(const Entry& root, const std::string& file) {
     const Entry& of = choice.require("of", "of: [A, B, C, D]");
     if (of.kind != Entry::Kind::list) fail(file, of.mark, "expected a list of names", "write of: [A, B, C, D]");
     for (const Entry& item : of.items) stated.of.push_back(scalar_text(item, file, "a name"));
-    const std::string& count = scalar_text(choice.require("exactly", "exactly: 2"), file, "a whole number");
+    if (stated.of.size() > 16) fail(file, of.mark, "a choice among more than 16 things is too large");
+    if (const Entry* least = choice.find("least")) {
+      if (choice.find("exactly"))
+        fail(file, choice.mark_of("least"), "a choice states `exactly` or `least`, not both", "remove one of them");
+      if (scalar_text(*least, file, "the word total") != "total")
+        fail(file, least->mark, "'" + least->text + "' is nothing of which the least can be chosen",
+             "write least: total, for the least sum of their amounts");
+      stated.least_total = true;
+      problem.choose.push_back(std::move(stated));
+      continue;
+    }
+    const std::string& count =
+        scalar_text(choice.require("exactly", "exactly: 2, or least: total"), file, "a whole number");
     if (count.empty() || count.size() > 2 || count.find_first_not_of("0123456789") != std::string::npos ||
         stoul(count) > stated.of.size())
       fail(file, choice.mark_of("exactly"),
            "'" + count + "' is no number of things among " + std::to_string(stated.of.size()));
     stated.exactly = std::stoi(count);
-    if (stated.of.size() > 16) fail(file, of.mark, "a choice among more than 16 things is too large");
     problem.choose.push_back(std::move(stated));
   }
   if (const Entry* without = members.find("without")) {

@@ -45,6 +45,9 @@ inline bool asks_model(const Problem& problem, const Expression& expression, boo
 // What has a value from outside the file or is found, in each situation.
 using AllSettings = std::vector<Settings>;
 
+// The situation that an extremum is sought in. Throws StatementError if it is not named or not known.
+std::size_t situation_of(const Statement& statement, const Ask& ask);
+
 // One choice of everything that the statement leaves open, and the instants solved for it so far.
 class Sample {
  public:
@@ -53,25 +56,23 @@ class Sample {
 
   Value<double> value(const Ask& ask) {
     std::vector<Value<double>> items;
-    for (const Expression& expression : ask.of) {
-      const auto [situation, stage] = home(expression, ask.mark);
-      items.push_back(instant(situation, stage).ask(expression, ask.axes, [&](const At& at, const Mark& mark) {
-        const auto [other, other_stage] = resolve(at.instant, mark);
-        return instant(other, other_stage).raw(at.expression, ask.axes, nullptr);
-      }));
-    }
+    for (const Expression& expression : ask.of)
+      items.push_back(value_at(home(expression, ask.mark), expression, ask.axes));
     return ask.is_list ? Value<double>::of_list(std::move(items)) : items.front();
+  }
+  // At the instant of a situation at which it is meant.
+  Value<double> value_in(std::size_t situation, const Expression& expression) {
+    return value_at({situation, statement_.situations[situation].problem.has_blow() ? 1u : 0u}, expression,
+                    std::nullopt);
   }
   const std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<SolvedInstant>>& instants() const {
     return instants_;
   }
   SolvedInstant& instant_of(const Ask& ask) {
-    const auto [situation, stage] = home(ask.of.front(), ask.mark);
+    const auto [situation, stage] = home_of(ask);
     return instant(situation, stage);
   }
-  const Problem& problem_of(const Ask& ask) {
-    return statement_.situations[home(ask.of.front(), ask.mark).first].problem;
-  }
+  const Problem& problem_of(const Ask& ask) { return statement_.situations[home_of(ask).first].problem; }
 
   // Where something is asked: the situation, and its instant as a number (see when()).
   using Home = std::pair<std::size_t, std::size_t>;
@@ -117,6 +118,17 @@ class Sample {
   }
 
  private:
+  Value<double> value_at(const Home& place, const Expression& expression, const std::optional<Expression>& axes) {
+    return instant(place.first, place.second).ask(expression, axes, [&](const At& at, const Mark& mark) {
+      const auto [other, other_stage] = resolve(at.instant, mark);
+      return instant(other, other_stage).raw(at.expression, axes, nullptr);
+    });
+  }
+  Home home_of(const Ask& ask) const {
+    if (!ask.extremum) return home(ask.of.front(), ask.mark);
+    const std::size_t situation = situation_of(statement_, ask);
+    return {situation, statement_.situations[situation].problem.has_blow() ? 1u : 0u};
+  }
   // Where what stands without @ is meant: in the only situation and stage there is, after a blow if there is one. An
   // expression all of whose quantities have an @ is at home at the first of these.
   Home home(const Expression& expression, const Mark& mark) const {

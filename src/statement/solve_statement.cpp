@@ -2,19 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
 #include <set>
 
-#include "poinsot/solve/roots.h"
 #include "statement/compare_values.h"
 #include "statement/describe.h"
+#include "statement/extremum.h"
 #include "statement/reader.h"
 #include "statement/sample.h"
+#include "statement/unknown_search.h"
 
 namespace poinsot::statement {
 namespace {
@@ -33,79 +32,27 @@ double draw(const Letter& letter, std::mt19937_64& random) {
   return letter.unit.factor * std::uniform_real_distribution<double>(0.5, 2)(random);
 }
 
-// `where:` comparisons between one unknown and values narrow its range.
-template <class SlotOf>
-void narrow_ranges(const Problem& problem, const Settings& settings, solve::RootProblem& roots, SlotOf slot_of) {
-  for (const Expression& condition : problem.where) {
-    const Comparison* comparison = condition.as<Comparison>();
-    if (!comparison)
-      fail(problem.file, condition.mark(), "a condition under where: is a comparison", "write 0 deg < b < 90 deg");
-    for (std::size_t i = 0; i + 1 < comparison->operands.size(); ++i) {
-      const Expression &left = comparison->operands[i], &right = comparison->operands[i + 1];
-      const bool less = comparison->relations[i] == Relation::less || comparison->relations[i] == Relation::less_equal;
-      const bool greater =
-          comparison->relations[i] == Relation::greater || comparison->relations[i] == Relation::greater_equal;
-      const auto value_of = [&](const Expression& e) -> std::optional<double> {
-        DataScope<double> data(problem, settings);
-        try {
-          const Value<double> value = data.value(e);
-          return value.is_number() ? std::optional(value.number) : std::nullopt;
-        } catch (const StatementError&) {
-          return std::nullopt;  // it names an unknown itself
-        }
-      };
-      for (const auto& [name, bound, above] : {std::tuple{&left, &right, greater}, std::tuple{&right, &left, less}}) {
-        const Name* word = name->template as<Name>();
-        const auto slot = word && word->primes == 0 ? slot_of(word->name) : std::nullopt;
-        const auto value = slot ? value_of(*bound) : std::nullopt;
-        if (!value || !(less || greater)) continue;
-        solve::RootRange& range = roots.ranges[*slot];
-        const bool open = comparison->relations[i] == Relation::less || comparison->relations[i] == Relation::greater;
-        if (above && *value >= range.lower) {
-          range.lower = *value;
-          range.lower_open = open;
-        } else if (!above && *value <= range.upper) {
-          range.upper = *value;
-          range.upper_open = open;
-        }
-      }
-    }
-  }
-}
-
-bool satisfies_where(const Statement& statement, const std::vector<std::size_t>& situations,
-                     const AllSettings& settings) {
-  for (std::size_t i : situations)
-    for (const Expression& condition : statement.situations[i].problem.where) {
-      DataScope<double> data(statement.situations[i].problem, settings[i]);
-      const Value<double> value = data.value(condition);
-      if (value.is_boolean() && !value.truth) return false;
-    }
-  return true;
-}
-
 // What the values of all asks are for one choice; a missing value where it could not be found.
 using Values = std::vector<std::optional<Value<double>>>;
 
 class StatementSolver {
  public:
   StatementSolver(const Statement& statement, Settings settings)
-      : statement_(statement), settings_(std::move(settings)) {
+      : statement_(statement), settings_(std::move(settings)), search_(statement, settings_) {
     for (const Situation& situation : statement.situations) {
       for (const Letter& letter : situation.problem.letters) add_once(open_, letter);
-      for (const Unknown& unknown : situation.problem.find) add_once(unknowns_, unknown);
     }
   }
 
   SolvedStatement solve() {
     SolvedStatement result;
     result.open_letters = open_;
-    if (unknowns_.empty()) {
+    if (search_.unknowns().empty()) {
       result.solutions.push_back(solve_one(AllSettings(statement_.situations.size(), settings_)));
       return result;
     }
     // With letters open, roots are sought at drawn values, to see which answers depend on which letters.
-    const RootsFound found = find_everywhere(settings_with_letters());
+    const RootsFound found = search_.find(settings_with_letters());
     result.warnings = found.warnings;
     for (const AllSettings& root : found.roots) {
       Solution solution = solve_one(root);
@@ -143,70 +90,15 @@ class StatementSolver {
   }
 
  private:
-  struct RootsFound {
-    std::vector<AllSettings> roots;
-    std::vector<std::string> open, warnings;
-    std::optional<AllSettings> alternative;  // another solution, where unknowns stay open
-  };
-  // The unknowns of one search, and the situations whose conditions they must satisfy.
-  struct Search {
-    std::vector<Unknown> unknowns;
-    std::vector<std::size_t> situations;
-  };
-
-  bool is_own(std::size_t situation, const std::string& name) const {
-    const auto& own = statement_.situations[situation].own_unknowns;
-    return std::find(own.begin(), own.end(), name) != own.end();
-  }
-  bool is_common(const std::string& name) const {
-    for (std::size_t i = 0; i < statement_.situations.size(); ++i)
-      if (is_own(i, name)) return false;
-    return true;
-  }
-
   void list_unknowns(const AllSettings& root, Solution& solution) const {
-    for (const Unknown& unknown : unknowns_) {
-      if (is_common(unknown.name))
+    for (const Unknown& unknown : search_.unknowns()) {
+      if (search_.is_common(unknown.name))
         solution.unknowns.push_back({unknown.name, unknown.unit, root.front().at(unknown.name)});
       for (std::size_t i = 0; i < root.size(); ++i)
-        if (is_own(i, unknown.name))
+        if (search_.is_own(i, unknown.name))
           solution.unknowns.push_back(
               {unknown.name + " @ " + statement_.situations[i].name, unknown.unit, root[i].at(unknown.name)});
     }
-  }
-
-  // First the unknowns common to all situations that have none of their own, then those of each situation by itself.
-  RootsFound find_everywhere(const Settings& settings) {
-    Search common;
-    for (const Unknown& unknown : unknowns_)
-      if (is_common(unknown.name)) common.unknowns.push_back(unknown);
-    for (std::size_t i = 0; i < statement_.situations.size(); ++i)
-      if (statement_.situations[i].own_unknowns.empty()) common.situations.push_back(i);
-    RootsFound found;
-    found.roots.push_back(AllSettings(statement_.situations.size(), settings));
-    const auto refine = [&](const Search& search) {
-      if (search.unknowns.empty()) return;
-      std::vector<AllSettings> refined;
-      for (const AllSettings& root : found.roots) {
-        RootsFound more = find_with_choices(search, root);
-        refined.insert(refined.end(), more.roots.begin(), more.roots.end());
-        for (const auto& [list, fresh] :
-             {std::pair{&found.open, &more.open}, std::pair{&found.warnings, &more.warnings}})
-          for (const std::string& text : *fresh)
-            if (std::find(list->begin(), list->end(), text) == list->end()) list->push_back(text);
-        if (more.alternative) found.alternative = more.alternative;
-      }
-      found.roots = std::move(refined);
-      if (found.roots.size() > 64) found.roots.resize(64);
-    };
-    refine(common);
-    for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
-      Search own{{}, {i}};
-      for (const Unknown& unknown : statement_.situations[i].problem.find)
-        if (is_own(i, unknown.name) && !settings_.contains(unknown.name)) own.unknowns.push_back(unknown);
-      refine(own);
-    }
-    return found;
   }
 
   template <class Item>
@@ -225,82 +117,6 @@ class StatementSolver {
     return settings;
   }
 
-  // Unknowns of what is not chosen are zero; every choice that leads to a solution gives one.
-  RootsFound find_with_choices(const Search& search, const AllSettings& settings) {
-    std::vector<const Choice*> choices;
-    for (std::size_t i : search.situations)
-      for (const Choice& choice : statement_.situations[i].problem.choose)
-        if (std::none_of(choices.begin(), choices.end(),
-                         [&](const Choice* other) { return other->name == choice.name; }))
-          choices.push_back(&choice);
-    if (choices.empty()) return find_unknowns(search, settings);
-    if (choices.size() > 1) fail(statement_.file, choices[1]->mark, "only one choice can be made in a problem");
-    const Choice& choice = *choices.front();
-    RootsFound all;
-    for (std::size_t subset = 0; subset < (std::size_t{1} << choice.of.size()); ++subset) {
-      if (std::popcount(subset) != choice.exactly) continue;
-      AllSettings chosen = settings;
-      Search rest = search;
-      std::vector<Value<double>> names;
-      const auto give = [&](const std::string& name, const Value<double>& value) {
-        for (Settings& one : chosen) one[name] = value;
-      };
-      for (std::size_t k = 0; k < choice.of.size(); ++k) {
-        if (subset >> k & 1) {
-          names.push_back(Value<double>::of_text(choice.of[k]));
-          continue;
-        }
-        for (const std::string& name : unknowns_of(choice.of[k])) {
-          const auto unknown = std::find_if(rest.unknowns.begin(), rest.unknowns.end(),
-                                            [&](const Unknown& u) { return u.name == name; });
-          if (unknown == rest.unknowns.end()) continue;
-          give(name, Value<double>::of_number(0, unknown->unit.dimension));
-          rest.unknowns.erase(unknown);
-        }
-      }
-      give(choice.name, Value<double>::of_list(std::move(names)));
-      RootsFound found = find_unknowns(rest, chosen);
-      for (AllSettings& root : found.roots) {
-        const bool known = std::any_of(all.roots.begin(), all.roots.end(), [&](const AllSettings& other) {
-          return std::all_of(search.unknowns.begin(), search.unknowns.end(), [&](const Unknown& u) {
-            const double a = root.front().at(u.name).number, b = other.front().at(u.name).number;
-            return std::abs(a - b) <= 1e-9 * std::max({std::abs(a), std::abs(b), u.unit.factor});
-          });
-        });
-        if (!known) all.roots.push_back(std::move(root));
-      }
-      for (const std::string& name : found.open)
-        if (std::find(all.open.begin(), all.open.end(), name) == all.open.end()) all.open.push_back(name);
-    }
-    if (all.roots.empty())
-      all.warnings.push_back(
-          "no choice of " + std::to_string(choice.exactly) + " of them under '" + choice.name +
-          "' satisfies all conditions with values in their ranges (durations and masses are not negative)");
-    return all;
-  }
-  // The unknowns that stand in the data of an impulse or an added mass.
-  std::set<std::string> unknowns_of(const std::string& name) const {
-    std::set<std::string> names;
-    const auto collect = [&](const std::optional<Expression>& expression) {
-      if (expression) collect_names(*expression, names);
-    };
-    for (const Situation& situation : statement_.situations) {
-      for (const Impulse& impulse : situation.problem.impulses)
-        if (impulse.name == name)
-          for (const auto* expression : {&impulse.value, &impulse.force, &impulse.lasts, &impulse.couple})
-            collect(*expression);
-      for (const Body& body : situation.problem.bodies)
-        for (const Part& part : body.added)
-          if (part.name == name) {
-            collect(part.amount.mass);
-            collect(part.amount.weight);
-          }
-    }
-    return names;
-  }
-
-  RootsFound find_unknowns(const Search& search, const AllSettings& settings);
-
   // The answers with everything known that will be known.
   Solution solve_one(const AllSettings& settings) {
     base_ = settings;
@@ -311,16 +127,30 @@ class StatementSolver {
     Sample& base = *sample_;
     result.asks.resize(statement_.asks.size());
     for (std::size_t i = 0; i < statement_.asks.size(); ++i)
-      finish(statement_.asks[i], *values[i], base, result.asks[i]);
+      if (statement_.asks[i].extremum)
+        finish_extremum(statement_.asks[i], values[i], result.asks[i]);
+      else
+        finish(statement_.asks[i], *values[i], base, result.asks[i]);
     find_dependencies(values, result);
     if (open_.empty()) physical(result);
     check(result);
     return result;
   }
 
-  Values evaluate(Sample& sample) {
+  Values evaluate(Sample& sample, const AllSettings& settings, const OpenChoice& choice) {
     Values values;
-    for (const Ask& ask : statement_.asks) values.emplace_back(sample.value(ask));
+    extremal_.clear();
+    no_extremum_.clear();
+    for (const Ask& ask : statement_.asks) {
+      if (!ask.extremum) {
+        values.emplace_back(sample.value(ask));
+        continue;
+      }
+      ExtremumFound found = ExtremumSearch(statement_, ask, settings, choice).find();
+      values.push_back(found.value);
+      no_extremum_.push_back(found.reason);
+      if (found.sample) extremal_.push_back(std::move(found.sample));
+    }
     return values;
   }
 
@@ -337,7 +167,7 @@ class StatementSolver {
       }
       try {
         auto sample = std::make_unique<Sample>(statement_, settings, choice);
-        Values values = evaluate(*sample);
+        Values values = evaluate(*sample, settings, choice);
         if (!only && !sample_) {
           sample_ = std::move(sample);
           base_ = settings;
@@ -350,12 +180,18 @@ class StatementSolver {
   }
 
   // An ask that has no value for this choice depends on it.
-  Values varied(const OpenChoice& choice) {
+  Values varied(const OpenChoice& choice, const Values& base) {
     Sample sample(statement_, base_, choice);
     Values values;
-    for (const Ask& ask : statement_.asks) {
+    for (std::size_t i = 0; i < statement_.asks.size(); ++i) {
+      const Ask& ask = statement_.asks[i];
       try {
-        values.emplace_back(sample.value(ask));
+        if (!ask.extremum)
+          values.emplace_back(sample.value(ask));
+        else if (base[i] && ExtremumSearch(statement_, ask, base_, choice).is_at(base[i]->number))
+          values.push_back(base[i]);
+        else
+          values.emplace_back(std::nullopt);
       } catch (const StatementError&) {
         values.emplace_back(std::nullopt);
       }
@@ -369,6 +205,7 @@ class StatementSolver {
 
   void find_dependencies(const Values& base, Solution& result) {
     const auto differs = [&](const Values& other, std::size_t i) {
+      if (!base[i]) return false;
       return !other[i] || !same(*base[i], *other[i], tolerance(i, *base[i], *other[i]));
     };
     for (const Letter& letter : open_) {
@@ -380,7 +217,7 @@ class StatementSolver {
         }
     }
     const auto undetermined = [&](const OpenChoice& choice, auto&& reason) {
-      const Values other = varied(choice);
+      const Values other = varied(choice, base);
       for (std::size_t i = 0; i < base.size(); ++i) {
         if (!differs(other, i)) continue;
         result.asks[i].state = AskState::undetermined;
@@ -414,7 +251,7 @@ class StatementSolver {
     std::vector<std::vector<std::string>> rates(base.size());  // that an ask depends on and nothing fixes
     std::vector<std::size_t> missing(base.size(), 0);
     for (std::size_t d = 0; d < std::min(velocities, most); ++d) {
-      const Values other = varied({.seed = 13, .velocities = true, .direction = d});
+      const Values other = varied({.seed = 13, .velocities = true, .direction = d}, base);
       for (std::size_t i = 0; i < base.size(); ++i) {
         if (!differs(other, i)) continue;
         result.asks[i].state = AskState::undetermined;
@@ -441,7 +278,8 @@ class StatementSolver {
                                    .gravity = gravity,
                                    .velocities = velocities > 0,
                                    .forces = forces > 0,
-                                   .direction = OpenChoice::every});
+                                   .direction = OpenChoice::every},
+                                  base);
       for (std::size_t i = 0; i < base.size(); ++i) {
         if (result.asks[i].state != AskState::found || !differs(other, i)) continue;
         result.asks[i].state = AskState::undetermined;
@@ -547,6 +385,26 @@ class StatementSolver {
            " share the same load: the statement does not fix them one by one";
   }
 
+  void finish_extremum(const Ask& ask, const std::optional<Value<double>>& value, SolvedAsk& solved) {
+    const Problem& problem = statement_.situations[situation_of(statement_, ask)].problem;
+    natural_.push_back(0);
+    solved.words = describe(ask, problem, false);
+    const std::string reason = no_extremum_.front();
+    no_extremum_.erase(no_extremum_.begin());
+    if (!value) {
+      solved.state = AskState::refused;
+      solved.reason = reason;
+      return;
+    }
+    solved.value = *value;
+    if (ask.unit && !same_kind(ask.unit->dimension, value->dimension))
+      fail(problem.file, ask.mark,
+           "'" + ask.extremum->name + "' is " + to_string(value->dimension) + ", but " + ask.unit->text +
+               " is a unit of " + to_string(ask.unit->dimension),
+           "ask for it in a unit such as " + problem.habits.unit_for(value->dimension).text);
+    solved.unit = ask.unit ? *ask.unit : problem.habits.unit_for(value->dimension);
+  }
+
   void finish(const Ask& ask, const Value<double>& value, Sample& sample, SolvedAsk& solved) {
     const Problem& problem = sample.problem_of(ask);
     if (std::none_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) { return asks_model(problem, e); }))
@@ -592,6 +450,7 @@ class StatementSolver {
   void physical(Solution& result) {
     for (std::size_t i = 0; i < statement_.asks.size(); ++i) {
       const Ask& ask = statement_.asks[i];
+      if (ask.extremum || result.asks[i].value.is_boolean()) continue;
       SolvedInstant& instant = sample_->instant_of(ask);
       const Problem& problem = sample_->problem_of(ask);
       const bool needs_forces = std::any_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) {
@@ -606,7 +465,11 @@ class StatementSolver {
   }
 
   void check(Solution& result) {
-    for (const auto& [key, instant] : sample_->instants()) {
+    std::vector<SolvedInstant*> instants;
+    for (const auto& [key, instant] : sample_->instants()) instants.push_back(instant.get());
+    for (const std::unique_ptr<Sample>& sample : extremal_)
+      for (const auto& [key, instant] : sample->instants()) instants.push_back(instant.get());
+    for (SolvedInstant* instant : instants) {
       const SolvedInstant::Residuals residuals = instant->check();
       const solve::CheckResult& residual = residuals.particles;
       const auto keep = [&](const char* name, double value) {
@@ -630,174 +493,16 @@ class StatementSolver {
   }
 
   const Statement& statement_;
-  static constexpr double most_seconds = 8;
-  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   Settings settings_;
+  UnknownSearch search_;
   AllSettings base_;
   std::vector<Letter> open_;
-  std::vector<Unknown> unknowns_;
   std::unique_ptr<Sample> sample_;
+  std::vector<std::unique_ptr<Sample>> extremal_;  // at the extrema that are asked
+  std::vector<std::string> no_extremum_;           // of each extremum that is asked: why there is none
   std::vector<double> natural_;
   std::vector<std::array<bool, 3>> fixed_;
 };
-
-// Whether forces take part in what fixes the unknowns of a problem.
-bool unknowns_need_forces(const Problem& problem) {
-  if (problem.steady) return true;
-  for (const Instant& instant : problem.instants)
-    for (const Fact& fact : instant.facts)
-      if (level_of(problem, fact.quantity) == Level::force) return true;
-  return false;
-}
-
-StatementSolver::RootsFound StatementSolver::find_unknowns(const Search& search, const AllSettings& settings) {
-  RootsFound found;
-  const std::vector<Unknown>& unknowns = search.unknowns;
-  solve::RootProblem roots;
-  // Flat list: vectors have three components.
-  struct Slot {
-    std::size_t unknown, component;
-  };
-  std::vector<Slot> slots;
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const Unknown& unknown = unknowns[i];
-    for (std::size_t k = 0; k < (unknown.vector ? 3u : 1u); ++k) {
-      slots.push_back({i, k});
-      solve::RootRange range;
-      range.scale = unknown.unit.factor;
-      range.lower = -std::numeric_limits<double>::infinity();
-      range.upper = std::numeric_limits<double>::infinity();
-      const Dimension& d = unknown.unit.dimension;
-      if (!unknown.vector && (d == dimensions::mass || d == dimensions::time || d == dimensions::length))
-        range.lower = 0;
-      if (d == dimensions::angle) {
-        range.lower = -3.141592653589793;
-        range.upper = 3.141592653589793;
-        range.scale = 1;
-      }
-      roots.ranges.push_back(range);
-    }
-  }
-  const auto settings_at = [&](const std::vector<double>& x) {
-    AllSettings all = settings;
-    for (std::size_t k = 0; k < slots.size(); ++k) {
-      const Unknown& unknown = unknowns[slots[k].unknown];
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        const bool reached =
-            std::find(search.situations.begin(), search.situations.end(), i) != search.situations.end();
-        if (!reached && !is_common(unknown.name)) continue;
-        if (!unknown.vector) {
-          all[i][unknown.name] = Value<double>::of_number(x[k], unknown.unit.dimension);
-        } else {
-          auto [entry, fresh] =
-              all[i].emplace(unknown.name, Value<double>::of_vector(Vector3<double>::zero(), unknown.unit.dimension));
-          entry->second.vector[slots[k].component] = x[k];
-        }
-      }
-    }
-    return all;
-  };
-  // The unit in which an unknown is wanted is a natural size of it, unless the problem is of another order altogether.
-  try {
-    std::vector<double> ones;
-    for (const Slot& slot : slots) ones.push_back(unknowns[slot.unknown].unit.factor);
-    const AllSettings trial = settings_at(ones);
-    const std::size_t first = search.situations.empty() ? 0 : search.situations.front();
-    SolvedInstant instant(statement_.situations[first].problem, trial[first], When{}, OpenChoice{.trial = true});
-    for (std::size_t k = 0; k < slots.size(); ++k) {
-      const double natural = instant.natural_size(unknowns[slots[k].unknown].unit.dimension),
-                   ratio = natural / roots.ranges[k].scale;
-      if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e6 || ratio < 1e-6)) roots.ranges[k].scale = natural;
-    }
-  } catch (const StatementError&) {
-    // These values make no sense; the units serve.
-  }
-  for (std::size_t i : search.situations)
-    narrow_ranges(statement_.situations[i].problem, settings[i], roots,
-                  [&](const std::string& name) -> std::optional<std::size_t> {
-                    for (std::size_t k = 0; k < slots.size(); ++k)
-                      if (unknowns[slots[k].unknown].name == name && !unknowns[slots[k].unknown].vector) return k;
-                    return std::nullopt;
-                  });
-  std::optional<StatementError> refusal;
-  const auto exact = [&](const std::vector<double>& x) -> std::optional<solve::RootEquations> {
-    const AllSettings trial = settings_at(x);
-    solve::RootEquations misfits;
-    try {
-      for (std::size_t i : search.situations) {
-        const Situation& situation = statement_.situations[i];
-        if (!situation.problem.stages.empty())
-          fail(situation.problem.file, situation.problem.stages.front().mark,
-               "unknowns of a problem with stages are not found", "give the datum a value with --set");
-        SolvedInstant instant(situation.problem, trial[i], When{0, situation.problem.has_blow()},
-                              OpenChoice{.trial = true});
-        if (unknowns_need_forces(situation.problem)) instant.solve_forces();
-        misfits.values.insert(misfits.values.end(), instant.misfits().begin(), instant.misfits().end());
-        misfits.size = std::max(misfits.size, instant.misfit_size());
-      }
-    } catch (const StatementError& error) {
-      // Values without sense are outside the range; a statement without sense has no value anywhere.
-      refusal = error;
-      return std::nullopt;
-    }
-    return misfits;
-  };
-  // Without the squares of some unknowns: the equations, linear in these around zero.
-  std::vector<std::size_t> small;
-  for (std::size_t i : search.situations)
-    for (const Expression& square : statement_.situations[i].problem.neglect)
-      for (std::size_t k = 0; k < slots.size(); ++k)
-        if (unknowns[slots[k].unknown].name == square.as<Binary>()->left.as<Name>()->name) small.push_back(k);
-  roots.equations = exact;
-  if (!small.empty()) {
-    roots.equations = [&](const std::vector<double>& x) -> std::optional<solve::RootEquations> {
-      std::vector<double> at = x;
-      for (std::size_t k : small) at[k] = 0;
-      auto sum = exact(at);
-      if (!sum) return std::nullopt;
-      for (std::size_t k : small) {
-        const double h = 0.5 * roots.ranges[k].scale;
-        at[k] = h;
-        const auto ahead = exact(at);
-        at[k] = -h;
-        const auto behind = exact(at);
-        at[k] = 0;
-        if (!ahead || !behind) return std::nullopt;
-        for (std::size_t i = 0; i < sum->values.size(); ++i)
-          sum->values[i] += (ahead->values[i] - behind->values[i]) / (2 * h) * x[k];
-      }
-      return sum;
-    };
-    std::string names;
-    for (std::size_t k : small) names += (names.empty() ? "" : ", ") + unknowns[slots[k].unknown].name + "^2";
-    found.warnings.push_back("neglected, as stated: " + names);
-  }
-  // All searches of a statement together end in bounded time.
-  const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
-  const solve::Roots result = solve::find_roots(roots, std::max(0.1, most_seconds - spent));
-  for (const auto& point : result.points) {
-    AllSettings root = settings_at(point);
-    if (satisfies_where(statement_, search.situations, root)) found.roots.push_back(std::move(root));
-  }
-  if (!result.alternative.empty()) found.alternative = settings_at(result.alternative);
-  for (std::size_t k : result.open_unknowns)
-    if (const std::string& name = unknowns[slots[k].unknown].name;
-        std::find(found.open.begin(), found.open.end(), name) == found.open.end())
-      found.open.push_back(name);
-  if (found.roots.empty()) {
-    if (result.best_misfit == std::numeric_limits<double>::infinity() && refusal) throw *refusal;
-    std::string names;
-    for (const Unknown& unknown : unknowns) names += (names.empty() ? "" : ", ") + unknown.name;
-    found.warnings.push_back("no values of " + names + " in their ranges satisfy all conditions" +
-                             (result.search == solve::RootSearch::linear
-                                  ? " (the equations are linear)"
-                                  : " (searched from " + std::to_string(result.starts) + " starts)"));
-  } else if (result.search == solve::RootSearch::many_starts) {
-    found.warnings.push_back("the roots were found from " + std::to_string(result.starts) +
-                             " starts; others are not excluded");
-  }
-  return found;
-}
 
 }  // namespace
 

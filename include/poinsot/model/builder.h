@@ -173,7 +173,10 @@ class ModelBuilder {
       refuse(name, "its mass properties are not finite");
     }
     if (!every_value(mass.mass, not_negative)) refuse(name, "its mass is negative");
-    if (!every_value(I.xx, not_negative) || !every_value(I.yy, not_negative) || !every_value(I.zz, not_negative)) {
+    // Of particles on a line nothing but rounding is left.
+    const Scalar rounding = Scalar(1e-12) * (I.xx + I.yy + I.zz + mass.mass * norm_squared(mass.center));
+    if (!every_value(I.xx + rounding, not_negative) || !every_value(I.yy + rounding, not_negative) ||
+        !every_value(I.zz + rounding, not_negative)) {
       refuse(name, "a moment of inertia about its mass center is negative");
     }
   }

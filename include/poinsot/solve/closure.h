@@ -21,6 +21,9 @@ struct Closure {
 Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>& target,
                    const std::vector<bool>& given);
 
+// Whether a constraint binds positions as well; those against slipping bind velocities only.
+bool binds_positions(const VelocityConstraint<double>& constraint);
+
 // Contact points of bodies of revolution move over them as they turn: puts them where they touch now.
 void update_contacts(Mechanism<double>& mechanism, const Moment& moment);
 

@@ -198,6 +198,7 @@ struct Choice {
   std::string name;
   std::vector<std::string> of;
   int exactly = 0;
+  bool least_total = false;  // the choice with the least sum of amounts, instead of a count
   Mark mark;
 };
 
@@ -233,9 +234,19 @@ struct Stage {
   Mark mark;
 };
 
+// The largest or smallest value of a datum for which conditions hold.
+struct Extremum {
+  bool largest = true;
+  std::string name;
+  Mark name_mark;
+  std::vector<Expression> conditions;
+  std::string situation;  // "" if there is only one
+  Mark situation_mark;
+};
 struct Ask {
   std::string name;
-  std::vector<Expression> of;  // one, or several for a list
+  std::vector<Expression> of;  // one, several for a list, none for an extremum
+  std::optional<Extremum> extremum;
   bool is_list = false;
   std::string text;  // as written
   std::optional<Unit> unit;

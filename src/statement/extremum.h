@@ -1,0 +1,46 @@
+// The largest or smallest value of a datum for which something holds: {largest: w, while: stable(plate)}.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "statement/sample.h"
+#include "statement/unknown_search.h"
+
+namespace poinsot::statement {
+
+struct ExtremumFound {
+  std::optional<Value<double>> value;
+  std::string reason;              // where there is none
+  std::unique_ptr<Sample> sample;  // the instants at the value, where the conditions still hold
+};
+
+class ExtremumSearch {
+ public:
+  // All arguments must outlive the search. settings: of each situation.
+  ExtremumSearch(const Statement& statement, const Ask& ask, const AllSettings& settings, const OpenChoice& choice);
+
+  ExtremumFound find();
+  // Whether the conditions hold on one side of the value and not on the other.
+  bool is_at(double value);
+
+ private:
+  struct Span {
+    double lower = 0, upper = 0, scale = 1;
+  };
+  Span span() const;
+  bool holds(double value);
+  std::unique_ptr<Sample> sample_at(double value);
+
+  const Statement& statement_;
+  const Ask& ask_;
+  const AllSettings& settings_;
+  OpenChoice choice_;
+  const Problem& problem_;
+  Dimension dimension_;
+  std::optional<StatementError> refusal_;
+  bool ever_ = false;  // whether the conditions had a truth at any value
+};
+
+}  // namespace poinsot::statement

@@ -1,0 +1,185 @@
+// The motion near a steady one.
+#include <cmath>
+#include <stdexcept>
+
+#include "poinsot/mass/principal_axes.h"
+#include "poinsot/solve/closure.h"
+#include "statement/instant.h"
+#include "statement/reader.h"
+
+namespace poinsot::statement {
+namespace {
+
+using Vector = Vector3<double>;
+using Twist = SpatialMotion<double>;
+
+// Axes of symmetry of an inertia about the mass center; three for a body whose moments are all equal.
+std::vector<Vector> symmetry_axes(const SpatialInertia<double>& I) {
+  if (!(I.mass > 0)) return {};
+  const Vector c = I.first_moment / I.mass;
+  const auto principal = principal_axes(I.inertia - I.mass * unit_mass_inertia(c));
+  const Vector& m = principal.moments;
+  const auto equal = [&](std::size_t a, std::size_t b) { return std::abs(m[a] - m[b]) <= 1e-9 * (m[0] + m[1] + m[2]); };
+  if (equal(0, 1) && equal(1, 2)) return {Vector::unit(0), Vector::unit(1), Vector::unit(2)};
+  std::vector<Vector> axes;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (equal((k + 1) % 3, (k + 2) % 3)) axes.push_back(principal.axes.column(k));
+  return axes;
+}
+
+}  // namespace
+
+const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
+  if (linearisation_) return *linearisation_;
+  const Model<double>& tree = machine_.mechanism.tree;
+  const auto n = static_cast<std::size_t>(tree.velocity_size());
+  const Workspace<double>& w = moment_->workspace();
+  const int frame = problem_.steady ? machine_.index.at(problem_.steady->frame) : ground;
+  const Vector turning = angular_velocity(w, frame);
+  solve::SteadyMotion motion;
+  motion.tree = &tree;
+  motion.q = machine_.q;
+  motion.v = v_;
+  motion.length = scales_.length;
+  motion.time = std::sqrt(scales_.length / std::max(norm(tree.gravity()), 1e-9));
+  motion.held.assign(n, false);
+  for (const StatedRate& rate : machine_.accelerations) motion.held[static_cast<std::size_t>(rate.velocity)] = true;
+
+  // Contacts move over round bodies: the mechanism is taken anew in every pose.
+  Mechanism<double> mechanism = machine_.mechanism;
+  solve::Moment moment(mechanism);
+  const auto place = [&](const std::vector<double>& q) {
+    moment.set_positions(q);
+    solve::update_contacts(mechanism, moment);
+  };
+  std::vector<solve::Condition> held;
+  for (const StatedRate& rate : machine_.accelerations) {
+    solve::Condition condition{rate.words, std::vector<double>(solve::force_unknowns(mechanism).size()), rate.value,
+                               rate.turning ? 1 : scales_.length};
+    condition.coefficients[static_cast<std::size_t>(rate.velocity)] = 1;
+    held.push_back(std::move(condition));
+  }
+  motion.accelerations = [&](const std::vector<double>& q,
+                             const std::vector<double>& v) -> std::optional<std::vector<double>> {
+    place(q);
+    moment.set_velocities(v);
+    const solve::LinearSolution solution = solve::solve_motion(moment, scales_, held);
+    for (std::size_t k = 0; k < n; ++k)
+      if (!solution.determined(k)) return std::nullopt;
+    return std::vector<double>(solution.value.begin(), solution.value.begin() + static_cast<std::ptrdiff_t>(n));
+  };
+  std::vector<std::size_t> order;
+  for (const bool positions : {true, false})
+    for (std::size_t i = 0; i < mechanism.constraints.size(); ++i)
+      if (solve::binds_positions(mechanism.constraints[i]) == positions) {
+        order.push_back(i);
+        motion.position_constraints += positions;
+      }
+  motion.constraints = [&](const std::vector<double>& q) {
+    place(q);
+    std::vector<std::vector<double>> rows;
+    for (std::size_t i : order) rows.push_back(solve::constraint_coefficients(moment, mechanism.constraints[i]));
+    return rows;
+  };
+
+  // The spin of each body on a ball or free joint, on its axes, about its mass center.
+  const auto about = [](const Vector& angular, const Vector& c) { return Twist{angular, cross(c, angular)}; };
+  const auto center_of = [&](int i) {
+    const SpatialInertia<double>& I = tree.body(i).inertia;
+    return I.mass > 0 ? I.first_moment / I.mass : Vector::zero();
+  };
+  for (int i = 0; i < tree.body_count(); ++i) {
+    const auto& body = tree.body(i);
+    if ((body.joint != JointType::ball && body.joint != JointType::free) || i == frame) continue;
+    const Vector own = direction_on_body(tree, w, i, angular_velocity(w, i) - turning);
+    if (norm(own) > 0) motion.spins.emplace_back(i, about(own, center_of(i)));
+  }
+
+  // What may lead to the same motion again: turns of all that stands on the ground about the axis of the frame or the
+  // vertical, shifts, and turns of a body about its axis of symmetry. Those that do not are sorted out.
+  const auto add_symmetry = [&](const std::vector<double>& positions, const std::vector<double>& velocities) {
+    std::vector<double> both = positions;
+    both.insert(both.end(), velocities.begin(), velocities.end());
+    for (std::size_t k = 0; k < n; ++k)
+      if (motion.held[k]) both[k] = both[n + k] = 0;
+    motion.symmetries.push_back(std::move(both));
+  };
+  const std::vector<double> none(n, 0.0);
+  std::vector<std::pair<Vector, Vector>> displacements;  // turning about the origin and shift, on ground axes
+  std::vector<Vector> axes{Vector::unit(0), Vector::unit(1), Vector::unit(2)};
+  if (norm(turning) > 0) axes.push_back(normalized(turning));
+  if (norm(tree.gravity()) > 0) axes.push_back(normalized(tree.gravity()));
+  std::vector<Vector> places{Vector::zero()};
+  for (int i = 0; i < tree.body_count(); ++i)
+    if (tree.body(i).parent == ground) places.push_back(w.motion[static_cast<std::size_t>(i + 1)].p);
+  for (const Vector& axis : axes) {
+    displacements.emplace_back(Vector::zero(), axis);
+    for (const Vector& P : places) displacements.emplace_back(axis, cross(P, axis));
+  }
+  for (const auto& [turn, shift] : displacements)
+    for (int only = -1; only < tree.body_count(); ++only) {
+      if (only >= 0 && tree.body(only).parent != ground) continue;
+      std::vector<double> positions = none;
+      bool possible = true, any = false;
+      for (int i = 0; i < tree.body_count() && possible; ++i) {
+        const auto& body = tree.body(i);
+        if (body.parent != ground || (only >= 0 && i != only) || velocity_size(body.joint) == 0) continue;
+        if (motion.held[static_cast<std::size_t>(body.v)]) continue;
+        const BodyMotion<double>& B = w.motion[static_cast<std::size_t>(i + 1)];
+        const Vector at_origin = shift + cross(turn, B.p);
+        // The coordinates' own motions at the body's origin, fitted to the displacement.
+        double left = norm_squared(at_origin) + scales_.length * scales_.length * norm_squared(turn);
+        const double size = left;
+        for_each_coordinate_motion(tree, w, i, B.p, [&](int k, const Twist& S) {
+          const double own = norm_squared(S.angular) * scales_.length * scales_.length + norm_squared(S.linear);
+          const double part = (dot(S.angular, turn) * scales_.length * scales_.length + dot(S.linear, at_origin)) / own;
+          positions[static_cast<std::size_t>(k)] = part;
+          left -= part * part * own;
+        });
+        possible = std::abs(left) <= 1e-9 * std::max(size, 1e-300);
+        any = true;
+      }
+      if (possible && any) add_symmetry(positions, none);
+    }
+  for (int i = 0; i < tree.body_count(); ++i) {
+    const auto& body = tree.body(i);
+    const auto first = static_cast<std::size_t>(body.v);
+    if (body.joint == JointType::revolute && turns_unseen(i)) {
+      std::vector<double> positions = none;
+      positions[first] = 1;
+      add_symmetry(positions, none);
+    }
+    if (body.joint != JointType::ball && body.joint != JointType::free) continue;
+    for (const Vector& axis : symmetry_axes(body.inertia)) {
+      const Twist own = about(axis, center_of(i));
+      Twist v = Twist::zero();
+      for (std::size_t k = 0; k < 3; ++k) {
+        v.angular[k] = v_[first + k];
+        if (body.joint == JointType::free) v.linear[k] = v_[first + 3 + k];
+      }
+      const Twist change{cross(v.angular, own.angular), cross(v.angular, own.linear) + cross(v.linear, own.angular)};
+      std::vector<double> positions = none, velocities = none;
+      for (std::size_t k = 0; k < 3; ++k) {
+        positions[first + k] = own.angular[k];
+        velocities[first + k] = change.angular[k];
+        if (body.joint == JointType::free) {
+          positions[first + 3 + k] = own.linear[k];
+          velocities[first + 3 + k] = change.linear[k];
+        }
+      }
+      add_symmetry(positions, velocities);
+    }
+  }
+
+  try {
+    linearisation_ = solve::linearise(motion);
+  } catch (const std::runtime_error& error) {
+    fail(problem_.file, mark, error.what(), "say what holds or drives every freedom");
+  }
+  if (!linearisation_->steady)
+    fail(problem_.file, mark, "this is no steady motion, of which alone stability is asked",
+         "state steady: {frame: F, spins: {...}}, or rest where everything is in equilibrium");
+  return *linearisation_;
+}
+
+}  // namespace poinsot::statement
