@@ -45,6 +45,12 @@ Solution solution_of(const statement::Statement& stated, const statement::Soluti
     switch (found.state) {
       case statement::AskState::found:
         answer.state = AnswerState::found;
+        for (const statement::SolvedColumn& column : found.columns) {
+          Column shown{column.name, column.unit.text, {}, column.values};
+          for (double value : column.values) shown.value.push_back(value / column.unit.factor);
+          answer.columns.push_back(std::move(shown));
+        }
+        if (!found.columns.empty()) break;
         answer.value = datum(found.value, found.unit.factor);
         answer.si = datum(found.value, 1);
         break;
@@ -81,6 +87,13 @@ Expectation expectation(const statement::Expected& expected, const statement::Pr
   Expectation result;
   result.part = expected.part;
   result.relative_tolerance = expected.relative_tolerance;
+  for (const statement::NamedExpression& column : expected.columns) {
+    statement::DataScope<double> data(problem, settings);
+    result.columns.emplace_back();
+    for (const statement::Expression& item : column.value.as<statement::List>()->items)
+      result.columns.back().push_back(data.value(item).number);
+  }
+  if (!expected.columns.empty()) return result;
   if (expected.names) {
     std::vector<Datum> names;
     for (const std::string& name : *expected.names) names.push_back({name});
@@ -136,7 +149,8 @@ std::vector<std::string> check_file(const std::string& path) {
       covered.insert(part.part);
       for (std::size_t i = 0; i < stated.asks.size() && !solved.solutions.empty(); ++i) {
         const statement::SolvedAsk& ask = solved.solutions.front().asks[i];
-        if (stated.asks[i].name != part.part || ask.state != statement::AskState::found) continue;
+        if (stated.asks[i].name != part.part || stated.asks[i].table || ask.state != statement::AskState::found)
+          continue;
         const auto answer = dimension_of(ask.value);
         const std::string fault = answer ? wrong_kind(part, problem, settings, *answer) : "";
         if (!fault.empty()) failures.push_back(fault);

@@ -144,9 +144,11 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
       T += m * norm_squared(velocity) / 2;
       F += m * acceleration;
       M += m * cross(x, acceleration);
-      L_size += std::abs(m) * norm(velocity);
-      H_size += std::abs(m) * norm(x) * norm(velocity);
-      T_size += std::abs(m) * norm_squared(velocity) / 2;
+      // What comes to rest for an instant is measured by what its accelerations bring in a moment.
+      const Real speed = std::max(norm(velocity), Real(1e-5) * pace * norm(x));
+      L_size += std::abs(m) * speed;
+      H_size += std::abs(m) * norm(x) * speed;
+      T_size += std::abs(m) * speed * speed / 2;
       F_size += std::abs(m) * norm(acceleration);
       M_size += std::abs(m) * norm(x) * norm(acceleration);
     }

@@ -172,6 +172,9 @@ std::string describe(const Ask& ask, const Problem& problem, bool is_vector) {
       words += (i > 0 ? " and " : "") + condition_words(ask.extremum->conditions[i], problem);
     return words + (ask.extremum->situation.empty() ? "" : " @ " + ask.extremum->situation);
   }
+  if (ask.when)
+    return std::string(ask.when->first ? "first time when " : "times when ") + to_string(ask.when->condition);
+  if (ask.table) return "over " + ask.table->over;
   for (const Expression& expression : ask.of) words += (words.empty() ? "" : "; ") + words_of(expression, problem);
   if (is_vector) {
     const std::string axes =

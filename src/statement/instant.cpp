@@ -19,31 +19,25 @@ SolvedInstant::SolvedInstant(const Problem& problem, const Settings& settings, c
   if (problem.has_blow() && !problem.stages.empty())
     fail(problem.file, problem.stages.front().mark, "a problem has stages or something sudden, not both",
          "state the blow in a file of its own, with the motion just before it under instants: {before: {...}}");
-  if (problem.stages.empty()) {
-    build(0, std::nullopt);
-    const auto instants = instants_at(0);
-    set_positions(instants);
-    solve_velocities(instants, std::nullopt);
-    if (when.after_blow) solve_blow();
-  } else {
-    run_stages(when.stage);
-  }
+  build(0, problem.stages.empty() ? std::nullopt : problem.stages.front().loads);
+  const auto instants = instants_at_start();
+  set_positions(instants);
+  solve_velocities(instants, std::nullopt);
+  if (when.after_blow) solve_blow();
 }
 
-void SolvedInstant::build(double time, const std::optional<std::vector<std::string>>& loads) {
-  time_ = time;
+Machine SolvedInstant::machine_at(double time, const std::optional<std::vector<std::string>>& loads) {
   std::size_t next = 0;
   // Every building of the machine must take the same values for what is open.
-  const AnyValue any = [&](const Dimension& dimension) {
+  const AnyValue any = [&](const Dimension&) {
     if (next == any_values_.size()) {
       const double value = choice_.any ? std::uniform_real_distribution<double>(0.5, 2)(random_) : 1;
       any_values_.push_back(value);
     }
-    (void)dimension;
     return any_values_[next++];
   };
-  data_ = std::make_unique<DataScope<double>>(problem_, settings_, time);
-  timed_ = std::make_unique<DataScope<TimeJet>>(problem_, settings_, time_jet(time));
+  DataScope<double> data(problem_, settings_, time);
+  DataScope<TimeJet> timed(problem_, settings_, time_jet(time));
   MachineOptions options;
   options.time = time;
   options.lenient = choice_.trial;
@@ -53,19 +47,28 @@ void SolvedInstant::build(double time, const std::optional<std::vector<std::stri
     std::uniform_real_distribution<double> size(-10, 10);
     options.open_gravity = {size(random), size(random), size(random)};
   }
-  machine_ = build_machine(problem_, *data_, *timed_, any, options);
+  return build_machine(problem_, data, timed, any, options);
+}
+
+void SolvedInstant::build(double time, const std::optional<std::vector<std::string>>& loads) {
+  time_ = time;
+  data_ = std::make_unique<DataScope<double>>(problem_, settings_, time);
+  machine_ = machine_at(time, loads);
   scales_ = solve::natural_scales(machine_.mechanism);
   moment_.emplace(machine_.mechanism);
   moment_->set_positions(machine_.q);
   motion_.reset();
 }
 
-// What is known now: the only instant, or the instants named for the start of the stage.
-std::vector<const Instant*> SolvedInstant::instants_at(std::size_t stage) const {
+// What is known at the start: of the only instant, of the first stage, or before a blow.
+std::vector<const Instant*> SolvedInstant::instants_at_start() const {
   std::vector<const Instant*> found;
+  const auto add = [&](const Instant& instant) {
+    if (!is_later(problem_, instant)) found.push_back(&instant);
+  };
   if (problem_.has_blow()) {
     for (const Instant& instant : problem_.instants) {
-      if (instant.name != "before" && instant.name != "after")
+      if (instant.name != "before" && instant.name != "after" && !is_later(problem_, instant))
         fail(problem_.file, instant.mark,
              "the instants of a blow are called before and after, not '" + instant.name + "'");
       if (instant.name == "before") found.push_back(&instant);
@@ -73,32 +76,27 @@ std::vector<const Instant*> SolvedInstant::instants_at(std::size_t stage) const 
     return found;
   }
   if (problem_.stages.empty()) {
-    if (problem_.instants.size() > 1)
-      fail(problem_.file, problem_.instants[1].mark,
-           "the instants '" + problem_.instants[0].name + "' and '" + problem_.instants[1].name +
-               "' need stages that lead from one to the other",
-           "state one instant, or name the stages between them");
-    for (const Instant& instant : problem_.instants) found.push_back(&instant);
+    for (const Instant& instant : problem_.instants) add(instant);
+    if (found.size() > 1)
+      fail(problem_.file, found[1]->mark,
+           "the instants '" + found[0]->name + "' and '" + found[1]->name +
+               "' need a motion that leads from one to the other",
+           "state one instant, call the later one by its time such as `2 s`, or name the stages between them");
     return found;
   }
+  std::vector<std::string> names;
+  for (const Stage& stage : problem_.stages)
+    names.insert(names.end(), {stage.name, stage.name + ".start", stage.name + ".end"});
   for (const Instant& instant : problem_.instants) {
-    bool known = instant.name == "start";
-    for (std::size_t k = 0; k < problem_.stages.size(); ++k) {
-      const std::string& name = problem_.stages[k].name;
-      const bool here = instant.name == name || instant.name == name + ".start" || (k == 0 && instant.name == "start");
-      known = known || here;
-      if (here && k == stage) found.push_back(&instant);
-      if (here && k > 0 && stage == k)
-        fail(problem_.file, instant.mark, "what happens at '" + instant.name + "' follows from the stages before it",
-             "state facts at the start of the first stage");
+    const std::string& first = problem_.stages.front().name;
+    if (instant.name == "start" || instant.name == first || instant.name == first + ".start") {
+      add(instant);
+      continue;
     }
-    if (!known) {
-      std::vector<std::string> names;
-      for (const Stage& s : problem_.stages) names.insert(names.end(), {s.name, s.name + ".start"});
-      const std::string hint = did_you_mean(instant.name, names);
-      fail(problem_.file, instant.mark, "there is no stage for the instant '" + instant.name + "'",
-           hint.empty() ? "the start of a stage is called STAGE.start" : hint);
-    }
+    if (is_later(problem_, instant)) continue;
+    const std::string hint = did_you_mean(instant.name, names);
+    fail(problem_.file, instant.mark, "there is no stage for the instant '" + instant.name + "'",
+         hint.empty() ? "the start of a stage is called STAGE.start, its end STAGE.end" : hint);
   }
   return found;
 }
@@ -249,7 +247,7 @@ void SolvedInstant::contradiction(const solve::LinearSystem& equations, const so
 
 QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, const std::optional<Expression>& axes,
                                                const Elsewhere& elsewhere) {
-  if (level_of(problem_, expression) == Level::force) solve_forces();
+  if (level_of(problem_, expression) >= Level::force) solve_forces();
   QuantityScope<double> quantities(machine_, machine_.mechanism.tree, *data_, State<double>{machine_.q, v_});
   if (motion_) {
     quantities.set_accelerations(moment_->accelerations());
@@ -258,6 +256,7 @@ QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, con
   if (before_) quantities.set_blow(&*before_, &blow_, &impulses_);
   if (axes) quantities.set_axes(*axes);
   if (elsewhere) quantities.set_elsewhere(elsewhere);
+  quantities.set_motion(feature_);
   quantities.set_linearisation([this](const Mark& mark) -> const solve::Linearisation& { return linearisation(mark); });
   return quantities;
 }
@@ -278,6 +277,12 @@ Value<double> SolvedInstant::ask(const Expression& expression, const std::option
   on_axes(on_axes, value);
   return value;
 }
+
+double SolvedInstant::number(const Expression& expression, const std::optional<Expression>& axes) {
+  return scope_for(expression, axes, nullptr).value(expression).number;
+}
+
+double SolvedInstant::pace() const { return natural_size(dimensions::none / dimensions::time); }
 
 double SolvedInstant::natural_size(const Dimension& d) const {
   // Only what grows with the pace of the motion has a size that rounding is measured by; of a thing at rest that is

@@ -27,16 +27,43 @@ struct OpenChoice {
   bool trial = false;  // unknowns have trial values: what does not hold is a misfit, not an error
 };
 
-// Where in time: the only instant, the start of a stage, or just before or after a blow.
+// Where in time: the only instant or the start of the first stage, or just after a blow.
 struct When {
-  std::size_t stage = 0;  // number of stages passed before
+  std::size_t stage = 0;
   bool after_blow = false;
+};
+
+// Whether loads or given motions follow the time.
+bool follows_time(const Problem& problem);
+// Whether an instant is reached by the motion: a time, or found by a condition.
+bool is_later(const Problem& problem, const Instant& instant);
+
+// A state that a motion has reached.
+struct MotionState {
+  double time = 0;  // s
+  std::size_t stage = 0;
+  std::vector<double> q, v;
+  std::vector<bool> acting;  // of each action, whether it acts (a slack cord does not); empty: all do
 };
 
 class SolvedInstant {
  public:
   // problem and settings must outlive it. Throws StatementError.
   SolvedInstant(const Problem& problem, const Settings& settings, const When& when, const OpenChoice& choice);
+  SolvedInstant(const Problem& problem, const Settings& settings, const MotionState& state, const OpenChoice& choice);
+
+  // Along a motion: the state now, and the same problem in another state.
+  MotionState state() const { return {time_, 0, machine_.q, v_, {}}; }
+  void move_to(const MotionState& state);
+  // The machine with the loads of a stage (all of them when left out) at a time.
+  Machine machine_at(double time, const std::optional<std::vector<std::string>>& loads);
+  // Velocities just after cords and contacts have caught, without rebound; those that act.
+  std::vector<double> caught(const std::vector<bool>& acting);
+  double data_number(const Expression& expression, const Dimension& dimension) {
+    return data_->number(expression, dimension);
+  }
+  // The largest rate at which anything moves or would move, 1/s.
+  double pace() const;
 
   // Solves for accelerations and forces; done by itself when a quantity needs them.
   void solve_forces();
@@ -48,6 +75,14 @@ class SolvedInstant {
   Value<double> ask(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere);
   // The same with vectors on ground axes.
   Value<double> raw(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere);
+  // The number that an expression is, in SI.
+  double number(const Expression& expression, const std::optional<Expression>& axes);
+  // By how much facts fail to hold here, in natural units.
+  std::vector<double> fact_misfits(const std::vector<const Fact*>& facts);
+  // What extremes and periods over the motion are, for expressions that ask for them.
+  using Feature =
+      std::function<Value<double>(const Call& call, const std::optional<Expression>& axes, const Mark& mark)>;
+  void set_motion(Feature feature) { feature_ = std::move(feature); }
   // The size that a quantity of this dimension naturally has here.
   double natural_size(const Dimension& dimension) const;
 
@@ -78,10 +113,6 @@ class SolvedInstant {
   Residuals check() const;
 
  private:
-  struct Start {
-    std::vector<double> q, v;
-    double time = 0;
-  };
   void build(double time, const std::optional<std::vector<std::string>>& loads);
   void set_positions(const std::vector<const Instant*>& instants);
   void solve_velocities(const std::vector<const Instant*>& instants, const std::optional<std::vector<double>>& v);
@@ -92,13 +123,11 @@ class SolvedInstant {
   void add_steady(std::vector<solve::Condition>& conditions, bool accelerations) const;
   bool hangs_on(int body, int ancestor) const;
   bool turns_unseen(int body) const;
-  std::vector<const Instant*> instants_at(std::size_t stage) const;
+  std::vector<const Instant*> instants_at_start() const;
+  void release(const std::vector<bool>& acting);
   void solve_blow();
   void take_misfits(const solve::LinearSolution& solution);
   void move_along(const solve::LinearSolution& solution, std::vector<double>& values);
-  void run_stages(std::size_t count);
-  std::vector<double> accelerations_at(double time, const std::vector<double>& q, const std::vector<double>& v,
-                                       std::size_t stage);
   double natural_unit(const Dimension& dimension) const;
   [[noreturn]] void contradiction(const solve::LinearSystem& equations, const solve::LinearSolution& solution,
                                   bool forces);
@@ -111,11 +140,15 @@ class SolvedInstant {
   std::mt19937_64 random_;
   std::vector<double> any_values_;  // chosen so far, so that every building of the machine takes the same
   std::unique_ptr<DataScope<double>> data_;
-  std::unique_ptr<DataScope<TimeJet>> timed_;
   Machine machine_;
   solve::Scales scales_;
   std::optional<solve::Moment> moment_;
   double time_ = 0;
+  std::optional<bool> timed_;               // whether the machine follows the time
+  bool moving_ = false;                     // along a motion: nothing is stated of this instant
+  std::optional<std::size_t> built_stage_;  // for which stage of a motion the machine is built
+  std::vector<bool> built_acting_;
+  Feature feature_;
   std::vector<const Instant*> facts_;
   std::vector<double> v_;
   solve::LinearSystem velocity_equations_, motion_equations_;

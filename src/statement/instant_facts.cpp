@@ -161,6 +161,22 @@ std::vector<solve::Condition> SolvedInstant::velocity_facts(const std::vector<co
   return conditions;
 }
 
+std::vector<double> SolvedInstant::fact_misfits(const std::vector<const Fact*>& facts) {
+  std::vector<double> misfits;
+  for (const Fact* fact : facts) {
+    if (level_of(problem_, fact->quantity) == Level::force) solve_forces();
+    QuantityScope<double> scope(machine_, machine_.mechanism.tree, *data_, State<double>{machine_.q, v_});
+    if (motion_) {
+      scope.set_accelerations(moment_->accelerations());
+      scope.set_forces(&*moment_, &unknowns_);
+    }
+    scope.set_motion(feature_);
+    for (const auto& difference : differences(*fact, scope, problem_.file))
+      misfits.push_back(difference.value / natural_unit(difference.dimension));
+  }
+  return misfits;
+}
+
 std::vector<solve::Condition> SolvedInstant::force_conditions() {
   std::vector<solve::Condition> conditions;
   const std::size_t n = solve::force_unknowns(machine_.mechanism).size();
@@ -195,7 +211,7 @@ std::vector<solve::Condition> SolvedInstant::force_conditions() {
       }
     }
   }
-  if (problem_.steady) add_steady(conditions, true);
+  if (problem_.steady && !moving_) add_steady(conditions, true);
   return conditions;
 }
 

@@ -301,6 +301,7 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"spin", "rate", expression, "", "relative to the frame"},
 
     {"stage", "lasts", expression, "", "its duration; the last stage may leave it out"},
+    {"stage", "until", expression, "", "instead of `lasts`: the event that ends it, such as theta == 30 deg"},
     {"stage", "loads", list, "", "the loads that act; all when left out"},
 
     {"ask", "of", any, "", "the quantity, or a list of them"},
@@ -308,11 +309,18 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"ask", "smallest", name, "", "instead of `of`: the datum whose smallest value is asked"},
     {"ask", "while", any, "", "for largest and smallest: the condition that must hold, or a list of them"},
     {"ask", "situation", name, "", "for largest and smallest: the situation in which it must hold"},
-    {"ask", "unit", unit, "", "the unit of the answer"},
+    {"ask", "table", named, "", "instead of `of`: columns, each a name and what stands in it"},
+    {"ask", "over", named, "", "for a table: time, a coordinate or a datum, and its values"},
+    {"ask", "first_time", expression, "", "instead of `of`: the comparison whose first time is asked"},
+    {"ask", "times", expression, "", "instead of `of`: the comparison of which all times in a span are asked"},
+    {"ask", "from", expression, "", "for times: where the span begins"},
+    {"ask", "to", expression, "", "for times: where the span ends"},
+    {"ask", "unit", any, "", "the unit of the answer; of a table: a unit for each column"},
     {"ask", "axes", any, "", "the body, frame or three directions on whose axes components are given"},
 
     {"expected", "value", any, "", "number, vector or list in unit"},
     {"expected", "roots", list, "", "instead of value: one number for each solution, in any order"},
+    {"expected", "columns", named, "", "of a table: the numbers of each column, in order"},
     {"expected", "unit", unit, "", "the unit of value and atol; SI when left out"},
     {"expected", "formula", any, "", "an expression of letters and data"},
     {"expected", "names", list, "", "which ones"},

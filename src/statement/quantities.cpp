@@ -63,6 +63,7 @@ constexpr QuantityFunction functions[] = {
     {"poinsot_ellipsoid", "poinsot_ellipsoid(satellite)", Level::velocity},
     {"polhode", "polhode(satellite)", Level::velocity},
     {"axis_stability", "axis_stability(satellite)", Level::velocity},
+    {"period", "period(theta)", Level::motion},
     {"touching", "touching(mesh)", Level::force},
     {"taut", "taut(wire)", Level::force},
     {"stable", "stable(plate), stable(system)", Level::force},
@@ -100,6 +101,7 @@ struct LevelFinder {
   Level operator()(const Arrow& arrow) const { return std::max(of(arrow.from), of(arrow.to)); }
   Level operator()(const Of& item) const { return of(item.point); }
   Level operator()(const Call& call) const {
+    if (is_motion_feature(call)) return Level::motion;
     Level level = Level::position;
     if (const QuantityFunction* function = find_function(call.function)) level = function->level;
     for (const Argument& argument : call.arguments) level = std::max(level, of(argument.value));
@@ -129,6 +131,11 @@ std::vector<std::string> body_names(const Machine& machine) {
 
 Level level_of(const Problem& problem, const Expression& expression, bool through_at) {
   return LevelFinder{problem, through_at}.of(expression);
+}
+
+bool asks_motion_feature(const Expression& expression) {
+  const Problem nothing;
+  return level_of(nothing, expression, true) == Level::motion;
 }
 
 const std::vector<FunctionForm>& quantity_functions() {
@@ -408,6 +415,7 @@ Value<Scalar> QuantityScope<Scalar>::call(const Call& call, const Mark& mark, co
       {"poinsot_ellipsoid", {""}},
       {"polhode", {""}},
       {"axis_stability", {""}},
+      {"period", {""}},
       {"touching", {""}},
       {"taut", {""}},
       {"stable", {""}},
@@ -417,6 +425,11 @@ Value<Scalar> QuantityScope<Scalar>::call(const Call& call, const Mark& mark, co
       {"impulse", {"", "of", "on"}},
       {"impulsive_couple", {"", "of", "on about"}},
   };
+  if (is_motion_feature(call)) {
+    if constexpr (std::is_same_v<Scalar, double>)
+      if (feature_) return feature_(call, axes_expression_, mark);
+    evaluator.fail(mark, call.function + "() over the motion cannot stand here");
+  }
   const QuantityFunction* function = find_function(call.function);
   if (!function) {
     std::vector<std::string> names;

@@ -15,13 +15,20 @@
 
 namespace poinsot::statement {
 
-// On what an expression depends: positions only, velocities, or accelerations and forces.
-enum class Level { position, velocity, force };
+// On what an expression depends: positions only, velocities, accelerations and forces, or the motion that follows.
+enum class Level { position, velocity, force, motion };
 // What stands before an `@` counts only if `through_at`.
 Level level_of(const Problem& problem, const Expression& expression, bool through_at = false);
 
 // The quantity functions and how each is written, for messages and the manual.
 const std::vector<FunctionForm>& quantity_functions();
+
+// Whether a call asks for an extreme or the period of a quantity over the motion.
+inline bool is_motion_feature(const Call& call) {
+  return (call.function == "min" || call.function == "max" || call.function == "period") && call.pattern().empty() &&
+         call.arguments.size() == 1 && !call.arguments.front().value.as<List>();
+}
+bool asks_motion_feature(const Expression& expression);
 
 // Stands for all bodies together where a body is asked.
 constexpr int whole_system = -2;
@@ -54,6 +61,10 @@ class QuantityScope : public Scope<Scalar> {
     elsewhere_ = std::move(elsewhere);
   }
 
+  // What min(), max() and period() of a quantity are over the motion.
+  using Feature =
+      std::function<Value<double>(const Call& call, const std::optional<Expression>& axes, const Mark& mark)>;
+  void set_motion(Feature feature) { feature_ = std::move(feature); }
   // The motion near this one; asked for at the mark.
   void set_linearisation(std::function<const solve::Linearisation&(const Mark&)> linearisation) {
     linearisation_ = std::move(linearisation);
@@ -104,6 +115,7 @@ class QuantityScope : public Scope<Scalar> {
   Matrix3<Scalar> axes_ = Matrix3<Scalar>::identity();
   std::optional<Expression> axes_expression_;
   std::function<Value<Scalar>(const At&, const Mark&)> elsewhere_;
+  Feature feature_;
   std::function<const solve::Linearisation&(const Mark&)> linearisation_;
   bool has_accelerations_ = false;
   std::vector<double> accelerations_;

@@ -6,6 +6,7 @@
 #include "poinsot/statement/problem.h"
 #include "statement/definition_limits.h"
 #include "statement/read_actions.h"
+#include "statement/read_asks.h"
 #include "statement/read_bodies.h"
 #include "statement/read_joints.h"
 #include "statement/reader.h"
@@ -35,14 +36,6 @@ std::vector<NamedExpression> named_expressions(const Members& members, std::stri
   return items;
 }
 
-Unit read_unit(const Entry& entry, const std::string& file) {
-  try {
-    return parse_unit(scalar_text(entry, file, "a unit"));
-  } catch (const std::invalid_argument& error) {
-    fail(file, entry.mark, error.what());
-  }
-}
-
 Instant read_instant(const Key& name, const Entry& entry, const std::string& file) {
   Instant instant;
   instant.name = name.text;
@@ -55,12 +48,31 @@ Instant read_instant(const Key& name, const Entry& entry, const std::string& fil
     fail(file, entry.mark, "an instant is `rest` or a map of facts",
          "write now: {angular_velocity(disk): [w1, any, any]}");
   for (const auto& [key, value] : entry.members) {
+    if (key.text == "first_time") {
+      instant.found_when = parse_expression(value, file);
+      continue;
+    }
+    if (key.text == "nudged") {
+      if (value.kind == Entry::Kind::list)
+        for (const Entry& item : value.items)
+          instant.nudged.emplace_back(scalar_text(item, file, "the name of a coordinate"), item.mark);
+      else
+        instant.nudged.emplace_back(scalar_text(value, file, "the name of a coordinate"), value.mark);
+      continue;
+    }
+    if (key.text == "rest") {
+      instant.rest = true;
+      continue;
+    }
     Entry quantity;
     quantity.kind = Entry::Kind::scalar;
     quantity.text = key.text;
     quantity.mark = key.mark;
     instant.facts.push_back({parse_expression(quantity, file), parse_expression(value, file), key.mark});
   }
+  if (instant.found_when && (instant.rest || !instant.facts.empty() || !instant.nudged.empty()))
+    fail(file, name.mark, "the instant '" + name.text + "' is found by its condition: nothing else is stated of it",
+         "state facts at the start");
   return instant;
 }
 
@@ -84,147 +96,16 @@ Stage read_stage(const Key& name, const Entry& entry, const std::string& file) {
   stage.name = name.text;
   stage.mark = name.mark;
   stage.lasts = members.expression("lasts");
+  stage.until = members.expression("until");
+  if (stage.lasts && stage.until)
+    fail(file, members.mark_of("until"), "stage '" + name.text + "' ends after a time or by an event, not both",
+         "remove lasts: or until:");
   if (const Entry* loads = members.find("loads")) {
     if (loads->kind != Entry::Kind::list) fail(file, loads->mark, "expected a list of loads", "write loads: [drive]");
     stage.loads.emplace();
     for (const Entry& item : loads->items) stage.loads->push_back(scalar_text(item, file, "the name of a load"));
   }
   return stage;
-}
-
-// The ask as its author wrote it.
-std::string written(const Entry& entry) {
-  if (entry.kind == Entry::Kind::scalar) return entry.text;
-  std::string text;
-  for (const Entry& item : entry.items) text += (text.empty() ? "[" : ", ") + written(item);
-  return text.empty() ? "" : text + "]";
-}
-
-// {largest: w, while: stable(plate), situation: hanging}
-Extremum read_extremum(const Members& members, const Key& ask, const std::string& file) {
-  Extremum extremum;
-  extremum.largest = members.find("largest") != nullptr;
-  const char* key = extremum.largest ? "largest" : "smallest";
-  for (const char* other : {"of", "axes", extremum.largest ? "smallest" : "axes"})
-    if (members.find(other))
-      fail(file, members.mark_of(other),
-           "ask '" + ask.text + "' asks for the " + key + " value of a datum: no " + other,
-           "write {" + std::string(key) + ": w, while: stable(plate)}");
-  extremum.name = scalar_text(*members.find(key), file, "the name of a datum or letter");
-  extremum.name_mark = members.mark_of(key);
-  const Entry& conditions = members.require("while", "while: stable(plate)");
-  if (conditions.kind == Entry::Kind::list)
-    extremum.conditions = expression_list(conditions, file);
-  else
-    extremum.conditions.push_back(parse_expression(conditions, file));
-  if (extremum.conditions.empty()) fail(file, conditions.mark, "no condition stands under while:");
-  if (const Entry* situation = members.find("situation")) {
-    extremum.situation = scalar_text(*situation, file, "the name of a situation");
-    extremum.situation_mark = members.mark_of("situation");
-  }
-  return extremum;
-}
-
-Ask read_ask(const Key& name, const Entry& entry, const std::string& file) {
-  Ask ask;
-  ask.name = name.text;
-  ask.mark = name.mark;
-  const Entry* of = &entry;
-  if (entry.kind == Entry::Kind::map) {
-    const Members members(entry, file, {"ask"});
-    if (members.find("largest") || members.find("smallest")) {
-      ask.extremum = read_extremum(members, name, file);
-      if (const Entry* unit = members.find("unit")) ask.unit = read_unit(*unit, file);
-      ask.text = std::string(ask.extremum->largest ? "largest " : "smallest ") + ask.extremum->name + " while ";
-      for (std::size_t i = 0; i < ask.extremum->conditions.size(); ++i)
-        ask.text += (i > 0 ? " and " : "") + to_string(ask.extremum->conditions[i]);
-      if (!ask.extremum->situation.empty()) ask.text += " @ " + ask.extremum->situation;
-      return ask;
-    }
-    of = &members.require("of", "of: angular_momentum(disk about G)");
-    if (const Entry* unit = members.find("unit")) ask.unit = read_unit(*unit, file);
-    ask.axes = members.expression("axes");
-  }
-  ask.text = written(*of);
-  if (of->kind == Entry::Kind::list) {
-    ask.is_list = true;
-    ask.of = expression_list(*of, file);
-    if (ask.of.empty()) fail(file, of->mark, "ask '" + name.text + "' asks for nothing");
-  } else {
-    ask.of.push_back(parse_expression(*of, file));
-  }
-  return ask;
-}
-
-double read_number(const Entry& entry, const std::string& file) {
-  const std::string& text = scalar_text(entry, file, "a number");
-  std::size_t used = 0;
-  double number = 0;
-  try {
-    number = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  if (used != text.size() || used == 0 || !(number >= 0) || number > 1e300)
-    fail(file, entry.mark, "'" + text + "' is not a tolerance", "write a number such as 1e-6");
-  return number;
-}
-
-Expected read_expected(const Key& name, const Entry& entry, const std::string& file) {
-  const Members members(entry, file, {"expected"});
-  Expected expected;
-  expected.part = name.text;
-  expected.mark = name.mark;
-  expected.roots = members.find("roots") != nullptr;
-  if (expected.roots && members.find("value"))
-    fail(file, entry.mark, "'" + name.text + "' expects a value and roots", "state one of them");
-  expected.value = members.expression(expected.roots ? "roots" : "value");
-  expected.formula = members.expression("formula");
-  expected.holds = members.boolean("holds");
-  if (const Entry* unit = members.find("unit")) expected.unit = read_unit(*unit, file);
-  if (const Entry* names = members.find("names")) {
-    if (names->kind != Entry::Kind::list) fail(file, names->mark, "expected a list of names");
-    expected.names.emplace();
-    for (const Entry& item : names->items) expected.names->push_back(scalar_text(item, file, "a name"));
-  }
-  if (const Entry* rtol = members.find("rtol")) expected.relative_tolerance = read_number(*rtol, file);
-  if (const Entry* atol = members.find("atol")) expected.absolute_tolerance = read_number(*atol, file);
-  if (expected.value.has_value() + expected.formula.has_value() + expected.names.has_value() +
-          expected.holds.has_value() !=
-      1)
-    fail(file, entry.mark, "'" + name.text + "' expects one of value, formula, names or holds");
-  return expected;
-}
-
-// `expect:` is one case (`letters:` gives its letters values), or several under `cases:`.
-std::vector<ExpectedCase> read_expect(const Entry& entry, const std::string& file) {
-  if (entry.kind != Entry::Kind::map) fail(file, entry.mark, "expected parts and what they should be");
-  const auto read_case = [&](const Key& name, const Entry& body) {
-    ExpectedCase one;
-    one.name = name.text;
-    one.mark = name.mark;
-    if (body.kind != Entry::Kind::map) fail(file, body.mark, "expected parts and what they should be");
-    for (const auto& [key, value] : body.members) {
-      if (key.text == "cases") continue;
-      if (key.text == "letters" || key.text == "set") {
-        if (value.kind != Entry::Kind::map) fail(file, value.mark, "expected names and values");
-        for (const auto& [letter, amount] : value.members)
-          one.sets.emplace_back(letter.text, scalar_text(amount, file, "a value with its unit"));
-      } else {
-        one.parts.push_back(read_expected(key, value, file));
-      }
-    }
-    return one;
-  };
-  std::vector<ExpectedCase> cases;
-  ExpectedCase whole = read_case(Key{"", entry.mark}, entry);
-  const Entry* list = entry.find("cases");
-  if (!list || !whole.parts.empty()) cases.push_back(std::move(whole));
-  if (list) {
-    if (list->kind != Entry::Kind::map) fail(file, list->mark, "expected named cases");
-    for (const auto& [key, value] : list->members) cases.push_back(read_case(key, value));
-  }
-  return cases;
 }
 
 // The bodies and frames of a statement, for messages about names.

@@ -103,4 +103,12 @@ std::vector<Expression> expression_list(const Entry& entry, const std::string& f
   return items;
 }
 
+Unit read_unit(const Entry& entry, const std::string& file) {
+  try {
+    return parse_unit(scalar_text(entry, file, "a unit"));
+  } catch (const std::invalid_argument& error) {
+    fail(file, entry.mark, error.what());
+  }
+}
+
 }  // namespace poinsot::statement

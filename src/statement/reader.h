@@ -38,6 +38,9 @@ class Members {
 };
 
 // The text of a scalar; throws if the entry is anything else. `what` names it in the message.
+// Throws StatementError if the entry is no unit.
+Unit read_unit(const Entry& entry, const std::string& file);
+
 const std::string& scalar_text(const Entry& entry, const std::string& file, std::string_view what);
 
 // Throws unless `name` can be a name in expressions.

@@ -6,10 +6,12 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "statement/instant.h"
+#include "statement/problem_motion.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
@@ -54,59 +56,50 @@ class Sample {
   Sample(const Statement& statement, AllSettings settings, const OpenChoice& choice)
       : statement_(statement), settings_(std::move(settings)), choice_(choice) {}
 
+  // Where something is asked.
+  struct Home {
+    std::size_t situation = 0;
+    std::size_t instant = 0;     // before or after a blow; or the stage at whose start
+    std::optional<double> time;  // along the motion, s
+    bool operator<(const Home& other) const {
+      return std::tie(situation, instant, time) < std::tie(other.situation, other.instant, other.time);
+    }
+  };
+
   Value<double> value(const Ask& ask) {
     std::vector<Value<double>> items;
+    if (ask.table) return Value<double>::of_list(table(ask));
+    if (ask.when) {
+      for (double time : times(ask)) items.push_back(Value<double>::of_number(time, dimensions::time));
+      return ask.when->first ? items.front() : Value<double>::of_list(std::move(items));
+    }
     for (const Expression& expression : ask.of)
       items.push_back(value_at(home(expression, ask.mark), expression, ask.axes));
     return ask.is_list ? Value<double>::of_list(std::move(items)) : items.front();
   }
   // At the instant of a situation at which it is meant.
   Value<double> value_in(std::size_t situation, const Expression& expression) {
-    return value_at({situation, statement_.situations[situation].problem.has_blow() ? 1u : 0u}, expression,
-                    std::nullopt);
+    return value_at(start_of(situation), expression, std::nullopt);
   }
-  const std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<SolvedInstant>>& instants() const {
-    return instants_;
-  }
-  SolvedInstant& instant_of(const Ask& ask) {
-    const auto [situation, stage] = home_of(ask);
-    return instant(situation, stage);
-  }
-  const Problem& problem_of(const Ask& ask) { return statement_.situations[home_of(ask).first].problem; }
-
-  // Where something is asked: the situation, and its instant as a number (see when()).
-  using Home = std::pair<std::size_t, std::size_t>;
-  static When when(const Problem& problem, std::size_t instant) {
-    return problem.has_blow() ? When{0, instant == 1} : When{instant, false};
-  }
+  const std::map<Home, std::unique_ptr<SolvedInstant>>& instants() const { return instants_; }
+  const std::map<std::size_t, std::unique_ptr<ProblemMotion>>& motions() const { return motions_; }
+  // The instant at a time of a motion.
+  SolvedInstant& instant_at(std::size_t situation, double time) { return instant({situation, 0, time}); }
+  SolvedInstant& instant_of(const Ask& ask) { return instant(home_of(ask)); }
+  const Problem& problem_of(const Ask& ask) { return statement_.situations[home_of(ask).situation].problem; }
 
   // What a name after @ means.
-  Home resolve(const std::string& name, const Mark& mark) const {
+  Home resolve(const std::string& name, const Mark& mark) {
     std::vector<std::string> known;
     for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
       const Situation& situation = statement_.situations[i];
-      if (situation.name == name && !name.empty()) return {i, situation.problem.has_blow() ? 1u : 0u};
+      if (situation.name == name && !name.empty()) return start_of(i);
       if (!situation.name.empty()) known.push_back(situation.name);
       const bool only = statement_.situations.size() == 1;
-      if (situation.problem.has_blow()) {
-        const std::string prefix = only ? "" : situation.name + ".";
-        if (name == prefix + "before") return {i, 0};
-        if (name == prefix + "after") return {i, 1};
-        known.push_back(prefix + "before");
-        known.push_back(prefix + "after");
-      }
-      for (std::size_t k = 0; k < situation.problem.stages.size(); ++k) {
-        const std::string& stage = situation.problem.stages[k].name;
-        const std::string prefix = only ? "" : situation.name + ".";
-        if (name == prefix + stage || name == prefix + stage + ".start") return {i, k};
-        if (name == prefix + stage + ".end" && k + 1 < situation.problem.stages.size()) return {i, k + 1};
-        known.push_back(prefix + stage);
-      }
-      if (situation.problem.stages.empty() && only && !situation.problem.has_blow())
-        for (const Instant& instant : situation.problem.instants) {
-          if (instant.name == name) return {i, 0};
-          known.push_back(instant.name);
-        }
+      const std::string prefix = only ? "" : situation.name + ".";
+      if (!only && !name.starts_with(prefix)) continue;
+      if (const auto found = resolve_in(i, only ? name : name.substr(prefix.size()), mark, known, prefix))
+        return *found;
     }
     std::string all;
     for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
@@ -117,21 +110,39 @@ class Sample {
                        : "known: " + all);
   }
 
+  // The motion of a situation.
+  ProblemMotion& motion(std::size_t situation) {
+    auto& found = motions_[situation];
+    if (!found)
+      found = std::make_unique<ProblemMotion>(statement_.situations[situation].problem, settings_[situation], choice_);
+    return *found;
+  }
+
+  // Times at which something happens; the table of an ask, column by column.
+  std::vector<double> times(const Ask& ask);
+  std::vector<Value<double>> table(const Ask& ask);
+
  private:
   Value<double> value_at(const Home& place, const Expression& expression, const std::optional<Expression>& axes) {
-    return instant(place.first, place.second).ask(expression, axes, [&](const At& at, const Mark& mark) {
-      const auto [other, other_stage] = resolve(at.instant, mark);
-      return instant(other, other_stage).raw(at.expression, axes, nullptr);
+    return instant(place).ask(expression, axes, [&](const At& at, const Mark& mark) {
+      return instant(resolve(at.instant, mark)).raw(at.expression, axes, nullptr);
     });
   }
-  Home home_of(const Ask& ask) const {
+  Home home_of(const Ask& ask) {
+    if (ask.table || ask.when) return start_of(0);
     if (!ask.extremum) return home(ask.of.front(), ask.mark);
-    const std::size_t situation = situation_of(statement_, ask);
-    return {situation, statement_.situations[situation].problem.has_blow() ? 1u : 0u};
+    return start_of(situation_of(statement_, ask));
   }
+  // The only instant, or that just after a blow.
+  Home start_of(std::size_t situation) const {
+    return {situation, statement_.situations[situation].problem.has_blow() ? 1u : 0u, std::nullopt};
+  }
+  void add_row_over_datum(const Ask& ask, const AllSettings& settings, std::vector<Value<double>>& values);
+  std::optional<Home> resolve_in(std::size_t i, const std::string& name, const Mark& mark,
+                                 std::vector<std::string>& known, const std::string& prefix);
   // Where what stands without @ is meant: in the only situation and stage there is, after a blow if there is one. An
   // expression all of whose quantities have an @ is at home at the first of these.
-  Home home(const Expression& expression, const Mark& mark) const {
+  Home home(const Expression& expression, const Mark& mark) {
     const bool one = statement_.situations.size() == 1 && statement_.situations.front().problem.stages.size() <= 1;
     if (const At* at = first_at(expression); at && !one) {
       if (asks_model(statement_.situations.front().problem, expression, false))
@@ -140,7 +151,7 @@ class Sample {
       return resolve(at->instant, at->instant_mark);
     }
     if (statement_.situations.size() > 1 && !asks_instant(expression) && !asks_own_unknown(expression))
-      return {0, statement_.situations.front().problem.has_blow() ? 1u : 0u};
+      return start_of(0);
     if (statement_.situations.size() > 1) {
       std::string names;
       for (const Situation& situation : statement_.situations) names += (names.empty() ? "" : ", ") + situation.name;
@@ -148,13 +159,13 @@ class Sample {
            "write " + to_string(expression) + " @ one of " + names);
     }
     const auto& stages = statement_.situations.front().problem.stages;
-    if (stages.size() > 1) {
+    if (stages.size() > 1 && !asks_motion_feature(expression)) {
       std::string names;
       for (const Stage& stage : stages) names += (names.empty() ? "" : ", ") + stage.name;
       fail(statement_.file, mark, "in which stage is this asked?",
            "write " + to_string(expression) + " @ one of " + names);
     }
-    return {0, statement_.situations.front().problem.has_blow() ? 1u : 0u};
+    return start_of(0);
   }
 
   // Whether an expression names a quantity of the model and not only unknowns.
@@ -201,18 +212,13 @@ class Sample {
   };
   static const At* first_at(const Expression& expression) { return std::visit(AtFinder{}, expression->content); }
 
-  SolvedInstant& instant(std::size_t situation, std::size_t stage) {
-    auto& found = instants_[{situation, stage}];
-    if (!found)
-      found = std::make_unique<SolvedInstant>(statement_.situations[situation].problem, settings_[situation],
-                                              when(statement_.situations[situation].problem, stage), choice_);
-    return *found;
-  }
+  SolvedInstant& instant(const Home& home);
 
   const Statement& statement_;
   AllSettings settings_;
   OpenChoice choice_;
-  std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<SolvedInstant>> instants_;
+  std::map<Home, std::unique_ptr<SolvedInstant>> instants_;
+  std::map<std::size_t, std::unique_ptr<ProblemMotion>> motions_;
 };
 
 }  // namespace poinsot::statement

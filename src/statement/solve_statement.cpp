@@ -127,7 +127,9 @@ class StatementSolver {
     Sample& base = *sample_;
     result.asks.resize(statement_.asks.size());
     for (std::size_t i = 0; i < statement_.asks.size(); ++i)
-      if (statement_.asks[i].extremum)
+      if (statement_.asks[i].table)
+        finish_table(statement_.asks[i], *values[i], result.asks[i]);
+      else if (statement_.asks[i].extremum)
         finish_extremum(statement_.asks[i], values[i], result.asks[i]);
       else
         finish(statement_.asks[i], *values[i], base, result.asks[i]);
@@ -405,9 +407,39 @@ class StatementSolver {
     solved.unit = ask.unit ? *ask.unit : problem.habits.unit_for(value->dimension);
   }
 
+  void finish_table(const Ask& ask, const Value<double>& value, SolvedAsk& solved) {
+    const Problem& problem = statement_.situations.front().problem;
+    natural_.push_back(0);
+    solved.words = describe(ask, problem, false);
+    const std::size_t count = ask.table->columns.size();
+    for (std::size_t c = 0; c < count; ++c) {
+      const NamedExpression& stated = ask.table->columns[c];
+      SolvedColumn column;
+      column.name = stated.name;
+      std::optional<Dimension> dimension;
+      for (std::size_t row = c; row < value.items.size(); row += count) {
+        column.values.push_back(value.items[row].number);
+        if (!dimension || dimension == dimensions::none) dimension = value.items[row].dimension;
+      }
+      const auto unit = ask.table->units.find(stated.name);
+      if (unit != ask.table->units.end()) {
+        if (dimension && !same_kind(unit->second.dimension, *dimension))
+          fail(problem.file, stated.mark,
+               "column '" + stated.name + "' is " + to_string(*dimension) + ", but " + unit->second.text +
+                   " is a unit of " + to_string(unit->second.dimension));
+        column.unit = unit->second;
+      } else {
+        column.unit = problem.habits.unit_for(dimension.value_or(dimensions::none), asks_energy(stated.value));
+      }
+      solved.columns.push_back(std::move(column));
+    }
+    solved.value = value;
+  }
+
   void finish(const Ask& ask, const Value<double>& value, Sample& sample, SolvedAsk& solved) {
     const Problem& problem = sample.problem_of(ask);
-    if (std::none_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) { return asks_model(problem, e); }))
+    if (!ask.when &&
+        std::none_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) { return asks_model(problem, e); }))
       fail(problem.file, ask.mark, "'" + ask.name + "' asks nothing of the model: it is a formula of the data",
            "ask for a quantity, such as angular_momentum(BODY about POINT)");
     solved.value = value;
@@ -450,7 +482,7 @@ class StatementSolver {
   void physical(Solution& result) {
     for (std::size_t i = 0; i < statement_.asks.size(); ++i) {
       const Ask& ask = statement_.asks[i];
-      if (ask.extremum || result.asks[i].value.is_boolean()) continue;
+      if (ask.extremum || ask.table || ask.when || result.asks[i].value.is_boolean()) continue;
       SolvedInstant& instant = sample_->instant_of(ask);
       const Problem& problem = sample_->problem_of(ask);
       const bool needs_forces = std::any_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) {
@@ -465,6 +497,10 @@ class StatementSolver {
   }
 
   void check(Solution& result) {
+    // Some instants of each motion.
+    for (const auto& [situation, motion] : sample_->motions())
+      for (const double part : {0.31, 0.67, 1.0})
+        sample_->instant_at(situation, part * motion->reached()).solve_forces();
     std::vector<SolvedInstant*> instants;
     for (const auto& [key, instant] : sample_->instants()) instants.push_back(instant.get());
     for (const std::unique_ptr<Sample>& sample : extremal_)
@@ -481,6 +517,11 @@ class StatementSolver {
       if (instant->forces_solved()) keep("newton_euler", residual.newton_euler);
       if (instant->after_blow()) keep("impulse", residuals.impulse);
     }
+    for (const auto& [situation, motion] : sample_->motions())
+      if (const auto drift = motion->energy_drift()) {
+        auto [entry, fresh] = result.checks.emplace("energy_drift", *drift);
+        if (!fresh) entry->second = std::max(entry->second, *drift);
+      }
     for (const auto& [name, residual] : result.checks) {
       if (residual <= check_tolerance) continue;
       for (SolvedAsk& ask : result.asks) {

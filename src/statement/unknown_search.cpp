@@ -48,7 +48,7 @@ bool has_force_conditions(const Problem& problem) {
   if (problem.steady) return true;
   for (const Instant& instant : problem.instants)
     for (const Fact& fact : instant.facts)
-      if (level_of(problem, fact.quantity) == Level::force) return true;
+      if (level_of(problem, fact.quantity) == Level::force && !is_later(problem, instant)) return true;
   return false;
 }
 
@@ -155,8 +155,10 @@ bool UnknownSearch::is_common(const std::string& name) const {
 }
 
 std::vector<UnknownSearch::Group> UnknownSearch::groups_of(std::size_t situation) const {
-  std::vector<Group> groups{{situation, false}};
-  if (has_force_conditions(statement_.situations[situation].problem)) groups.push_back({situation, true});
+  const Problem& problem = statement_.situations[situation].problem;
+  std::vector<Group> groups{{situation, Aspect::velocities}};
+  if (has_force_conditions(problem)) groups.push_back({situation, Aspect::forces});
+  if (has_later_facts(problem)) groups.push_back({situation, Aspect::later});
   return groups;
 }
 
@@ -235,8 +237,7 @@ RootsFound UnknownSearch::find_with_choices(const Search& search, const AllSetti
                          [&](const Unknown& u) { return u.name == unknown.name; });
     });
     std::erase_if(rest.groups, [&](const Group& group) {
-      return std::any_of(block.groups.begin(), block.groups.end(),
-                         [&](const Group& g) { return g.situation == group.situation && g.forces == group.forces; });
+      return std::find(block.groups.begin(), block.groups.end(), group) != block.groups.end();
     });
   };
   for (const Search& block : blocks_of(search, settings)) {
@@ -403,19 +404,22 @@ solve::RootEquations UnknownSearch::misfits(const Search& search, const AllSetti
   solve::RootEquations all;
   for (std::size_t i : situations_of(search)) {
     const Problem& problem = statement_.situations[i].problem;
-    if (!problem.stages.empty())
-      fail(problem.file, problem.stages.front().mark, "unknowns of a problem with stages are not found",
-           "give the datum a value with --set");
     const Settings all_known = with_trial_values(settings[i]);
+    const auto wanted = [&](Aspect aspect) {
+      return std::find(search.groups.begin(), search.groups.end(), Group{i, aspect}) != search.groups.end();
+    };
+    if (wanted(Aspect::later)) {
+      const std::vector<double> later = later_misfits(problem, all_known, OpenChoice{.trial = true});
+      all.values.insert(all.values.end(), later.begin(), later.end());
+      all.size = std::max(all.size, 1.0);
+    }
+    if (!wanted(Aspect::velocities) && !wanted(Aspect::forces)) continue;
     SolvedInstant instant(problem, all_known, When{0, problem.has_blow()}, OpenChoice{.trial = true});
     const auto velocities = static_cast<std::ptrdiff_t>(instant.misfits().size());
-    const bool forces = std::any_of(search.groups.begin(), search.groups.end(),
-                                    [&](const Group& group) { return group.situation == i && group.forces; });
-    const bool rates = std::any_of(search.groups.begin(), search.groups.end(),
-                                   [&](const Group& group) { return group.situation == i && !group.forces; });
-    if (forces) instant.solve_forces();
+    if (wanted(Aspect::forces)) instant.solve_forces();
     const auto& values = instant.misfits();
-    all.values.insert(all.values.end(), rates ? values.begin() : values.begin() + velocities, values.end());
+    all.values.insert(all.values.end(), wanted(Aspect::velocities) ? values.begin() : values.begin() + velocities,
+                      values.end());
     all.size = std::max(all.size, instant.misfit_size());
   }
   return all;
@@ -685,14 +689,19 @@ std::string UnknownSearch::conditions_in_words(const Search& search) const {
     const Situation& situation = statement_.situations[group.situation];
     const std::string where = several ? " @ " + situation.name : "";
     for (const Instant& instant : situation.problem.instants) {
-      if (instant.rest && !group.forces) add_once(words, "rest at '" + instant.name + "'" + where);
+      if (instant.rest && group.aspect == Aspect::velocities) add_once(words, "rest at '" + instant.name + "'" + where);
       for (const Fact& fact : instant.facts) {
         const Level level = level_of(situation.problem, fact.quantity);
-        if (group.forces == (level == Level::force) && level != Level::position)
+        const Aspect aspect = level == Level::motion || is_later(situation.problem, instant) ? Aspect::later
+                              : level == Level::force                                        ? Aspect::forces
+                                                                                             : Aspect::velocities;
+        if (group.aspect == aspect &&
+            (level != Level::position || !fact.quantity.as<Name>() || aspect == Aspect::later))
           add_once(words, to_string(fact.quantity) + " at '" + instant.name + "'" + where);
       }
     }
-    if (situation.problem.steady) add_once(words, "steady motion in '" + situation.problem.steady->frame + "'" + where);
+    if (situation.problem.steady && group.aspect != Aspect::later)
+      add_once(words, "steady motion in '" + situation.problem.steady->frame + "'" + where);
   }
   std::string text;
   for (std::size_t i = 0; i < words.size() && i < 8; ++i) text += (i == 0 ? "" : "; ") + words[i];

@@ -41,10 +41,13 @@ class UnknownSearch {
   RootsFound find(const Settings& settings);
 
  private:
-  // Conditions that are evaluated together: those on the velocities of a situation, and those on its forces.
+  // Conditions that are evaluated together: those on the velocities of a situation, on its forces, and on the motion
+  // that follows.
+  enum class Aspect { velocities, forces, later };
   struct Group {
     std::size_t situation = 0;
-    bool forces = false;
+    Aspect aspect = Aspect::velocities;
+    bool operator==(const Group&) const = default;
   };
   // The unknowns of one search and the conditions that they must satisfy.
   struct Search {

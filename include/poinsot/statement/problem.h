@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -209,8 +210,10 @@ struct Fact {
   Mark mark;
 };
 struct Instant {
-  std::string name;
+  std::string name;  // of an instant or stage, or a time such as `2 s`
   bool rest = false;
+  std::vector<std::pair<std::string, Mark>> nudged;  // coordinates that are disturbed a little
+  std::optional<Expression> found_when;              // at the first time when this holds
   std::vector<Fact> facts;
   Mark mark;
 };
@@ -229,7 +232,7 @@ struct Steady {
 
 struct Stage {
   std::string name;
-  std::optional<Expression> lasts;
+  std::optional<Expression> lasts, until;         // how long, or the event that ends it
   std::optional<std::vector<std::string>> loads;  // all when left out
   Mark mark;
 };
@@ -243,10 +246,27 @@ struct Extremum {
   std::string situation;  // "" if there is only one
   Mark situation_mark;
 };
+// Columns over time, a coordinate of the motion, or a datum.
+struct Table {
+  std::vector<NamedExpression> columns;
+  std::string over;
+  Mark over_mark;
+  Expression values;  // a range or a list
+  std::map<std::string, Unit> units;
+};
+// When something happens in the motion: the first time, or all times in a span.
+struct WhenAsk {
+  bool first = true;
+  Expression condition;
+  std::optional<Expression> from, to;
+};
 struct Ask {
   std::string name;
-  std::vector<Expression> of;  // one, several for a list, none for an extremum
+  // One quantity, several for a list; none where one of the next three is asked.
+  std::vector<Expression> of;
   std::optional<Extremum> extremum;
+  std::optional<Table> table;
+  std::optional<WhenAsk> when;
   bool is_list = false;
   std::string text;  // as written
   std::optional<Unit> unit;
@@ -260,6 +280,7 @@ struct Expected {
   bool roots = false;  // value lists one number for each solution
   std::optional<Unit> unit;
   std::optional<std::vector<std::string>> names;
+  std::vector<NamedExpression> columns;  // of a table: a list of numbers each
   std::optional<bool> holds;
   double relative_tolerance = 1e-6;
   double absolute_tolerance = 0;  // in the unit of the value

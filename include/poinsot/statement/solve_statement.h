@@ -17,6 +17,13 @@ namespace poinsot::statement {
 
 enum class AskState { found, needs_letters, undetermined, refused };
 
+// One column of a table.
+struct SolvedColumn {
+  std::string name;
+  Unit unit;
+  std::vector<double> values;  // SI
+};
+
 struct SolvedAsk {
   AskState state = AskState::found;
   Value<double> value;                       // SI; vectors on the asked axes
@@ -25,6 +32,7 @@ struct SolvedAsk {
   std::string reason;                        // for undetermined and refused
   std::string words;                         // what is given, in words
   std::vector<std::string> component_names;  // of vectors
+  std::vector<SolvedColumn> columns;         // of a table, which has no value
 };
 
 struct SolvedUnknown {

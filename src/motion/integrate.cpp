@@ -1,0 +1,365 @@
+#include "poinsot/motion/integrate.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "motion/dormand_prince_853.h"
+#include "motion/event_search.h"
+#include "motion/methods.h"
+
+namespace poinsot {
+
+namespace {
+
+void require(bool holds, const char* message) {
+  if (!holds) throw std::invalid_argument(std::string("integrate: ") + message);
+}
+
+bool all_finite(std::span<const double> numbers) {
+  return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
+}
+
+bool positive_sizes(const std::vector<double>& sizes, int expected) {
+  return sizes.empty() || (sizes.size() == static_cast<std::size_t>(expected) &&
+                           std::ranges::all_of(sizes, [](double x) { return x > 0.0 && std::isfinite(x); }));
+}
+
+void check(const MotionEquations& equations, double start, std::span<const double> q, std::span<const double> v,
+           double end, const IntegrationOptions& options, std::span<const Event> events) {
+  require(equations.position_size >= 0 && equations.velocity_size >= 0, "a size of the equations is negative");
+  require(q.size() == static_cast<std::size_t>(equations.position_size), "q has not position_size entries");
+  require(v.size() == static_cast<std::size_t>(equations.velocity_size), "v has not velocity_size entries");
+  require(static_cast<bool>(equations.accelerations), "the equations give no accelerations");
+  require(equations.position_rate || equations.position_size == equations.velocity_size,
+          "without position_rate there must be as many velocities as coordinates");
+  require(positive_sizes(equations.position_sizes, equations.position_size),
+          "position_sizes must be empty or positive numbers, one per coordinate");
+  require(positive_sizes(equations.velocity_sizes, equations.velocity_size),
+          "velocity_sizes must be empty or positive numbers, one per velocity");
+  require(std::ranges::all_of(equations.quaternions,
+                              [&](int first) { return first >= 0 && first + 4 <= equations.position_size; }),
+          "a quaternion lies outside the coordinates");
+  require(std::isfinite(start) && std::isfinite(end), "the times must be finite");
+  require(all_finite(q) && all_finite(v), "the state at the start is not finite");
+  require(options.tolerance > 0.0 && options.tolerance < 1.0, "the tolerance must lie between 0 and 1");
+  require(options.first_step >= 0.0 && options.largest_step >= 0.0 && options.fixed_step >= 0.0,
+          "steps must not be negative");
+  require(options.most_steps > 0 && options.seconds > 0.0, "the limits must be positive");
+  require(std::ranges::all_of(events, [](const Event& event) { return event.value && event.size > 0.0; }),
+          "an event needs a value and a positive size");
+}
+
+// One integration from a start to an end.
+class Run {
+ public:
+  Run(const MotionEquations& equations, const IntegrationOptions& options, std::span<const Event> events, double start,
+      double end)
+      : equations_(equations),
+        options_(options),
+        events_(events),
+        end_(end),
+        right_side_(equations),
+        scale_(equations, options.tolerance, std::fabs(end - start)) {
+    result_.trajectory = Trajectory(equations.position_size, equations.velocity_size, equations.quaternions);
+    result_.time = start;
+  }
+
+  IntegrationResult go(std::span<const double> q, std::span<const double> v);
+  double size(std::size_t i) const { return scale_.size(i); }
+
+ private:
+  std::unique_ptr<StepMethod> make_method(IntegrationMethod method);
+  std::optional<Ending> begin(double start, std::span<const double> y);
+  std::optional<Ending> one_step();
+  bool find_events(StepView& step, std::vector<double>& y_end);
+  void note_drift(double t, std::span<const double> y);
+  static Ending ending_of(StepOutcome outcome);
+
+  const MotionEquations& equations_;
+  const IntegrationOptions& options_;
+  std::span<const Event> events_;
+  double end_;
+  RightSide right_side_;
+  ErrorScale scale_;
+  std::unique_ptr<StepMethod> method_;
+  bool switched_ = false;
+  std::vector<double> y_;
+  std::vector<double> y_sample_;
+  std::vector<char> zero_at_start_;  // the event's value was zero where the next step starts
+  IntegrationResult result_;
+};
+
+std::unique_ptr<StepMethod> Run::make_method(IntegrationMethod method) {
+  switch (method) {
+    case IntegrationMethod::stiff:
+      return make_stiff_method(right_side_, scale_, options_.first_step, options_.largest_step);
+    case IntegrationMethod::structure_preserving:
+      return make_gauss_method(right_side_, scale_, options_.fixed_step);
+    case IntegrationMethod::automatic:
+    case IntegrationMethod::explicit_runge_kutta:
+      break;
+  }
+  return std::make_unique<DormandPrince853>(right_side_, scale_, options_.first_step, options_.largest_step);
+}
+
+Ending Run::ending_of(StepOutcome outcome) {
+  switch (outcome) {
+    case StepOutcome::not_finite:
+      return Ending::not_finite;
+    case StepOutcome::stiff:
+      return Ending::stiff;
+    case StepOutcome::no_convergence:
+      return Ending::no_convergence;
+    case StepOutcome::advanced:
+    case StepOutcome::too_small:
+      break;
+  }
+  return Ending::step_too_small;
+}
+
+std::optional<Ending> Run::begin(double start, std::span<const double> y) {
+  const StepOutcome outcome = method_->begin(start, y, end_);
+  if (outcome != StepOutcome::advanced) return ending_of(outcome);
+  result_.trajectory.keep(method_->flow());
+  return std::nullopt;
+}
+
+void Run::note_drift(double t, std::span<const double> y) {
+  for (std::size_t i = 0; i < equations_.conserved.size(); ++i) {
+    const double value = equations_.conserved[i].value(t, right_side_.q(y), right_side_.v(y));
+    if (result_.drift.size() <= i) {
+      result_.drift.push_back({equations_.conserved[i].name, value, 0.0, 0.0});
+    } else {
+      Drift& drift = result_.drift[i];
+      drift.end = value - drift.start;
+      drift.largest = std::max(drift.largest, std::fabs(drift.end));
+    }
+  }
+}
+
+// Appends the hits in the step. True if a terminal one cut it: then step.end is that instant and y_end the state there.
+bool Run::find_events(StepView& step, std::vector<double>& y_end) {
+  struct Found {
+    std::size_t event;
+    Zero zero;
+  };
+  std::vector<Found> found;
+  const double sense = step.length > 0.0 ? 1.0 : -1.0;
+  const double resolution = 1e-3 * std::pow(options_.tolerance, 0.25) * std::fabs(step.length);
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    const Event& event = events_[i];
+    const auto value = [&](double t) {
+      step.evaluate(t, y_sample_);
+      return event.value(t, right_side_.q(y_sample_), right_side_.v(y_sample_));
+    };
+    const double touch = event.touching ? options_.tolerance * event.size : 0.0;
+    for (const Zero& zero : find_zeros({value, step.start, step.end, touch, zero_at_start_[i] != 0, resolution})) {
+      const bool wanted = zero.direction == 0 || event.crossing == Crossing::any ||
+                          (event.crossing == Crossing::rising) == (zero.direction > 0);
+      if (wanted) found.push_back({i, zero});
+    }
+    zero_at_start_[i] = 0;
+  }
+  std::ranges::stable_sort(found, {}, [&](const Found& f) { return sense * f.zero.time; });
+  for (const Found& f : found) {
+    const bool terminal = events_[f.event].terminal;
+    if (terminal) {
+      step.end = f.zero.time;
+      method_->state_within(step.end, y_end);
+      right_side_.project(step.end, y_end, scale_.allowed());
+    }
+    if (terminal) {
+      y_sample_ = y_end;
+    } else {
+      step.evaluate(f.zero.time, y_sample_);
+      right_side_.project(f.zero.time, y_sample_, scale_.allowed());
+    }
+    const auto q = right_side_.q(y_sample_);
+    const auto v = right_side_.v(y_sample_);
+    result_.hits.push_back({f.event, f.zero.time, f.zero.direction, {q.begin(), q.end()}, {v.begin(), v.end()}});
+    if (terminal) return true;
+  }
+  // An event that ends its step exactly at zero starts the next one there.
+  for (const Found& f : found) {
+    if (f.zero.time == step.end) zero_at_start_[f.event] = 1;
+  }
+  return false;
+}
+
+// Nothing if the integration goes on.
+std::optional<Ending> Run::one_step() {
+  const StepOutcome outcome = method_->advance(end_);
+  if (outcome == StepOutcome::stiff && options_.method == IntegrationMethod::automatic && !switched_ &&
+      has_stiff_solver()) {
+    // The step that raised the suspicion is good; the next ones are the other method's.
+    switched_ = true;
+  } else if (outcome == StepOutcome::stiff && options_.method == IntegrationMethod::automatic) {
+    // Nothing better to be had: go on, to the limits stated.
+  } else if (outcome != StepOutcome::advanced) {
+    return ending_of(outcome);
+  }
+  ++result_.statistics.steps;
+
+  const bool watched = options_.store || options_.observer || !events_.empty();
+  StepView step;
+  if (watched) step = method_->last_step();
+  bool cut = false;
+  if (!events_.empty()) cut = find_events(step, y_);
+  if (cut) {
+    result_.time = step.end;
+  } else {
+    const double change = right_side_.project(method_->time(), method_->state(), scale_.allowed());
+    method_->state_changed(change > 0.01);
+    result_.time = method_->time();
+    std::ranges::copy(method_->state(), y_.begin());
+  }
+  scale_.update(y_);
+  note_drift(result_.time, y_);
+  if (options_.store) result_.trajectory.append(step);
+  if (options_.observer && !options_.observer(step)) return Ending::interrupted;
+  if (cut) return Ending::terminal_event;
+  if (result_.time == end_) return Ending::reached_end;
+  if (switched_ && outcome == StepOutcome::stiff) {
+    method_ = make_method(IntegrationMethod::stiff);
+    return begin(result_.time, y_);
+  }
+  return std::nullopt;
+}
+
+IntegrationResult Run::go(std::span<const double> q, std::span<const double> v) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begun = Clock::now();
+  y_.assign(q.begin(), q.end());
+  y_.insert(y_.end(), v.begin(), v.end());
+  y_sample_ = y_;
+  scale_.update(y_);
+  right_side_.project(result_.time, y_, scale_.allowed());
+  scale_.update(y_);
+  note_drift(result_.time, y_);
+  // A value that is zero at the start up to rounding of the state.
+  for (const Event& event : events_) {
+    const double value = event.value(result_.time, right_side_.q(y_), right_side_.v(y_));
+    zero_at_start_.push_back(std::fabs(value) <= options_.tolerance * event.size);
+  }
+
+  method_ = make_method(options_.method);
+  std::optional<Ending> ending;
+  if (!method_) {
+    ending = Ending::no_stiff_solver;
+  } else {
+    ending = begin(result_.time, y_);
+    if (!ending && result_.time == end_) ending = Ending::reached_end;
+  }
+  std::int64_t rejected = 0;
+  while (!ending) {
+    ending = one_step();
+    if (ending) break;
+    if (result_.statistics.steps >= options_.most_steps) ending = Ending::step_limit;
+    if (std::isfinite(options_.seconds) &&
+        std::chrono::duration<double>(Clock::now() - begun).count() > options_.seconds)
+      ending = Ending::time_limit;
+  }
+  if (method_) rejected += method_->rejected();
+  result_.ending = *ending;
+  result_.statistics.rejected = rejected;
+  result_.statistics.evaluations = right_side_.evaluations();
+  result_.q.assign(y_.begin(), y_.begin() + equations_.position_size);
+  result_.v.assign(y_.begin() + equations_.position_size, y_.end());
+  return std::move(result_);
+}
+
+// Integrates once more, sixteen times coarser, and compares at the ends of its steps and within them.
+void estimate_error(const MotionEquations& equations, double start, std::span<const double> q,
+                    std::span<const double> v, const IntegrationOptions& options, const Run& fine,
+                    IntegrationResult& result) {
+  const std::size_t nq = q.size();
+  const auto apart = [&](std::span<const double> y, std::span<const double> fine_q, std::span<const double> fine_v) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const double exact = i < nq ? fine_q[i] : fine_v[i - nq];
+      largest = std::max(largest, std::fabs(y[i] - exact) / fine.size(i));
+    }
+    return largest;
+  };
+  IntegrationOptions coarse = options;
+  coarse.tolerance = std::min(0.5, 16.0 * options.tolerance);
+  if (options.fixed_step > 0.0) coarse.fixed_step = 1.25 * options.fixed_step;
+  coarse.store = false;
+  coarse.estimate_error = false;
+  coarse.observer = nullptr;
+  std::vector<double> y(nq + v.size());
+  if (options.store && !result.trajectory.empty()) {
+    coarse.observer = [&](const StepView& step) {
+      for (const double part : {0.3, 0.7, 1.0}) {
+        const double t = part == 1.0 ? step.end : step.start + part * step.length;
+        step.evaluate(t, y);
+        const State<double> at = result.trajectory.state(t);
+        result.error.largest = std::max(result.error.largest, apart(y, at.q, at.v));
+      }
+      return true;
+    };
+  }
+  const IntegrationResult other = Run(equations, coarse, {}, start, result.time).go(q, v);
+  result.statistics.evaluations += other.statistics.evaluations;
+  const double unknown = std::numeric_limits<double>::infinity();
+  const bool arrived = other.ending == Ending::reached_end;
+  for (std::size_t i = 0; i < nq; ++i)
+    result.error.q.push_back(arrived ? std::fabs(other.q[i] - result.q[i]) : unknown);
+  for (std::size_t i = 0; i < v.size(); ++i)
+    result.error.v.push_back(arrived ? std::fabs(other.v[i] - result.v[i]) : unknown);
+  if (!arrived) {
+    result.error.largest = unknown;
+    return;
+  }
+  y.assign(other.q.begin(), other.q.end());
+  y.insert(y.end(), other.v.begin(), other.v.end());
+  result.error.largest = std::max(result.error.largest, apart(y, result.q, result.v));
+}
+
+}  // namespace
+
+IntegrationResult integrate(const MotionEquations& equations, double start, std::span<const double> q,
+                            std::span<const double> v, double end, const IntegrationOptions& options,
+                            std::span<const Event> events) {
+  check(equations, start, q, v, end, options, events);
+  Run run(equations, options, events, start, end);
+  IntegrationResult result = run.go(q, v);
+  if (options.estimate_error) estimate_error(equations, start, q, v, options, run, result);
+  return result;
+}
+
+std::string describe(const IntegrationResult& result) {
+  const std::string at = " at " + std::to_string(result.time) + " s";
+  switch (result.ending) {
+    case Ending::reached_end:
+      return "the integration reached its end" + at;
+    case Ending::terminal_event:
+      return "an event ended the integration" + at;
+    case Ending::interrupted:
+      return "the integration was interrupted" + at;
+    case Ending::step_limit:
+      return "the limit of " + std::to_string(result.statistics.steps) + " steps ended the integration" + at +
+             ": let it last shorter, or raise the limit or the tolerance";
+    case Ending::time_limit:
+      return "the limit of computing time ended the integration" + at;
+    case Ending::step_too_small:
+      return "the steps became too small" + at +
+             ": the motion is singular there, or the tolerance is finer than rounding allows";
+    case Ending::not_finite:
+      return "the equations of motion give no finite accelerations" + at;
+    case Ending::stiff:
+      return "the equations became stiff" + at +
+             ": accuracy asks for far longer steps than an explicit method can take";
+    case Ending::no_convergence:
+      return "the implicit equations of a step could not be solved" + at + ": a shorter step may do";
+    case Ending::no_stiff_solver:
+      return "stiff equations need SUNDIALS, and this poinsot was built without it";
+  }
+  return {};
+}
+
+}  // namespace poinsot

@@ -1,0 +1,42 @@
+// What every method of integration offers to the loop that drives it (integrate.cpp).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "motion/right_side.h"
+#include "poinsot/motion/trajectory.h"
+
+namespace poinsot {
+
+enum class StepOutcome { advanced, too_small, not_finite, stiff, no_convergence };
+
+class StepMethod {
+ public:
+  virtual ~StepMethod() = default;
+
+  // Starts, or starts anew without memory of what was before. limit: where the integration is to end.
+  virtual StepOutcome begin(double t, std::span<const double> y, double limit) = 0;
+  // Makes one step, no further than limit, that keeps the error within its scale.
+  virtual StepOutcome advance(double limit) = 0;
+  virtual double time() const = 0;
+  // The state at time(). The loop may change it slightly (projection) and then says so: noticeably if the change is
+  // no smaller than a small part of the error allowed.
+  virtual std::span<double> state() = 0;
+  virtual void state_changed(bool noticeably) = 0;
+  // The step just made. Valid until the next one.
+  virtual StepView last_step() = 0;
+  // A state of the last step's own method at t within it, where that is more accurate than last_step's evaluation.
+  virtual void state_within(double t, std::span<double> y) { last_step().evaluate(t, y); }
+  virtual std::int64_t rejected() const = 0;
+  // What a trajectory keeps to evaluate steps of the form `flow`.
+  virtual std::shared_ptr<const StateFlow> flow() const { return nullptr; }
+};
+
+// The first step: such that the change by it is small against the change of the change (Hairer, Norsett, Wanner,
+// Section II.4). rate: dy/dt at (t, y). order: of the method. Positive.
+double first_step(RightSide& right_side, double t, std::span<const double> y, std::span<const double> rate,
+                  std::span<const double> scale, double span, int order);
+
+}  // namespace poinsot

@@ -1,0 +1,89 @@
+// A problem in the states of a motion.
+#include <algorithm>
+
+#include "poinsot/solve/closure.h"
+#include "statement/instant.h"
+#include "statement/reader.h"
+
+namespace poinsot::statement {
+
+// The name of a later instant: a time with its unit, a datum that is a time, the end of a stage.
+bool is_later(const Problem& problem, const Instant& instant) {
+  if (instant.found_when) return true;
+  if (!instant.name.empty() && (std::isdigit(static_cast<unsigned char>(instant.name.front())) != 0)) return true;
+  for (std::size_t k = 0; k < problem.stages.size(); ++k) {
+    const std::string& name = problem.stages[k].name;
+    if (instant.name == name + ".end") return true;
+    if (k > 0 && (instant.name == name || instant.name == name + ".start")) return true;
+  }
+  const auto datum = std::find_if(problem.given.begin(), problem.given.end(),
+                                  [&](const NamedExpression& item) { return item.name == instant.name; });
+  const auto unknown = std::find_if(problem.find.begin(), problem.find.end(),
+                                    [&](const Unknown& item) { return item.name == instant.name; });
+  return datum != problem.given.end() || unknown != problem.find.end();
+}
+
+bool follows_time(const Problem& problem) {
+  const auto timed = [&](const std::optional<Expression>& expression) {
+    return expression && depends_on_time(problem, *expression);
+  };
+  for (const Load& load : problem.loads)
+    if (timed(load.force) || timed(load.couple) || timed(load.at) || timed(load.direction)) return true;
+  for (const Joint& joint : problem.joints)
+    for (const Freedom& freedom : joint.freedoms)
+      if (timed(freedom.rate) || timed(freedom.accel) || timed(freedom.effort)) return true;
+  for (const Frame& frame : problem.frames)
+    if (timed(frame.rate) || timed(frame.accel) || timed(frame.velocity) || timed(frame.acceleration)) return true;
+  return false;
+}
+
+SolvedInstant::SolvedInstant(const Problem& problem, const Settings& settings, const MotionState& state,
+                             const OpenChoice& choice)
+    : problem_(problem), settings_(settings), choice_(choice), random_(choice.seed) {
+  move_to(state);
+}
+
+void SolvedInstant::move_to(const MotionState& state) {
+  const bool same = built_stage_ == state.stage && built_acting_ == state.acting;
+  if (!timed_) timed_ = follows_time(problem_);
+  if (!same || *timed_) {
+    build(state.time, state.stage < problem_.stages.size() ? problem_.stages[state.stage].loads : std::nullopt);
+    release(state.acting);
+    built_stage_ = state.stage;
+    built_acting_ = state.acting;
+  } else {
+    time_ = state.time;
+    data_ = std::make_unique<DataScope<double>>(problem_, settings_, state.time);
+    motion_.reset();
+  }
+  moving_ = true;
+  before_.reset();
+  linearisation_.reset();
+  facts_.clear();
+  machine_.q = state.q;
+  v_ = state.v;
+  velocities_ = {};
+  velocities_.value = v_;
+  moment_->set_positions(machine_.q);
+  solve::update_contacts(machine_.mechanism, *moment_);
+  moment_->set_velocities(v_);
+}
+
+// What does not act neither binds nor carries.
+void SolvedInstant::release(const std::vector<bool>& acting) {
+  if (std::find(acting.begin(), acting.end(), false) == acting.end()) return;
+  Mechanism<double>& mechanism = machine_.mechanism;
+  const auto released = [&](int action) { return action >= 0 && !acting[static_cast<std::size_t>(action)]; };
+  std::erase_if(mechanism.constraints, [&](const auto& constraint) { return released(constraint.action); });
+  std::erase_if(mechanism.components, [&](const auto& component) { return released(component.action); });
+  moment_.emplace(mechanism);
+}
+
+std::vector<double> SolvedInstant::caught(const std::vector<bool>& acting) {
+  solve::Blow blow;
+  for (const StatedRate& rate : machine_.accelerations) blow.held_coordinates.push_back(rate.velocity);
+  const solve::LinearSolution solution = solve::solve_impulse(*moment_, scales_, blow, {}, acting);
+  return {solution.value.begin(), solution.value.begin() + static_cast<std::ptrdiff_t>(v_.size())};
+}
+
+}  // namespace poinsot::statement

@@ -1,0 +1,212 @@
+#include "statement/motion_features.h"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+
+#include "statement/problem_motion.h"
+#include "statement/reader.h"
+
+namespace poinsot::statement {
+namespace {
+
+constexpr int per_step = 6;          // samples in a step of the integration
+constexpr double repeats_to = 1e-7;  // how closely what repeats must come back
+constexpr std::size_t most_samples = 60'000;
+
+}  // namespace
+
+MotionFeatures::Sampled MotionFeatures::samples(double from, double to) const {
+  Sampled sampled;
+  const std::vector<double> nodes = motion_.nodes(from, to);
+  if (nodes.size() * per_step > most_samples)
+    fail(file_, mark_, "the motion is too long to follow '" + words_ + "' in it", "let it last shorter");
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+    for (int k = 0; k < per_step; ++k) sampled.time.push_back(nodes[i] + (nodes[i + 1] - nodes[i]) * k / per_step);
+  sampled.time.push_back(nodes.back());
+  for (double time : sampled.time) sampled.value.push_back(number_(time));
+  return sampled;
+}
+
+ExtremeFound MotionFeatures::polished(double before, double middle, double after, bool largest) const {
+  // The zero of the slope by differences of sixth order, where it changes sign; else the least value.
+  const double h = 0.05 * (after - before);
+  const auto slope = [&](double t) {
+    return (45 * (number_(t + h) - number_(t - h)) - 9 * (number_(t + 2 * h) - number_(t - 2 * h)) +
+            (number_(t + 3 * h) - number_(t - 3 * h))) /
+           (60 * h);
+  };
+  if (before - 3 * h >= 0) {
+    try {
+      const double a = slope(before), b = slope(after);
+      if ((a < 0) != (b < 0)) {
+        std::uintmax_t iterations = 60;
+        const auto bracket = boost::math::tools::toms748_solve(
+            slope, before, after, a, b, boost::math::tools::eps_tolerance<double>(50), iterations);
+        const double time = 0.5 * (bracket.first + bracket.second);
+        return {number_(time), time};
+      }
+    } catch (const StatementError&) {
+      // The stencil reaches beyond the end of the motion.
+    }
+  }
+  std::uintmax_t iterations = 100;
+  const auto found = boost::math::tools::brent_find_minima([&](double t) { return largest ? -number_(t) : number_(t); },
+                                                           before, after, 50, iterations);
+  (void)middle;
+  return {largest ? -found.second : found.second, found.first};
+}
+
+std::vector<ExtremeFound> MotionFeatures::extremes(const Sampled& sampled, bool largest) const {
+  std::vector<ExtremeFound> found;
+  const double sign = largest ? 1 : -1;
+  for (std::size_t i = 1; i + 1 < sampled.value.size(); ++i) {
+    const double before = sign * sampled.value[i - 1], here = sign * sampled.value[i],
+                 after = sign * sampled.value[i + 1];
+    if (here >= before && here > after)
+      found.push_back(polished(sampled.time[i - 1], sampled.time[i], sampled.time[i + 1], largest));
+  }
+  return found;
+}
+
+ExtremeFound MotionFeatures::extreme(bool largest) const {
+  const double sign = largest ? 1 : -1;
+  const auto best_of = [&](const Sampled& sampled, const std::vector<ExtremeFound>& inner) {
+    ExtremeFound best{sampled.value.front(), sampled.time.front()};
+    for (const ExtremeFound& one : inner)
+      if (sign * one.value > sign * best.value + 1e-12 * std::abs(best.value)) best = one;
+    if (sign * sampled.value.back() > sign * best.value) best = {sampled.value.back(), sampled.time.back()};
+    return best;
+  };
+  if (const std::optional<double> end = motion_.end()) {
+    const Sampled sampled = samples(0, *end);
+    return best_of(sampled, extremes(sampled, largest));
+  }
+  for (double until = 4 * motion_.pace_time(); until <= motion_.horizon(); until *= 2) {
+    const Sampled sampled = samples(0, until);
+    const auto [low, high] = std::minmax_element(sampled.value.begin(), sampled.value.end());
+    if (*high - *low <= 1e-9 * std::max(std::abs(*high), std::abs(*low))) {
+      // It stays what it is, so far; a disturbance takes its time to grow.
+      if (until * 2 > motion_.horizon()) return {sampled.value.front(), 0};
+      continue;
+    }
+    const std::vector<ExtremeFound> tops = extremes(sampled, true), bottoms = extremes(sampled, false);
+    if (tops.size() + bottoms.size() < 5) continue;
+    // The same highest and lowest values must be met again.
+    const auto met_twice = [&](const std::vector<ExtremeFound>& list, double value) {
+      return std::count_if(list.begin(), list.end(), [&](const ExtremeFound& one) {
+               return std::abs(one.value - value) <= repeats_to * (*high - *low);
+             }) >= 2;
+    };
+    const auto value_less = [](const ExtremeFound& a, const ExtremeFound& b) { return a.value < b.value; };
+    const double top = tops.empty() ? *high : std::max_element(tops.begin(), tops.end(), value_less)->value;
+    const double bottom = bottoms.empty() ? *low : std::min_element(bottoms.begin(), bottoms.end(), value_less)->value;
+    if (!met_twice(tops, top) || !met_twice(bottoms, bottom)) continue;
+    return largest ? *std::max_element(tops.begin(), tops.end(), value_less)
+                   : *std::min_element(bottoms.begin(), bottoms.end(), value_less);
+  }
+  fail(file_, mark_,
+       "'" + words_ + "' does not come back to the same extremes, so that of an endless motion it has no " +
+           (largest ? "largest" : "smallest") + " value that could be told",
+       "say how long the motion lasts: stages: {run: {lasts: 10 s}}");
+}
+
+ExtremeFound MotionFeatures::largest() const { return extreme(true); }
+ExtremeFound MotionFeatures::smallest() const { return extreme(false); }
+
+double MotionFeatures::zero_between(double a, double b, double level) const {
+  const auto f = [&](double t) { return number_(t) - level; };
+  const double fa = f(a), fb = f(b);
+  if (fa == 0) return a;
+  if (fb == 0) return b;
+  std::uintmax_t iterations = 100;
+  const auto bracket =
+      boost::math::tools::toms748_solve(f, a, b, fa, fb, boost::math::tools::eps_tolerance<double>(52), iterations);
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+double MotionFeatures::period() const {
+  const double high = largest().value, low = smallest().value;
+  if (!(high > low)) fail(file_, mark_, "'" + words_ + "' does not change: it has no period");
+  const double level = 0.5 * (high + low);
+  const double horizon = motion_.end().value_or(motion_.horizon());
+  for (double until = std::min(horizon, 8 * motion_.pace_time());; until = std::min(horizon, 2 * until)) {
+    const Sampled sampled = samples(0, until);
+    std::vector<double> rising;
+    for (std::size_t i = 0; i + 1 < sampled.value.size(); ++i)
+      if (sampled.value[i] < level && sampled.value[i + 1] >= level)
+        rising.push_back(zero_between(sampled.time[i], sampled.time[i + 1], level));
+    // After how many rises does it repeat?
+    for (std::size_t k = 1; k <= 6 && 2 * k + 1 <= rising.size(); ++k) {
+      const double period = rising[k] - rising[0];
+      bool repeats = true;
+      for (std::size_t i = 0; i + k < rising.size() && repeats; ++i)
+        repeats = std::abs(rising[i + k] - rising[i] - period) <= repeats_to * period;
+      for (int i = 1; i < 12 && repeats; ++i) {
+        const double time = rising[0] + period * i / 12;
+        repeats = std::abs(number_(time) - number_(time + period)) <= 10 * repeats_to * (high - low);
+      }
+      if (repeats) return period;
+    }
+    if (until >= horizon)
+      fail(file_, mark_, "'" + words_ + "' does not repeat: it has no period",
+           motion_.end() ? "let the motion last for at least two periods" : "");
+  }
+}
+
+std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to, int sense) const {
+  std::vector<double> found;
+  const double horizon = to ? *to : motion_.end().value_or(motion_.horizon());
+  double begun = from;
+  for (double until = to ? *to : std::min(horizon, from + 4 * motion_.pace_time());;
+       until = std::min(horizon, from + 2 * (until - from))) {
+    const Sampled sampled = samples(begun, until);
+    double size = 0;
+    for (double value : sampled.value) size = std::max(size, std::abs(value));
+    const auto start_counts = [&] {
+      const double value = sampled.value.front();
+      return sense == 0 ? std::abs(value) <= 1e-12 * size : sense * value > 1e-12 * size;
+    };
+    if (begun == from && start_counts()) found.push_back(from);
+    for (std::size_t i = 0; i + 1 < sampled.value.size(); ++i) {
+      const double a = sampled.value[i], b = sampled.value[i + 1];
+      if (i == 0 && begun == from && std::abs(a) <= 1e-12 * size) continue;
+      const bool rises = a < 0 && b >= 0, falls = a > 0 && b <= 0;
+      if ((sense >= 0 && rises) || (sense <= 0 && falls))
+        found.push_back(zero_between(sampled.time[i], sampled.time[i + 1], 0));
+      // An extreme that touches zero.
+      if (sense != 0 || i == 0) continue;
+      const double before = sampled.value[i - 1];
+      const bool above = a > 0 && before >= a && b > a, below = a < 0 && before <= a && b < a;
+      if (!above && !below) continue;
+      const ExtremeFound near = polished(sampled.time[i - 1], a, sampled.time[i + 1], below);
+      if (std::abs(near.value) <= 1e-10 * size) found.push_back(near.time);
+    }
+    std::sort(found.begin(), found.end());
+    if (to) return found;
+    if (!found.empty()) return {found.front()};
+    if (until >= horizon) break;
+    begun = until;
+  }
+  char text[60];
+  std::snprintf(text, sizeof text, " up to %.4g s", horizon);
+  fail(file_, mark_, "'" + words_ + "' does not happen" + text, "check the condition, or look farther with lasts:");
+}
+
+std::vector<double> MotionFeatures::times_of_extreme(bool largest, double from, std::optional<double> to) const {
+  const ExtremeFound best = extreme(largest);
+  const double until = to ? *to : std::max(best.time * (1 + 1e-9), from) + 2 * motion_.pace_time();
+  const Sampled sampled = samples(from, motion_.end() ? std::min(until, *motion_.end()) : until);
+  const auto [low, high] = std::minmax_element(sampled.value.begin(), sampled.value.end());
+  std::vector<double> found;
+  if (std::abs(sampled.value.front() - best.value) <= repeats_to * (*high - *low)) found.push_back(from);
+  for (const ExtremeFound& one : extremes(sampled, largest))
+    if (std::abs(one.value - best.value) <= repeats_to * (*high - *low) && one.time > from) found.push_back(one.time);
+  if (found.empty()) found.push_back(best.time);
+  if (!to) return {found.front()};
+  return found;
+}
+
+}  // namespace poinsot::statement

@@ -1,0 +1,53 @@
+// Extremes, zeros and periods of a number along a motion.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "poinsot/statement/diagnostic.h"
+
+namespace poinsot::statement {
+
+class ProblemMotion;
+
+struct ExtremeFound {
+  double value = 0;
+  double time = 0;
+};
+
+// The number is taken as smooth between the steps of the integration. Throws StatementError, at the mark, where the
+// motion does not answer: nothing repeats, there is no extreme or zero as far as an endless motion is followed.
+class MotionFeatures {
+ public:
+  MotionFeatures(ProblemMotion& motion, std::function<double(double time)> number, std::string words, std::string file,
+                 Mark mark)
+      : motion_(motion), number_(std::move(number)), words_(std::move(words)), file_(std::move(file)), mark_(mark) {}
+
+  // Over the whole motion if it has an end; of an endless one over as many cycles as it takes to see that it repeats.
+  ExtremeFound largest() const;
+  ExtremeFound smallest() const;
+  double period() const;
+  // sense 1: only where it rises through zero, or is positive at the start; -1: falls, or is negative. Without `to`,
+  // the first only.
+  std::vector<double> zeros(double from, std::optional<double> to, int sense) const;
+  std::vector<double> times_of_extreme(bool largest, double from, std::optional<double> to) const;
+
+ private:
+  struct Sampled {
+    std::vector<double> time, value;
+  };
+  Sampled samples(double from, double to) const;
+  std::vector<ExtremeFound> extremes(const Sampled& sampled, bool largest) const;
+  ExtremeFound extreme(bool largest) const;
+  ExtremeFound polished(double before, double middle, double after, bool largest) const;
+  double zero_between(double a, double b, double level) const;
+
+  ProblemMotion& motion_;
+  std::function<double(double time)> number_;
+  std::string words_, file_;
+  Mark mark_;
+};
+
+}  // namespace poinsot::statement

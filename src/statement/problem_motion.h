@@ -1,0 +1,101 @@
+// The motion that a problem states, from its start through its stages.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "poinsot/motion/trajectory.h"
+#include "statement/instant.h"
+
+namespace poinsot {
+class MechanismDynamics;
+}
+
+namespace poinsot::statement {
+
+// One number along the motion.
+using NumberInTime = std::function<double(double time)>;
+
+class ProblemMotion {
+ public:
+  // problem and settings must outlive the motion. Throws StatementError if the state at the start is not fixed.
+  ProblemMotion(const Problem& problem, const Settings& settings, const OpenChoice& choice);
+  ~ProblemMotion();
+
+  // When a stage starts and ends, s; the last one may have no end.
+  double stage_start(std::size_t stage);
+  std::optional<double> stage_end(std::size_t stage);
+  // The end of the last stage, if it has one.
+  std::optional<double> end() { return stage_end(stages_.size() - 1); }
+
+  MotionState at(double time);
+  // A value with vectors on the asked axes.
+  Value<double> value(double time, const Expression& expression, const std::optional<Expression>& axes);
+  // The number that an expression is, in SI.
+  NumberInTime number(const Expression& expression, const std::optional<Expression>& axes);
+  Dimension dimension(const Expression& expression, const std::optional<Expression>& axes);
+
+  // What is asked over the motion from its start on: extremes and periods (see motion_features.h).
+  Value<double> feature(const Call& call, const std::optional<Expression>& axes, const Mark& mark);
+  // The times, from `from` to `to`, at which a comparison comes to hold; the first one only, of a motion as long as
+  // needed, if there is no `to`.
+  std::vector<double> times(const Expression& comparison, const std::optional<Expression>& axes, double from,
+                            std::optional<double> to);
+  // The first time at which a coordinate, or any number, has a value, from the start on.
+  double time_of(const Expression& quantity, double value, const Mark& mark);
+
+  // When a later instant is, and by how much facts fail to hold at a time.
+  double time_of_instant(const Instant& instant);
+  std::vector<double> fact_misfits(double time, const std::vector<const Fact*>& facts);
+
+  // The steps of the integration up to a time: where the motion is smooth.
+  std::vector<double> nodes(double from, double to);
+  // How far it has been followed, s.
+  double reached() const;
+  // A time in which the motion changes noticeably, s.
+  double pace_time() const { return pace_time_; }
+  // How far an endless motion is followed.
+  double horizon() const;
+
+  // What happened on the way: cords that went slack, contacts that were lost.
+  const std::vector<std::string>& happenings() const { return happenings_; }
+  // The drift of the energy relative to its size, where it is conserved.
+  std::optional<double> energy_drift() const { return energy_drift_; }
+
+ private:
+  struct StageRun {
+    double start = 0;
+    std::optional<double> end;              // known once it is reached, or from the start if it lasts a given time
+    std::vector<Trajectory> pieces;         // one after the other
+    std::vector<std::vector<bool>> acting;  // of each piece: which actions act
+    std::vector<double> q, v;               // at the end of the last piece
+    double time = 0;                        // of that end
+    bool begun = false, done = false;
+  };
+  void begin(std::size_t stage);
+  void run(std::size_t stage, double until);
+  void change_holds(std::size_t stage, std::size_t action, std::vector<bool>& acting, StageRun& run);
+  std::size_t stage_at(double time);
+  const Mark& mark_of(std::size_t stage) const;
+  std::string words_of(std::size_t stage) const;
+
+  const Problem& problem_;
+  const Settings& settings_;
+  OpenChoice choice_;
+  bool timed_ = false;  // loads or given motions follow the time
+  std::unique_ptr<SolvedInstant> start_, probe_;
+  std::vector<StageRun> stages_;
+  double pace_time_ = 1;
+  std::vector<std::string> happenings_;
+  std::optional<double> energy_drift_;
+};
+
+// Whether something is stated of the motion after its start.
+bool has_later_facts(const Problem& problem);
+// By how much that fails to hold, in natural units.
+std::vector<double> later_misfits(const Problem& problem, const Settings& settings, const OpenChoice& choice);
+
+}  // namespace poinsot::statement

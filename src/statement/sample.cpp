@@ -1,0 +1,187 @@
+#include "statement/sample.h"
+
+#include <cmath>
+
+#include "statement/unknown_search.h"
+
+namespace poinsot::statement {
+
+SolvedInstant& Sample::instant(const Home& home) {
+  auto& found = instants_[home];
+  if (found) return *found;
+  const Problem& problem = statement_.situations[home.situation].problem;
+  const Settings& settings = settings_[home.situation];
+  if (home.time)
+    found = std::make_unique<SolvedInstant>(problem, settings, motion(home.situation).at(*home.time), choice_);
+  else if (home.instant > 0 && !problem.has_blow())
+    found = std::make_unique<SolvedInstant>(
+        problem, settings, motion(home.situation).at(motion(home.situation).stage_start(home.instant)), choice_);
+  else
+    found =
+        std::make_unique<SolvedInstant>(problem, settings, When{0, problem.has_blow() && home.instant == 1}, choice_);
+  found->set_motion(
+      [this, situation = home.situation](const Call& call, const std::optional<Expression>& axes, const Mark& mark) {
+        return motion(situation).feature(call, axes, mark);
+      });
+  return *found;
+}
+
+std::optional<Sample::Home> Sample::resolve_in(std::size_t i, const std::string& name, const Mark& mark,
+                                               std::vector<std::string>& known, const std::string& prefix) {
+  const Problem& problem = statement_.situations[i].problem;
+  if (problem.has_blow()) {
+    if (name == "before") return Home{i, 0, std::nullopt};
+    if (name == "after") return Home{i, 1, std::nullopt};
+    known.push_back(prefix + "before");
+    known.push_back(prefix + "after");
+  }
+  for (std::size_t k = 0; k < problem.stages.size(); ++k) {
+    const std::string& stage = problem.stages[k].name;
+    if (name == stage || name == stage + ".start") return Home{i, k, std::nullopt};
+    if (name == stage + ".end") {
+      if (k + 1 < problem.stages.size()) return Home{i, k + 1, std::nullopt};
+      if (const std::optional<double> end = motion(i).stage_end(k)) return Home{i, k, end};
+      fail(problem.file, mark, "stage '" + stage + "' has no end", "write lasts: or until:");
+    }
+    known.push_back(prefix + stage);
+  }
+  if (!name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) != 0) {
+    DataScope<double> data(problem, settings_[i]);
+    return Home{i, 0, data.number(parse_expression(name, problem.file, mark), dimensions::time)};
+  }
+  for (const Instant& instant : problem.instants) {
+    if (instant.name != name) {
+      if (!problem.has_blow()) known.push_back(prefix + instant.name);
+      continue;
+    }
+    if (instant.found_when)
+      return Home{i, 0, motion(i).times(*instant.found_when, std::nullopt, 0, std::nullopt).front()};
+    if (!is_later(problem, instant)) return start_of(i);
+  }
+  if (name == "start" && !problem.has_blow()) return Home{i, 0, std::nullopt};
+  DataScope<double> data(problem, settings_[i]);
+  if (data.knows(name)) {
+    const Value<double> value = data.value(parse_expression(name, problem.file, mark));
+    if (value.is_number() && same_kind(value.dimension, dimensions::time)) return Home{i, 0, value.number};
+  }
+  return std::nullopt;
+}
+
+std::vector<double> Sample::times(const Ask& ask) {
+  const Problem& problem = statement_.situations.front().problem;
+  if (statement_.situations.size() > 1)
+    fail(problem.file, ask.mark, "times are asked of a file with one situation",
+         "state the situations in files of their own");
+  DataScope<double> data(problem, settings_.front());
+  const double from = ask.when->from ? data.number(*ask.when->from, dimensions::time) : 0;
+  const std::optional<double> to =
+      ask.when->to ? std::optional(data.number(*ask.when->to, dimensions::time)) : std::nullopt;
+  if (to && !(*to > from))
+    fail(problem.file, ask.when->to->mark(), "the span ends before it begins", "write from: 0 s, to: 4 s");
+  std::vector<double> found = motion(0).times(ask.when->condition, ask.axes, from, to);
+  if (ask.when->first && found.size() > 1) found = {found.front()};
+  if (ask.when->first && found.empty())
+    fail(problem.file, ask.when->condition.mark(),
+         "'" + to_string(ask.when->condition) + "' does not happen in this span");
+  return found;
+}
+
+// The columns with another value of a datum, with the unknowns that follow it.
+void Sample::add_row_over_datum(const Ask& ask, const AllSettings& settings, std::vector<Value<double>>& values) {
+  const Problem& problem = statement_.situations.front().problem;
+  AllSettings all = settings;
+  Settings known = settings.front();
+  for (const Unknown& unknown : problem.find)
+    if (unknown.name != ask.table->over) known.erase(unknown.name);
+  UnknownSearch search(statement_, known);
+  if (!search.unknowns().empty()) {
+    const RootsFound found = search.find(known);
+    if (found.roots.size() != 1)
+      fail(problem.file, ask.table->over_mark,
+           found.roots.empty() ? "there is no solution at a value of '" + ask.table->over + "' in this table"
+                               : "there are several solutions at a value of '" + ask.table->over + "' in this table",
+           "narrow the range, or tell by where: which solution is meant");
+    all = found.roots.front();
+  }
+  Sample there(statement_, all, choice_);
+  for (const NamedExpression& column : ask.table->columns) {
+    Value<double> value = there.value_at(there.home(column.value, column.mark), column.value, ask.axes);
+    if (!value.is_number())
+      fail(problem.file, column.mark, "column '" + column.name + "' is no number",
+           "ask for a component such as .x, or norm(...)");
+    values.push_back(std::move(value));
+  }
+}
+
+// One row after the other: the values that the table runs over, then every column there.
+std::vector<Value<double>> Sample::table(const Ask& ask) {
+  const Problem& problem = statement_.situations.front().problem;
+  if (statement_.situations.size() > 1)
+    fail(problem.file, ask.mark, "a table is asked of a file with one situation",
+         "state the situations in files of their own");
+  const Table& table = *ask.table;
+  SolvedInstant& start = instant(start_of(0));
+  const NamedCoordinate* coordinate = start.machine().coordinate(table.over);
+  const bool over_time = table.over == "time";
+  const std::vector<std::string> data_names = settable_names(problem);
+  const bool over_datum = std::find(data_names.begin(), data_names.end(), table.over) != data_names.end();
+  if (!over_time && !coordinate && !over_datum) {
+    std::vector<std::string> known = data_names;
+    known.emplace_back("time");
+    for (const NamedCoordinate& c : start.machine().coordinates)
+      if (!c.name.empty()) known.push_back(c.name);
+    fail(problem.file, table.over_mark, "'" + table.over + "' is neither time, nor a coordinate or datum",
+         did_you_mean(table.over, known));
+  }
+  // The values that it runs over.
+  std::vector<double> rows;
+  constexpr std::size_t most_rows = 10'000;
+  Dimension dimension = dimensions::time;
+  const auto number = [&](const Expression& expression) {
+    const Value<double> value = start.ask(expression, std::nullopt, nullptr);
+    if (!value.is_number()) fail(problem.file, expression.mark(), "expected a number");
+    if (value.number != 0 || !value.bare) dimension = value.dimension;
+    return value.number;
+  };
+  if (const Range* range = table.values.as<Range>()) {
+    const double from = number(range->from), to = number(range->to), by = std::abs(number(range->step));
+    if (!(by > 0)) fail(problem.file, range->step.mark(), "the step of a range is not zero");
+    const double span = to - from, count = std::floor(std::abs(span) / by * (1 + 1e-12) + 1e-9);
+    if (count >= static_cast<double>(most_rows))
+      fail(problem.file, table.values.mark(), "the table has more than 10 000 rows", "take a larger step");
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(count); ++k)
+      rows.push_back(from + (span < 0 ? -by : by) * static_cast<double>(k));
+    // The end of a range that ends at an extreme belongs to it.
+    if (asks_motion_feature(range->to) && std::abs(rows.back() - to) > 1e-9 * by) rows.push_back(to);
+  } else {
+    for (const Expression& item : table.values.as<List>()->items) rows.push_back(number(item));
+  }
+  if (over_time && std::any_of(rows.begin(), rows.end(), [](double time) { return time < 0; }))
+    fail(problem.file, table.values.mark(), "the motion begins at 0 s: there is no time before it");
+
+  std::vector<Value<double>> values;
+  for (double row : rows) {
+    const auto add = [&](auto&& value_of) {
+      for (const NamedExpression& column : table.columns) {
+        Value<double> value = value_of(column.value);
+        if (!value.is_number())
+          fail(problem.file, column.mark, "column '" + column.name + "' is no number",
+               "ask for a component such as .x, or norm(...)");
+        values.push_back(std::move(value));
+      }
+    };
+    if (over_time || coordinate) {
+      const double time = over_time ? row
+                                    : motion(0).time_of(parse_expression(table.over, problem.file, table.over_mark),
+                                                        row, table.over_mark);
+      add([&](const Expression& expression) { return motion(0).value(time, expression, ask.axes); });
+    } else {
+      AllSettings settings = settings_;
+      settings.front()[table.over] = Value<double>::of_number(row, dimension);
+      add_row_over_datum(ask, settings, values);
+    }
+  }
+  return values;
+}
+
+}  // namespace poinsot::statement
