@@ -119,7 +119,7 @@ void MechanismDynamics::Parts::find_couplings() {
   for (std::size_t i = 0; i < mechanism.constraints.size(); ++i) {
     const VelocityConstraint<double>& c = mechanism.constraints[i];
     of_constraint.push_back(couple(c.on, c.from));
-    free_axis.push_back(c.kind == VelocityConstraintKind::angular ? axis_left_free<double>(mechanism.constraints, i)
+    free_axis.push_back(c.kind == VelocityConstraintKind::angular ? axis_left_free(mechanism.constraints, i)
                                                                   : std::nullopt);
   }
   for (const Component<double>& component : mechanism.components) of_component.push_back(of_action(component.action));

@@ -3,74 +3,79 @@
 #include <algorithm>
 #include <cmath>
 
+#include "poinsot/dynamics/velocity_constraint.h"
+#include "poinsot/math/plain.h"
+
 namespace poinsot::solve {
 namespace {
 
-using Vector = Vector3<double>;
-
-// The rotation vector of a rotation matrix, for angles below a half turn.
-Vector rotation_vector(const Matrix3<double>& R) {
-  const Vector twice_sine{R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)};
-  const double sine = 0.5 * norm(twice_sine), cosine = 0.5 * (R(0, 0) + R(1, 1) + R(2, 2) - 1);
-  if (sine < 1e-12) return 0.5 * twice_sine;
-  return (std::atan2(sine, cosine) / (2 * sine)) * twice_sine;
-}
-
 // By how much a constraint is open.
-double gap_of(const Moment& moment, const VelocityConstraint<double>& c) {
-  const Model<double>& tree = moment.mechanism().tree;
-  const Workspace<double>& w = moment.workspace();
-  switch (c.kind) {
-    case VelocityConstraintKind::angular: {
-      const Matrix3<double> R_from = body_rotation(tree, w, c.from), R_on = body_rotation(tree, w, c.on);
-      return dot(c.along.vector, rotation_vector(transpose(R_from) * R_on));
-    }
-    case VelocityConstraintKind::point:
-      return dot(moment.direction(c.along), moment.position(c.at) - moment.position(c.toward));
-    case VelocityConstraintKind::cord_length:
-      return norm(moment.position(c.at) - moment.position(c.toward)) - c.length;
-    case VelocityConstraintKind::rolling: {
-      const Vector n = moment.direction(c.along);
-      const Vector center = point_position(tree, w, c.on, c.center);
-      double reach = c.radius;
-      if (norm_squared(c.axis) > 0) {
-        const double along = dot(n, direction_on_ground(tree, w, c.on, c.axis));
-        reach *= std::sqrt(std::max(0.0, 1 - along * along));
-      }
-      const double height = dot(n, center - moment.position(c.toward));
-      return height < 0 ? height + reach : height - reach;
-    }
-  }
-  return 0;
+template <class Scalar>
+Scalar gap_of(const MomentOf<Scalar>& moment, std::size_t constraint) {
+  const Mechanism<Scalar>& mechanism = moment.mechanism();
+  return constraint_gap(mechanism.tree, moment.workspace(), mechanism.constraints[constraint],
+                        axis_left_free(mechanism.constraints, constraint));
 }
+
+template <class Scalar>
+std::vector<std::size_t> constraints_on_positions(const Mechanism<Scalar>& mechanism) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < mechanism.constraints.size(); ++i)
+    if (binds_positions(mechanism.constraints[i])) found.push_back(i);
+  return found;
+}
+
+// Velocity coordinates that may move: those of coordinates without a value.
+template <class Scalar>
+std::vector<bool> movable_coordinates(const Model<Scalar>& tree, const std::vector<bool>& given) {
+  std::vector<bool> movable(static_cast<std::size_t>(tree.velocity_size()), true);
+  for (const Body<Scalar>& body : tree.bodies())
+    for (int k = 0; k < velocity_size(body.joint); ++k)
+      if (position_size(body.joint) == 1 && given[static_cast<std::size_t>(body.q)])
+        movable[static_cast<std::size_t>(body.v + k)] = false;
+  return movable;
+}
+
+// One step of Newton's method: displacements of the movable coordinates that close the gaps of some constraints.
+class ClosingStep {
+ public:
+  // movable must outlive the step.
+  template <class Scalar>
+  ClosingStep(const Model<Scalar>& tree, double length, const std::vector<bool>& movable)
+      : length_(length), movable_(movable) {
+    for (int k = 0; k < tree.velocity_size(); ++k) system_.add_unknown("", coordinate_turns(tree, k) ? 1 : length);
+  }
+  double unit(VelocityConstraintKind kind) const { return kind == VelocityConstraintKind::angular ? 1 : length_; }
+  void add(VelocityConstraintKind kind, const std::vector<double>& coefficients, double gap) {
+    const std::size_t row = system_.add_equation("", unit(kind));
+    for (std::size_t k = 0; k < coefficients.size(); ++k)
+      if (movable_[k] && coefficients[k] != 0) system_.add(row, k, coefficients[k]);
+    system_.add_right_side(row, -gap);
+  }
+  std::vector<double> displacements() const { return system_.solve().value; }
+
+ private:
+  LinearSystem system_;
+  double length_;
+  const std::vector<bool>& movable_;
+};
 
 }  // namespace
-
-bool binds_positions(const VelocityConstraint<double>& c) {
-  return c.action < 0 || c.kind == VelocityConstraintKind::cord_length || c.normal;
-}
 
 Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>& target,
                    const std::vector<bool>& given) {
   const Model<double>& tree = mechanism.tree;
   Closure result;
   result.q = neutral_state(tree).q;
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < mechanism.constraints.size(); ++i)
-    if (binds_positions(mechanism.constraints[i])) rows.push_back(i);
+  const std::vector<std::size_t> rows = constraints_on_positions(mechanism);
   bool moved = false;
   for (std::size_t k = 0; k < target.size(); ++k) moved = moved || (given[k] && target[k] != result.q[k]);
   if (rows.empty() || !moved) {
     result.q = target;
     return result;
   }
-  // Velocity coordinates that may move: those of coordinates without a value.
-  std::vector<bool> movable(static_cast<std::size_t>(tree.velocity_size()), true);
-  for (const Body<double>& body : tree.bodies())
-    for (int k = 0; k < velocity_size(body.joint); ++k)
-      if (position_size(body.joint) == 1 && given[static_cast<std::size_t>(body.q)])
-        movable[static_cast<std::size_t>(body.v + k)] = false;
-  const Scales scales = natural_scales(mechanism);
+  const std::vector<bool> movable = movable_coordinates(tree, given);
+  const double length = natural_scales(mechanism).length;
   Moment moment(mechanism);
   double largest = 0;
   for (std::size_t k = 0; k < target.size(); ++k)
@@ -82,55 +87,69 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
     const int most = step == steps ? 60 : 6;
     for (int iteration = 0; iteration < most; ++iteration) {
       moment.set_positions(result.q);
-      LinearSystem system;
-      for (int k = 0; k < tree.velocity_size(); ++k)
-        system.add_unknown("", coordinate_turns(tree, k) ? 1 : scales.length);
+      ClosingStep newton(tree, length, movable);
       double worst = 0;
       for (std::size_t i : rows) {
         const VelocityConstraint<double>& c = mechanism.constraints[i];
-        const double unit = c.kind == VelocityConstraintKind::angular ? 1 : scales.length;
-        const double gap = gap_of(moment, c);
-        if (std::abs(gap) / unit >= worst) {
-          worst = std::abs(gap) / unit;
+        const double gap = gap_of(moment, i);
+        if (std::abs(gap) / newton.unit(c.kind) >= worst) {
+          worst = std::abs(gap) / newton.unit(c.kind);
           result.gap = std::abs(gap);
           result.where = c.words;
         }
-        const std::size_t row = system.add_equation("", unit);
-        const std::vector<double> coefficients = constraint_coefficients(moment, c);
-        for (std::size_t k = 0; k < coefficients.size(); ++k)
-          if (movable[k] && coefficients[k] != 0) system.add(row, k, coefficients[k]);
-        system.add_right_side(row, -gap);
+        newton.add(c.kind, constraint_coefficients(moment, c), gap);
       }
       if (worst < 1e-14) break;
-      const LinearSolution correction = system.solve();
-      integrate_position<double>(tree, result.q, correction.value, 1.0);
+      integrate_position<double>(tree, result.q, newton.displacements(), 1.0);
     }
   }
   return result;
 }
 
-void update_contacts(Mechanism<double>& mechanism, const Moment& moment) {
-  const Model<double>& tree = mechanism.tree;
-  const Workspace<double>& w = moment.workspace();
-  for (VelocityConstraint<double>& c : mechanism.constraints) {
+std::vector<Dual<1>> varied_pose(const Mechanism<Dual<1>>& mechanism, const std::vector<double>& closed,
+                                 const std::vector<Dual<1>>& target, const std::vector<bool>& given) {
+  const Model<Dual<1>>& tree = mechanism.tree;
+  const std::vector<std::size_t> rows = constraints_on_positions(mechanism);
+  if (rows.empty()) return target;
+  std::vector<Dual<1>> q(closed.begin(), closed.end());
+  for (std::size_t k = 0; k < q.size(); ++k)
+    if (given[k]) q[k].partial = target[k].partial;
+  // What varies opens the gaps while the other coordinates are held; one step of theirs closes them again.
+  const std::vector<bool> movable = movable_coordinates(tree, given);
+  MomentOf<Dual<1>> moment(mechanism);
+  moment.set_positions(q);
+  ClosingStep newton(tree, natural_scales(mechanism).length, movable);
+  for (std::size_t i : rows) {
+    const VelocityConstraint<Dual<1>>& c = mechanism.constraints[i];
+    newton.add(c.kind, plain(constraint_coefficients(moment, c)), gap_of(moment, i).partial[0]);
+  }
+  std::vector<Dual<1>> step;
+  for (double displacement : newton.displacements()) step.push_back({0.0, {displacement}});
+  integrate_position<Dual<1>>(tree, q, step, Dual<1>(1));
+  return q;
+}
+
+template <class Scalar>
+void update_contacts(Mechanism<Scalar>& mechanism, const MomentOf<Scalar>& moment) {
+  using Vector = Vector3<Scalar>;
+  const Model<Scalar>& tree = mechanism.tree;
+  const Workspace<Scalar>& w = moment.workspace();
+  for (VelocityConstraint<Scalar>& c : mechanism.constraints) {
     if (c.kind != VelocityConstraintKind::rolling) continue;
-    const Vector center = point_position(tree, w, c.on, c.center);
-    const Vector b = moment.direction(c.surface_axis);
-    const Vector was = moment.position(c.at) - center;
-    Vector u = b;
-    if (norm_squared(c.axis) > 0) {
-      const Vector e = direction_on_ground(tree, w, c.on, c.axis);
-      u = b - dot(b, e) * e;
-    }
-    if (norm(u) < 1e-9) continue;
-    // The side of the center that faces the surface.
-    const double side = dot(center - moment.position(c.toward), b) > 0 ? -1 : 1;
-    const Vector r = (side * c.radius) * normalized(u);
-    if (norm(r - was) < 1e-12 * c.radius) continue;
-    c.at.point = c.center + direction_on_body(tree, w, c.on, r);
-    for (Component<double>& component : mechanism.components)
+    const std::optional<Vector> r = detail::reach_of_rolling(tree, w, c);
+    if (!r) continue;
+    const Vector was = moment.position(c.at) - point_position(tree, w, c.on, c.center);
+    // What is nothing but rounding leaves the point where it is; its derivatives still count.
+    Vector change = *r - was;
+    if (norm(plain(change)) < 1e-12 * plain(c.radius)) change = change - lifted<Scalar>(plain(change));
+    if (vanishes(change.x) && vanishes(change.y) && vanishes(change.z)) continue;
+    c.at.point += direction_on_body(tree, w, c.on, change);
+    for (Component<Scalar>& component : mechanism.components)
       if (component.action == c.action) component.at = c.at;
   }
 }
+
+template void update_contacts(Mechanism<double>&, const MomentOf<double>&);
+template void update_contacts(Mechanism<Dual<1>>&, const MomentOf<Dual<1>>&);
 
 }  // namespace poinsot::solve

@@ -3,22 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "poinsot/math/plain.h"
+#include "solve/equation_rows.h"
+
 namespace poinsot::solve {
 namespace {
 
-using Vector = Vector3<double>;
-using Wrench = SpatialForce<double>;
-
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
-Vector point_rate(const Moment& moment, int body, const Vector& p) {
-  const BodyMotion<double>& motion = moment.workspace().motion[static_cast<std::size_t>(body + 1)];
+template <class Scalar>
+Vector3<Scalar> point_rate(const MomentOf<Scalar>& moment, int body, const Vector3<Scalar>& p) {
+  const BodyMotion<Scalar>& motion = moment.workspace().motion[static_cast<std::size_t>(body + 1)];
   return motion.v + cross(motion.w, p - motion.p);
 }
 
 }  // namespace
 
-ImpulseUnknowns impulse_unknowns(const Mechanism<double>& mechanism, const Blow& blow) {
+template <class Scalar>
+ImpulseUnknowns impulse_unknowns(const Mechanism<Scalar>& mechanism, const BlowOf<Scalar>& blow) {
   ImpulseUnknowns unknowns;
   unknowns.velocities = static_cast<std::size_t>(mechanism.tree.velocity_size());
   unknowns.components = mechanism.components.size();
@@ -29,20 +31,23 @@ ImpulseUnknowns impulse_unknowns(const Mechanism<double>& mechanism, const Blow&
   return unknowns;
 }
 
-LinearSolution solve_impulse(const Moment& before, const Scales& scales, const Blow& blow,
-                             const std::vector<Condition>& conditions, const std::vector<bool>& acting,
-                             LinearSystem* equations) {
-  const Mechanism<double>& mechanism = before.mechanism();
-  const Model<double>& tree = mechanism.tree;
+template <class Scalar>
+LinearSystemOf<Scalar> impulse_equations(const MomentOf<Scalar>& before, const Scales& scales,
+                                         const BlowOf<Scalar>& blow, const std::vector<ConditionOf<Scalar>>& conditions,
+                                         const std::vector<bool>& acting) {
+  using Vector = Vector3<Scalar>;
+  using Wrench = SpatialForce<Scalar>;
+  const Mechanism<Scalar>& mechanism = before.mechanism();
+  const Model<Scalar>& tree = mechanism.tree;
   const ImpulseUnknowns unknowns = impulse_unknowns(mechanism, blow);
   const double impulse_scale = scales.mass * scales.length / scales.time;
   const double couple_scale = impulse_scale * scales.length;
 
-  LinearSystem system;
+  LinearSystemOf<Scalar> system;
   for (int k = 0; k < tree.velocity_size(); ++k)
     system.add_unknown(mechanism.coordinate_names[static_cast<std::size_t>(k)] + " after the blow",
                        coordinate_turns(tree, k) ? 1 : scales.length);
-  for (const Component<double>& component : mechanism.components) {
+  for (const Component<Scalar>& component : mechanism.components) {
     const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
     system.add_unknown(std::string(component.couple ? "impulsive couple" : "impulse") + "(" + action.name + ")" +
                            (component.axis.empty() ? "" : " along " + component.axis),
@@ -52,16 +57,17 @@ LinearSolution solve_impulse(const Moment& before, const Scales& scales, const B
     system.add_unknown(
         "impulsive drive(" + mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint + ")",
         mechanism.drives[drive].turning ? couple_scale : impulse_scale);
-  for (const Impact& impact : blow.impacts) system.add_unknown("impulse(" + impact.name + ")", impulse_scale);
+  for (const ImpactOf<Scalar>& impact : blow.impacts) system.add_unknown("impulse(" + impact.name + ")", impulse_scale);
 
   // System momenta before + external impulses = system momenta after (Eq. 17.4), body by body, about its mass center.
   std::vector<std::size_t> first_row(static_cast<std::size_t>(tree.body_count()), 0);
   std::vector<Vector> center(static_cast<std::size_t>(tree.body_count()));
   for (int i = 0; i < tree.body_count(); ++i) {
     if (!mechanism.takes_part[static_cast<std::size_t>(i)]) continue;
-    const double mass = tree.body(i).inertia.mass;
-    const Vector G = mass > 0 ? body_mass_center(tree, before.workspace(), i)
-                              : before.workspace().motion[static_cast<std::size_t>(i + 1)].p;
+    const Scalar& mass = tree.body(i).inertia.mass;
+    const bool massive = plain(mass) > 0;
+    const Vector G = massive ? body_mass_center(tree, before.workspace(), i)
+                             : before.workspace().motion[static_cast<std::size_t>(i + 1)].p;
     center[static_cast<std::size_t>(i)] = G;
     std::size_t row = 0;
     for (int k = 0; k < 3; ++k) {
@@ -72,16 +78,16 @@ LinearSolution solve_impulse(const Moment& before, const Scales& scales, const B
     for (int k = 0; k < 3; ++k)
       system.add_equation("moments of the impulses on " + tree.name(i) + " about " + axis_names[k], couple_scale);
     first_row[static_cast<std::size_t>(i)] = row;
-    if (!(mass > 0)) continue;
-    const Momentum<double> momentum = body_momentum(tree, before.workspace(), i, G);
+    if (!massive) continue;
+    const Momentum<Scalar> momentum = body_momentum(tree, before.workspace(), i, G);
     for (std::size_t k = 0; k < 3; ++k) {
       system.add_right_side(row + k, momentum.linear[k]);
       system.add_right_side(row + 3 + k, momentum.angular[k]);
     }
-    const Matrix3<double> R = before.workspace().motion[static_cast<std::size_t>(i + 1)].R;
-    const SpatialInertia<double>& I = tree.body(i).inertia;
-    const SymmetricMatrix3<double> I_G = I.inertia - mass * unit_mass_inertia(I.first_moment / mass);
-    for_each_coordinate_motion(tree, before.workspace(), i, G, [&](int coordinate, const SpatialMotion<double>& S) {
+    const Matrix3<Scalar> R = before.workspace().motion[static_cast<std::size_t>(i + 1)].R;
+    const SpatialInertia<Scalar>& I = tree.body(i).inertia;
+    const SymmetricMatrix3<Scalar> I_G = I.inertia - mass * unit_mass_inertia(I.first_moment / mass);
+    for_each_coordinate_motion(tree, before.workspace(), i, G, [&](int coordinate, const SpatialMotion<Scalar>& S) {
       const Vector H = R * (I_G * transpose_times(R, S.angular));
       for (std::size_t k = 0; k < 3; ++k) {
         system.add(row + k, static_cast<std::size_t>(coordinate), mass * S.linear[k]);
@@ -89,7 +95,7 @@ LinearSolution solve_impulse(const Moment& before, const Scales& scales, const B
       }
     });
   }
-  const auto on_body = [&](int body, double sign, const Wrench& wrench, auto&& add) {
+  const auto on_body = [&](int body, const Scalar& sign, const Wrench& wrench, auto&& add) {
     if (body == ground || !mechanism.takes_part[static_cast<std::size_t>(body)]) return;
     const std::size_t row = first_row[static_cast<std::size_t>(body)];
     const Vector moment_G = wrench.moment - cross(center[static_cast<std::size_t>(body)], wrench.force);
@@ -99,12 +105,12 @@ LinearSolution solve_impulse(const Moment& before, const Scales& scales, const B
     }
   };
   const auto act = [&](std::size_t column, int on, int from, const Wrench& wrench) {
-    const auto add = [&](std::size_t row, double value) { system.add(row, column, -value); };
-    on_body(on, 1, wrench, add);
-    on_body(from, -1, wrench, add);
+    const auto add = [&](std::size_t row, const Scalar& value) { system.add(row, column, -value); };
+    on_body(on, Scalar(1), wrench, add);
+    on_body(from, Scalar(-1), wrench, add);
   };
   std::size_t column = unknowns.velocities;
-  for (const Component<double>& component : mechanism.components) {
+  for (const Component<Scalar>& component : mechanism.components) {
     const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
     act(column++, action.on, action.from, before.component_wrench(component));
   }
@@ -112,87 +118,94 @@ LinearSolution solve_impulse(const Moment& before, const Scales& scales, const B
     const Action& action = mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)];
     act(column++, action.on, action.from, before.drive_wrench(mechanism.drives[drive]));
   }
-  for (const Impact& impact : blow.impacts) act(column++, impact.on, impact.from, impact_wrench(before, impact));
-  for (const KnownImpulse& impulse : blow.impulses) {
-    on_body(impulse.on, 1, impulse.wrench, [&](std::size_t row, double value) { system.add_right_side(row, value); });
-    if (impulse.absorbed == 0) continue;
+  for (const ImpactOf<Scalar>& impact : blow.impacts)
+    act(column++, impact.on, impact.from, impact_wrench(before, impact));
+  for (const KnownImpulseOf<Scalar>& impulse : blow.impulses) {
+    on_body(impulse.on, Scalar(1), impulse.wrench,
+            [&](std::size_t row, const Scalar& value) { system.add_right_side(row, value); });
+    if (vanishes(impulse.absorbed)) continue;
     const Vector P = before.position(impulse.at);
-    for_each_coordinate_motion(tree, before.workspace(), impulse.on, P, [&](int k, const SpatialMotion<double>& S) {
+    for_each_coordinate_motion(tree, before.workspace(), impulse.on, P, [&](int k, const SpatialMotion<Scalar>& S) {
       const Vector taken = impulse.absorbed * S.linear;
-      on_body(impulse.on, 1, {cross(P, taken), taken},
-              [&](std::size_t row, double value) { system.add(row, static_cast<std::size_t>(k), value); });
+      on_body(impulse.on, Scalar(1), {cross(P, taken), taken},
+              [&](std::size_t row, const Scalar& value) { system.add(row, static_cast<std::size_t>(k), value); });
     });
   }
 
   // What joints, contacts and taut cords forbid is still forbidden; what does not act gives no impulse.
   for (std::size_t i = 0; i < mechanism.constraints.size(); ++i) {
-    const VelocityConstraint<double>& constraint = mechanism.constraints[i];
+    const VelocityConstraint<Scalar>& constraint = mechanism.constraints[i];
     if (constraint.action >= 0 && !acting[static_cast<std::size_t>(constraint.action)]) continue;
-    const std::size_t row =
-        system.add_equation(constraint.words, constraint.kind == VelocityConstraintKind::angular ? 1 : scales.length);
-    const std::vector<double> coefficients = constraint_coefficients(before, constraint);
-    for (std::size_t k = 0; k < coefficients.size(); ++k)
-      if (coefficients[k] != 0) system.add(row, k, coefficients[k]);
+    add_constraint(system, constraint, constraint_coefficients(before, constraint), scales);
   }
   for (std::size_t i = 0; i < mechanism.components.size(); ++i) {
-    const Component<double>& component = mechanism.components[i];
+    const Component<Scalar>& component = mechanism.components[i];
     if (acting[static_cast<std::size_t>(component.action)]) continue;
     const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
-    system.add(system.add_equation("no impulse of '" + action.name + "'", impulse_scale), unknowns.velocities + i, 1);
+    system.add(system.add_equation("no impulse of '" + action.name + "'", impulse_scale), unknowns.velocities + i,
+               Scalar(1));
   }
   for (std::size_t drive : unknowns.drive_of_effort) {
     const auto k = static_cast<std::size_t>(mechanism.drives[drive].coordinate);
     const std::size_t row =
         system.add_equation(mechanism.coordinate_names[k] + " is held",
                             coordinate_turns(tree, mechanism.drives[drive].coordinate) ? 1 : scales.length);
-    system.add(row, k, 1);
+    system.add(row, k, Scalar(1));
     system.add_right_side(row, before.state().v[k]);
   }
   for (int k : blow.held_coordinates) {
     const std::size_t row = system.add_equation(mechanism.coordinate_names[static_cast<std::size_t>(k)] + " is held",
                                                 coordinate_turns(tree, k) ? 1 : scales.length);
-    system.add(row, static_cast<std::size_t>(k), 1);
+    system.add(row, static_cast<std::size_t>(k), Scalar(1));
     system.add_right_side(row, before.state().v[static_cast<std::size_t>(k)]);
   }
   // Relative velocity after = -e times that before, along the push.
-  for (const Impact& impact : blow.impacts) {
+  for (const ImpactOf<Scalar>& impact : blow.impacts) {
     const std::size_t row = system.add_equation("restitution at '" + impact.name + "'", scales.length);
     const Vector P = before.position(impact.at), n = before.direction(impact.push);
-    for (const auto& [body, sign] : {std::pair{impact.on, 1.0}, std::pair{impact.from, -1.0}})
+    for (const auto& [body, sign] : {std::pair{impact.on, Scalar(1)}, std::pair{impact.from, Scalar(-1)}})
       for_each_coordinate_motion(tree, before.workspace(), body, P,
-                                 [&, side = sign](int k, const SpatialMotion<double>& S) {
+                                 [&, side = sign](int k, const SpatialMotion<Scalar>& S) {
                                    system.add(row, static_cast<std::size_t>(k), side * dot(n, S.linear));
                                  });
     system.add_right_side(row, -impact.restitution * approach(before, impact));
   }
-  for (const Condition& condition : conditions) {
-    const std::size_t row = system.add_equation(condition.words, condition.scale);
-    for (std::size_t k = 0; k < condition.coefficients.size(); ++k)
-      if (condition.coefficients[k] != 0) system.add(row, k, condition.coefficients[k]);
-    system.add_right_side(row, condition.value);
-  }
+  for (const ConditionOf<Scalar>& condition : conditions) add_condition(system, condition);
+  return system;
+}
+
+LinearSolution solve_impulse(const Moment& before, const Scales& scales, const Blow& blow,
+                             const std::vector<Condition>& conditions, const std::vector<bool>& acting,
+                             LinearSystem* equations) {
+  LinearSystem system = impulse_equations(before, scales, blow, conditions, acting);
   LinearSolution solution = system.solve();
   if (equations) *equations = std::move(system);
   return solution;
 }
 
-Wrench impact_wrench(const Moment& moment, const Impact& impact) {
-  const Vector n = moment.direction(impact.push);
+template <class Scalar>
+SpatialForce<Scalar> impact_wrench(const MomentOf<Scalar>& moment, const ImpactOf<Scalar>& impact) {
+  const Vector3<Scalar> n = moment.direction(impact.push);
   return {cross(moment.position(impact.at), n), n};
 }
 
-double approach(const Moment& moment, const Impact& impact) {
-  const Vector P = moment.position(impact.at);
+template <class Scalar>
+Scalar approach(const MomentOf<Scalar>& moment, const ImpactOf<Scalar>& impact) {
+  const Vector3<Scalar> P = moment.position(impact.at);
   return dot(moment.direction(impact.push), point_rate(moment, impact.on, P) - point_rate(moment, impact.from, P));
 }
 
-Wrench action_impulse(const Moment& moment, const Blow& blow, const std::vector<double>& unknowns, std::size_t action) {
-  const Mechanism<double>& mechanism = moment.mechanism();
+template <class Scalar>
+SpatialForce<Scalar> action_impulse(const MomentOf<Scalar>& moment, const BlowOf<Scalar>& blow,
+                                    const std::vector<Scalar>& unknowns, std::size_t action) {
+  using Vector = Vector3<Scalar>;
+  using Wrench = SpatialForce<Scalar>;
+  const Mechanism<Scalar>& mechanism = moment.mechanism();
   const ImpulseUnknowns order = impulse_unknowns(mechanism, blow);
   const int index = static_cast<int>(action);
   Wrench total = Wrench::zero();
   std::size_t column = order.velocities;
-  for (const Component<double>& component : mechanism.components) {
+  for (const Component<Scalar>& component : mechanism.components) {
     if (component.action == index) total += unknowns[column] * moment.component_wrench(component);
     ++column;
   }
@@ -201,21 +214,36 @@ Wrench action_impulse(const Moment& moment, const Blow& blow, const std::vector<
       total += unknowns[column] * moment.drive_wrench(mechanism.drives[drive]);
     ++column;
   }
-  for (const Impact& impact : blow.impacts) {
+  for (const ImpactOf<Scalar>& impact : blow.impacts) {
     if (impact.action == index) total += unknowns[column] * impact_wrench(moment, impact);
     ++column;
   }
-  for (const KnownImpulse& impulse : blow.impulses) {
+  for (const KnownImpulseOf<Scalar>& impulse : blow.impulses) {
     if (impulse.action != index) continue;
     total += impulse.wrench;
     const Vector P = moment.position(impulse.at);
     for_each_coordinate_motion(
-        mechanism.tree, moment.workspace(), impulse.on, P, [&](int k, const SpatialMotion<double>& S) {
+        mechanism.tree, moment.workspace(), impulse.on, P, [&](int k, const SpatialMotion<Scalar>& S) {
           const Vector kept = (-impulse.absorbed * unknowns[static_cast<std::size_t>(k)]) * S.linear;
           total += Wrench{cross(P, kept), kept};
         });
   }
   return total;
 }
+
+template ImpulseUnknowns impulse_unknowns(const Mechanism<double>&, const BlowOf<double>&);
+template LinearSystemOf<double> impulse_equations(const MomentOf<double>&, const Scales&, const BlowOf<double>&,
+                                                  const std::vector<ConditionOf<double>>&, const std::vector<bool>&);
+template SpatialForce<double> impact_wrench(const MomentOf<double>&, const ImpactOf<double>&);
+template double approach(const MomentOf<double>&, const ImpactOf<double>&);
+template SpatialForce<double> action_impulse(const MomentOf<double>&, const BlowOf<double>&, const std::vector<double>&,
+                                             std::size_t);
+template ImpulseUnknowns impulse_unknowns(const Mechanism<Dual<1>>&, const BlowOf<Dual<1>>&);
+template LinearSystemOf<Dual<1>> impulse_equations(const MomentOf<Dual<1>>&, const Scales&, const BlowOf<Dual<1>>&,
+                                                   const std::vector<ConditionOf<Dual<1>>>&, const std::vector<bool>&);
+template SpatialForce<Dual<1>> impact_wrench(const MomentOf<Dual<1>>&, const ImpactOf<Dual<1>>&);
+template Dual<1> approach(const MomentOf<Dual<1>>&, const ImpactOf<Dual<1>>&);
+template SpatialForce<Dual<1>> action_impulse(const MomentOf<Dual<1>>&, const BlowOf<Dual<1>>&,
+                                              const std::vector<Dual<1>>&, std::size_t);
 
 }  // namespace poinsot::solve

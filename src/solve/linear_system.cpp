@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "poinsot/math/plain.h"
+
 namespace poinsot::solve {
 namespace {
 
@@ -41,53 +43,117 @@ bool LinearSolution::determined(std::size_t unknown) const {
                       [&](const auto& moved) { return std::find(moved.begin(), moved.end(), unknown) != moved.end(); });
 }
 
-std::size_t LinearSystem::add_unknown(std::string name, double scale) {
+template <class Scalar>
+std::size_t LinearSystemOf<Scalar>::add_unknown(std::string name, double scale) {
   names_.push_back(std::move(name));
   unknown_scale_.push_back(scale);
   return names_.size() - 1;
 }
 
-std::size_t LinearSystem::add_equation(std::string words, double scale) {
+template <class Scalar>
+std::size_t LinearSystemOf<Scalar>::add_equation(std::string words, double scale) {
   words_.push_back(std::move(words));
   equation_scale_.push_back(scale);
-  right_side_.push_back(0);
+  right_side_.push_back(Scalar(0));
   right_size_.push_back(0);
   return words_.size() - 1;
 }
 
-void LinearSystem::add(std::size_t equation, std::size_t unknown, double coefficient, std::optional<double> rounding) {
+template <class Scalar>
+void LinearSystemOf<Scalar>::add(std::size_t equation, std::size_t unknown, const Scalar& coefficient,
+                                 std::optional<double> rounding) {
   entries_.push_back({equation, unknown, coefficient, rounding});
 }
 
-void LinearSystem::add_right_side(std::size_t equation, double value, double size) {
+template <class Scalar>
+void LinearSystemOf<Scalar>::add_right_side(std::size_t equation, const Scalar& value, double size) {
   right_side_[equation] += value;
-  right_size_[equation] += std::max(std::abs(value), size);
+  right_size_[equation] += std::max(std::abs(plain(value)), size);
 }
 
-LinearSolution LinearSystem::solve() const {
-  // Without equations one that says nothing leaves every unknown open.
-  const auto m = static_cast<Eigen::Index>(std::max<std::size_t>(equations(), 1));
-  const auto n = static_cast<Eigen::Index>(unknowns());
+template <class Scalar>
+std::vector<std::vector<Scalar>> LinearSystemOf<Scalar>::coefficients() const {
+  std::vector<std::vector<Scalar>> rows(equations(), std::vector<Scalar>(unknowns(), Scalar(0)));
+  for (const Entry& entry : entries_) rows[entry.equation][entry.unknown] += entry.coefficient;
+  return rows;
+}
+
+template <class Scalar>
+LinearSolution LinearSystemOf<Scalar>::solve() const {
+  return LinearFactors(*this).solution();
+}
+
+// Sizes: m equations (at least one), n unknowns. A y = b are the scaled equations: A_ij = row_i a_ij column_j.
+struct LinearFactors::Parts {
+  Eigen::MatrixXd A;
+  Eigen::VectorXd row, column;              // from the units of the caller to the scaled ones
+  Eigen::VectorXd row_scale, column_scale;  // the part of them beyond natural units
+  Eigen::VectorXd x, misfit;                // scaled
+  std::optional<Eigen::ColPivHouseholderQR<Eigen::MatrixXd>> qr;
+  Eigen::Index rank = 0;
+  bool finite = true;
   LinearSolution solution;
-  solution.value.assign(unknowns(), 0.0);
+
+  auto triangle() const { return qr->matrixR().topLeftCorner(rank, rank).template triangularView<Eigen::Upper>(); }
+  // The basic solution for a right side.
+  Eigen::VectorXd basic(const Eigen::VectorXd& right) const {
+    Eigen::VectorXd c = right;
+    c.applyOnTheLeft(qr->householderQ().setLength(qr->nonzeroPivots()).adjoint());
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(A.cols());
+    y.head(rank) = triangle().solve(c.head(rank));
+    return qr->colsPermutation() * y;
+  }
+  void find_open_directions();
+};
+
+void LinearFactors::Parts::find_open_directions() {
+  const Eigen::Index n = A.cols();
+  for (Eigen::Index k = rank; k < n; ++k) {
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(n);
+    if (rank > 0) y.head(rank) = -triangle().solve(qr->matrixR().col(k).head(rank));
+    y[k] = 1;
+    const Eigen::VectorXd direction = qr->colsPermutation() * y;
+    const double size = direction.cwiseAbs().maxCoeff();
+    std::vector<double> open(static_cast<std::size_t>(n));
+    std::vector<std::size_t> moved;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      if (std::abs(direction[j]) <= open_tolerance * size) continue;
+      open[j] = direction[j] * column[j];
+      moved.push_back(static_cast<std::size_t>(j));
+    }
+    solution.open.push_back(std::move(open));
+    solution.share.push_back(std::move(moved));
+  }
+}
+
+template <class Scalar>
+LinearFactors::LinearFactors(const LinearSystemOf<Scalar>& system, const LinearScaling* held)
+    : parts_(std::make_unique<Parts>()) {
+  Parts& parts = *parts_;
+  // Without equations one that says nothing leaves every unknown open.
+  const auto m = static_cast<Eigen::Index>(std::max<std::size_t>(system.equations(), 1));
+  const auto n = static_cast<Eigen::Index>(system.unknowns());
+  LinearSolution& solution = parts.solution;
+  solution.value.assign(system.unknowns(), 0.0);
 
   // In natural units.
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(m, n);
+  Eigen::MatrixXd& A = parts.A;
+  A = Eigen::MatrixXd::Zero(m, n);
   Eigen::VectorXd b(m), rows(m), columns(n);
   rows.setOnes();
   b.setZero();
-  for (std::size_t i = 0; i < equations(); ++i) {
+  for (std::size_t i = 0; i < system.equations(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    rows[row] = 1 / equation_scale_[i];
-    b[row] = right_side_[i] * rows[row];
+    rows[row] = 1 / system.equation_scale_[i];
+    b[row] = plain(system.right_side_[i]) * rows[row];
   }
-  for (Eigen::Index j = 0; j < n; ++j) columns[j] = unknown_scale_[j];
+  for (Eigen::Index j = 0; j < n; ++j) columns[j] = system.unknown_scale_[static_cast<std::size_t>(j)];
   Eigen::MatrixXd rounding = Eigen::MatrixXd::Zero(m, n);
   std::vector<bool> known_rounding(static_cast<std::size_t>(m), true);
-  for (const Entry& entry : entries_) {
+  for (const auto& entry : system.entries_) {
     const auto i = static_cast<Eigen::Index>(entry.equation);
     const auto j = static_cast<Eigen::Index>(entry.unknown);
-    A(i, j) += entry.coefficient * rows[i] * columns[j];
+    A(i, j) += plain(entry.coefficient) * rows[i] * columns[j];
     rounding(i, j) += entry.rounding.value_or(0) * rows[i] * columns[j];
     if (!entry.rounding) known_rounding[entry.equation] = false;
   }
@@ -96,70 +162,57 @@ LinearSolution LinearSystem::solve() const {
     if (!A.row(i).allFinite() || !std::isfinite(b[i])) solution.conflict.push_back(static_cast<std::size_t>(i));
   if (!solution.conflict.empty()) {
     solution.residual = std::numeric_limits<double>::infinity();
-    return solution;
+    parts.finite = false;
+    return;
   }
   for (Eigen::Index i = 0; i < m && n; ++i)
     if (!known_rounding[static_cast<std::size_t>(i)])
       rounding.row(i).setConstant(1e-14 * A.row(i).cwiseAbs().maxCoeff());
   A = (A.array().abs() <= rounding.array()).select(0, A);
-  Eigen::VectorXd row_scale = Eigen::VectorXd::Ones(m), column_scale = Eigen::VectorXd::Ones(n);
-  if (m && n) equilibrate(A, row_scale, column_scale);
-  b.array() *= row_scale.array();
+  parts.row_scale = Eigen::VectorXd::Ones(m);
+  parts.column_scale = Eigen::VectorXd::Ones(n);
+  if (held) {
+    for (Eigen::Index i = 0; i < m; ++i) parts.row_scale[i] = held->equations[static_cast<std::size_t>(i)];
+    for (Eigen::Index j = 0; j < n; ++j) parts.column_scale[j] = held->unknowns[static_cast<std::size_t>(j)];
+    A = parts.row_scale.asDiagonal() * A * parts.column_scale.asDiagonal();
+  } else if (m && n) {
+    equilibrate(A, parts.row_scale, parts.column_scale);
+  }
+  parts.row = rows.cwiseProduct(parts.row_scale);
+  parts.column = columns.cwiseProduct(parts.column_scale);
+  b.array() *= parts.row_scale.array();
 
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXd& x = parts.x;
+  x = Eigen::VectorXd::Zero(n);
   if (m && n) {
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
-    qr.setThreshold(rank_tolerance);
-    const Eigen::Index rank = qr.rank();
-    const auto R = qr.matrixR();
-    if (rank > 0) {
-      solution.condition = std::abs(R(0, 0) / R(rank - 1, rank - 1));
-      // The basic solution, with one step of refinement.
-      const auto basic = [&](const Eigen::VectorXd& right) {
-        Eigen::VectorXd c = right;
-        c.applyOnTheLeft(qr.householderQ().setLength(qr.nonzeroPivots()).adjoint());
-        Eigen::VectorXd y = Eigen::VectorXd::Zero(n);
-        y.head(rank) = R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(c.head(rank));
-        return Eigen::VectorXd(qr.colsPermutation() * y);
-      };
-      x = basic(b);
-      x += basic(b - A * x);
+    parts.qr.emplace(A);
+    parts.qr->setThreshold(rank_tolerance);
+    parts.rank = parts.qr->rank();
+    if (parts.rank > 0) {
+      const auto R = parts.qr->matrixR();
+      solution.condition = std::abs(R(0, 0) / R(parts.rank - 1, parts.rank - 1));
+      // With one step of refinement.
+      x = parts.basic(b);
+      x += parts.basic(b - A * x);
     }
-    for (Eigen::Index k = rank; k < n; ++k) {
-      Eigen::VectorXd y = Eigen::VectorXd::Zero(n);
-      if (rank > 0)
-        y.head(rank) = -R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(R.col(k).head(rank));
-      y[k] = 1;
-      const Eigen::VectorXd direction = qr.colsPermutation() * y;
-      const double size = direction.cwiseAbs().maxCoeff();
-      std::vector<double> open(unknowns());
-      std::vector<std::size_t> moved;
-      for (Eigen::Index j = 0; j < n; ++j) {
-        if (std::abs(direction[j]) <= open_tolerance * size) continue;
-        open[j] = direction[j] * column_scale[j] * columns[j];
-        moved.push_back(static_cast<std::size_t>(j));
-      }
-      solution.open.push_back(std::move(open));
-      solution.share.push_back(std::move(moved));
-    }
+    parts.find_open_directions();
   }
 
   // Misfit, relative to the largest term met anywhere.
-  const Eigen::VectorXd misfit = m ? Eigen::VectorXd(b - A * x) : Eigen::VectorXd();
-  for (Eigen::Index i = 0; i < m; ++i) solution.misfit.push_back(misfit[i] / row_scale[i]);
+  parts.misfit = b - A * x;
+  const Eigen::VectorXd& misfit = parts.misfit;
+  for (Eigen::Index i = 0; i < m; ++i) solution.misfit.push_back(misfit[i] / parts.row_scale[i]);
   double term = 0;
-  for (std::size_t i = 0; i < equations(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    term = std::max(term, right_size_[i] * rows[row] * row_scale[row]);
-  }
+  for (std::size_t i = 0; i < system.equations(); ++i)
+    term = std::max(term, system.right_size_[i] * parts.row[static_cast<Eigen::Index>(i)]);
   if (m && n) {
     const Eigen::VectorXd terms = A.cwiseAbs() * x.cwiseAbs();
     term = std::max(term, terms.maxCoeff());
-    solution.size = terms.cwiseQuotient(row_scale).maxCoeff();
+    solution.size = terms.cwiseQuotient(parts.row_scale).maxCoeff();
   }
-  for (std::size_t i = 0; i < equations(); ++i)
-    solution.size = std::max(solution.size, right_size_[i] * rows[static_cast<Eigen::Index>(i)]);
-  if (m && term > 0) {
+  for (std::size_t i = 0; i < system.equations(); ++i)
+    solution.size = std::max(solution.size, system.right_size_[i] * rows[static_cast<Eigen::Index>(i)]);
+  if (term > 0) {
     solution.residual = misfit.cwiseAbs().maxCoeff() / term;
     if (!(solution.residual <= conflict_tolerance)) {
       const double worst = misfit.cwiseAbs().maxCoeff();
@@ -167,8 +220,69 @@ LinearSolution LinearSystem::solve() const {
         if (!(std::abs(misfit[i]) <= 1e-6 * worst)) solution.conflict.push_back(static_cast<std::size_t>(i));
     }
   }
-  for (Eigen::Index j = 0; j < n; ++j) solution.value[j] = x[j] * column_scale[j] * columns[j];
-  return solution;
+  for (Eigen::Index j = 0; j < n; ++j) solution.value[static_cast<std::size_t>(j)] = x[j] * parts.column[j];
 }
+
+LinearFactors::LinearFactors(LinearFactors&&) noexcept = default;
+LinearFactors& LinearFactors::operator=(LinearFactors&&) noexcept = default;
+LinearFactors::~LinearFactors() = default;
+
+const LinearSolution& LinearFactors::solution() const { return parts_->solution; }
+
+LinearScaling LinearFactors::scaling() const {
+  const Eigen::VectorXd &rows = parts_->row_scale, &columns = parts_->column_scale;
+  return {{rows.begin(), rows.end()}, {columns.begin(), columns.end()}};
+}
+
+LinearDerivative LinearFactors::derivative(const LinearSystemOf<Dual<1>>& varied) const {
+  const Parts& parts = *parts_;
+  const Eigen::Index m = parts.A.rows(), n = parts.A.cols(), rank = parts.rank;
+  LinearDerivative derivative;
+  if (!parts.finite) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    derivative.value.assign(static_cast<std::size_t>(n), none);
+    derivative.misfit.assign(static_cast<std::size_t>(m), none);
+    return derivative;
+  }
+  // h = db - dA x and g = dA^T r, scaled.
+  Eigen::VectorXd h = Eigen::VectorXd::Zero(m), g = Eigen::VectorXd::Zero(n);
+  for (std::size_t i = 0; i < varied.equations(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    h[row] = varied.right_side_[i].partial[0] * parts.row[row];
+  }
+  for (const auto& entry : varied.entries_) {
+    if (entry.coefficient.partial[0] == 0) continue;
+    const auto i = static_cast<Eigen::Index>(entry.equation);
+    const auto j = static_cast<Eigen::Index>(entry.unknown);
+    const double change = entry.coefficient.partial[0] * parts.row[i] * parts.column[j];
+    h[i] -= change * parts.x[j];
+    g[j] += change * parts.misfit[i];
+  }
+  // With A P = Q [R S; 0 0]: c = Q^T h, u = R^-T of the basic part of P^T g; dy = R^-1 (c_1 + u), dr = Q [-u; c_2].
+  Eigen::VectorXd dx = Eigen::VectorXd::Zero(n), dr = h;
+  if (rank > 0) {
+    const auto Q = parts.qr->householderQ().setLength(parts.qr->nonzeroPivots());
+    dr.applyOnTheLeft(Q.adjoint());
+    const Eigen::VectorXd basic_g = parts.qr->colsPermutation().transpose() * g;
+    const Eigen::VectorXd u = parts.qr->matrixR()
+                                  .topLeftCorner(rank, rank)
+                                  .transpose()
+                                  .triangularView<Eigen::Lower>()
+                                  .solve(basic_g.head(rank));
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(n);
+    y.head(rank) = parts.triangle().solve(dr.head(rank) + u);
+    dx = parts.qr->colsPermutation() * y;
+    dr.head(rank) = -u;
+    dr.applyOnTheLeft(Q);
+  }
+  for (Eigen::Index j = 0; j < n; ++j) derivative.value.push_back(dx[j] * parts.column[j]);
+  for (Eigen::Index i = 0; i < m; ++i) derivative.misfit.push_back(dr[i] / parts.row_scale[i]);
+  return derivative;
+}
+
+template class LinearSystemOf<double>;
+template class LinearSystemOf<Dual<1>>;
+template LinearFactors::LinearFactors(const LinearSystemOf<double>&, const LinearScaling*);
+template LinearFactors::LinearFactors(const LinearSystemOf<Dual<1>>&, const LinearScaling*);
 
 }  // namespace poinsot::solve

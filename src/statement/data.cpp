@@ -168,6 +168,12 @@ Value<double> read_setting(const Problem& problem, const std::string& name, cons
   return value;
 }
 
+Value<Dual<1>> as_variable(const Value<double>& value, std::size_t component) {
+  Value<Dual<1>> varied = lifted<Dual<1>>(value);
+  (value.is_vector() ? varied.vector[component] : varied.number).partial[0] = 1;
+  return varied;
+}
+
 template <class Scalar>
 DataScope<Scalar>::DataScope(const Problem& problem, const Settings& settings, Scalar time)
     : problem_(problem), settings_(settings), time_(std::move(time)) {}
@@ -220,6 +226,7 @@ Value<Scalar> DataScope<Scalar>::name(const Name& name, const Mark& mark, const 
     evaluator.fail(mark, "'" + name.name + "' could mean " + meanings[0] + " or " + meanings[1], "rename one of them");
   const Choice* choice = find_choice(problem_, name.name);
   if (datum || letter || unknown || choice) {
+    if (const auto varied = varied_.find(name.name); varied != varied_.end()) return varied->second;
     if (const auto set = settings_.find(name.name); set != settings_.end()) return lifted<Scalar>(set->second);
   }
   if (datum) return lookup(*datum, "given");
@@ -328,5 +335,6 @@ Scalar DataScope<Scalar>::gravity_size() {
 template class DataScope<double>;
 template class DataScope<Dual<1>>;
 template class DataScope<TimeJet>;
+template class DataScope<TimeJetOf<Dual<1>>>;
 
 }  // namespace poinsot::statement

@@ -55,8 +55,5 @@ template Value<double> evaluate(const Expression&, Scope<double>&, const std::st
 template class Evaluator<Dual<1>>;
 template class Scope<Dual<1>>;
 template Value<Dual<1>> evaluate(const Expression&, Scope<Dual<1>>&, const std::string&);
-template class Evaluator<Dual<1, Dual<1>>>;
-template class Scope<Dual<1, Dual<1>>>;
-template Value<Dual<1, Dual<1>>> evaluate(const Expression&, Scope<Dual<1, Dual<1>>>&, const std::string&);
 
 }  // namespace poinsot::statement

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "poinsot/mass/principal_axes.h"
+#include "poinsot/motion/mechanism_dynamics.h"
 #include "poinsot/solve/closure.h"
 #include "statement/instant.h"
 #include "statement/reader.h"
@@ -52,21 +53,23 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
     moment.set_positions(q);
     solve::update_contacts(mechanism, moment);
   };
-  std::vector<solve::Condition> held;
-  for (const StatedRate& rate : machine_.accelerations) {
-    solve::Condition condition{rate.words, std::vector<double>(solve::force_unknowns(mechanism).size()), rate.value,
-                               rate.turning ? 1 : scales_.length};
-    condition.coefficients[static_cast<std::size_t>(rate.velocity)] = 1;
-    held.push_back(std::move(condition));
-  }
+  std::vector<int> held;
+  for (const StatedRate& rate : machine_.accelerations) held.push_back(rate.velocity);
+  MechanismDynamics dynamics(machine_.mechanism, held);
+  for (const StatedRate& rate : machine_.accelerations) dynamics.set_held_acceleration(rate.velocity, rate.value);
+  for (const OpenCoordinate& open : dynamics.open_coordinates(machine_.q))
+    fail(problem_.file, mark,
+         "the motion near the steady one is not determined: nothing fixes the " +
+             machine_.mechanism.coordinate_names[static_cast<std::size_t>(open.coordinate)] +
+             (open.without_inertia ? ", which moves no mass" : ""),
+         "say what holds or drives it");
   motion.accelerations = [&](const std::vector<double>& q,
                              const std::vector<double>& v) -> std::optional<std::vector<double>> {
-    place(q);
-    moment.set_velocities(v);
-    const solve::LinearSolution solution = solve::solve_motion(moment, scales_, held);
-    for (std::size_t k = 0; k < n; ++k)
-      if (!solution.determined(k)) return std::nullopt;
-    return std::vector<double>(solution.value.begin(), solution.value.begin() + static_cast<std::ptrdiff_t>(n));
+    std::vector<double> a(n);
+    dynamics.accelerations(q, v, a);
+    for (double each : a)
+      if (!std::isfinite(each)) return std::nullopt;
+    return a;
   };
   std::vector<std::size_t> order;
   for (const bool positions : {true, false})

@@ -1,5 +1,8 @@
 // From a stated problem with values to a mechanism: bodies, frames and joints become a tree, everything else acts on
 // it.
+//
+// Scalar: double, or Dual<1> to know how everything varies with one number of the statement. What is decided on the way
+// is decided on plain numbers.
 #pragma once
 
 #include <map>
@@ -26,55 +29,63 @@ struct NamedCoordinate {
 };
 
 // The rate or acceleration of a coordinate as the statement gives it.
-struct StatedRate {
+template <class Scalar>
+struct StatedRateOf {
   std::string words;
   int velocity = 0;
-  double value = 0;
+  Scalar value{};
   bool turning = true;
   Mark mark;
 };
+using StatedRate = StatedRateOf<double>;
 
-struct JointPlace {
-  Place<double> at;  // rides with the held body
-  std::optional<Direction<double>> axis;
+template <class Scalar>
+struct JointPlaceOf {
+  Place<Scalar> at;  // rides with the held body
+  std::optional<Direction<Scalar>> axis;
   int from = ground, to = ground;
 };
+using JointPlace = JointPlaceOf<double>;
 
 // An impulse on a body in any pose; `absorbed`: mass of a particle that stays in the body at the place.
-struct StatedImpulse {
+template <class Scalar>
+struct StatedImpulseOf {
   int action = 0;
   int on = ground;
   bool couple = false;
-  Place<double> at;
-  Vector3<double> vector{};  // on the axes of `axes`
+  Place<Scalar> at;
+  Vector3<Scalar> vector{};  // on the axes of `axes`
   int axes = ground;
-  double absorbed = 0;
-  double particle_mass = 0;        // of a strike
+  Scalar absorbed{};
+  Scalar particle_mass{};          // of a strike
   std::optional<int> relative_to;  // of a strike: the vector is the particle's mass times its velocity relative to this
-  double kept = 0;                 // of a strike: the part of its momentum relative to the body that it keeps
+  Scalar kept{};                   // of a strike: the part of its momentum relative to the body that it keeps
 };
+using StatedImpulse = StatedImpulseOf<double>;
 
-struct Machine {
-  Mechanism<double> mechanism;
-  std::vector<solve::CheckLink> links;           // of each body of the tree, as drawn
-  std::map<std::string, int> index;              // of bodies and frames, and "ground"
-  std::map<int, Vector3<double>> drawn_origin;   // of each tree body, on ground axes
-  std::vector<std::pair<int, BodyMass>> masses;  // of each body of the statement
+template <class Scalar>
+struct MachineOf {
+  Mechanism<Scalar> mechanism;
+  std::vector<solve::CheckLink> links;                     // of each body of the tree, as drawn; for the check
+  std::map<std::string, int> index;                        // of bodies and frames, and "ground"
+  std::map<int, Vector3<Scalar>> drawn_origin;             // of each tree body, on ground axes
+  std::vector<std::pair<int, BodyMassOf<Scalar>>> masses;  // of each body of the statement
   std::vector<NamedCoordinate> coordinates;
-  std::vector<double> q;             // positions that the data give; the rest as drawn
+  std::vector<Scalar> q;             // positions that the data give; the rest as drawn
   std::vector<bool> position_given;  // of each entry of q
-  std::vector<StatedRate> rates, accelerations;
-  std::vector<StatedImpulse> impulses;
-  std::vector<solve::Impact> impacts;
-  std::map<std::string, JointPlace> joints;
+  std::vector<StatedRateOf<Scalar>> rates, accelerations;
+  std::vector<StatedImpulseOf<Scalar>> impulses;
+  std::vector<solve::ImpactOf<Scalar>> impacts;
+  std::map<std::string, JointPlaceOf<Scalar>> joints;
   std::vector<std::string> loop_joints;  // joints that close loops
 
   // The place that a point as drawn takes on a body.
-  Place<double> place(int body, const Vector3<double>& drawn) const;
+  Place<Scalar> place(int body, const Vector3<Scalar>& drawn) const;
   const NamedCoordinate* coordinate(const std::string& name) const;
   // The actions that the name stands for: joints with their supports and drives, supports, contacts, cords, springs.
   std::vector<std::size_t> actions_of(const std::string& name, const std::string& joint = "") const;
 };
+using Machine = MachineOf<double>;
 
 struct MachineOptions {
   bool lenient = false;                           // unknowns have trial values
@@ -83,8 +94,12 @@ struct MachineOptions {
   std::optional<std::vector<std::string>> loads;  // those that act; all when left out
 };
 
-// data must have been made for the same problem and time. Throws StatementError.
-Machine build_machine(const Problem& problem, DataScope<double>& data, DataScope<TimeJet>& timed, const AnyValue& any,
-                      const MachineOptions& options);
+// data and timed must have been made for the same problem and time, and vary in the same way. Throws StatementError.
+template <class Scalar>
+MachineOf<Scalar> build_machine(const Problem& problem, DataScope<Scalar>& data, DataScope<TimeJetOf<Scalar>>& timed,
+                                const AnyValue& any, const MachineOptions& options);
+
+extern template struct MachineOf<double>;
+extern template struct MachineOf<Dual<1>>;
 
 }  // namespace poinsot::statement

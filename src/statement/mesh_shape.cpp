@@ -4,7 +4,6 @@
 #include <map>
 
 #include "poinsot/mass/mesh_reader.h"
-#include "statement/reader.h"
 
 namespace poinsot::statement {
 namespace {
@@ -24,9 +23,8 @@ std::string path_of(const Shape& shape, const std::string& problem_file) {
   return path.string();
 }
 
-}  // namespace
-
-ShapeValues mesh_shape(const Shape& shape, const Vector3<double>& p_OM, const std::string& problem_file) {
+// The mesh in metres, its origin at p_OM.
+TriangleMesh<double> read_mesh(const Shape& shape, const Vector3<double>& p_OM, const std::string& problem_file) {
   if (!same_kind(shape.mesh_unit.dimension, dimensions::length))
     fail(problem_file, shape.mark,
          "the unit of a mesh is a unit of length, not " + to_string(shape.mesh_unit.dimension));
@@ -41,7 +39,23 @@ ShapeValues mesh_shape(const Shape& shape, const Vector3<double>& p_OM, const st
   for (Vector3<double>& vertex : read.mesh->vertices) vertex = shape.mesh_unit.factor * vertex + p_OM;
   const std::vector<MeshFault> faults = find_faults(*read.mesh, shape.file);
   if (!faults.empty()) fail(problem_file, shape.mark, faults.front().message);
-  return {Extent::volume, solid_of_mesh(*read.mesh), particles::solid_of_mesh(*read.mesh)};
+  return *std::move(read.mesh);
 }
+
+}  // namespace
+
+template <class Scalar>
+ShapeValues<Scalar> mesh_shape(const ShapeArguments<Scalar>& arguments, const Vector3<Scalar>& p_OM) {
+  const TriangleMesh<double> mesh = read_mesh(arguments.shape(), plain(p_OM), arguments.file());
+  const ShapeProperties<double> solid = solid_of_mesh(mesh);
+  // The mesh itself is constant; where it lies need not be.
+  const Vector3<Scalar> moved = p_OM - lifted<Scalar>(plain(p_OM));
+  const ShapeProperties<Scalar> properties{lifted<Scalar>(solid.measure), lifted<Scalar>(solid.center) + moved,
+                                           lifted<Scalar>(solid.inertia_center)};
+  return arguments.values(Extent::volume, properties, [&] { return particles::solid_of_mesh(mesh); });
+}
+
+template ShapeValues<double> mesh_shape(const ShapeArguments<double>&, const Vector3<double>&);
+template ShapeValues<Dual<1>> mesh_shape(const ShapeArguments<Dual<1>>&, const Vector3<Dual<1>>&);
 
 }  // namespace poinsot::statement

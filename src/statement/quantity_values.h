@@ -9,16 +9,6 @@
 namespace poinsot::statement {
 
 template <class Scalar>
-Vector3<double> plain(const Vector3<Scalar>& a) {
-  return {plain(a.x), plain(a.y), plain(a.z)};
-}
-
-template <class Scalar>
-Vector3<Scalar> lifted(const Vector3<double>& a) {
-  return {Scalar(a.x), Scalar(a.y), Scalar(a.z)};
-}
-
-template <class Scalar>
 Value<Scalar> vector_value(const Vector3<Scalar>& v, const Dimension& dimension) {
   return Value<Scalar>::of_vector(v, dimension);
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "motion/random_mechanisms.h"
 #include "poinsot/model/builder.h"
 
 namespace poinsot::solve {
@@ -61,6 +62,29 @@ TEST(Closure, TheDrawnPoseIsKeptWhenNothingMoves) {
   const Closure closure = close_pose(slider_crank(0.3, 0.8), {0.0, 0.0, 0.0}, {true, false, false});
   EXPECT_EQ(closure.gap, 0);
   EXPECT_EQ(closure.q, (std::vector<double>{0, 0, 0}));
+}
+
+TEST(Closure, AHingeThatClosesALoopMayTurnFar) {
+  // A body on a ball joint at the end of a crank; its hinge keeps its axis on a block that does not turn.
+  const Vector axis = normalized(Vector{1, 1, 0.3});
+  const MassProperties<double> none{};
+  for (const double q : {0.5, 1.9, 2.2, 2.6, 3.0, 5.0}) {
+    poinsot::testing::MechanismMaker maker;
+    const int crank = maker.add_body(ground, Joint<double>::revolute(axis), Vector::zero(), none);
+    const int rod = maker.add_body(crank, Joint<double>::ball(), {0.3, 0, 0}, none);
+    const int block = maker.add_body(ground, Joint<double>::free(), {0.5, 0, 0}, none);
+    maker.finish_tree(Vector::zero());
+    maker.close_loop(rod, block, {0.5, 0, 0}, axis);
+    for (std::size_t k = 0; k < 3; ++k)
+      maker.mechanism.constraints.push_back(
+          maker.constraint(VelocityConstraintKind::angular, -1, block, ground, {0.5, 0, 0}, Vector::unit(k)));
+    std::vector<double> target(12, 0.0);
+    std::vector<bool> given(12, false);
+    target[0] = q;
+    target[1] = target[5] = 1;
+    given[0] = true;
+    EXPECT_LT(close_pose(maker.mechanism, target, given).gap, 1e-12) << q;
+  }
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <span>
+#include <vector>
 
 #include "poinsot/dynamics/kinematics.h"
 #include "poinsot/math/plain.h"
@@ -112,11 +112,10 @@ Vector3<Scalar> constraint_point(const Model<Scalar>& tree, const Workspace<Scal
   return point_position(tree, w, c.at.body, c.at.point);
 }
 
-// The row without its bias. After update_poses.
+// The row without its bias, at the point P where it holds. After update_poses.
 template <class Scalar>
 PlacedForce<Scalar> constraint_force(const Model<Scalar>& tree, const Workspace<Scalar>& w,
-                                     const VelocityConstraint<Scalar>& c) {
-  const Vector3<Scalar> P = constraint_point(tree, w, c);
+                                     const VelocityConstraint<Scalar>& c, const Vector3<Scalar>& P) {
   const Vector3<Scalar> none = Vector3<Scalar>::zero();
   if (c.kind == VelocityConstraintKind::cord_length) {
     const Vector3<Scalar> Q = point_position(tree, w, c.toward.body, c.toward.point);
@@ -127,12 +126,18 @@ PlacedForce<Scalar> constraint_force(const Model<Scalar>& tree, const Workspace<
   return {P, d, none};
 }
 
-// The row with its bias. After update_accelerations with the accelerations that the coordinates are known to have.
+template <class Scalar>
+PlacedForce<Scalar> constraint_force(const Model<Scalar>& tree, const Workspace<Scalar>& w,
+                                     const VelocityConstraint<Scalar>& c) {
+  return constraint_force(tree, w, c, constraint_point(tree, w, c));
+}
+
+// The row with its bias, at the point P where it holds. After update_accelerations with the accelerations that the
+// coordinates are known to have.
 template <class Scalar>
 ConstraintLine<Scalar> constraint_line(const Model<Scalar>& tree, const Workspace<Scalar>& w,
-                                       const VelocityConstraint<Scalar>& c) {
-  ConstraintLine<Scalar> line{constraint_force(tree, w, c), Scalar(0)};
-  const Vector3<Scalar>& P = line.unit.point;
+                                       const VelocityConstraint<Scalar>& c, const Vector3<Scalar>& P) {
+  ConstraintLine<Scalar> line{constraint_force(tree, w, c, P), Scalar(0)};
   const Vector3<Scalar> w_on = angular_velocity(w, c.on), w_from = angular_velocity(w, c.from);
   switch (c.kind) {
     case VelocityConstraintKind::angular: {
@@ -167,11 +172,16 @@ ConstraintLine<Scalar> constraint_line(const Model<Scalar>& tree, const Workspac
   }
   return line;
 }
+template <class Scalar>
+ConstraintLine<Scalar> constraint_line(const Model<Scalar>& tree, const Workspace<Scalar>& w,
+                                       const VelocityConstraint<Scalar>& c) {
+  return constraint_line(tree, w, c, constraint_point(tree, w, c));
+}
 
 // The axis, on the axes of `from`, about which a joint that closes a loop lets the bodies turn: two angular constraints
 // of one joint stand across it. Nothing if the joint forbids other turnings than these two.
 template <class Scalar>
-std::optional<Vector3<Scalar>> axis_left_free(std::span<const VelocityConstraint<Scalar>> constraints,
+std::optional<Vector3<Scalar>> axis_left_free(const std::vector<VelocityConstraint<Scalar>>& constraints,
                                               std::size_t index) {
   const VelocityConstraint<Scalar>& own = constraints[index];
   const auto of_joint = [&](const VelocityConstraint<Scalar>& c) {

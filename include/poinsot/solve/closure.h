@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/dynamics/velocity_constraint.h"
 #include "poinsot/solve/equations.h"
 
 namespace poinsot::solve {
@@ -21,10 +22,16 @@ struct Closure {
 Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>& target,
                    const std::vector<bool>& given);
 
-// Whether a constraint binds positions as well; those against slipping bind velocities only.
-bool binds_positions(const VelocityConstraint<double>& constraint);
+// How a closed pose varies. closed: the q that close_pose found for the plain numbers of mechanism and target. The
+// given coordinates vary as their targets do, the others by the implicit function theorem: one step of Newton's method.
+std::vector<Dual<1>> varied_pose(const Mechanism<Dual<1>>& mechanism, const std::vector<double>& closed,
+                                 const std::vector<Dual<1>>& target, const std::vector<bool>& given);
 
-// Contact points of bodies of revolution move over them as they turn: puts them where they touch now.
-void update_contacts(Mechanism<double>& mechanism, const Moment& moment);
+using poinsot::binds_positions;
+
+// Contact points of bodies of revolution move over them as they turn: puts them where they touch now. Scalar: double or
+// Dual<1>.
+template <class Scalar>
+void update_contacts(Mechanism<Scalar>& mechanism, const MomentOf<Scalar>& moment);
 
 }  // namespace poinsot::solve

@@ -7,14 +7,17 @@
 // holds. Unknown are the accelerations of all coordinates, the components that supports, contacts and cords carry, and
 // the efforts of held drives. All are kept: nothing is eliminated, so that what is open and what contradicts can be
 // named.
+//
+// Scalar: double or Dual<1>. With duals the equations carry how they change with what varies in the mechanism, its pose
+// and its velocities; LinearFactors::derivative says how their solution changes.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "poinsot/dynamics/momentum.h"
 #include "poinsot/model/mechanism.h"
 #include "poinsot/solve/linear_system.h"
+#include "poinsot/solve/moment.h"
 
 namespace poinsot::solve {
 
@@ -26,53 +29,23 @@ struct Scales {
 };
 
 // The sizes of a mechanism: extent of its points, largest mass.
-Scales natural_scales(const Mechanism<double>& mechanism);
+template <class Scalar>
+Scales natural_scales(const Mechanism<Scalar>& mechanism);
 
 // sum_k coefficients[k] x_k = value, stated by the author of the problem.
-struct Condition {
+template <class Scalar>
+struct ConditionOf {
   std::string words;
-  std::vector<double> coefficients;
-  double value = 0;
+  std::vector<Scalar> coefficients;
+  Scalar value{};
   double scale = 1;  // one natural unit of the quantity
 };
-
-// A mechanism in a pose with velocities: what follows from them.
-class Moment {
- public:
-  // mechanism must outlive the moment.
-  explicit Moment(const Mechanism<double>& mechanism);
-
-  // Places the bodies; velocities and accelerations become zero.
-  void set_positions(const std::vector<double>& q);
-  void set_velocities(const std::vector<double>& v);
-  void set_accelerations(const std::vector<double>& a);
-
-  const Mechanism<double>& mechanism() const { return mechanism_; }
-  const Workspace<double>& workspace() const { return workspace_; }
-  const State<double>& state() const { return state_; }
-  const std::vector<double>& accelerations() const { return accelerations_; }
-
-  Vector3<double> position(const Place<double>& place) const;
-  Vector3<double> velocity(const Place<double>& place) const;
-  Vector3<double> direction(const Direction<double>& direction) const;
-  Vector3<double> on_ground_axes(int axes, const Vector3<double>& vector) const;
-
-  // About the ground's origin, on ground axes.
-  SpatialForce<double> component_wrench(const Component<double>& component) const;  // of size one
-  SpatialForce<double> drive_wrench(const Drive<double>& drive) const;              // of effort one
-  SpatialForce<double> known_wrench(const KnownForce<double>& force) const;
-  SpatialForce<double> spring_wrench(const SpringLaw<double>& spring) const;
-  // The part of a drive's effort that is known: what is stated, its spring and its damping.
-  double known_effort(const Drive<double>& drive) const;
-
- private:
-  const Mechanism<double>& mechanism_;
-  Workspace<double> workspace_;
-  State<double> state_;
-  std::vector<double> accelerations_;
-};
+using Condition = ConditionOf<double>;
 
 // Unknowns: velocity_size() velocity coordinates.
+template <class Scalar>
+LinearSystemOf<Scalar> velocity_equations(const MomentOf<Scalar>& moment, const Scales& scales,
+                                          const std::vector<ConditionOf<Scalar>>& conditions);
 LinearSolution solve_velocities(const Moment& moment, const Scales& scales, const std::vector<Condition>& conditions,
                                 LinearSystem* equations = nullptr);
 
@@ -82,17 +55,34 @@ struct ForceUnknowns {
   std::vector<std::size_t> drive_of_effort;
   std::size_t size() const { return accelerations + components + efforts; }
 };
-ForceUnknowns force_unknowns(const Mechanism<double>& mechanism);
+template <class Scalar>
+ForceUnknowns force_unknowns(const Mechanism<Scalar>& mechanism);
+template <class Scalar>
+LinearSystemOf<Scalar> motion_equations(const MomentOf<Scalar>& moment, const Scales& scales,
+                                        const std::vector<ConditionOf<Scalar>>& conditions);
 LinearSolution solve_motion(const Moment& moment, const Scales& scales, const std::vector<Condition>& conditions,
                             LinearSystem* equations = nullptr);
 
-// Coefficients of the velocity coordinates in one constraint.
-std::vector<double> constraint_coefficients(const Moment& moment, const VelocityConstraint<double>& constraint);
+// One constraint on the motion: sum_k coefficients[k] a_k + bias = 0 for the accelerations a of the coordinates, and
+// the same without the bias for their velocities.
+template <class Scalar>
+struct ConstraintRow {
+  std::vector<Scalar> coefficients;  // velocity_size() of them
+  Scalar bias{};                     // what the velocities bring
+};
+template <class Scalar>
+ConstraintRow<Scalar> constraint_row(const MomentOf<Scalar>& moment, const VelocityConstraint<Scalar>& constraint);
+template <class Scalar>
+std::vector<Scalar> constraint_coefficients(const MomentOf<Scalar>& moment,
+                                            const VelocityConstraint<Scalar>& constraint);
 
 // Whether a velocity coordinate is an angular velocity.
-bool coordinate_turns(const Model<double>& tree, int coordinate);
+template <class Scalar>
+bool coordinate_turns(const Model<Scalar>& tree, int coordinate);
 
 // Total wrench of one action, about the ground's origin on ground axes, from a solution of solve_motion.
-SpatialForce<double> action_wrench(const Moment& moment, const std::vector<double>& unknowns, std::size_t action);
+template <class Scalar>
+SpatialForce<Scalar> action_wrench(const MomentOf<Scalar>& moment, const std::vector<Scalar>& unknowns,
+                                   std::size_t action);
 
 }  // namespace poinsot::solve

@@ -14,30 +14,36 @@
 namespace poinsot::solve {
 
 // A given impulse on a body, about the ground's origin on ground axes.
-struct KnownImpulse {
+template <class Scalar>
+struct KnownImpulseOf {
   int action = 0;
   int on = ground;
-  SpatialForce<double> wrench{};
+  SpatialForce<Scalar> wrench{};
   // A particle that stays in the body at the place: it takes up its mass times the velocity of the place after.
-  double absorbed = 0;
-  Place<double> at;
+  Scalar absorbed{};
+  Place<Scalar> at;
 };
+using KnownImpulse = KnownImpulseOf<double>;
 
 // Body `on` strikes body `from` at a place; `push` is the direction of the impulse on `on` and rides with `from`.
-struct Impact {
+template <class Scalar>
+struct ImpactOf {
   std::string name;
   int action = 0;
   int on = ground, from = ground;
-  Place<double> at;
-  Direction<double> push;
-  double restitution = 0;
+  Place<Scalar> at;
+  Direction<Scalar> push;
+  Scalar restitution{};
 };
+using Impact = ImpactOf<double>;
 
-struct Blow {
-  std::vector<KnownImpulse> impulses;
-  std::vector<Impact> impacts;
+template <class Scalar>
+struct BlowOf {
+  std::vector<KnownImpulseOf<Scalar>> impulses;
+  std::vector<ImpactOf<Scalar>> impacts;
   std::vector<int> held_coordinates;  // of frames: they move on as stated
 };
+using Blow = BlowOf<double>;
 
 // Order of the unknowns: velocities after, impulses of the mechanism's components, of held drives, of the impacts.
 struct ImpulseUnknowns {
@@ -45,21 +51,29 @@ struct ImpulseUnknowns {
   std::vector<std::size_t> drive_of_effort;
   std::size_t size() const { return velocities + components + efforts + impacts; }
 };
-ImpulseUnknowns impulse_unknowns(const Mechanism<double>& mechanism, const Blow& blow);
+template <class Scalar>
+ImpulseUnknowns impulse_unknowns(const Mechanism<Scalar>& mechanism, const BlowOf<Scalar>& blow);
 
 // before: poses and velocities just before. acting: for each action of the mechanism, whether it takes part (a slack
-// cord does not). conditions: over all unknowns.
+// cord does not). conditions: over all unknowns. Scalar: double or Dual<1>.
+template <class Scalar>
+LinearSystemOf<Scalar> impulse_equations(const MomentOf<Scalar>& before, const Scales& scales,
+                                         const BlowOf<Scalar>& blow, const std::vector<ConditionOf<Scalar>>& conditions,
+                                         const std::vector<bool>& acting);
 LinearSolution solve_impulse(const Moment& before, const Scales& scales, const Blow& blow,
                              const std::vector<Condition>& conditions, const std::vector<bool>& acting,
                              LinearSystem* equations = nullptr);
 
-SpatialForce<double> impact_wrench(const Moment& moment, const Impact& impact);  // of size one
+template <class Scalar>
+SpatialForce<Scalar> impact_wrench(const MomentOf<Scalar>& moment, const ImpactOf<Scalar>& impact);  // of size one
 
 // Velocity of `on` relative to `from` along the push; negative while they approach each other.
-double approach(const Moment& moment, const Impact& impact);
+template <class Scalar>
+Scalar approach(const MomentOf<Scalar>& moment, const ImpactOf<Scalar>& impact);
 
 // Total impulse of one action, about the ground's origin on ground axes.
-SpatialForce<double> action_impulse(const Moment& moment, const Blow& blow, const std::vector<double>& unknowns,
-                                    std::size_t action);
+template <class Scalar>
+SpatialForce<Scalar> action_impulse(const MomentOf<Scalar>& moment, const BlowOf<Scalar>& blow,
+                                    const std::vector<Scalar>& unknowns, std::size_t action);
 
 }  // namespace poinsot::solve

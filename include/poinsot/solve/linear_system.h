@@ -1,9 +1,13 @@
-// Linear equations with names: what they determine, what they leave open, and where they contradict each other.
+// Linear equations with names: what they determine, what they leave open, where they contradict each other, and how
+// their solution and misfit follow when coefficients and right sides vary.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "poinsot/math/dual.h"
 
 namespace poinsot::solve {
 
@@ -23,35 +27,83 @@ struct LinearSolution {
 
 // Equations sum_j a_ij x_j = b_i. Every unknown and equation comes with the size of one natural unit of it in the
 // problem at hand, so that lengths in millimetres and couples in kilonewton metres meet as numbers near one.
-class LinearSystem {
+// Scalar: double or Dual<1>; they are solved in doubles.
+template <class Scalar>
+class LinearSystemOf {
  public:
   std::size_t add_unknown(std::string name, double scale = 1);
   std::size_t add_equation(std::string words, double scale = 1);
   // rounding: up to which a coefficient may be what rounding left of zero, in its own unit; a small part of the largest
   // one of the equation when left out. Coefficients below it count as zero.
-  void add(std::size_t equation, std::size_t unknown, double coefficient, std::optional<double> rounding = {});
+  void add(std::size_t equation, std::size_t unknown, const Scalar& coefficient, std::optional<double> rounding = {});
   // size: of the terms that the value was made from, where they may have cancelled.
-  void add_right_side(std::size_t equation, double value, double size = 0);
+  void add_right_side(std::size_t equation, const Scalar& value, double size = 0);
 
   std::size_t unknowns() const { return names_.size(); }
   std::size_t equations() const { return words_.size(); }
   const std::string& name(std::size_t unknown) const { return names_[unknown]; }
   const std::string& words(std::size_t equation) const { return words_[equation]; }
+  // a_ij as added, row by row, and b_i.
+  std::vector<std::vector<Scalar>> coefficients() const;
+  const std::vector<Scalar>& right_sides() const { return right_side_; }
 
   // By Householder QR with column pivoting on the scaled equations. Never throws; see LinearSolution::conflict, which
   // also names equations whose numbers are not finite.
   LinearSolution solve() const;
 
  private:
+  friend class LinearFactors;
   struct Entry {
     std::size_t equation, unknown;
-    double coefficient;
+    Scalar coefficient;
     std::optional<double> rounding;
   };
   std::vector<std::string> names_, words_;
-  std::vector<double> unknown_scale_, equation_scale_, right_side_;
+  std::vector<double> unknown_scale_, equation_scale_;
+  std::vector<Scalar> right_side_;
   std::vector<double> right_size_;  // sums of the magnitudes added to each right side, which may cancel there
   std::vector<Entry> entries_;
 };
+using LinearSystem = LinearSystemOf<double>;
+
+// The factors by which the rows and columns of a system, in natural units, are scaled before it is solved. Where
+// equations contradict each other they are the weights of the compromise.
+struct LinearScaling {
+  std::vector<double> equations, unknowns;
+};
+
+// The derivatives of LinearSolution::value and LinearSolution::misfit.
+struct LinearDerivative {
+  std::vector<double> value, misfit;
+};
+
+// A system solved, with its factors kept for derivatives.
+class LinearFactors {
+ public:
+  // held: take this scaling instead of the system's own; its sizes must be those of the system. With one scaling for
+  // all of a family of systems the misfit is a smooth function on it wherever the rank is constant.
+  template <class Scalar>
+  explicit LinearFactors(const LinearSystemOf<Scalar>& system, const LinearScaling* held = nullptr);
+  LinearFactors(LinearFactors&&) noexcept;
+  LinearFactors& operator=(LinearFactors&&) noexcept;
+  ~LinearFactors();
+
+  const LinearSolution& solution() const;
+  LinearScaling scaling() const;
+
+  // How solution and misfit change with the variable of the duals; `varied` has the values of the system that was
+  // factored. With y = A^+ b on the columns that the basic solution uses, r = b - A y and h = db - dA y:
+  //   dy = A^+ h + (A^T A)^+ dA^T r,   dr = (1 - A A^+) h - (A^+)^T dA^T r
+  // (Golub and Pereyra, SIAM J. Numer. Anal. 10, 413, 1973), with the scaling held and for constant rank. Where
+  // all equations hold (r = 0) this does not depend on the scaling. Not a number if the system was not finite.
+  LinearDerivative derivative(const LinearSystemOf<Dual<1>>& varied) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+extern template class LinearSystemOf<double>;
+extern template class LinearSystemOf<Dual<1>>;
 
 }  // namespace poinsot::solve

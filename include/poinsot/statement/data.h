@@ -26,15 +26,24 @@ Value<double> read_setting(const Problem& problem, const std::string& name, cons
 std::vector<std::string> settable_names(const Problem& problem);
 
 // A function of time with its first two derivatives.
-using TimeJet = Dual<1, Dual<1>>;
-inline TimeJet time_jet(double time) { return TimeJet(Dual<1>::variable(time, 0), {Dual<1>(1)}); }
+template <class Scalar>
+using TimeJetOf = Dual<1, Dual<1, Scalar>>;
+using TimeJet = TimeJetOf<double>;
+template <class Scalar>
+TimeJetOf<Scalar> time_jet(const Scalar& time) {
+  return TimeJetOf<Scalar>(Dual<1, Scalar>::variable(time, 0), {Dual<1, Scalar>(1)});
+}
 
-// Scalar: double, Dual<1> or TimeJet.
+// Scalar: double, Dual<1>, or a TimeJetOf one of these.
 template <class Scalar>
 class DataScope : public Scope<Scalar> {
  public:
   // problem and settings must outlive the scope. Every letter must have a value in settings when it is used.
   DataScope(const Problem& problem, const Settings& settings, Scalar time = Scalar(0));
+
+  // Gives a datum, letter, unknown or choice a value that varies, in place of that in settings; before anything is
+  // evaluated.
+  void vary(const std::string& name, Value<Scalar> value) { varied_[name] = std::move(value); }
 
   Value<Scalar> name(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
   Value<Scalar> call(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
@@ -61,9 +70,13 @@ class DataScope : public Scope<Scalar> {
   const Problem& problem_;
   const Settings& settings_;
   Scalar time_;
+  std::map<std::string, Value<Scalar>> varied_;
   std::map<std::string, Value<Scalar>> found_;
   std::vector<std::string> pending_;
 };
+
+// A number, or one component of a vector, as the variable of differentiation.
+Value<Dual<1>> as_variable(const Value<double>& value, std::size_t component = 0);
 
 // Whether the value of an expression follows `time`, through data as well.
 bool depends_on_time(const Problem& problem, const Expression& expression);
@@ -80,5 +93,6 @@ void collect_functions(const Expression& expression, std::set<std::string>& func
 extern template class DataScope<double>;
 extern template class DataScope<Dual<1>>;
 extern template class DataScope<TimeJet>;
+extern template class DataScope<TimeJetOf<Dual<1>>>;
 
 }  // namespace poinsot::statement

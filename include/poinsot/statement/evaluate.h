@@ -91,5 +91,9 @@ extern template Value<Dual<1>> evaluate(const Expression&, Scope<Dual<1>>&, cons
 extern template class Evaluator<Dual<1, Dual<1>>>;
 extern template class Scope<Dual<1, Dual<1>>>;
 extern template Value<Dual<1, Dual<1>>> evaluate(const Expression&, Scope<Dual<1, Dual<1>>>&, const std::string&);
+extern template class Evaluator<Dual<1, Dual<1, Dual<1>>>>;
+extern template class Scope<Dual<1, Dual<1, Dual<1>>>>;
+extern template Value<Dual<1, Dual<1, Dual<1>>>> evaluate(const Expression&, Scope<Dual<1, Dual<1, Dual<1>>>>&,
+                                                          const std::string&);
 
 }  // namespace poinsot::statement

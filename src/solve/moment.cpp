@@ -1,0 +1,120 @@
+#include "poinsot/solve/moment.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/math/plain.h"
+
+namespace poinsot::solve {
+namespace {
+
+template <class Scalar>
+SpatialForce<Scalar> force_at(const Vector3<Scalar>& position, const Vector3<Scalar>& force) {
+  return {cross(position, force), force};
+}
+
+}  // namespace
+
+template <class Scalar>
+MomentOf<Scalar>::MomentOf(const Mechanism<Scalar>& mechanism)
+    : mechanism_(mechanism), workspace_(mechanism.tree), state_(neutral_state(mechanism.tree)) {
+  accelerations_.assign(static_cast<std::size_t>(mechanism.tree.velocity_size()), Scalar(0));
+  set_positions(state_.q);
+}
+
+template <class Scalar>
+void MomentOf<Scalar>::set_positions(const std::vector<Scalar>& q) {
+  state_.q = q;
+  std::fill(state_.v.begin(), state_.v.end(), Scalar(0));
+  set_velocities(state_.v);
+}
+
+template <class Scalar>
+void MomentOf<Scalar>::set_velocities(const std::vector<Scalar>& v) {
+  state_.v = v;
+  std::fill(accelerations_.begin(), accelerations_.end(), Scalar(0));
+  set_accelerations(accelerations_);
+}
+
+template <class Scalar>
+void MomentOf<Scalar>::set_accelerations(const std::vector<Scalar>& a) {
+  accelerations_ = a;
+  update_accelerations<Scalar>(mechanism_.tree, workspace_, state_, accelerations_);
+}
+
+template <class Scalar>
+Vector3<Scalar> MomentOf<Scalar>::position(const Place<Scalar>& place) const {
+  return point_position(mechanism_.tree, workspace_, place.body, place.point);
+}
+template <class Scalar>
+Vector3<Scalar> MomentOf<Scalar>::velocity(const Place<Scalar>& place) const {
+  return point_velocity(mechanism_.tree, workspace_, place.body, place.point);
+}
+template <class Scalar>
+Vector3<Scalar> MomentOf<Scalar>::direction(const Direction<Scalar>& direction) const {
+  return direction_on_ground(mechanism_.tree, workspace_, direction.body, direction.vector);
+}
+template <class Scalar>
+Vector3<Scalar> MomentOf<Scalar>::on_ground_axes(int axes, const Vector3<Scalar>& vector) const {
+  return direction_on_ground(mechanism_.tree, workspace_, axes, vector);
+}
+
+template <class Scalar>
+SpatialForce<Scalar> MomentOf<Scalar>::component_wrench(const Component<Scalar>& component) const {
+  if (component.toward) {
+    const Vector3<Scalar> P = position(component.at);
+    return force_at(P, normalized(position(*component.toward) - P));
+  }
+  const Vector3<Scalar> d = direction(component.along);
+  if (component.couple) return {d, Vector3<Scalar>::zero()};
+  SpatialForce<Scalar> wrench = force_at(position(component.at), d);
+  wrench.moment += component.couple_per_force * d;
+  return wrench;
+}
+
+// What a motor about one axis passes on through gimbals that turn freely: a couple with moment one about its own axis
+// and none about the others.
+template <class Scalar>
+SpatialForce<Scalar> MomentOf<Scalar>::drive_wrench(const Drive<Scalar>& drive) const {
+  const Vector3<Scalar> d = direction(drive.along);
+  if (!drive.turning) return force_at(position(drive.at), d);
+  Vector3<Scalar> couple = d;
+  if (drive.others.size() == 1) {
+    const Vector3<Scalar> other = direction(drive.others[0]);
+    couple = d - dot(d, other) * other;
+  } else if (drive.others.size() == 2) {
+    couple = cross(direction(drive.others[0]), direction(drive.others[1]));
+  }
+  // Axes in one plane leave no such couple; then it is that of the axis alone.
+  const Scalar about_own = dot(couple, d);
+  return {std::abs(plain(about_own)) < 1e-9 ? d : couple / about_own, Vector3<Scalar>::zero()};
+}
+
+template <class Scalar>
+SpatialForce<Scalar> MomentOf<Scalar>::known_wrench(const KnownForce<Scalar>& force) const {
+  const Vector3<Scalar> vector = on_ground_axes(force.axes, force.vector);
+  if (force.couple) return {vector, Vector3<Scalar>::zero()};
+  return force_at(position(force.at), vector);
+}
+
+template <class Scalar>
+SpatialForce<Scalar> MomentOf<Scalar>::spring_wrench(const SpringLaw<Scalar>& spring) const {
+  const Vector3<Scalar> P = position(spring.at), Q = position(spring.toward);
+  const Vector3<Scalar> span = Q - P;
+  const Scalar length = norm(span);
+  const Vector3<Scalar> u = span / length;
+  const Scalar lengthening = dot(u, velocity(spring.toward) - velocity(spring.at));
+  return force_at<Scalar>(P, (spring.stiffness * (length - spring.free_length) + spring.damping * lengthening) * u);
+}
+
+template <class Scalar>
+Scalar MomentOf<Scalar>::known_effort(const Drive<Scalar>& drive) const {
+  const Scalar& position = state_.q[static_cast<std::size_t>(drive.position)];
+  const Scalar& rate = state_.v[static_cast<std::size_t>(drive.coordinate)];
+  return drive.effort - drive.stiffness * (position - drive.free_position) - drive.damping * rate;
+}
+
+template class MomentOf<double>;
+template class MomentOf<Dual<1>>;
+
+}  // namespace poinsot::solve

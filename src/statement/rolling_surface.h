@@ -1,0 +1,31 @@
+// How a stated body touches what it rolls on.
+#pragma once
+
+#include "poinsot/statement/data.h"
+
+namespace poinsot::statement {
+
+enum class ContactShape {
+  round,    // a circle or sphere of the body
+  corner,   // a point fixed in the body
+  unknown,  // curved in a way that is not known here: how the point of contact moves cannot be told
+  missed,   // the body is round all over, and the point is not on it
+};
+
+// How a body touches at a place.
+template <class Scalar>
+struct RollingSurface {
+  ContactShape shape = ContactShape::corner;
+  Vector3<Scalar> center{};
+  Vector3<Scalar> axis{};  // unit vector; zero for a sphere
+  Scalar radius{};
+  double gap = 0;  // from the place to the surface, m
+};
+
+// From the shape of the body whose surface the place C lies on, or from its axis of symmetry. Scalar: double or
+// Dual<1>.
+template <class Scalar>
+RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data, const Vector3<Scalar>& p_OC,
+                                       const Vector3<Scalar>& center_of_mass);
+
+}  // namespace poinsot::statement
