@@ -191,7 +191,7 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
 void SolvedInstant::solve_forces() {
   if (motion_) return;
   for (const VelocityConstraint<double>& constraint : machine_.mechanism.constraints)
-    if (constraint.shape_unknown) {
+    if (constraint.shape_unknown && !constraint.carried_by) {
       const std::string& name = machine_.mechanism.actions[static_cast<std::size_t>(constraint.action)].name;
       const auto contact = std::find_if(problem_.contacts.begin(), problem_.contacts.end(),
                                         [&](const Contact& c) { return c.name == name; });

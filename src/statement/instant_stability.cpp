@@ -46,8 +46,19 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   motion.held.assign(n, false);
   for (const StatedRate& rate : machine_.accelerations) motion.held[static_cast<std::size_t>(rate.velocity)] = true;
 
-  // Contacts move over round bodies: the mechanism is taken anew in every pose.
+  // Contacts move over round bodies: the mechanism is taken anew in every pose. Near a steady motion they no longer rest
+  // in its frame.
   Mechanism<double> mechanism = machine_.mechanism;
+  for (VelocityConstraint<double>& constraint : mechanism.constraints) {
+    if (!constraint.carried_by) continue;
+    const Vector normal = moment_->direction(constraint.surface_axis);
+    if (constraint.shape_unknown || norm(cross(turning, normal)) > 1e-9 * norm(turning))
+      fail(problem_.file, mark,
+           "how a contact moves near the steady motion is not known: it lies on a curved surface (" + constraint.words +
+               ")",
+           "stability is told for contacts of round bodies on planes across the axis of the frame");
+    constraint.carried_by.reset();
+  }
   solve::Moment moment(mechanism);
   const auto place = [&](const std::vector<double>& q) {
     moment.set_positions(q);
@@ -55,7 +66,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   };
   std::vector<int> held;
   for (const StatedRate& rate : machine_.accelerations) held.push_back(rate.velocity);
-  MechanismDynamics dynamics(machine_.mechanism, held);
+  MechanismDynamics dynamics(mechanism, held);
   for (const StatedRate& rate : machine_.accelerations) dynamics.set_held_acceleration(rate.velocity, rate.value);
   for (const OpenCoordinate& open : dynamics.open_coordinates(machine_.q))
     fail(problem_.file, mark,

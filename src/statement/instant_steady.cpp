@@ -55,6 +55,10 @@ void SolvedInstant::add_steady(std::vector<solve::Condition>& conditions, bool a
       continue;
     }
     if (!machine_.mechanism.takes_part[static_cast<std::size_t>(i)]) continue;
+    // What is fixed to the ground stays there, whatever turns about it.
+    bool fixed = true;
+    for (int j = i; j != ground; j = tree.body(j).parent) fixed = fixed && tree.body(j).joint == JointType::weld;
+    if (fixed) continue;
     if (hangs_on(frame, i)) continue;  // it carries the frame
     // w = W + s u, alpha = dW/dt + W x s u; the mass center goes with the frame.
     Vector spin_vector = Vector::zero();

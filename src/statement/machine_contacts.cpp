@@ -67,6 +67,7 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
     c.action = action;
     c.surface_axis = {from, n};
     c.shape_unknown = unknown;
+    if (draft.problem.steady) c.carried_by = draft.body(draft.problem.steady->frame);
     if (!round) return;
     c.center = draft.machine.place(on, surface.center).point;
     c.axis = surface.axis;

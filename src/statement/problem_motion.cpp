@@ -124,7 +124,15 @@ void ProblemMotion::run(std::size_t stage, double until) {
     std::vector<bool> acting = now.acting.empty() ? std::vector<bool>() : now.acting.back();
     const std::optional<std::vector<std::string>> loads =
         stage < problem_.stages.size() ? problem_.stages[stage].loads : std::nullopt;
-    const Machine machine = start_->machine_at(now.time, loads);
+    Machine machine = start_->machine_at(now.time, loads);
+    for (VelocityConstraint<double>& constraint : machine.mechanism.constraints) {
+      constraint.carried_by.reset();
+      if (constraint.shape_unknown)
+        fail(problem_.file, mark_of(stage),
+             "how a contact moves is not known (" + constraint.words +
+                 "): the surfaces there are no circle, sphere or corner on a plane",
+             "give the body a round shape");
+    }
     if (acting.empty()) acting.assign(machine.mechanism.actions.size(), true);
     std::vector<int> held;
     for (const StatedRate& rate : machine.accelerations) held.push_back(rate.velocity);

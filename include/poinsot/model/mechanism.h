@@ -62,6 +62,9 @@ template <class Scalar>
 struct VelocityConstraint {
   VelocityConstraintKind kind = VelocityConstraintKind::point;
   bool shape_unknown = false;  // how the contact point moves cannot be told: good for velocities only
+  // In a steady motion: the body or frame in which place and directions of the contact rest, however the surfaces are
+  // curved.
+  std::optional<int> carried_by{};
   int action = -1;             // the cord or contact that it belongs to; -1: a joint
   std::string words;           // "rolling at floor, along y"
   int on = ground;
