@@ -78,7 +78,9 @@ Json solution_json(const Solution& solution) {
   for (const auto& [name, residual] : solution.checks) {
     checks[name] = std::isfinite(residual) ? Json(residual) : Json(nullptr);
   }
-  return {{"unknowns", unknowns}, {"answers", answers}, {"checks", checks}};
+  Json json = {{"unknowns", unknowns}, {"answers", answers}, {"checks", checks}};
+  if (!solution.notes.empty()) json["notes"] = solution.notes;
+  return json;
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ Solution solution_of(const statement::Statement& stated, const statement::Soluti
     solution.answers.push_back(std::move(answer));
   }
   solution.checks = solved.checks;
+  solution.notes = solved.notes;
   return solution;
 }
 

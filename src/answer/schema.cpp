@@ -39,6 +39,11 @@ std::string answer_schema() {
           "type": "object",
           "description": "relative residuals found on an independent road; null: could not be formed",
           "additionalProperties": {"type": ["number", "null"], "minimum": 0}
+        },
+        "notes": {
+          "type": "array",
+          "description": "what else was found: stability of a steady motion, what happened during a motion",
+          "items": {"type": "string"}
         }
       }
     },

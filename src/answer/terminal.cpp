@@ -64,6 +64,7 @@ class TerminalText {
       text_ += unknowns.empty() ? "\n" : fmt::format(": {}\n", fmt::join(unknowns, ", "));
     }
     answers(solution.answers);
+    for (const std::string& note : solution.notes) text_ += "  " + printable(note) + "\n";
     if (!solution.checks.empty()) text_ += "  " + painted(Role::faint, check_line(solution.checks)) + "\n";
   }
 

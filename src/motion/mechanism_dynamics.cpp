@@ -267,6 +267,8 @@ MechanismDynamics::~MechanismDynamics() = default;
 
 const Mechanism<double>& MechanismDynamics::mechanism() const { return parts_->mechanism; }
 
+double MechanismDynamics::natural_length() const { return parts_->length; }
+
 bool MechanismDynamics::is_held(int coordinate) const {
   detail::require_index("is_held", "coordinate", coordinate, parts_->is_held.size());
   return parts_->is_held[coordinate];

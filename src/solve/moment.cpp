@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "poinsot/dynamics/action_forces.h"
 #include "poinsot/math/plain.h"
 
 namespace poinsot::solve {
 namespace {
 
+// About the ground's origin.
 template <class Scalar>
-SpatialForce<Scalar> force_at(const Vector3<Scalar>& position, const Vector3<Scalar>& force) {
-  return {cross(position, force), force};
+SpatialForce<Scalar> wrench_of(const PlacedForce<Scalar>& f) {
+  return {f.couple + cross(f.point, f.force), f.force};
 }
 
 }  // namespace
@@ -61,15 +63,7 @@ Vector3<Scalar> MomentOf<Scalar>::on_ground_axes(int axes, const Vector3<Scalar>
 
 template <class Scalar>
 SpatialForce<Scalar> MomentOf<Scalar>::component_wrench(const Component<Scalar>& component) const {
-  if (component.toward) {
-    const Vector3<Scalar> P = position(component.at);
-    return force_at(P, normalized(position(*component.toward) - P));
-  }
-  const Vector3<Scalar> d = direction(component.along);
-  if (component.couple) return {d, Vector3<Scalar>::zero()};
-  SpatialForce<Scalar> wrench = force_at(position(component.at), d);
-  wrench.moment += component.couple_per_force * d;
-  return wrench;
+  return wrench_of(component_force(mechanism_.tree, workspace_, component));
 }
 
 // What a motor about one axis passes on through gimbals that turn freely: a couple with moment one about its own axis
@@ -77,7 +71,7 @@ SpatialForce<Scalar> MomentOf<Scalar>::component_wrench(const Component<Scalar>&
 template <class Scalar>
 SpatialForce<Scalar> MomentOf<Scalar>::drive_wrench(const Drive<Scalar>& drive) const {
   const Vector3<Scalar> d = direction(drive.along);
-  if (!drive.turning) return force_at(position(drive.at), d);
+  if (!drive.turning) return wrench_of<Scalar>({position(drive.at), d, Vector3<Scalar>::zero()});
   Vector3<Scalar> couple = d;
   if (drive.others.size() == 1) {
     const Vector3<Scalar> other = direction(drive.others[0]);
@@ -92,19 +86,12 @@ SpatialForce<Scalar> MomentOf<Scalar>::drive_wrench(const Drive<Scalar>& drive) 
 
 template <class Scalar>
 SpatialForce<Scalar> MomentOf<Scalar>::known_wrench(const KnownForce<Scalar>& force) const {
-  const Vector3<Scalar> vector = on_ground_axes(force.axes, force.vector);
-  if (force.couple) return {vector, Vector3<Scalar>::zero()};
-  return force_at(position(force.at), vector);
+  return wrench_of(known_force(mechanism_.tree, workspace_, force));
 }
 
 template <class Scalar>
 SpatialForce<Scalar> MomentOf<Scalar>::spring_wrench(const SpringLaw<Scalar>& spring) const {
-  const Vector3<Scalar> P = position(spring.at), Q = position(spring.toward);
-  const Vector3<Scalar> span = Q - P;
-  const Scalar length = norm(span);
-  const Vector3<Scalar> u = span / length;
-  const Scalar lengthening = dot(u, velocity(spring.toward) - velocity(spring.at));
-  return force_at<Scalar>(P, (spring.stiffness * (length - spring.free_length) + spring.damping * lengthening) * u);
+  return wrench_of(spring_pull(mechanism_.tree, workspace_, spring).force);
 }
 
 template <class Scalar>

@@ -164,7 +164,19 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
       add_symmetry(positions, none);
     }
     if (body.joint != JointType::ball && body.joint != JointType::free) continue;
-    for (const Vector& axis : symmetry_axes(body.inertia)) {
+    std::vector<Vector> own_axes = symmetry_axes(body.inertia);
+    if (own_axes.size() == 3) {
+      // All its axes are alike: that of its spin, and those through the points that hold it.
+      const auto add = [&](const Vector& direction) {
+        if (norm(direction) > 1e-9 * scales_.length) own_axes.push_back(normalized(direction));
+      };
+      const Vector c = center_of(i);
+      add(c);
+      add(scales_.length * direction_on_body(tree, w, i, angular_velocity(w, i) - turning));
+      for (const Component<double>& component : mechanism.components)
+        if (component.at.body == i) add(component.at.point - c);
+    }
+    for (const Vector& axis : own_axes) {
       const Twist own = about(axis, center_of(i));
       Twist v = Twist::zero();
       for (std::size_t k = 0; k < 3; ++k) {

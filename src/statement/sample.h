@@ -144,8 +144,10 @@ class Sample {
   // expression all of whose quantities have an @ is at home at the first of these.
   Home home(const Expression& expression, const Mark& mark) {
     const bool one = statement_.situations.size() == 1 && statement_.situations.front().problem.stages.size() <= 1;
-    if (const At* at = first_at(expression); at && !one) {
-      if (asks_model(statement_.situations.front().problem, expression, false))
+    const At* at = first_at(expression);
+    const bool elsewhere = at && !asks_model(statement_.situations.front().problem, expression, false);
+    if (at && (elsewhere || !one)) {
+      if (!elsewhere)
         fail(statement_.file, mark, "a part of this stands without @: when is it meant?",
              "write @ " + at->instant + " or another instant behind every quantity");
       return resolve(at->instant, at->instant_mark);

@@ -136,6 +136,7 @@ class StatementSolver {
     find_dependencies(values, result);
     if (open_.empty()) physical(result);
     check(result);
+    if (open_.empty()) note(result);
     return result;
   }
 
@@ -494,6 +495,40 @@ class StatementSolver {
         result.asks[i].reason = reason;
       }
     }
+  }
+
+  // What the reader of a steady motion or of a motion wants to know besides.
+  void note(Solution& result) {
+    for (const auto& [home, instant] : sample_->instants()) {
+      const Situation& situation = statement_.situations[home.situation];
+      if (!situation.problem.steady || home.time || home.instant > 0) continue;
+      try {
+        result.notes.push_back("the steady motion" + (situation.name.empty() ? "" : " @ " + situation.name) + " is " +
+                               stability_words(instant->linearisation(situation.problem.steady->mark)));
+      } catch (const StatementError&) {
+        // The statement does not say enough of what holds the motion: stability is not told.
+      }
+    }
+    for (const auto& [situation, motion] : sample_->motions())
+      result.notes.insert(result.notes.end(), motion->happenings().begin(), motion->happenings().end());
+  }
+  static std::string stability_words(const solve::Linearisation& near) {
+    char text[60];
+    switch (solve::stability(near)) {
+      case solve::Stability::unstable:
+        std::snprintf(text, sizeof text, "unstable: a disturbance grows as exp(%.4g t/s)", solve::growth_rate(near));
+        return text;
+      case solve::Stability::undecided:
+        return "neither stable nor unstable by the linearised equations, which do not decide it";
+      case solve::Stability::stable:
+        break;
+    }
+    std::string words;
+    for (double frequency : solve::frequencies(near)) {
+      std::snprintf(text, sizeof text, "%.4g", frequency);
+      words += (words.empty() ? "" : ", ") + std::string(text);
+    }
+    return words.empty() ? "stable" : "stable: disturbed, it swings at " + words + " rad/s";
   }
 
   void check(Solution& result) {

@@ -59,17 +59,32 @@ bool is_bare(const Expression& expression, const std::string& name) {
 }
 bool stands_in(const Expression& place, const std::string& name) {
   const List* list = place.as<List>();
-  return list && std::any_of(list->items.begin(), list->items.end(),
-                             [&](const Expression& item) { return is_bare(item, name); });
+  return list && std::any_of(list->items.begin(), list->items.end(), [&](const Expression& item) {
+           return is_bare(item, name) || stands_in(item, name);
+         });
 }
 // A length that is a coordinate of a mass center has either sign.
 bool is_center_coordinate(const Problem& problem, const std::string& name) {
   return std::any_of(problem.bodies.begin(), problem.bodies.end(),
                      [&](const Body& body) { return body.center && stands_in(*body.center, name); });
 }
-bool is_point_coordinate(const Problem& problem, const std::string& name) {
-  return std::any_of(problem.points.begin(), problem.points.end(),
-                     [&](const NamedExpression& point) { return stands_in(point.value, name); });
+// A length that stands by itself in the coordinates of a place may have either sign.
+bool is_place_coordinate(const Problem& problem, const std::string& name) {
+  if (std::any_of(problem.points.begin(), problem.points.end(),
+                  [&](const NamedExpression& point) { return stands_in(point.value, name); }))
+    return true;
+  for (const Body& body : problem.bodies)
+    for (const auto* parts : {&body.parts, &body.added})
+      for (const poinsot::statement::Part& part : *parts)
+        for (const NamedExpression& argument : part.shape.arguments)
+          if (stands_in(argument.value, name)) return true;
+  for (const Joint& joint : problem.joints) {
+    if (stands_in(joint.place, name) || (joint.at && stands_in(*joint.at, name))) return true;
+    for (const Freedom& freedom : joint.freedoms)
+      if (freedom.position && is_bare(*freedom.position, name)) return true;
+  }
+  return std::any_of(problem.loads.begin(), problem.loads.end(),
+                     [&](const Load& load) { return load.at && stands_in(*load.at, name); });
 }
 
 bool same_root(const AllSettings& a, const AllSettings& b, const std::vector<Unknown>& unknowns) {
@@ -570,20 +585,6 @@ UnknownSearch::Slots UnknownSearch::slots_of(const Search& search, const AllSett
       range.scale = unknown.unit.factor;
       range.lower = -std::numeric_limits<double>::infinity();
       range.upper = std::numeric_limits<double>::infinity();
-      const Dimension& d = unknown.unit.dimension;
-      // What is chosen among can only push.
-      const bool push = std::any_of(problem.choose.begin(), problem.choose.end(), [&](const Choice& choice) {
-        return std::any_of(choice.of.begin(), choice.of.end(),
-                           [&](const std::string& name) { return unknowns_of(name).contains(unknown.name); });
-      });
-      const bool length = d == dimensions::length && !is_center_coordinate(problem, unknown.name) &&
-                          !(negative_lengths && is_point_coordinate(problem, unknown.name));
-      if (!unknown.vector && (d == dimensions::mass || d == dimensions::time || length || push)) range.lower = 0;
-      if (d == dimensions::angle) {
-        range.lower = -3.141592653589793;
-        range.upper = 3.141592653589793;
-        range.scale = 1;
-      }
       slots.ranges.push_back(range);
     }
   }
@@ -609,6 +610,26 @@ UnknownSearch::Slots UnknownSearch::slots_of(const Search& search, const AllSett
                       if (slots.slots[k].unknown->name == name && !slots.slots[k].unknown->vector) return k;
                     return std::nullopt;
                   });
+  // A stated range is the range; where nothing is stated, nature says.
+  for (std::size_t k = 0; k < slots.slots.size(); ++k) {
+    const Unknown& unknown = *slots.slots[k].unknown;
+    const Dimension& d = unknown.unit.dimension;
+    solve::RootRange& range = slots.ranges[k];
+    // What is chosen among can only push.
+    const bool push = std::any_of(problem.choose.begin(), problem.choose.end(), [&](const Choice& choice) {
+      return std::any_of(choice.of.begin(), choice.of.end(),
+                         [&](const std::string& name) { return unknowns_of(name).contains(unknown.name); });
+    });
+    const bool length = d == dimensions::length && !is_center_coordinate(problem, unknown.name) &&
+                        !(negative_lengths && is_place_coordinate(problem, unknown.name));
+    const bool open = !std::isfinite(range.lower) && !(range.upper <= 0);
+    if (open && !unknown.vector && (d == dimensions::mass || d == dimensions::time || length || push)) range.lower = 0;
+    if (d != dimensions::angle) continue;
+    constexpr double half_turn = 3.141592653589793;
+    range.scale = 1;
+    if (!std::isfinite(range.lower)) range.lower = range.upper > -half_turn ? -half_turn : range.upper - 2 * half_turn;
+    if (!std::isfinite(range.upper)) range.upper = range.lower < half_turn ? half_turn : range.lower + 2 * half_turn;
+  }
   return slots;
 }
 
@@ -717,7 +738,10 @@ RootsFound UnknownSearch::find_block(const Search& search, const AllSettings& se
   std::set<std::string> sought;
   for (const Unknown& unknown : unknowns_) sought.insert(unknown.name);
   bool excluded = false;
-  for (const auto& point : result.points) {
+  for (std::vector<double> point : result.points) {
+    // What is left of zero by rounding is zero.
+    for (std::size_t k = 0; k < point.size(); ++k)
+      if (std::abs(point[k]) <= 1e-13 * slots.ranges[k].scale) point[k] = 0;
     AllSettings root = settings_at(search, slots, settings, point);
     if (satisfies_where(statement_, situations_of(search), root, sought))
       found.roots.push_back(std::move(root));
@@ -735,7 +759,7 @@ RootsFound UnknownSearch::find_block(const Search& search, const AllSettings& se
   // A coordinate of a point may turn out to be negative.
   const Problem& first = statement_.situations[search.groups.front().situation].problem;
   if (!negative_lengths && std::any_of(search.unknowns.begin(), search.unknowns.end(), [&](const Unknown& unknown) {
-        return unknown.unit.dimension == dimensions::length && is_point_coordinate(first, unknown.name);
+        return unknown.unit.dimension == dimensions::length && is_place_coordinate(first, unknown.name);
       }))
     return find_block(search, settings, true);
   if (!makes_sense_ && refusal_) throw *refusal_;

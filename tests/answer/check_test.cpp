@@ -19,7 +19,7 @@ Lines compare(const Datum& answer, const Datum& expected, double relative_tolera
 
 Document with_roots(const std::vector<double>& values) {
   Document document;
-  for (double value : values) document.solutions.push_back({{}, {found("a", Datum{value}, "", Datum{value})}, {}});
+  for (double value : values) document.solutions.push_back({{}, {found("a", Datum{value}, "", Datum{value})}, {}, {}});
   return document;
 }
 

@@ -45,7 +45,7 @@ inline Answer unanswered(std::string name, AnswerState state, std::string reason
 // One solution, one answer.
 inline Document document_of(Answer answer) {
   Document document;
-  document.solutions.push_back({{}, {std::move(answer)}, {}});
+  document.solutions.push_back({{}, {std::move(answer)}, {}, {}});
   return document;
 }
 

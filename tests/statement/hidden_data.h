@@ -49,8 +49,7 @@ inline std::vector<Datum> data_of(const ProblemData& problem, const UnitSystem& 
   for (const JointData& joint : problem.joints) {
     if (joint.kind != "free") add_vector("coordinate of a point", joint.at, units.length, false);
     for (const FreedomData& f : joint.freedoms) {
-      Datum& position =
-          add(f.turning ? "angle" : "displacement", f.position, f.turning ? units.angle : units.length);
+      Datum& position = add(f.turning ? "angle" : "displacement", f.position, f.turning ? units.angle : units.length);
       position.length = !f.turning;
       if (f.rate) add("rate", *f.rate, f.turning ? units.rate() : units.velocity());
       if (f.accel)
@@ -66,8 +65,7 @@ inline std::vector<Datum> data_of(const ProblemData& problem, const UnitSystem& 
       if (f.damping != 0)
         add("damping", f.damping, f.turning ? units.turning_damping() : units.damping()).linear = true;
     }
-    if (joint.kind == "ball" || joint.kind == "free")
-      add_vector("angular velocity", joint.w, units.rate(), false);
+    if (joint.kind == "ball" || joint.kind == "free") add_vector("angular velocity", joint.w, units.rate(), false);
     if (joint.kind == "free") add_vector("velocity", joint.v, units.velocity(), false);
   }
   for (const LoadData& load : problem.loads) {

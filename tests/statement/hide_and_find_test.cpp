@@ -33,9 +33,9 @@ std::vector<std::string> questions_of(const ProblemData& problem) {
     for (const char* quantity : {"momentum(", "velocity(", "velocity(P of ", "angular_velocity(", "acceleration(",
                                  "angular_acceleration(", "center("})
       all.push_back(quantity + body.name + ")");
-    for (const std::string& ask : {"angular_momentum(" + body.name + " about P)",
-                                   "rate(angular_momentum(" + body.name + " about P))", "mass(" + body.name + ")",
-                                   "moment_of_inertia(" + body.name + " about z at P)"})
+    for (const std::string& ask :
+         {"angular_momentum(" + body.name + " about P)", "rate(angular_momentum(" + body.name + " about P))",
+          "mass(" + body.name + ")", "moment_of_inertia(" + body.name + " about z at P)"})
       all.push_back(ask);
   }
   for (const JointData& joint : problem.joints) {
@@ -190,7 +190,8 @@ const UnitSystem& random_units(Random& random) {
 void give_ranges(Random& random, Hunt& hunt) {
   for (const Datum& datum : hunt.problem.hidden()) {
     const double size = std::abs(datum.value) + 0.3;
-    const double lower = datum.value - random.uniform(0.3, 2) * size, upper = datum.value + random.uniform(0.3, 2) * size;
+    const double lower = datum.value - random.uniform(0.3, 2) * size,
+                 upper = datum.value + random.uniform(0.3, 2) * size;
     hunt.ranges.emplace_back(datum.sided ? std::max(lower, 0.1 * datum.value) : lower, upper);
   }
 }
@@ -216,7 +217,8 @@ void expect_finds(Random& random, int trials, std::size_t count, const RandomOpt
     } catch (const std::exception& error) {
       fault = error.what();
     }
-    if (!fault.empty() && ++failures <= 3) ADD_FAILURE() << "trial " << attempt << ": " << fault << "\n" << hunt->text();
+    if (!fault.empty() && ++failures <= 3)
+      ADD_FAILURE() << "trial " << attempt << ": " << fault << "\n" << hunt->text();
   }
   EXPECT_EQ(done, trials);
   EXPECT_EQ(failures, 0) << "of " << done;
@@ -271,7 +273,8 @@ TEST(HideAndFind, WhatTheFactsDoNotTouchIsOpen) {
     ++done;
     std::string fault;
     try {
-      if (!says_open(solve_statement(read_statement(hunt.text(), "test.yaml"), {}))) fault = "it is not said to be open";
+      if (!says_open(solve_statement(read_statement(hunt.text(), "test.yaml"), {})))
+        fault = "it is not said to be open";
     } catch (const std::exception& error) {
       fault = error.what();
     }

@@ -55,6 +55,7 @@ struct Solution {
   std::vector<Unknown> unknowns;
   std::vector<Answer> answers;           // in the order of the file
   std::map<std::string, double> checks;  // relative residuals found on the independent road, by name
+  std::vector<std::string> notes;        // what else was found: stability, what happened during a motion
 };
 
 struct Letter {

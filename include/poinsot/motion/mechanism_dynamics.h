@@ -49,6 +49,7 @@ class MechanismDynamics {
   ~MechanismDynamics();
 
   const Mechanism<double>& mechanism() const;
+  double natural_length() const;  // the extent of its points, m
 
   // What changes with time. Positions and velocities of held coordinates are the caller's, in q and v.
   bool is_held(int coordinate) const;

@@ -45,6 +45,7 @@ struct Solution {
   std::vector<SolvedUnknown> unknowns;
   std::vector<SolvedAsk> asks;           // in the order of the statement
   std::map<std::string, double> checks;  // relative residuals on the road of particles, by name
+  std::vector<std::string> notes;        // stability of steady motions, what happened on the way of a motion
 };
 
 struct SolvedStatement {
