@@ -351,6 +351,15 @@ Value<double> ProblemMotion::value(double time, const Expression& expression, co
 }
 
 NumberInTime ProblemMotion::number(const Expression& expression, const std::optional<Expression>& axes) {
+  // Coordinates and their rates stand in the state itself.
+  const Name* name = expression.as<Name>();
+  const NamedCoordinate* coordinate = name && name->primes < 2 ? start_->machine().coordinate(name->name) : nullptr;
+  if (coordinate)
+    return [this, rate = name->primes == 1, position = static_cast<std::size_t>(coordinate->position),
+            velocity = static_cast<std::size_t>(coordinate->velocity)](double time) {
+      const MotionState state = at(time);
+      return rate ? state.v[velocity] : state.q[position];
+    };
   return [this, expression, axes](double time) {
     probe_->move_to(at(time));
     return probe_->number(expression, axes);

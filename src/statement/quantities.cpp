@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <type_traits>
 
 #include "poinsot/mass/composition.h"
@@ -83,10 +84,12 @@ const QuantityFunction* find_function(const std::string& name) {
 struct LevelFinder {
   const Problem& problem;
   bool through_at = false;
+  bool through_features = false;  // min(), max(), period(): of what?
   int depth = 0;
 
   Level of(const Expression& expression) const {
-    return expression ? std::visit(LevelFinder{problem, through_at, depth + 1}, expression->content) : Level::position;
+    return expression ? std::visit(LevelFinder{problem, through_at, through_features, depth + 1}, expression->content)
+                      : Level::position;
   }
   Level operator()(const Number&) const { return Level::position; }
   Level operator()(const Name& name) const {
@@ -101,7 +104,7 @@ struct LevelFinder {
   Level operator()(const Arrow& arrow) const { return std::max(of(arrow.from), of(arrow.to)); }
   Level operator()(const Of& item) const { return of(item.point); }
   Level operator()(const Call& call) const {
-    if (is_motion_feature(call)) return Level::motion;
+    if (is_motion_feature(call) && !through_features) return Level::motion;
     Level level = Level::position;
     if (const QuantityFunction* function = find_function(call.function)) level = function->level;
     for (const Argument& argument : call.arguments) level = std::max(level, of(argument.value));
@@ -131,6 +134,15 @@ std::vector<std::string> body_names(const Machine& machine) {
 
 Level level_of(const Problem& problem, const Expression& expression, bool through_at) {
   return LevelFinder{problem, through_at}.of(expression);
+}
+
+bool asks_forces(const Problem& problem, const Expression& expression) {
+  std::set<std::string> functions;
+  collect_functions(expression, functions, true);
+  // The linearised motion is told by accelerations, which no open share of a load changes.
+  for (const char* name : {"stable", "stability", "growth_rate", "frequencies"})
+    if (functions.contains(name)) return false;
+  return LevelFinder{problem, true, true}.of(expression) >= Level::force;
 }
 
 bool asks_motion_feature(const Expression& expression) {

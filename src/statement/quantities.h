@@ -29,6 +29,8 @@ inline bool is_motion_feature(const Call& call) {
          call.arguments.size() == 1 && !call.arguments.front().value.as<List>();
 }
 bool asks_motion_feature(const Expression& expression);
+// Whether forces or accelerations are asked, at any instant or over the motion.
+bool asks_forces(const Problem& problem, const Expression& expression);
 
 // Stands for all bodies together where a body is asked.
 constexpr int whole_system = -2;

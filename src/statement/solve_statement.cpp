@@ -188,6 +188,11 @@ class StatementSolver {
     Values values;
     for (std::size_t i = 0; i < statement_.asks.size(); ++i) {
       const Ask& ask = statement_.asks[i];
+      // What forces are open changes nothing but forces.
+      if (choice.forces && !choice.any && !choice.gravity && !choice.velocities && !asks_forces(ask)) {
+        values.push_back(base[i]);
+        continue;
+      }
       try {
         if (!ask.extremum)
           values.emplace_back(sample.value(ask));
@@ -200,6 +205,22 @@ class StatementSolver {
       }
     }
     return values;
+  }
+
+  bool asks_forces(const Ask& ask) const {
+    std::vector<const Expression*> asked;
+    for (const Expression& expression : ask.of) asked.push_back(&expression);
+    if (ask.extremum)
+      for (const Expression& expression : ask.extremum->conditions) asked.push_back(&expression);
+    if (ask.when) asked.push_back(&ask.when->condition);
+    if (ask.table) {
+      asked.push_back(&ask.table->values);
+      for (const NamedExpression& column : ask.table->columns) asked.push_back(&column.value);
+    }
+    const Problem& problem = statement_.situations.front().problem;
+    return problem.has_blow() || std::any_of(asked.begin(), asked.end(), [&](const Expression* expression) {
+             return statement::asks_forces(problem, *expression);
+           });
   }
 
   double tolerance(std::size_t i, const Value<double>& a, const Value<double>& b) {

@@ -240,6 +240,29 @@ TEST(HideAndFind, NegativeCoordinates) {
   expect_finds(random, 100, 1, small, true, [](const Datum& datum) { return datum.length && datum.value < 0; });
 }
 
+// u^2 - 0.3 u = 1/3: a place on a line may lie on either side.
+TEST(HideAndFind, BothRootsOfACoordinate) {
+  const SolvedStatement solved = solve_statement(read_statement(R"(title: a quadratic equation with two roots
+gravity: none
+points: {O: [0, 0, 0], A: [u, 0, 0], P: [0.3 m, 0, 0]}
+bodies:
+  bob: {particle: A, mass: 2 kg}
+joints:
+  pin: {revolute: z, at: O, to: bob, rate: 1.5 rad/s}
+find: {u: m}
+instants:
+  now: {angular_momentum(bob about P).z: 1 kg*m^2/s}
+ask:
+  u: u
+)",
+                                                                "test.yaml"),
+                                                 {});
+  ASSERT_EQ(solved.solutions.size(), 2U);
+  const double half = std::sqrt(0.3 * 0.3 / 4 + 1.0 / 3);
+  EXPECT_NEAR(solved.solutions[0].asks[0].value.number, 0.15 - half, 1e-12);
+  EXPECT_NEAR(solved.solutions[1].asks[0].value.number, 0.15 + half, 1e-12);
+}
+
 TEST(HideAndFind, ThreeThatForcesAreLinearIn) {
   Random random(303);
   expect_finds(random, 1000, 3, small, false, [](const Datum& datum) { return datum.linear && plain(datum); });
