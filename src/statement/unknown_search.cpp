@@ -264,6 +264,11 @@ RootsFound UnknownSearch::find_with_choices(const Search& search, const AllSetti
   const std::vector<AllSettings> before = std::move(all.roots);
   all.roots.clear();
   for (const AllSettings& root : before) {
+    // Where all holds without any of them, none is needed.
+    if (RootsFound none = find_subset(rest, root, choice, 0); !none.roots.empty() && none.open.empty()) {
+      all.roots.insert(all.roots.end(), none.roots.begin(), none.roots.end());
+      continue;
+    }
     // Of linear conditions, the least total is reached by no more amounts than there are independent conditions.
     const std::size_t most = choice.least_total ? independent_conditions(rest, root) : 0;
     double least = std::numeric_limits<double>::infinity();
