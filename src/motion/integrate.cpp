@@ -56,9 +56,10 @@ void check(const MotionEquations& equations, double start, std::span<const doubl
 // One integration from a start to an end.
 class Run {
  public:
-  Run(const MotionEquations& equations, const IntegrationOptions& options, std::span<const Event> events, double start,
-      double end)
-      : equations_(equations),
+  Run(const MethodMaker& make, const MotionEquations& equations, const IntegrationOptions& options,
+      std::span<const Event> events, double start, double end)
+      : make_(make),
+        equations_(equations),
         options_(options),
         events_(events),
         end_(end),
@@ -72,13 +73,14 @@ class Run {
   double size(std::size_t i) const { return scale_.size(i); }
 
  private:
-  std::unique_ptr<StepMethod> make_method(IntegrationMethod method);
-  std::optional<Ending> begin(double start, std::span<const double> y);
+  std::optional<Ending> begin(IntegrationMethod method, double start, std::span<const double> y);
   std::optional<Ending> one_step();
   bool find_events(StepView& step, std::vector<double>& y_end);
+  bool watches_drift() const { return options_.watch_drift && !equations_.conserved.empty(); }
   void note_drift(double t, std::span<const double> y);
   static Ending ending_of(StepOutcome outcome);
 
+  const MethodMaker& make_;
   const MotionEquations& equations_;
   const IntegrationOptions& options_;
   std::span<const Event> events_;
@@ -92,19 +94,6 @@ class Run {
   std::vector<char> zero_at_start_;  // the event's value was zero where the next step starts
   IntegrationResult result_;
 };
-
-std::unique_ptr<StepMethod> Run::make_method(IntegrationMethod method) {
-  switch (method) {
-    case IntegrationMethod::stiff:
-      return make_stiff_method(right_side_, scale_, options_.first_step, options_.largest_step);
-    case IntegrationMethod::structure_preserving:
-      return make_gauss_method(right_side_, scale_, options_.fixed_step);
-    case IntegrationMethod::automatic:
-    case IntegrationMethod::explicit_runge_kutta:
-      break;
-  }
-  return std::make_unique<DormandPrince853>(right_side_, scale_, options_.first_step, options_.largest_step);
-}
 
 Ending Run::ending_of(StepOutcome outcome) {
   switch (outcome) {
@@ -121,7 +110,10 @@ Ending Run::ending_of(StepOutcome outcome) {
   return Ending::step_too_small;
 }
 
-std::optional<Ending> Run::begin(double start, std::span<const double> y) {
+std::optional<Ending> Run::begin(IntegrationMethod method, double start, std::span<const double> y) {
+  if (method_) result_.statistics.rejected += method_->rejected();
+  method_ = make_(method, right_side_, scale_, options_);
+  if (!method_) return Ending::no_stiff_solver;
   const StepOutcome outcome = method_->begin(start, y, end_);
   if (outcome != StepOutcome::advanced) return ending_of(outcome);
   result_.trajectory.keep(method_->flow());
@@ -212,20 +204,24 @@ std::optional<Ending> Run::one_step() {
   if (cut) {
     result_.time = step.end;
   } else {
-    const double change = right_side_.project(method_->time(), method_->state(), scale_.allowed());
-    method_->state_changed(change > 0.01);
     result_.time = method_->time();
-    std::ranges::copy(method_->state(), y_.begin());
+    if (!method_->minds_itself()) {
+      const double change = right_side_.project(result_.time, method_->state(), scale_.allowed());
+      // Taking quaternions to unit length again is rounding to every method, or smaller than its error.
+      method_->state_changed(equations_.project && change > 0.01);
+      std::ranges::copy(method_->state(), y_.begin());
+      scale_.update(y_);
+    } else if (watches_drift()) {
+      std::ranges::copy(method_->state(), y_.begin());
+    }
   }
-  scale_.update(y_);
-  note_drift(result_.time, y_);
+  if (watches_drift()) note_drift(result_.time, y_);
   if (options_.store) result_.trajectory.append(step);
   if (options_.observer && !options_.observer(step)) return Ending::interrupted;
   if (cut) return Ending::terminal_event;
   if (result_.time == end_) return Ending::reached_end;
   if (switched_ && outcome == StepOutcome::stiff) {
-    method_ = make_method(IntegrationMethod::stiff);
-    return begin(result_.time, y_);
+    return begin(IntegrationMethod::stiff, result_.time, y_);
   }
   return std::nullopt;
 }
@@ -239,22 +235,15 @@ IntegrationResult Run::go(std::span<const double> q, std::span<const double> v) 
   scale_.update(y_);
   right_side_.project(result_.time, y_, scale_.allowed());
   scale_.update(y_);
-  note_drift(result_.time, y_);
+  if (watches_drift()) note_drift(result_.time, y_);
   // A value that is zero at the start up to rounding of the state.
   for (const Event& event : events_) {
     const double value = event.value(result_.time, right_side_.q(y_), right_side_.v(y_));
     zero_at_start_.push_back(std::fabs(value) <= options_.tolerance * event.size);
   }
 
-  method_ = make_method(options_.method);
-  std::optional<Ending> ending;
-  if (!method_) {
-    ending = Ending::no_stiff_solver;
-  } else {
-    ending = begin(result_.time, y_);
-    if (!ending && result_.time == end_) ending = Ending::reached_end;
-  }
-  std::int64_t rejected = 0;
+  std::optional<Ending> ending = begin(options_.method, result_.time, y_);
+  if (!ending && result_.time == end_) ending = Ending::reached_end;
   while (!ending) {
     ending = one_step();
     if (ending) break;
@@ -263,17 +252,19 @@ IntegrationResult Run::go(std::span<const double> q, std::span<const double> v) 
         std::chrono::duration<double>(Clock::now() - begun).count() > options_.seconds)
       ending = Ending::time_limit;
   }
-  if (method_) rejected += method_->rejected();
+  if (method_) result_.statistics.rejected += method_->rejected();
   result_.ending = *ending;
-  result_.statistics.rejected = rejected;
-  result_.statistics.evaluations = right_side_.evaluations();
+  result_.statistics.evaluations = right_side_.evaluations() + (method_ ? method_->evaluations() : 0);
+  // A method that minds itself has not been asked for its state at every step; an event has given its own.
+  if (method_ && method_->minds_itself() && *ending != Ending::terminal_event)
+    std::ranges::copy(method_->state(), y_.begin());
   result_.q.assign(y_.begin(), y_.begin() + equations_.position_size);
   result_.v.assign(y_.begin() + equations_.position_size, y_.end());
   return std::move(result_);
 }
 
 // Integrates once more, sixteen times coarser, and compares at the ends of its steps and within them.
-void estimate_error(const MotionEquations& equations, double start, std::span<const double> q,
+void estimate_error(const MethodMaker& make, const MotionEquations& equations, double start, std::span<const double> q,
                     std::span<const double> v, const IntegrationOptions& options, const Run& fine,
                     IntegrationResult& result) {
   const std::size_t nq = q.size();
@@ -289,6 +280,7 @@ void estimate_error(const MotionEquations& equations, double start, std::span<co
   coarse.tolerance = std::min(0.5, 16.0 * options.tolerance);
   if (options.fixed_step > 0.0) coarse.fixed_step = 1.25 * options.fixed_step;
   coarse.store = false;
+  coarse.watch_drift = false;
   coarse.estimate_error = false;
   coarse.observer = nullptr;
   std::vector<double> y(nq + v.size());
@@ -303,7 +295,7 @@ void estimate_error(const MotionEquations& equations, double start, std::span<co
       return true;
     };
   }
-  const IntegrationResult other = Run(equations, coarse, {}, start, result.time).go(q, v);
+  const IntegrationResult other = Run(make, equations, coarse, {}, start, result.time).go(q, v);
   result.statistics.evaluations += other.statistics.evaluations;
   const double unknown = std::numeric_limits<double>::infinity();
   const bool arrived = other.ending == Ending::reached_end;
@@ -322,14 +314,34 @@ void estimate_error(const MotionEquations& equations, double start, std::span<co
 
 }  // namespace
 
+std::unique_ptr<StepMethod> make_general_method(IntegrationMethod method, RightSide& right_side,
+                                                const ErrorScale& scale, const IntegrationOptions& options) {
+  switch (method) {
+    case IntegrationMethod::stiff:
+      return make_stiff_method(right_side, scale, options.first_step, options.largest_step);
+    case IntegrationMethod::structure_preserving:
+      return make_gauss_method(right_side, scale, options.fixed_step);
+    case IntegrationMethod::automatic:
+    case IntegrationMethod::explicit_runge_kutta:
+      break;
+  }
+  return std::make_unique<DormandPrince853>(right_side, scale, options.first_step, options.largest_step);
+}
+
+IntegrationResult integrate_by(const MethodMaker& make, const MotionEquations& equations, double start,
+                               std::span<const double> q, std::span<const double> v, double end,
+                               const IntegrationOptions& options, std::span<const Event> events) {
+  check(equations, start, q, v, end, options, events);
+  Run run(make, equations, options, events, start, end);
+  IntegrationResult result = run.go(q, v);
+  if (options.estimate_error) estimate_error(make, equations, start, q, v, options, run, result);
+  return result;
+}
+
 IntegrationResult integrate(const MotionEquations& equations, double start, std::span<const double> q,
                             std::span<const double> v, double end, const IntegrationOptions& options,
                             std::span<const Event> events) {
-  check(equations, start, q, v, end, options, events);
-  Run run(equations, options, events, start, end);
-  IntegrationResult result = run.go(q, v);
-  if (options.estimate_error) estimate_error(equations, start, q, v, options, run, result);
-  return result;
+  return integrate_by(make_general_method, equations, start, q, v, end, options, events);
 }
 
 std::string describe(const IntegrationResult& result) {

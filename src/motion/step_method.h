@@ -25,11 +25,15 @@ class StepMethod {
   // no smaller than a small part of the error allowed.
   virtual std::span<double> state() = 0;
   virtual void state_changed(bool noticeably) = 0;
+  // Whether the method needs no projection and no scale of errors: the state is then only asked for where it is wanted.
+  virtual bool minds_itself() const { return false; }
   // The step just made. Valid until the next one.
   virtual StepView last_step() = 0;
   // A state of the last step's own method at t within it, where that is more accurate than last_step's evaluation.
   virtual void state_within(double t, std::span<double> y) { last_step().evaluate(t, y); }
   virtual std::int64_t rejected() const = 0;
+  // Evaluations of the accelerations that the right side has not counted.
+  virtual std::int64_t evaluations() const { return 0; }
   // What a trajectory keeps to evaluate steps of the form `flow`.
   virtual std::shared_ptr<const StateFlow> flow() const { return nullptr; }
 };

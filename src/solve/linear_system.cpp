@@ -167,7 +167,8 @@ LinearFactors::LinearFactors(const LinearSystemOf<Scalar>& system, const LinearS
   }
   for (Eigen::Index i = 0; i < m && n; ++i)
     if (!known_rounding[static_cast<std::size_t>(i)])
-      rounding.row(i).setConstant(1e-14 * A.row(i).cwiseAbs().maxCoeff());
+      // A row all of whose coefficients are rounding has no size of its own: then natural units tell.
+      rounding.row(i).setConstant(std::max(1e-14 * A.row(i).cwiseAbs().maxCoeff(), 1e-15));
   A = (A.array().abs() <= rounding.array()).select(0, A);
   parts.row_scale = Eigen::VectorXd::Ones(m);
   parts.column_scale = Eigen::VectorXd::Ones(n);

@@ -156,11 +156,11 @@ void SolvedInstant::take_misfits(const solve::LinearSolution& solution) {
 }
 
 // Another member of the family of solutions.
-void SolvedInstant::move_along(const solve::LinearSolution& solution, std::vector<double>& values) {
+void SolvedInstant::move_along(const solve::LinearSolution& solution, std::vector<double>& values, double pace) {
   for (std::size_t d = 0; d < solution.open.size(); ++d) {
     if (d != choice_.direction && choice_.direction != OpenChoice::every) continue;
     const double amount = std::uniform_real_distribution<double>(0.5, 2)(random_);
-    for (std::size_t k = 0; k < values.size(); ++k) values[k] += amount * solution.open[d][k];
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] += pace * amount * solution.open[d][k];
   }
 }
 
@@ -184,7 +184,15 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
   else if (!velocities_.conflict.empty())
     contradiction(velocity_equations_, velocities_, false);
   v_ = velocities_.value;
-  if (choice_.velocities) move_along(velocities_, v_);
+  if (choice_.velocities) {
+    // As fast as what is known, so that nothing of it drowns.
+    double pace = 0;
+    for (std::size_t k = 0; k < v_.size(); ++k)
+      pace = std::max(pace,
+                      std::abs(v_[k]) /
+                          (solve::coordinate_turns(machine_.mechanism.tree, static_cast<int>(k)) ? 1 : scales_.length));
+    move_along(velocities_, v_, pace > 0 ? pace : 1);
+  }
   moment_->set_velocities(v_);
 }
 
@@ -201,11 +209,12 @@ void SolvedInstant::solve_forces() {
            "velocities can be asked; for forces and accelerations give the body a round shape, or its inertia by "
            "axis:, axial:, transverse:");
     }
-  motion_ = solve::solve_motion(*moment_, scales_, force_conditions(), &motion_equations_);
+  solve::LinearSolution solution = solve::solve_motion(*moment_, scales_, force_conditions(), &motion_equations_);
   if (choice_.trial)
-    take_misfits(*motion_);
-  else if (!motion_->conflict.empty())
-    contradiction(motion_equations_, *motion_, true);
+    take_misfits(solution);
+  else if (!solution.conflict.empty())
+    contradiction(motion_equations_, solution, true);
+  motion_ = std::move(solution);
   unknowns_ = motion_->value;
   if (choice_.forces) move_along(*motion_, unknowns_);
   const auto n = static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size());

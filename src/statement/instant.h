@@ -35,6 +35,9 @@ struct When {
 
 // Whether loads or given motions follow the time.
 bool follows_time(const Problem& problem);
+// Whether a coordinate turns a body about a line on which all its mass lies; all such coordinates.
+bool turns_nothing(const Machine& machine, int coordinate);
+std::vector<int> still_coordinates(const Machine& machine);
 // Whether an instant is reached by the motion: a time, or found by a condition.
 bool is_later(const Problem& problem, const Instant& instant);
 
@@ -62,6 +65,8 @@ class SolvedInstant {
   double data_number(const Expression& expression, const Dimension& dimension) {
     return data_->number(expression, dimension);
   }
+  // Whether it has values that are given as `any`.
+  bool uses_any() const { return !any_values_.empty(); }
   // The largest rate at which anything moves or would move, 1/s.
   double pace() const;
 
@@ -127,7 +132,7 @@ class SolvedInstant {
   void release(const std::vector<bool>& acting);
   void solve_blow();
   void take_misfits(const solve::LinearSolution& solution);
-  void move_along(const solve::LinearSolution& solution, std::vector<double>& values);
+  void move_along(const solve::LinearSolution& solution, std::vector<double>& values, double pace = 1);
   double natural_unit(const Dimension& dimension) const;
   [[noreturn]] void contradiction(const solve::LinearSystem& equations, const solve::LinearSolution& solution,
                                   bool forces);

@@ -94,6 +94,7 @@ void SolvedInstant::solve_blow() {
     blow_solution_ = std::move(solution);
     if (choice_.trial) take_misfits(blow_solution_);
     if (!good && !choice_.trial) {
+      facts_.insert(facts_.end(), after.begin(), after.end());
       if (one_sided.empty()) contradiction(blow_equations_, blow_solution_, true);
       fail(problem_.file, {1, 1},
            "no motion after the blow fits: whichever cords and contacts act, one would have to push or pull the wrong "

@@ -37,6 +37,27 @@ bool follows_time(const Problem& problem) {
   return false;
 }
 
+bool turns_nothing(const Machine& machine, int coordinate) {
+  for (const auto& body : machine.mechanism.tree.bodies()) {
+    const int k = coordinate - body.v;
+    const bool turning = body.joint == JointType::ball || body.joint == JointType::free;
+    if (!turning || k < 0 || k >= 3) continue;
+    const SymmetricMatrix3<double>& I = body.inertia.inertia;
+    const double moment = k == 0 ? I.xx : k == 1 ? I.yy : I.zz;
+    const double size =
+        I.xx + I.yy + I.zz + norm_squared(body.inertia.first_moment) / std::max(body.inertia.mass, 1e-300);
+    return moment <= 1e-12 * size || size == 0;
+  }
+  return false;
+}
+
+std::vector<int> still_coordinates(const Machine& machine) {
+  std::vector<int> still;
+  for (int k = 0; k < machine.mechanism.tree.velocity_size(); ++k)
+    if (turns_nothing(machine, k)) still.push_back(k);
+  return still;
+}
+
 SolvedInstant::SolvedInstant(const Problem& problem, const Settings& settings, const MotionState& state,
                              const OpenChoice& choice)
     : problem_(problem), settings_(settings), choice_(choice), random_(choice.seed) {

@@ -45,9 +45,26 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   motion.time = std::sqrt(scales_.length / std::max(norm(tree.gravity()), 1e-9));
   motion.held.assign(n, false);
   for (const StatedRate& rate : machine_.accelerations) motion.held[static_cast<std::size_t>(rate.velocity)] = true;
+  for (int k : still_coordinates(machine_)) motion.held[static_cast<std::size_t>(k)] = true;
+  // Of a frame that rides on a body in free space nothing is claimed of the mass center's motion.
+  for (const Frame& f : problem_.frames) {
+    if (!problem_.steady || f.name != problem_.steady->frame || f.rides_on.empty()) continue;
+    const int ridden = machine_.index.at(f.rides_on);
+    const auto touches = [&](const Action& action) {
+      return (action.on == ridden || action.from == ridden) && action.kind != ActionKind::load;
+    };
+    const auto& body = tree.body(ridden);
+    if (body.joint != JointType::free ||
+        std::any_of(machine_.mechanism.actions.begin(), machine_.mechanism.actions.end(), touches))
+      continue;
+    for (int k = body.v + 3; k < body.v + 6; ++k) {
+      motion.held[static_cast<std::size_t>(k)] = true;
+      motion.v[static_cast<std::size_t>(k)] = 0;
+    }
+  }
 
-  // Contacts move over round bodies: the mechanism is taken anew in every pose. Near a steady motion they no longer rest
-  // in its frame.
+  // Contacts move over round bodies: the mechanism is taken anew in every pose. Near a steady motion they no longer
+  // rest in its frame.
   Mechanism<double> mechanism = machine_.mechanism;
   for (VelocityConstraint<double>& constraint : mechanism.constraints) {
     if (!constraint.carried_by) continue;
@@ -65,7 +82,8 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
     solve::update_contacts(mechanism, moment);
   };
   std::vector<int> held;
-  for (const StatedRate& rate : machine_.accelerations) held.push_back(rate.velocity);
+  for (std::size_t k = 0; k < n; ++k)
+    if (motion.held[k]) held.push_back(static_cast<int>(k));
   MechanismDynamics dynamics(mechanism, held);
   for (const StatedRate& rate : machine_.accelerations) dynamics.set_held_acceleration(rate.velocity, rate.value);
   for (const OpenCoordinate& open : dynamics.open_coordinates(machine_.q))
@@ -133,12 +151,14 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   for (const auto& [turn, shift] : displacements)
     for (int only = -1; only < tree.body_count(); ++only) {
       if (only >= 0 && tree.body(only).parent != ground) continue;
-      std::vector<double> positions = none;
+      std::vector<double> positions = none, velocities = none;
       bool possible = true, any = false;
       for (int i = 0; i < tree.body_count() && possible; ++i) {
         const auto& body = tree.body(i);
         if (body.parent != ground || (only >= 0 && i != only) || velocity_size(body.joint) == 0) continue;
-        if (motion.held[static_cast<std::size_t>(body.v)]) continue;
+        if (motion.held[static_cast<std::size_t>(body.v)] &&
+            motion.held[static_cast<std::size_t>(body.v + velocity_size(body.joint) - 1)])
+          continue;
         const BodyMotion<double>& B = w.motion[static_cast<std::size_t>(i + 1)];
         const Vector at_origin = shift + cross(turn, B.p);
         // The coordinates' own motions at the body's origin, fitted to the displacement.
@@ -150,10 +170,18 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
           positions[static_cast<std::size_t>(k)] = part;
           left -= part * part * own;
         });
+        // A particle keeps its axes, on which its velocity stands.
+        const bool keeps_axes = body.joint == JointType::free && turns_nothing(machine_, body.v) &&
+                                turns_nothing(machine_, body.v + 1) && turns_nothing(machine_, body.v + 2);
+        if (keeps_axes) {
+          left = 0;
+          const Vector change = direction_on_body(tree, w, i, cross(turn, B.v));
+          for (std::size_t k = 0; k < 3; ++k) velocities[static_cast<std::size_t>(body.v) + 3 + k] = change[k];
+        }
         possible = std::abs(left) <= 1e-9 * std::max(size, 1e-300);
         any = true;
       }
-      if (possible && any) add_symmetry(positions, none);
+      if (possible && any) add_symmetry(positions, velocities);
     }
   for (int i = 0; i < tree.body_count(); ++i) {
     const auto& body = tree.body(i);

@@ -67,7 +67,12 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
     c.action = action;
     c.surface_axis = {from, n};
     c.shape_unknown = unknown;
-    if (draft.problem.steady) c.carried_by = draft.body(draft.problem.steady->frame);
+    if (draft.problem.steady) {
+      c.carried_by = draft.body(draft.problem.steady->frame);
+      for (const Frame& frame : draft.problem.frames)
+        if (frame.name == draft.problem.steady->frame && !frame.rides_on.empty())
+          c.carried_along = draft.body(frame.rides_on);
+    }
     if (!round) return;
     c.center = draft.machine.place(on, surface.center).point;
     c.axis = surface.axis;

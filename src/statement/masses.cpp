@@ -258,13 +258,14 @@ SymmetricMatrix3<Scalar> MassReader<Scalar>::stated_tensor(const StatedInertia& 
       open.push_back(i);
     }
   }
+  // Where nothing gives a size, that of the mass a meter away.
+  if (!(plain(size) > 0)) size = mass;
   for (int i : open) {
     const double choice = any_(dimensions::moment_of_inertia);  // from 0.5 to 2
     const Scalar a = moments[(i + 1) % 3], b = moments[(i + 2) % 3];
     const Scalar difference = magnitude(a - b);
     moments[i] = open.size() == 1 ? difference + Scalar(0.2 + 0.3 * choice) * (a + b - difference)
-                                  : Scalar(8) * (plain(size) < 1e-300 ? Scalar(1e-300) : size) +
-                                        Scalar(0.25 * choice) * smaller(smallest, size);
+                                  : Scalar(8) * size + Scalar(0.25 * choice) * smaller(smallest, size);
   }
   return inertia_tensor(moments, products);
 }

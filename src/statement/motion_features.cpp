@@ -14,7 +14,12 @@ namespace {
 
 constexpr int per_step = 6;          // samples in a step of the integration
 constexpr double repeats_to = 1e-7;  // how closely what repeats must come back
-constexpr std::size_t most_samples = 60'000;
+constexpr std::size_t most_samples = 2'000'000;
+
+[[noreturn]] void unanswered(const std::string& file, const Mark& mark, const std::string& message,
+                             const std::string& hint = "") {
+  throw UnansweredError(file, mark, message, hint);
+}
 
 }  // namespace
 
@@ -22,7 +27,7 @@ MotionFeatures::Sampled MotionFeatures::samples(double from, double to) const {
   Sampled sampled;
   const std::vector<double> nodes = motion_.nodes(from, to);
   if (nodes.size() * per_step > most_samples)
-    fail(file_, mark_, "the motion is too long to follow '" + words_ + "' in it", "let it last shorter");
+    unanswered(file_, mark_, "the motion is too long to follow '" + words_ + "' in it", "let it last shorter");
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     for (int k = 0; k < per_step; ++k) sampled.time.push_back(nodes[i] + (nodes[i + 1] - nodes[i]) * k / per_step);
   sampled.time.push_back(nodes.back());
@@ -31,6 +36,13 @@ MotionFeatures::Sampled MotionFeatures::samples(double from, double to) const {
 }
 
 ExtremeFound MotionFeatures::polished(double before, double middle, double after, bool largest) const {
+  const ExtremeFound found = smooth_extreme(before, after, largest);
+  // A corner, as where loads change, is no zero of the slope.
+  const double sampled = number_(middle);
+  return (largest ? found.value < sampled : found.value > sampled) ? ExtremeFound{sampled, middle} : found;
+}
+
+ExtremeFound MotionFeatures::smooth_extreme(double before, double after, bool largest) const {
   // The zero of the slope by differences of sixth order, where it changes sign; else the least value.
   const double h = 0.05 * (after - before);
   const auto slope = [&](double t) {
@@ -55,7 +67,6 @@ ExtremeFound MotionFeatures::polished(double before, double middle, double after
   std::uintmax_t iterations = 100;
   const auto found = boost::math::tools::brent_find_minima([&](double t) { return largest ? -number_(t) : number_(t); },
                                                            before, after, 50, iterations);
-  (void)middle;
   return {largest ? -found.second : found.second, found.first};
 }
 
@@ -84,12 +95,12 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
     const Sampled sampled = samples(0, *end);
     return best_of(sampled, extremes(sampled, largest));
   }
-  for (double until = 4 * motion_.pace_time(); until <= motion_.horizon(); until *= 2) {
+  for (double until = 4 * motion_.pace_time(); !motion_.followed_enough(until); until *= 2) {
     const Sampled sampled = samples(0, until);
     const auto [low, high] = std::minmax_element(sampled.value.begin(), sampled.value.end());
     if (*high - *low <= 1e-9 * std::max(std::abs(*high), std::abs(*low))) {
       // It stays what it is, so far; a disturbance takes its time to grow.
-      if (until * 2 > motion_.horizon()) return {sampled.value.front(), 0};
+      if (until > 2000 * motion_.pace_time()) return {sampled.value.front(), 0};
       continue;
     }
     const std::vector<ExtremeFound> tops = extremes(sampled, true), bottoms = extremes(sampled, false);
@@ -107,10 +118,10 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
     return largest ? *std::max_element(tops.begin(), tops.end(), value_less)
                    : *std::min_element(bottoms.begin(), bottoms.end(), value_less);
   }
-  fail(file_, mark_,
-       "'" + words_ + "' does not come back to the same extremes, so that of an endless motion it has no " +
-           (largest ? "largest" : "smallest") + " value that could be told",
-       "say how long the motion lasts: stages: {run: {lasts: 10 s}}");
+  unanswered(file_, mark_,
+             "'" + words_ + "' does not come back to the same extremes, so that of an endless motion it has no " +
+                 (largest ? "largest" : "smallest") + " value that could be told",
+             "say how long the motion lasts: stages: {run: {lasts: 10 s}}");
 }
 
 ExtremeFound MotionFeatures::largest() const { return extreme(true); }
@@ -120,7 +131,16 @@ double MotionFeatures::zero_between(double a, double b, double level) const {
   const auto f = [&](double t) { return number_(t) - level; };
   const double fa = f(a), fb = f(b);
   if (fa == 0) return a;
-  if (fb == 0) return b;
+  if (fb == 0) {
+    // It may be zero from some time on, as a force that is lost.
+    double inside = a, outside = b;
+    for (int i = 0; i < 60 && inside < outside; ++i) {
+      const double middle = 0.5 * (inside + outside);
+      if (middle == inside || middle == outside) break;
+      (f(middle) == 0 ? outside : inside) = middle;
+    }
+    return outside;
+  }
   std::uintmax_t iterations = 100;
   const auto bracket =
       boost::math::tools::toms748_solve(f, a, b, fa, fb, boost::math::tools::eps_tolerance<double>(52), iterations);
@@ -129,10 +149,11 @@ double MotionFeatures::zero_between(double a, double b, double level) const {
 
 double MotionFeatures::period() const {
   const double high = largest().value, low = smallest().value;
-  if (!(high > low)) fail(file_, mark_, "'" + words_ + "' does not change: it has no period");
+  if (!(high > low)) unanswered(file_, mark_, "'" + words_ + "' does not change: it has no period");
   const double level = 0.5 * (high + low);
-  const double horizon = motion_.end().value_or(motion_.horizon());
-  for (double until = std::min(horizon, 8 * motion_.pace_time());; until = std::min(horizon, 2 * until)) {
+  const std::optional<double> end = motion_.end();
+  for (double until = 8 * motion_.pace_time();; until *= 2) {
+    if (end) until = std::min(until, *end);
     const Sampled sampled = samples(0, until);
     std::vector<double> rising;
     for (std::size_t i = 0; i + 1 < sampled.value.size(); ++i)
@@ -150,18 +171,18 @@ double MotionFeatures::period() const {
       }
       if (repeats) return period;
     }
-    if (until >= horizon)
-      fail(file_, mark_, "'" + words_ + "' does not repeat: it has no period",
-           motion_.end() ? "let the motion last for at least two periods" : "");
+    if ((end && until >= *end) || motion_.followed_enough(until))
+      unanswered(file_, mark_, "'" + words_ + "' does not repeat: it has no period",
+                 motion_.end() ? "let the motion last for at least two periods" : "");
   }
 }
 
 std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to, int sense) const {
   std::vector<double> found;
-  const double horizon = to ? *to : motion_.end().value_or(motion_.horizon());
-  double begun = from;
-  for (double until = to ? *to : std::min(horizon, from + 4 * motion_.pace_time());;
-       until = std::min(horizon, from + 2 * (until - from))) {
+  const std::optional<double> last = to ? to : motion_.end();
+  double begun = from, until = to ? *to : from + 4 * motion_.pace_time();
+  for (;; until = from + 2 * (until - from)) {
+    if (last) until = std::min(until, *last);
     const Sampled sampled = samples(begun, until);
     double size = 0;
     for (double value : sampled.value) size = std::max(size, std::abs(value));
@@ -187,12 +208,13 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
     std::sort(found.begin(), found.end());
     if (to) return found;
     if (!found.empty()) return {found.front()};
-    if (until >= horizon) break;
+    if ((last && until >= *last) || motion_.followed_enough(until)) break;
     begun = until;
   }
   char text[60];
-  std::snprintf(text, sizeof text, " up to %.4g s", horizon);
-  fail(file_, mark_, "'" + words_ + "' does not happen" + text, "check the condition, or look farther with lasts:");
+  std::snprintf(text, sizeof text, " up to %.4g s", until);
+  unanswered(file_, mark_, "'" + words_ + "' does not happen" + text,
+             "check the condition, or look farther with lasts:");
 }
 
 std::vector<double> MotionFeatures::times_of_extreme(bool largest, double from, std::optional<double> to) const {

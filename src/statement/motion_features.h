@@ -41,6 +41,7 @@ class MotionFeatures {
   Sampled samples(double from, double to) const;
   std::vector<ExtremeFound> extremes(const Sampled& sampled, bool largest) const;
   ExtremeFound extreme(bool largest) const;
+  ExtremeFound smooth_extreme(double before, double after, bool largest) const;
   ExtremeFound polished(double before, double middle, double after, bool largest) const;
   double zero_between(double a, double b, double level) const;
 

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double tolerance = 1e-12;  // of a step, over the natural sizes
 constexpr std::int64_t most_steps = 400'000;
-constexpr double most_seconds = 60;
 
 }  // namespace
 
@@ -22,11 +21,23 @@ ProblemMotion::ProblemMotion(const Problem& problem, const Settings& settings, c
     : problem_(problem), settings_(settings), choice_(choice), timed_(follows_time(problem)) {
   start_ = std::make_unique<SolvedInstant>(problem, settings, When{0, problem.has_blow()}, choice);
   probe_ = std::make_unique<SolvedInstant>(problem, settings, When{0, problem.has_blow()}, choice);
-  if (!choice.trial && !start_->velocities().open.empty() && !choice.velocities)
+  const auto moves_mass = [&](const std::vector<double>& direction) {
+    for (std::size_t k = 0; k < direction.size(); ++k)
+      if (std::abs(direction[k]) > 1e-12 && !turns_nothing(start_->machine(), static_cast<int>(k))) return true;
+    return false;
+  };
+  const auto& open = start_->velocities().open;
+  if (!choice.trial && !choice.velocities && std::any_of(open.begin(), open.end(), moves_mass))
     fail(problem.file, mark_of(0),
          "the motion at the start of " + words_of(0) + " is not fixed: " +
              start_->velocity_equations().name(start_->velocities().share.front().front()) + " is unknown",
          "state it under instants: {start: {...}}");
+  for (const Strike& strike : problem.strikes)
+    if (strike.stays && !strike.mass_neglected)
+      throw UnansweredError(
+          problem.file, strike.mark,
+          "the particle of strike '" + strike.name + "' stays in the body: the motion after it is that of another body",
+          "state that motion in a file of its own, with the particle among the parts of the body");
   stages_.resize(std::max<std::size_t>(1, problem.stages.size()));
   StageRun& first = stages_.front();
   MotionState state = start_->state();
@@ -72,7 +83,14 @@ double ProblemMotion::reached() const {
   return time;
 }
 
-double ProblemMotion::horizon() const { return 2000 * pace_time_; }
+bool ProblemMotion::followed_enough(double until) const {
+  constexpr std::size_t enough = 100'000;  // steps
+  std::size_t steps = 0;
+  for (const StageRun& stage : stages_)
+    for (const Trajectory& piece : stage.pieces)
+      if (!piece.empty() && piece.start_time() < until) steps += piece.step_count();
+  return (steps >= enough && until >= reached()) || until > 1e6 * pace_time_;
+}
 
 void ProblemMotion::begin(std::size_t stage) {
   StageRun& now = stages_[stage];
@@ -117,8 +135,9 @@ void ProblemMotion::run(std::size_t stage, double until) {
   begin(stage);
   StageRun& now = stages_[stage];
   const bool by_event = stage < problem_.stages.size() && problem_.stages[stage].until.has_value();
-  const double limit = now.end ? *now.end : by_event ? now.start + horizon() : until;
-  const double target = std::min(until, limit);
+  // Towards an event in growing spans, until it happens or the motion has been followed long enough.
+  double span = 20 * pace_time_;
+  double target = now.end ? std::min(until, *now.end) : by_event ? std::min(until, now.time + span) : until;
   int changes = 0;
   while (!now.done && now.time < target) {
     std::vector<bool> acting = now.acting.empty() ? std::vector<bool>() : now.acting.back();
@@ -147,10 +166,22 @@ void ProblemMotion::run(std::size_t stage, double until) {
         dynamics.set_effort(i, then.mechanism.drives[i].effort);
     };
     for (const StatedRate& rate : machine.accelerations) dynamics.set_held_acceleration(rate.velocity, rate.value);
-    for (std::size_t i = 0; i < acting.size(); ++i) dynamics.set_acting(static_cast<int>(i), acting[i]);
+    const auto set_acting = [&] {
+      for (std::size_t i = 0; i < acting.size(); ++i) dynamics.set_acting(static_cast<int>(i), acting[i]);
+    };
+    set_acting();
+    if (!dynamics.open_coordinates(now.q).empty()) {
+      // The turning of a particle, or of a rod about its own line, moves nothing: it rests.
+      for (const OpenCoordinate& open : dynamics.open_coordinates(now.q))
+        if (turns_nothing(machine, open.coordinate) && now.v[static_cast<std::size_t>(open.coordinate)] == 0)
+          held.push_back(open.coordinate);
+      dynamics = MechanismDynamics(machine.mechanism, held);
+      for (const StatedRate& rate : machine.accelerations) dynamics.set_held_acceleration(rate.velocity, rate.value);
+      set_acting();
+    }
     for (const OpenCoordinate& open : dynamics.open_coordinates(now.q))
       fail(problem_.file, mark_of(stage),
-           "the motion in " + words_of(stage) + " is not determined: nothing fixes the " +
+           words_of(stage) + " is not determined: nothing fixes the " +
                machine.mechanism.coordinate_names[static_cast<std::size_t>(open.coordinate)] +
                (open.without_inertia ? ", which moves no mass" : ""),
            "say what drives it, give it mass, or hold it");
@@ -192,6 +223,7 @@ void ProblemMotion::run(std::size_t stage, double until) {
     std::vector<std::size_t> event_action;
     std::vector<double> a(static_cast<std::size_t>(equations.velocity_size));
     bool released = false;
+    double until_size = 0;
     if (by_event) {
       const Comparison* comparison = problem_.stages[stage].until->as<Comparison>();
       if (!comparison || comparison->operands.size() != 2)
@@ -202,9 +234,23 @@ void ProblemMotion::run(std::size_t stage, double until) {
       event.terminal = true;
       event.value = [&, comparison](double time, std::span<const double> q, std::span<const double> v) {
         probe_->move_to({time, stage, {q.begin(), q.end()}, {v.begin(), v.end()}, acting});
-        return probe_->number(comparison->operands[0], std::nullopt) -
-               probe_->number(comparison->operands[1], std::nullopt);
+        const double left = probe_->number(comparison->operands[0], std::nullopt),
+                     right = probe_->number(comparison->operands[1], std::nullopt);
+        until_size = std::max({until_size, std::abs(left), std::abs(right)});
+        return left - right;
       };
+      // It may have been met just where the motion was followed to before.
+      for (const Trajectory& piece : now.pieces) {
+        if (piece.empty()) continue;
+        const State<double> before = piece.state(piece.start_time());
+        event.value(piece.start_time(), before.q, before.v);  // for the size of what is compared
+      }
+      const double left = std::abs(event.value(now.time, now.q, now.v));
+      if (now.time > now.start && left <= 1e-11 * until_size) {
+        now.end = now.time;
+        now.done = true;
+        return;
+      }
       events.push_back(std::move(event));
       event_action.push_back(machine.mechanism.actions.size());
     }
@@ -258,13 +304,13 @@ void ProblemMotion::run(std::size_t stage, double until) {
     IntegrationOptions options;
     options.tolerance = tolerance;
     options.most_steps = most_steps;
-    options.seconds = most_seconds;
+    options.seconds = most_seconds_;
     const double end = std::min(target, now.end.value_or(target));
     const IntegrationResult result = integrate(equations, now.time, now.q, now.v, end, options, events);
     if (!result.complete())
-      fail(problem_.file, mark_of(stage),
-           "the motion in " + words_of(stage) + " cannot be followed: " + poinsot::describe(result),
-           "let it last shorter");
+      throw UnansweredError(problem_.file, mark_of(stage),
+                            words_of(stage) + " cannot be followed: " + poinsot::describe(result),
+                            "let it last shorter");
     if (!result.drift.empty()) {
       const double size = std::max(std::abs(result.drift[0].start), dynamics.kinetic_energy(result.q, result.v));
       energy_drift_ = std::max(energy_drift_.value_or(0), size > 0 ? result.drift[0].largest / size : 0);
@@ -288,12 +334,17 @@ void ProblemMotion::run(std::size_t stage, double until) {
       }
     } else if (now.end && now.time >= *now.end) {
       now.done = true;
+    } else if (by_event && now.time >= target && until > target && !followed_enough(target)) {
+      target = std::min(until, now.time + (span *= 2));
     }
   }
-  if (!now.done && by_event && now.time >= limit)
-    fail(problem_.file, problem_.stages[stage].until->mark(),
-         "what ends " + words_of(stage) + " has not happened after " + std::to_string(limit - now.start) + " s",
-         "check the condition, or write lasts:");
+  if (!now.done && by_event && until > target) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.4g s", now.time - now.start);
+    throw UnansweredError(problem_.file, problem_.stages[stage].until->mark(),
+                          "what ends " + words_of(stage) + " has not happened after " + text,
+                          "check the condition, or write lasts:");
+  }
 }
 
 // A cord or contact gives way, or catches again: then the motion changes as by a blow without rebound.
@@ -318,6 +369,8 @@ void ProblemMotion::change_holds(std::size_t, std::size_t action, std::vector<bo
 std::size_t ProblemMotion::stage_at(double time) {
   for (std::size_t stage = 0; stage + 1 < stages_.size(); ++stage) {
     begin(stage);
+    // An event that ends a stage is not sought beyond what has been followed.
+    if (!stages_[stage].done && time <= stages_[stage].time) return stage;
     const std::optional<double> end = stage_end(stage);
     if (end && time < *end) return stage;
   }
@@ -325,12 +378,23 @@ std::size_t ProblemMotion::stage_at(double time) {
   return stages_.size() - 1;
 }
 
+MotionState ProblemMotion::end_of(std::size_t stage) {
+  const std::optional<double> end = stage_end(stage);
+  StageRun& now = stages_[stage];
+  if (end && !now.done) run(stage, *end);
+  MotionState state{now.time, stage, now.q, now.v, {}};
+  if (!now.acting.empty()) state.acting = now.acting.back();
+  return state;
+}
+
 MotionState ProblemMotion::at(double time) {
   const std::size_t stage = stage_at(time);
   StageRun& now = stages_[stage];
-  if (now.end && time > *now.end * (1 + 1e-12) + 1e-12)
-    fail(problem_.file, mark_of(stage), words_of(stage) + " ends before that time", "let it last longer");
-  if (time > now.time) run(stage, time);
+  const auto beyond = [&] { return now.end && time > *now.end * (1 + 1e-12) + 1e-12; };
+  if (!beyond() && time > now.time) run(stage, time);
+  if (beyond())
+    throw UnansweredError(problem_.file, mark_of(stage), words_of(stage) + " ends before that time",
+                          "let it last longer");
   MotionState state{time, stage, now.q, now.v, {}};
   for (std::size_t i = 0; i < now.pieces.size(); ++i) {
     const Trajectory& piece = now.pieces[i];
@@ -343,6 +407,52 @@ MotionState ProblemMotion::at(double time) {
   }
   if (!now.acting.empty()) state.acting = now.acting.back();
   return state;
+}
+
+double ProblemMotion::follow(double time) {
+  for (std::size_t stage = 0;; ++stage) {
+    begin(stage);
+    StageRun& now = stages_[stage];
+    if (!now.done && now.time < time) run(stage, time);
+    if (!now.done || stage + 1 == stages_.size()) return now.time;
+  }
+}
+
+MotionCheckpoint ProblemMotion::checkpoint() const {
+  std::size_t stage = stages_.size() - 1;
+  while (stage > 0 && !stages_[stage].begun) --stage;
+  const StageRun& now = stages_[stage];
+  return {{now.time, stage, now.q, now.v, now.acting.empty() ? std::vector<bool>() : now.acting.back()}, now.start};
+}
+
+void ProblemMotion::continue_from(const MotionCheckpoint& checkpoint) {
+  const MotionState& state = checkpoint.state;
+  stages_.assign(stages_.size(), {});
+  for (std::size_t stage = 0; stage < state.stage; ++stage) {
+    StageRun& before = stages_[stage];
+    before.begun = before.done = true;
+    before.end = before.time = checkpoint.stage_start;
+    before.q = state.q;
+    before.v = state.v;
+  }
+  StageRun& now = stages_[state.stage];
+  now.q = state.q;
+  now.v = state.v;
+  begin(state.stage);
+  now.time = state.time;
+  if (!state.acting.empty()) {
+    now.pieces.emplace_back();
+    now.acting.push_back(state.acting);
+  }
+  happenings_.clear();
+  energy_drift_.reset();
+  // Where contacts were before leaves traces of rounding.
+  probe_ = std::make_unique<SolvedInstant>(problem_, settings_, state, choice_);
+}
+
+SolvedInstant& ProblemMotion::instant_at(double time) {
+  probe_->move_to(at(time));
+  return *probe_;
 }
 
 Value<double> ProblemMotion::value(double time, const Expression& expression, const std::optional<Expression>& axes) {

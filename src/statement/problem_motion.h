@@ -16,6 +16,12 @@ class MechanismDynamics;
 
 namespace poinsot::statement {
 
+// Where a motion stands, and all that its going on depends on.
+struct MotionCheckpoint {
+  MotionState state;
+  double stage_start = 0;  // s
+};
+
 // One number along the motion.
 using NumberInTime = std::function<double(double time)>;
 
@@ -32,6 +38,8 @@ class ProblemMotion {
   std::optional<double> end() { return stage_end(stages_.size() - 1); }
 
   MotionState at(double time);
+  // At the end of a stage, still in it.
+  MotionState end_of(std::size_t stage);
   // A value with vectors on the asked axes.
   Value<double> value(double time, const Expression& expression, const std::optional<Expression>& axes);
   // The number that an expression is, in SI.
@@ -51,14 +59,26 @@ class ProblemMotion {
   double time_of_instant(const Instant& instant);
   std::vector<double> fact_misfits(double time, const std::vector<const Fact*>& facts);
 
+  // Follows the motion to a time and no further, or to its end if that comes before. Where it stands then, s.
+  double follow(double time);
+  bool is_over() const { return stages_.back().done; }
+  MotionCheckpoint checkpoint() const;
+  // Forgets all of the motion but a checkpoint and goes on from there: the motion that follows, and what happens in it,
+  // is to the last bit the same whatever this object was asked before. What lies before can no longer be asked.
+  void continue_from(const MotionCheckpoint& checkpoint);
+  // How long one integration may take, s of real time.
+  void set_time_limit(double seconds) { most_seconds_ = seconds; }
+  // The problem at a time; valid until anything else is asked.
+  SolvedInstant& instant_at(double time);
+
   // The steps of the integration up to a time: where the motion is smooth.
   std::vector<double> nodes(double from, double to);
   // How far it has been followed, s.
   double reached() const;
   // A time in which the motion changes noticeably, s.
   double pace_time() const { return pace_time_; }
-  // How far an endless motion is followed.
-  double horizon() const;
+  // Whether an endless motion is not followed beyond a time.
+  bool followed_enough(double until) const;
 
   // What happened on the way: cords that went slack, contacts that were lost.
   const std::vector<std::string>& happenings() const { return happenings_; }
@@ -89,6 +109,7 @@ class ProblemMotion {
   std::unique_ptr<SolvedInstant> start_, probe_;
   std::vector<StageRun> stages_;
   double pace_time_ = 1;
+  double most_seconds_ = 60;
   std::vector<std::string> happenings_;
   std::optional<double> energy_drift_;
 };

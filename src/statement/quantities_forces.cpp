@@ -110,6 +110,7 @@ Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, c
       if (mechanism.components[k].action == static_cast<int>(actions.front()))
         return number_value(Scalar((*unknowns_)[solve::force_unknowns(mechanism).accelerations + k]),
                             dimensions::force);
+    return number_value(Scalar(0), dimensions::force);  // slack
   }
   if (f == "load") {
     for (const KnownForce<double>& force : mechanism.forces)

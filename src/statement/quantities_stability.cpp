@@ -22,12 +22,15 @@ Value<Scalar> QuantityScope<Scalar>::holding(const Call& call, const Evaluator<S
     known.push_back(action.name);
     if (!plain_name(what) || plain_name(what)->name != action.name) continue;
     double push = 0, largest = 0;
+    bool acts = false;
     for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
       const Component<double>& component = mechanism.components[k];
       if (!component.couple) largest = std::max(largest, std::abs((*unknowns_)[first + k]));
-      if (component.action == static_cast<int>(i) && component.one_sided) push = (*unknowns_)[first + k];
+      if (component.action != static_cast<int>(i) || !component.one_sided) continue;
+      push = (*unknowns_)[first + k];
+      acts = true;
     }
-    return Result::of_truth(push >= -1e-12 * largest);
+    return Result::of_truth(acts && push >= -1e-12 * largest);
   }
   std::string all;
   for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;

@@ -38,6 +38,12 @@ class Members {
 };
 
 // The text of a scalar; throws if the entry is anything else. `what` names it in the message.
+// What is asked of a motion and the motion does not tell: the other questions are answered all the same.
+class UnansweredError : public StatementError {
+ public:
+  using StatementError::StatementError;
+};
+
 // Throws StatementError if the entry is no unit.
 Unit read_unit(const Entry& entry, const std::string& file);
 

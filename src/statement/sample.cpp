@@ -7,11 +7,13 @@
 namespace poinsot::statement {
 
 SolvedInstant& Sample::instant(const Home& home) {
-  auto& found = instants_[home];
-  if (found) return *found;
+  if (const auto known = instants_.find(home); known != instants_.end()) return *known->second;
+  std::unique_ptr<SolvedInstant> found;
   const Problem& problem = statement_.situations[home.situation].problem;
   const Settings& settings = settings_[home.situation];
-  if (home.time)
+  if (home.ending)
+    found = std::make_unique<SolvedInstant>(problem, settings, motion(home.situation).end_of(home.instant), choice_);
+  else if (home.time)
     found = std::make_unique<SolvedInstant>(problem, settings, motion(home.situation).at(*home.time), choice_);
   else if (home.instant > 0 && !problem.has_blow())
     found = std::make_unique<SolvedInstant>(
@@ -23,7 +25,7 @@ SolvedInstant& Sample::instant(const Home& home) {
       [this, situation = home.situation](const Call& call, const std::optional<Expression>& axes, const Mark& mark) {
         return motion(situation).feature(call, axes, mark);
       });
-  return *found;
+  return *(instants_[home] = std::move(found));
 }
 
 std::optional<Sample::Home> Sample::resolve_in(std::size_t i, const std::string& name, const Mark& mark,
@@ -39,8 +41,7 @@ std::optional<Sample::Home> Sample::resolve_in(std::size_t i, const std::string&
     const std::string& stage = problem.stages[k].name;
     if (name == stage || name == stage + ".start") return Home{i, k, std::nullopt};
     if (name == stage + ".end") {
-      if (k + 1 < problem.stages.size()) return Home{i, k + 1, std::nullopt};
-      if (const std::optional<double> end = motion(i).stage_end(k)) return Home{i, k, end};
+      if (const std::optional<double> end = motion(i).stage_end(k)) return Home{i, k, end, true};
       fail(problem.file, mark, "stage '" + stage + "' has no end", "write lasts: or until:");
     }
     known.push_back(prefix + stage);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <memory>
 #include <set>
@@ -61,8 +62,10 @@ class Sample {
     std::size_t situation = 0;
     std::size_t instant = 0;     // before or after a blow; or the stage at whose start
     std::optional<double> time;  // along the motion, s
+    bool ending = false;         // the end of the stage `instant`, with its own loads
     bool operator<(const Home& other) const {
-      return std::tie(situation, instant, time) < std::tie(other.situation, other.instant, other.time);
+      return std::tie(situation, instant, time, ending) <
+             std::tie(other.situation, other.instant, other.time, other.ending);
     }
   };
 
@@ -112,10 +115,11 @@ class Sample {
 
   // The motion of a situation.
   ProblemMotion& motion(std::size_t situation) {
-    auto& found = motions_[situation];
-    if (!found)
-      found = std::make_unique<ProblemMotion>(statement_.situations[situation].problem, settings_[situation], choice_);
-    return *found;
+    const auto known = motions_.find(situation);
+    if (known != motions_.end()) return *known->second;
+    auto motion =
+        std::make_unique<ProblemMotion>(statement_.situations[situation].problem, settings_[situation], choice_);
+    return *(motions_[situation] = std::move(motion));
   }
 
   // Times at which something happens; the table of an ask, column by column.
@@ -146,7 +150,8 @@ class Sample {
     const bool one = statement_.situations.size() == 1 && statement_.situations.front().problem.stages.size() <= 1;
     const At* at = first_at(expression);
     const bool elsewhere = at && !asks_model(statement_.situations.front().problem, expression, false);
-    if (at && (elsewhere || !one)) {
+    const bool in_time = at && (std::isdigit(static_cast<unsigned char>(at->instant.front())) != 0);
+    if (at && (elsewhere || !one || in_time)) {
       if (!elsewhere)
         fail(statement_.file, mark, "a part of this stands without @: when is it meant?",
              "write @ " + at->instant + " or another instant behind every quantity");

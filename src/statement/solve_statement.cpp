@@ -18,8 +18,9 @@
 namespace poinsot::statement {
 namespace {
 
-constexpr double check_tolerance = 1e-8;  // residual on the road of particles, relative
-constexpr double same_tolerance = 1e-9;   // between two choices of what is open, relative
+constexpr double check_tolerance = 1e-8;    // residual on the road of particles, relative
+constexpr double same_tolerance = 1e-9;     // between two choices of what is open, relative
+constexpr double refound_tolerance = 1e-7;  // the same where unknowns are found anew
 
 bool asks_energy(const Expression& expression) {
   std::set<std::string> names;
@@ -48,6 +49,7 @@ class StatementSolver {
     SolvedStatement result;
     result.open_letters = open_;
     if (search_.unknowns().empty()) {
+      if (open_.empty()) hold_later_facts();
       result.solutions.push_back(solve_one(AllSettings(statement_.situations.size(), settings_)));
       return result;
     }
@@ -55,6 +57,7 @@ class StatementSolver {
     const RootsFound found = search_.find(settings_with_letters());
     result.warnings = found.warnings;
     for (const AllSettings& root : found.roots) {
+      undetermined_.clear();
       Solution solution = solve_one(root);
       list_unknowns(root, solution);
       if (!open_.empty()) {
@@ -90,8 +93,26 @@ class StatementSolver {
   }
 
  private:
+  // What is stated of later instants, of extremes and periods follows from the rest: it must be true.
+  void hold_later_facts() const {
+    for (const Situation& situation : statement_.situations) {
+      if (!has_later_facts(situation.problem)) continue;
+      for (const double misfit : later_misfits(situation.problem, settings_, OpenChoice{})) {
+        if (std::abs(misfit) <= 1e-7) continue;
+        const auto later = std::find_if(
+            situation.problem.instants.begin(), situation.problem.instants.end(),
+            [&](const Instant& instant) { return is_later(situation.problem, instant) && !instant.facts.empty(); });
+        fail(situation.problem.file,
+             later != situation.problem.instants.end() ? later->mark : situation.problem.instants.front().mark,
+             "what is stated of the motion after its start does not hold: it follows from the start and the loads",
+             "correct it, or list under find: a datum that it fixes");
+      }
+    }
+  }
+
   void list_unknowns(const AllSettings& root, Solution& solution) const {
     for (const Unknown& unknown : search_.unknowns()) {
+      if (undetermined_.contains(unknown.name)) continue;
       if (search_.is_common(unknown.name))
         solution.unknowns.push_back({unknown.name, unknown.unit, root.front().at(unknown.name)});
       for (std::size_t i = 0; i < root.size(); ++i)
@@ -126,13 +147,22 @@ class StatementSolver {
     Values values = with_letters(OpenChoice{}, nullptr);
     Sample& base = *sample_;
     result.asks.resize(statement_.asks.size());
-    for (std::size_t i = 0; i < statement_.asks.size(); ++i)
+    for (std::size_t i = 0; i < statement_.asks.size(); ++i) {
+      if (const auto missing = unanswered_.find(statement_.asks[i].name); missing != unanswered_.end()) {
+        natural_.push_back(0);
+        result.asks[i].state = AskState::undetermined;
+        result.asks[i].reason =
+            missing->second.message + (missing->second.hint.empty() ? "" : ": " + missing->second.hint);
+        result.asks[i].words = describe(statement_.asks[i], statement_.situations.front().problem, false);
+        continue;
+      }
       if (statement_.asks[i].table)
         finish_table(statement_.asks[i], *values[i], result.asks[i]);
       else if (statement_.asks[i].extremum)
         finish_extremum(statement_.asks[i], values[i], result.asks[i]);
       else
         finish(statement_.asks[i], *values[i], base, result.asks[i]);
+    }
     find_dependencies(values, result);
     if (open_.empty()) physical(result);
     check(result);
@@ -144,9 +174,15 @@ class StatementSolver {
     Values values;
     extremal_.clear();
     no_extremum_.clear();
+    unanswered_.clear();
     for (const Ask& ask : statement_.asks) {
       if (!ask.extremum) {
-        values.emplace_back(sample.value(ask));
+        try {
+          values.emplace_back(sample.value(ask));
+        } catch (const UnansweredError& error) {
+          values.emplace_back(std::nullopt);
+          unanswered_[ask.name] = error.diagnostics().front();
+        }
         continue;
       }
       ExtremumFound found = ExtremumSearch(statement_, ask, settings, choice).find();
@@ -182,9 +218,46 @@ class StatementSolver {
     }
   }
 
+  std::vector<const Sample*> samples() const {
+    std::vector<const Sample*> all{sample_.get()};
+    for (const std::unique_ptr<Sample>& sample : extremal_) all.push_back(sample.get());
+    return all;
+  }
+
   // An ask that has no value for this choice depends on it.
   Values varied(const OpenChoice& choice, const Values& base) {
-    Sample sample(statement_, base_, choice);
+    AllSettings settings = base_;
+    // What is found from the conditions may depend on what is open as well.
+    if (!search_.unknowns().empty() && (choice.any || choice.gravity || choice.velocities)) {
+      Settings known = base_.front();
+      for (const Unknown& unknown : search_.unknowns()) known.erase(unknown.name);
+      const RootsFound found = search_.find(known, choice);
+      const auto distance = [&](const AllSettings& root) {
+        double sum = 0;
+        for (std::size_t i = 0; i < root.size(); ++i)
+          for (const Unknown& unknown : search_.unknowns()) {
+            const auto a = root[i].find(unknown.name), b = std::as_const(base_[i]).find(unknown.name);
+            if (a == root[i].end() || b == base_[i].end()) continue;
+            sum += std::abs(a->second.number - b->second.number) / unknown.unit.factor +
+                   norm(a->second.vector - b->second.vector) / unknown.unit.factor;
+          }
+        return sum;
+      };
+      const auto nearest =
+          std::min_element(found.roots.begin(), found.roots.end(),
+                           [&](const AllSettings& a, const AllSettings& b) { return distance(a) < distance(b); });
+      if (nearest == found.roots.end()) return Values(statement_.asks.size(), std::nullopt);
+      settings = *nearest;
+    }
+    for (const Unknown& unknown : search_.unknowns())
+      for (std::size_t i = 0; i < settings.size(); ++i) {
+        const auto a = std::as_const(settings[i]).find(unknown.name), b = std::as_const(base_[i]).find(unknown.name);
+        if (a == settings[i].end() || b == base_[i].end()) continue;
+        const double moved = std::abs(a->second.number - b->second.number) + norm(a->second.vector - b->second.vector);
+        const double size = std::max({std::abs(b->second.number), norm(b->second.vector), 1e-6 * unknown.unit.factor});
+        if (moved > refound_tolerance * size) undetermined_.insert(unknown.name);
+      }
+    Sample sample(statement_, settings, choice);
     Values values;
     for (std::size_t i = 0; i < statement_.asks.size(); ++i) {
       const Ask& ask = statement_.asks[i];
@@ -196,7 +269,7 @@ class StatementSolver {
       try {
         if (!ask.extremum)
           values.emplace_back(sample.value(ask));
-        else if (base[i] && ExtremumSearch(statement_, ask, base_, choice).is_at(base[i]->number))
+        else if (base[i] && ExtremumSearch(statement_, ask, settings, choice).is_at(base[i]->number))
           values.push_back(base[i]);
         else
           values.emplace_back(std::nullopt);
@@ -224,7 +297,8 @@ class StatementSolver {
   }
 
   double tolerance(std::size_t i, const Value<double>& a, const Value<double>& b) {
-    return same_tolerance * std::max(size_of(a), size_of(b)) + 1e-11 * natural_[i];
+    return (search_.unknowns().empty() ? same_tolerance : refound_tolerance) * std::max(size_of(a), size_of(b)) +
+           1e-11 * natural_[i];
   }
 
   void find_dependencies(const Values& base, Solution& result) {
@@ -255,8 +329,9 @@ class StatementSolver {
     bool any = false, gravity = false;
     for (const Situation& situation : statement_.situations) {
       gravity = gravity || !situation.problem.gravity;
-      any = any || uses_any(situation.problem);
     }
+    for (const Sample* sample : samples())
+      for (const auto& [home, instant] : sample->instants()) any = any || instant->uses_any();
     if (any)
       undetermined({.seed = 11, .any = true},
                    [](const Ask&) { return std::string("it depends on a value that is given as `any`"); });
@@ -327,7 +402,7 @@ class StatementSolver {
   }
   void tell_fixed_components(Solution& result) {
     for (std::size_t i = 0; i < fixed_.size(); ++i) {
-      if (result.asks[i].state != AskState::undetermined) continue;
+      if (result.asks[i].state != AskState::undetermined || unanswered_.contains(statement_.asks[i].name)) continue;
       std::vector<std::string> names;
       for (std::size_t k = 0; k < 3; ++k)
         if (fixed_[i][k]) names.push_back("." + sample_->problem_of(statement_.asks[i]).axes[k]);
@@ -336,26 +411,6 @@ class StatementSolver {
                                  (names.size() > 1 ? " are" : " is") + " fixed: ask for " +
                                  (names.size() > 1 ? "them" : "it");
     }
-  }
-
-  static bool uses_any(const Problem& problem) {
-    const auto is_any = [](const std::optional<Expression>& expression) {
-      std::set<std::string> names;
-      if (expression) collect_names(*expression, names);
-      return names.contains("any");
-    };
-    return std::any_of(problem.bodies.begin(), problem.bodies.end(), [&](const Body& body) {
-      if (is_any(body.amount.mass) || is_any(body.amount.weight) || is_any(body.amount.density) || is_any(body.center))
-        return true;
-      for (const Part& part : body.parts)
-        if (is_any(part.amount.mass) || is_any(part.amount.weight)) return true;
-      if (!body.inertia) return false;
-      if (body.inertia->rest_any) return true;
-      for (const auto& list : {body.inertia->moments, body.inertia->products})
-        for (const auto& value : list)
-          if (is_any(value)) return true;
-      return false;
-    });
   }
 
   static std::string listed(const std::vector<std::string>& names, const char* last) {
@@ -505,6 +560,7 @@ class StatementSolver {
     for (std::size_t i = 0; i < statement_.asks.size(); ++i) {
       const Ask& ask = statement_.asks[i];
       if (ask.extremum || ask.table || ask.when || result.asks[i].value.is_boolean()) continue;
+      if (result.asks[i].state != AskState::found) continue;
       SolvedInstant& instant = sample_->instant_of(ask);
       const Problem& problem = sample_->problem_of(ask);
       const bool needs_forces = std::any_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) {
@@ -596,9 +652,11 @@ class StatementSolver {
   std::vector<Letter> open_;
   std::unique_ptr<Sample> sample_;
   std::vector<std::unique_ptr<Sample>> extremal_;  // at the extrema that are asked
+  std::map<std::string, Diagnostic> unanswered_;   // what a motion does not tell, by ask
   std::vector<std::string> no_extremum_;           // of each extremum that is asked: why there is none
   std::vector<double> natural_;
   std::vector<std::array<bool, 3>> fixed_;
+  std::set<std::string> undetermined_;  // unknowns that a variation moves
 };
 
 }  // namespace
@@ -630,6 +688,8 @@ Settings read_settings(const Statement& statement, const std::vector<std::pair<s
 
 SolvedStatement solve_statement(const Statement& statement,
                                 const std::vector<std::pair<std::string, std::string>>& sets) {
+  if (statement.asks.empty())
+    fail(statement.file, Mark{1, 1}, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
   return StatementSolver(statement, read_settings(statement, sets)).solve();
 }
 

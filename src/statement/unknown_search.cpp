@@ -59,9 +59,8 @@ bool is_bare(const Expression& expression, const std::string& name) {
 }
 bool stands_in(const Expression& place, const std::string& name) {
   const List* list = place.as<List>();
-  return list && std::any_of(list->items.begin(), list->items.end(), [&](const Expression& item) {
-           return is_bare(item, name) || stands_in(item, name);
-         });
+  return list && std::any_of(list->items.begin(), list->items.end(),
+                             [&](const Expression& item) { return is_bare(item, name) || stands_in(item, name); });
 }
 // A length that is a coordinate of a mass center has either sign.
 bool is_center_coordinate(const Problem& problem, const std::string& name) {
@@ -188,7 +187,10 @@ double UnknownSearch::seconds_left() const {
   return std::max(0.1, most_seconds - spent);
 }
 
-RootsFound UnknownSearch::find(const Settings& settings) {
+RootsFound UnknownSearch::find(const Settings& settings, const OpenChoice& choice) {
+  choice_ = choice;
+  choice_.trial = true;
+  begun_ = std::chrono::steady_clock::now();
   RootsFound found;
   found.roots.push_back(AllSettings(statement_.situations.size(), settings));
   const auto refine = [&](const Search& search) {
@@ -429,12 +431,12 @@ solve::RootEquations UnknownSearch::misfits(const Search& search, const AllSetti
       return std::find(search.groups.begin(), search.groups.end(), Group{i, aspect}) != search.groups.end();
     };
     if (wanted(Aspect::later)) {
-      const std::vector<double> later = later_misfits(problem, all_known, OpenChoice{.trial = true});
+      const std::vector<double> later = later_misfits(problem, all_known, choice_);
       all.values.insert(all.values.end(), later.begin(), later.end());
       all.size = std::max(all.size, 1.0);
     }
     if (!wanted(Aspect::velocities) && !wanted(Aspect::forces)) continue;
-    SolvedInstant instant(problem, all_known, When{0, problem.has_blow()}, OpenChoice{.trial = true});
+    SolvedInstant instant(problem, all_known, When{0, problem.has_blow()}, choice_);
     const auto velocities = static_cast<std::ptrdiff_t>(instant.misfits().size());
     if (wanted(Aspect::forces)) instant.solve_forces();
     const auto& values = instant.misfits();
@@ -599,7 +601,7 @@ UnknownSearch::Slots UnknownSearch::slots_of(const Search& search, const AllSett
     for (const Slot& slot : slots.slots) ones.push_back(slot.unknown->unit.factor);
     const AllSettings trial = settings_at(search, slots, settings, ones);
     const Settings all_known = with_trial_values(trial[first]);
-    SolvedInstant instant(problem, all_known, When{}, OpenChoice{.trial = true});
+    SolvedInstant instant(problem, all_known, When{}, choice_);
     for (std::size_t k = 0; k < slots.slots.size(); ++k) {
       const double natural = instant.natural_size(slots.slots[k].unknown->unit.dimension),
                    ratio = natural / slots.ranges[k].scale;

@@ -38,7 +38,8 @@ class UnknownSearch {
 
   // All values of the unknowns that satisfy what is stated, with the given values of everything else. First the
   // unknowns common to all situations, from the situations that have none of their own, then those of each situation.
-  RootsFound find(const Settings& settings);
+  // Everything that the statement leaves open is taken as `choice` says.
+  RootsFound find(const Settings& settings, const OpenChoice& choice = {});
 
  private:
   // Conditions that are evaluated together: those on the velocities of a situation, on its forces, and on the motion
@@ -87,6 +88,7 @@ class UnknownSearch {
   const Statement& statement_;
   std::vector<Unknown> unknowns_;
   std::set<std::string> known_;  // given from outside
+  OpenChoice choice_;
   std::optional<StatementError> refusal_;
   bool makes_sense_ = false;  // whether the equations had a value anywhere in the last search
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();

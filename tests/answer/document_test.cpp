@@ -56,7 +56,7 @@ TEST(RequireValues, names_the_place_of_a_number_that_is_not_finite) {
 TEST(RequireValues, names_what_counts_as_found_and_has_no_value) {
   EXPECT_EQ(message_of(document_of(found("a", {}, "", {}))), "the answer to 'a' has no value");
   Document unknown;
-  unknown.solutions.push_back({{{"w", {}, "", {}}}, {}, {}});
+  unknown.solutions.push_back({{{"w", {}, "", {}}}, {}, {}, {}});
   EXPECT_EQ(message_of(unknown), "the unknown 'w' has no value");
 }
 

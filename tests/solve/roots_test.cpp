@@ -3,20 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
+
+#include "solve/roots_problems.h"
 
 namespace poinsot::solve {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-RootProblem of_one(double lower, double upper, double (*f)(double)) {
-  RootProblem problem;
-  problem.ranges = {{lower, upper, 1}};
-  problem.equations = [f](const std::vector<double>& x) { return RootEquations{{f(x[0])}, 1 + std::abs(x[0])}; };
-  return problem;
-}
 
 TEST(Roots, ALinearSystemHasItsOnlySolutionFoundInOneStep) {
   std::mt19937_64 random(3);
@@ -53,7 +45,7 @@ TEST(Roots, AllRootsOfAPolynomialInTheRangeAreFoundInOrder) {
   EXPECT_NEAR(roots.points[0][0], -3, 1e-9);
   EXPECT_NEAR(roots.points[1][0], 0.5, 1e-9);
   EXPECT_NEAR(roots.points[2][0], 2, 1e-9);
-  EXPECT_EQ(roots.search, RootSearch::many_starts);
+  EXPECT_EQ(roots.search, RootSearch::certified);
 }
 
 TEST(Roots, RootsOfVeryDifferentSizeAreFoundInAnOpenRange) {
@@ -85,6 +77,14 @@ TEST(Roots, ContradictoryLinearEquationsHaveNone) {
   const Roots roots = find_roots(problem);
   EXPECT_EQ(roots.search, RootSearch::linear);
   EXPECT_TRUE(roots.points.empty());
+}
+
+TEST(Roots, WithoutUnknownsTheEquationsHoldOrDoNot) {
+  for (const double misfit : {0.0, 1e-3}) {
+    RootProblem problem;
+    problem.equations = [=](const std::vector<double>&) { return RootEquations{{misfit}, 1}; };
+    EXPECT_EQ(find_roots(problem).points.size(), misfit == 0 ? 1u : 0u);
+  }
 }
 
 TEST(Roots, AnUnknownThatChangesNothingIsOpen) {

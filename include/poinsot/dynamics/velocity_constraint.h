@@ -99,6 +99,17 @@ Vector3<Scalar> acceleration_at(const Workspace<Scalar>& w, int body, const Vect
   return motion.a + cross(motion.alpha, r) + cross(motion.w, cross(motion.w, r));
 }
 
+// Velocity of a contact that rests in a frame of a steady motion.
+template <class Scalar>
+Vector3<Scalar> carried_velocity(const Model<Scalar>& tree, const Workspace<Scalar>& w,
+                                 const VelocityConstraint<Scalar>& c, const Vector3<Scalar>& P) {
+  if (!c.carried_along) return velocity_at(w, *c.carried_by, P);
+  const SpatialInertia<Scalar>& I = tree.body(*c.carried_along).inertia;
+  const Vector3<Scalar> center = plain(I.mass) > 0 ? Vector3<Scalar>(I.first_moment / I.mass) : Vector3<Scalar>::zero();
+  return point_velocity(tree, w, *c.carried_along, center) +
+         cross(angular_velocity(w, *c.carried_by), P - point_position(tree, w, *c.carried_along, center));
+}
+
 }  // namespace detail
 
 // Where the constraint holds the two bodies together, m: for rolling bodies of revolution where they touch now. After
@@ -152,7 +163,7 @@ ConstraintLine<Scalar> constraint_line(const Model<Scalar>& tree, const Workspac
       const Vector3<Scalar>& d = line.unit.force;
       const Vector3<Scalar> v_on = detail::velocity_at(w, c.on, P), v_from = detail::velocity_at(w, c.from, P);
       const Vector3<Scalar> v_contact =
-          c.carried_by                            ? detail::velocity_at(w, *c.carried_by, P)
+          c.carried_by                              ? detail::carried_velocity(tree, w, c, P)
           : c.kind == VelocityConstraintKind::point ? v_on
                                                   : detail::contact_velocity(tree, w, c, Vector3<Scalar>(P - point_position(tree, w, c.on, c.center)));
       const Vector3<Scalar> relative = detail::acceleration_at(w, c.on, P) + cross(w_on, v_contact - v_on) -

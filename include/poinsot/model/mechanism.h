@@ -65,6 +65,7 @@ struct VelocityConstraint {
   // In a steady motion: the body or frame in which place and directions of the contact rest, however the surfaces are
   // curved.
   std::optional<int> carried_by{};
+  std::optional<int> carried_along{};  // where that only turns: the body whose mass center carries the contact along
   int action = -1;             // the cord or contact that it belongs to; -1: a joint
   std::string words;           // "rolling at floor, along y"
   int on = ground;

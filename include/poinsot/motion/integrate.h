@@ -50,6 +50,7 @@ struct IntegrationOptions {
   std::int64_t most_steps = 10'000'000;
   double seconds = std::numeric_limits<double>::infinity();  // of real time
   bool store = true;                                         // keep the steps in the trajectory
+  bool watch_drift = true;                                   // of the conserved quantities, at each step
   bool estimate_error = false;  // integrate a second time with another tolerance and compare
   // Called after each step, the state within it to be asked from `step`; false ends the integration.
   std::function<bool(const StepView& step)> observer;
@@ -84,7 +85,7 @@ struct IntegrationResult {
   Trajectory trajectory;
   std::vector<EventHit> hits;  // in the order of time's run
   IntegrationStatistics statistics;
-  std::vector<Drift> drift;  // of the conserved quantities, in their order
+  std::vector<Drift> drift;  // of the conserved quantities, in their order; empty if not to be watched
   ErrorEstimate error;       // empty unless asked for
 
   bool complete() const { return ending == Ending::reached_end || ending == Ending::terminal_event; }

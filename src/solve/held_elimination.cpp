@@ -1,0 +1,90 @@
+#include "solve/held_elimination.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace poinsot::solve {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+struct Determinant {
+  double log = 0;
+  bool negative = false;
+};
+
+Determinant determinant_of(const Eigen::PartialPivLU<MatrixXd>& lu) {
+  Determinant result;
+  result.negative = lu.permutationP().determinant() < 0;
+  for (Index i = 0; i < lu.rows(); ++i) {
+    const double pivot = lu.matrixLU()(i, i);
+    result.log += std::log(std::abs(pivot));
+    result.negative ^= pivot < 0;
+  }
+  return result;
+}
+
+}  // namespace
+
+HeldPivots pivots_of(const MatrixXd& A, double rank_tolerance) {
+  HeldPivots pivots;
+  pivots.rows = Eigen::PermutationMatrix<Eigen::Dynamic>(A.rows());
+  pivots.columns = Eigen::PermutationMatrix<Eigen::Dynamic>(A.cols());
+  pivots.rows.setIdentity();
+  pivots.columns.setIdentity();
+  if (A.size() == 0 || A.isZero(0)) return pivots;
+  Eigen::FullPivLU<MatrixXd> lu(A);
+  lu.setThreshold(rank_tolerance);
+  pivots.rows = lu.permutationP();
+  pivots.columns = lu.permutationQ();
+  pivots.rank = lu.rank();
+  const MatrixXd B = pivots.rows * A * pivots.columns;
+  const Determinant det = determinant_of(Eigen::PartialPivLU<MatrixXd>(B.topLeftCorner(pivots.rank, pivots.rank)));
+  pivots.log_determinant = det.log;
+  pivots.negative = det.negative;
+  return pivots;
+}
+
+std::optional<Remainder> remainder_of(const HeldPivots& pivots, const MatrixXd& A, const VectorXd& b,
+                                      const VectorXd& right_size) {
+  if (A.rows() != pivots.rows.size() || A.cols() != pivots.columns.size()) return std::nullopt;
+  if (!A.allFinite() || !b.allFinite()) return std::nullopt;
+  const Index rank = pivots.rank, rest = A.rows() - rank, open = A.cols() - rank;
+  const MatrixXd B = pivots.rows * A * pivots.columns;
+  const VectorXd c = pivots.rows * b, c_size = pivots.rows * right_size;
+  Remainder result;
+  result.solution = VectorXd::Zero(A.cols());
+  double ratio = 1;
+  VectorXd left = VectorXd::Zero(rest), terms = c_size.tail(rest).cwiseMax(c.tail(rest).cwiseAbs());
+  if (rank > 0) {
+    const Eigen::PartialPivLU<MatrixXd> lu(B.topLeftCorner(rank, rank));
+    const Determinant det = determinant_of(lu);
+    if (!std::isfinite(det.log)) return std::nullopt;
+    ratio = std::exp(det.log - pivots.log_determinant) * (det.negative == pivots.negative ? 1 : -1);
+    const auto A21 = B.bottomLeftCorner(rest, rank);
+    // With one step of refinement.
+    VectorXd y = lu.solve(c.head(rank));
+    y += lu.solve(c.head(rank) - B.topLeftCorner(rank, rank) * y);
+    left = A21 * y;
+    terms = terms.cwiseMax((A21.cwiseAbs() * y.cwiseAbs()));
+    if (open > 0 && rest > 0) {
+      // What is left of the other columns is zero, or they have a rank of their own.
+      const auto A12 = B.topRightCorner(rank, open);
+      const MatrixXd X = lu.solve(A12), S = B.bottomRightCorner(rest, open) - A21 * X;
+      const double size = std::max(1.0, (A21.cwiseAbs() * X.cwiseAbs()).maxCoeff());
+      const double smallest = lu.matrixLU().diagonal().cwiseAbs().minCoeff();
+      if (smallest > 1e-8 && S.cwiseAbs().maxCoeff() > 1e-6 * size) return std::nullopt;
+    }
+    VectorXd placed = VectorXd::Zero(A.cols());
+    placed.head(rank) = y;
+    result.solution = pivots.columns * placed;
+  }
+  result.values = ratio * (c.tail(rest) - left);
+  result.size = rest > 0 ? std::abs(ratio) * terms.maxCoeff() : 0;
+  if (!result.values.allFinite() || !std::isfinite(result.size)) return std::nullopt;
+  return result;
+}
+
+}  // namespace poinsot::solve

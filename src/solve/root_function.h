@@ -1,0 +1,63 @@
+// The equations of a root problem as a function of its unknowns in natural sizes, u = x / scale.
+#pragma once
+
+#include <Eigen/Dense>
+#include <chrono>
+#include <limits>
+#include <optional>
+
+#include "poinsot/solve/roots.h"
+
+namespace poinsot::solve {
+
+// Misfits below this part of the size of the terms count as zero.
+inline constexpr double zero_tolerance = 1e-9;
+
+struct RootSample {
+  Eigen::VectorXd values;  // the smooth ones, if there are such
+  double size = 0;         // of the largest term in them
+  // The misfit of the equations and its allowance, where they are not the values themselves.
+  double misfit = 0, allowed = std::numeric_limits<double>::infinity();
+};
+
+class RootFunction {
+ public:
+  // problem must outlive the function.
+  RootFunction(const RootProblem& problem, double seconds);
+
+  const RootProblem& problem() const { return problem_; }
+  Eigen::Index unknowns() const { return unknowns_; }
+
+  // Nothing where the equations have no value or are no numbers.
+  std::optional<RootSample> at(const Eigen::VectorXd& u);
+  // d values / d u: exact where the problem gives slopes; else by differences, one-sided at the end of what has values.
+  std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& u, const RootSample& here);
+
+  // Whether u lies in the ranges, but for rounding.
+  bool inside(const Eigen::VectorXd& u) const;
+  Eigen::VectorXd clamped(const Eigen::VectorXd& u) const;  // into the closed ranges
+  std::vector<double> unscaled(const Eigen::VectorXd& u) const;
+
+  std::size_t evaluations() const { return evaluations_; }
+  // Of all places met, the one of the smallest misfit; empty when the equations had no value anywhere.
+  const Eigen::VectorXd& best() const { return best_; }
+  double best_misfit() const { return best_misfit_; }  // largest misfit there; infinite when there is none
+
+  bool out_of_time() const { return Clock::now() > end_; }
+  // The part of the allowed time that is spent, 0 to 1.
+  double time_spent() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::optional<RootSample> keep(const Eigen::VectorXd& u, const std::optional<RootEquations>& equations);
+
+  const RootProblem& problem_;
+  Eigen::Index unknowns_;
+  Clock::time_point begin_, end_;
+  std::size_t evaluations_ = 0;
+  Eigen::VectorXd best_;
+  double best_misfit_;
+};
+
+}  // namespace poinsot::solve

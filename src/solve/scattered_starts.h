@@ -1,0 +1,17 @@
+// Places from which to look for roots by a local method.
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "solve/root_function.h"
+
+namespace poinsot::solve {
+
+// One or two unknowns: places of a grid where the misfit is smaller than at all neighbours.
+std::vector<Eigen::VectorXd> starts_on_grid(RootFunction& function);
+
+// Any number of unknowns: drawn at random; infinite ranges are covered over six decades of the natural size.
+std::vector<Eigen::VectorXd> starts_at_random(const RootProblem& problem, std::size_t count);
+
+}  // namespace poinsot::solve
