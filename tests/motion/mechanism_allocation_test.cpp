@@ -1,10 +1,17 @@
-// MechanismDynamics allocates nothing once it is made: every call of operator new in this program is counted.
+// MechanismDynamics allocates nothing once it is made: every call of operator new in this program is counted. A sanitizer
+// brings an operator new of its own, so that only builds without one count.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <new>
 
 #include "motion/sample_mechanisms.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+
+TEST(MechanismAllocation, NoCallOfTheMotionAllocates) { GTEST_SKIP() << "the sanitizer allocates in its own way"; }
+
+#else
 
 namespace {
 
@@ -75,3 +82,5 @@ TEST(MechanismAllocation, NoCallOfTheMotionAllocates) {
 
 }  // namespace
 }  // namespace poinsot
+
+#endif
