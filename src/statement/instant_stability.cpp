@@ -164,7 +164,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
         // The coordinates' own motions at the body's origin, fitted to the displacement.
         double left = norm_squared(at_origin) + scales_.length * scales_.length * norm_squared(turn);
         const double size = left;
-        for_each_coordinate_motion(tree, w, i, B.p, [&](int k, const Twist& S) {
+        for_each_coordinate_motion(tree, w, i, B.p, [&, &turn = turn](int k, const Twist& S) {
           const double own = norm_squared(S.angular) * scales_.length * scales_.length + norm_squared(S.linear);
           const double part = (dot(S.angular, turn) * scales_.length * scales_.length + dot(S.linear, at_origin)) / own;
           positions[static_cast<std::size_t>(k)] = part;

@@ -106,9 +106,10 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
     const std::vector<ExtremeFound> tops = extremes(sampled, true), bottoms = extremes(sampled, false);
     if (tops.size() + bottoms.size() < 5) continue;
     // The same highest and lowest values must be met again.
+    const double range = *high - *low;
     const auto met_twice = [&](const std::vector<ExtremeFound>& list, double value) {
       return std::count_if(list.begin(), list.end(), [&](const ExtremeFound& one) {
-               return std::abs(one.value - value) <= repeats_to * (*high - *low);
+               return std::abs(one.value - value) <= repeats_to * range;
              }) >= 2;
     };
     const auto value_less = [](const ExtremeFound& a, const ExtremeFound& b) { return a.value < b.value; };

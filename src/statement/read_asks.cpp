@@ -64,7 +64,7 @@ Table read_table(const Members& members, const std::string& file) {
       fail(file, units->mark, "a table has a unit for each column", "write unit: {t: s, w: rpm}");
     for (const auto& [column, unit] : units->members) {
       if (std::none_of(table.columns.begin(), table.columns.end(),
-                       [&](const NamedExpression& known) { return known.name == column.text; }))
+                       [&, &column = column](const NamedExpression& known) { return known.name == column.text; }))
         fail(file, column.mark, "the table has no column '" + column.text + "'");
       table.units.emplace(column.text, read_unit(unit, file));
     }

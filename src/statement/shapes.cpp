@@ -219,15 +219,16 @@ const std::map<std::string, Builder<Scalar>>& builders() {
          const auto r = a.length("radius");
          a.check(shape_faults::cylinder_shell(a.owner(), plain(A), plain(B), plain(r)));
          return a.values(Extent::area, shapes::cylinder_shell(A, B, r),
-                         [&] { return particles::cylinder_shell(plain(A), plain(B), plain(r)); });
+                         [&, &A = A, &B = B] { return particles::cylinder_shell(plain(A), plain(B), plain(r)); });
        }},
       {"closed_cylinder_shell",
        [](const ShapeArguments<Scalar>& a) {
          const auto [A, B] = ends_of(a);
          const auto r = a.length("radius");
          a.check(shape_faults::closed_cylinder_shell(a.owner(), plain(A), plain(B), plain(r)));
-         return a.values(Extent::area, shapes::closed_cylinder_shell(A, B, r),
-                         [&] { return particles::closed_cylinder_shell(plain(A), plain(B), plain(r)); });
+         return a.values(Extent::area, shapes::closed_cylinder_shell(A, B, r), [&, &A = A, &B = B] {
+           return particles::closed_cylinder_shell(plain(A), plain(B), plain(r));
+         });
        }},
       {"cone_shell",
        [](const ShapeArguments<Scalar>& a) {
@@ -260,7 +261,7 @@ const std::map<std::string, Builder<Scalar>>& builders() {
          const auto r = a.length("radius");
          a.check(shape_faults::cylinder(a.owner(), plain(A), plain(B), plain(r)));
          return a.values(Extent::volume, shapes::cylinder(A, B, r),
-                         [&] { return particles::cylinder(plain(A), plain(B), plain(r)); });
+                         [&, &A = A, &B = B] { return particles::cylinder(plain(A), plain(B), plain(r)); });
        }},
       {"tube",
        [](const ShapeArguments<Scalar>& a) {
@@ -268,7 +269,7 @@ const std::map<std::string, Builder<Scalar>>& builders() {
          const auto r = a.length("radius"), inner = a.length("inner_radius");
          a.check(shape_faults::tube(a.owner(), plain(A), plain(B), plain(r), plain(inner)));
          return a.values(Extent::volume, shapes::tube(A, B, r, inner),
-                         [&] { return particles::tube(plain(A), plain(B), plain(r), plain(inner)); });
+                         [&, &A = A, &B = B] { return particles::tube(plain(A), plain(B), plain(r), plain(inner)); });
        }},
       {"cone",
        [](const ShapeArguments<Scalar>& a) {

@@ -1,7 +1,4 @@
 // Fuzz entry for the mesh readers: any bytes as STL and as OBJ, then the checks and sums over what was read.
-//
-// clang++ -std=c++20 -g -O1 -fsanitize=fuzzer,address -Iinclude -Isrc tests/fuzz/mesh_fuzz.cpp src/mass/mesh.cpp
-//   src/mass/mesh_reader.cpp src/mass/stl_reader.cpp src/mass/obj_reader.cpp -lfmt -o mesh_fuzz
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
