@@ -3,6 +3,11 @@
 
 namespace poinsot::bench {
 
-std::vector<Integrator> sundials_integrators() { return {}; }
+template <class Case>
+std::vector<Integrator<Case>> sundials_integrators() {
+  return {};
+}
+template std::vector<Integrator<RotationCase>> sundials_integrators();
+template std::vector<Integrator<ForkCase>> sundials_integrators();
 
 }  // namespace poinsot::bench

@@ -9,23 +9,28 @@ namespace odeint = boost::numeric::odeint;
 
 namespace {
 
-template <class Stepper>
-Integrator integrator(const char* name) {
-  return {name, false, [](const RotationCase& c, double tolerance) {
-            RotationNumbers y{c.w.x, c.w.y, c.w.z, 1.0, 0.0, 0.0, 0.0};
+template <class Case, class Stepper>
+Integrator<Case> integrator(const char* name) {
+  return {name, false, [](const Case& c, double tolerance) {
+            using Numbers = typename Case::Numbers;
+            Numbers y = c.start();
             odeint::integrate_adaptive(
                 odeint::make_controlled<Stepper>(tolerance, tolerance),
-                [&c](const RotationNumbers& state, RotationNumbers& rate, double) { rotation_rates(c, state, rate); },
-                y, 0.0, c.end, 1e-3 / (1.0 + norm(c.w)));
-            return std::array<double, 4>{y[3], y[4], y[5], y[6]};
+                [&c](const Numbers& state, Numbers& rate, double) { c.rates(state.data(), rate.data()); }, y, 0.0,
+                c.end, c.first_step());
+            return Case::attitude(y.data());
           }};
 }
 
 }  // namespace
 
-std::vector<Integrator> odeint_integrators() {
-  return {integrator<odeint::runge_kutta_dopri5<RotationNumbers>>("odeint dopri5"),
-          integrator<odeint::runge_kutta_fehlberg78<RotationNumbers>>("odeint Fehlberg 7(8)")};
+template <class Case>
+std::vector<Integrator<Case>> odeint_integrators() {
+  using Numbers = typename Case::Numbers;
+  return {integrator<Case, odeint::runge_kutta_dopri5<Numbers>>("odeint dopri5"),
+          integrator<Case, odeint::runge_kutta_fehlberg78<Numbers>>("odeint Fehlberg 7(8)")};
 }
+template std::vector<Integrator<RotationCase>> odeint_integrators();
+template std::vector<Integrator<ForkCase>> odeint_integrators();
 
 }  // namespace poinsot::bench

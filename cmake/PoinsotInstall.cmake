@@ -9,4 +9,5 @@ configure_package_config_file(cmake/poinsot-config.cmake.in "${PROJECT_BINARY_DI
                               INSTALL_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/poinsot")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/poinsot-config-version.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/poinsot-config.cmake" "${PROJECT_BINARY_DIR}/poinsot-config-version.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/FindFLINT.cmake"
         DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/poinsot")

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "poinsot/answer/recording.h"
 #include "poinsot/answer/run.h"
 
 struct SolveArguments {
@@ -18,6 +20,24 @@ int solve(const SolveArguments& arguments);
 
 // Compares files with their own expected answers: a line for each that fails, and last `N passed, M failed`.
 int check(const std::vector<std::string>& paths);
+
+struct RecordArguments {
+  std::string file, output;
+  std::vector<std::pair<std::string, std::string>> sets;
+};
+
+// Records the motion of a file, with its progress on a terminal. Interrupted, it ends with what there is.
+int record(const RecordArguments& arguments);
+
+struct EquationsArguments {
+  std::string file, output;  // no output: the standard one
+  std::string form = "text", function = "equations", situation;
+  std::vector<std::string> of, letters;
+  std::vector<std::pair<std::string, std::string>> sets;
+};
+
+// Writes the equations of motion of a file's mechanism, as formulas or code.
+int equations(const EquationsArguments& arguments);
 
 // Writes the schema of the answer document or of the problem file.
 int schema(bool of_answer);

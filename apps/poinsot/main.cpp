@@ -1,4 +1,4 @@
-// The command line: poinsot solve, check and schema.
+// The command line: poinsot solve, check, record, equations and schema.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -59,6 +59,12 @@ std::pair<std::string, std::string> split_setting(const std::string& text) {
   return {text.substr(0, sign), text.substr(sign + 1)};
 }
 
+void add_sets(CLI::App& command, std::vector<std::string>& settings) {
+  command.add_option("--set", settings, "Give a letter, a datum or an unknown this value, with its unit (repeatable)")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
 int run(int argument_count, const char* const* arguments) {
   CLI::App program("Kinetics of rigid bodies in three dimensions: states a problem, finds the answers.", "poinsot");
   program.set_version_flag("--version", "poinsot " POINSOT_VERSION);
@@ -72,14 +78,46 @@ int run(int argument_count, const char* const* arguments) {
   CLI::App* solve_command = program.add_subcommand("solve", "Solve problem files and print the answers");
   solve_command->add_option("FILE", solve_arguments.files, "Problem files; - for standard input")->required();
   solve_command->add_flag("--json", solve_arguments.json, "Print one answer document per file, one per line");
-  solve_command
-      ->add_option("--set", settings, "Give a letter, a datum or an unknown this value, with its unit (repeatable)")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
+  add_sets(*solve_command, settings);
 
   std::vector<std::string> paths;
   CLI::App* check_command = program.add_subcommand("check", "Compare problem files with the answers they expect");
   check_command->add_option("PATH", paths, "Problem files, or folders of *.yaml files")->required();
+
+  RecordArguments record_arguments;
+  std::vector<std::string> record_settings;
+  CLI::App* record_command = program.add_subcommand(
+      "record", "Record the motion as the file says under record:, to a table; a run that stopped goes on");
+  record_command->add_option("FILE", record_arguments.file, "Problem file; - for standard input")->required();
+  record_command
+      ->add_option("-o,--output", record_arguments.output,
+                   "The table: NAME.csv or NAME.h5; NAME.csv.journal beside it keeps what has been recorded")
+      ->required()
+      ->type_name("OUTPUT");
+  add_sets(*record_command, record_settings);
+
+  EquationsArguments equations_arguments;
+  std::vector<std::string> equations_settings;
+  CLI::App* equations_command =
+      program.add_subcommand("equations", "Write the equations of motion as formulas or as code");
+  equations_command->add_option("FILE", equations_arguments.file, "Problem file; - for standard input")->required();
+  equations_command->add_option("--form", equations_arguments.form, "text, tex, c, c++, python or sympy")
+      ->capture_default_str();
+  equations_command
+      ->add_option("--of", equations_arguments.of,
+                   "mass-matrix, right-hand-side, constraint-matrix, reduced, position-rate, forward-dynamics or "
+                   "inverse-dynamics; several with commas")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  equations_command->add_option("--name", equations_arguments.function, "The function's name in code")
+      ->capture_default_str();
+  equations_command->add_option("--situation", equations_arguments.situation, "One of the situations of the file");
+  equations_command
+      ->add_option("--letter", equations_arguments.letters, "Keep this datum a letter, whatever its value (repeatable)")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  equations_command->add_option("-o,--output", equations_arguments.output, "A file in place of standard output");
+  add_sets(*equations_command, equations_settings);
 
   bool of_answer = false;
   CLI::App* schema_command = program.add_subcommand("schema", "Print the JSON Schema of the problem file");
@@ -92,6 +130,8 @@ int run(int argument_count, const char* const* arguments) {
   try {
     program.parse(argument_count, arguments);
     for (const std::string& setting : settings) solve_arguments.run.sets.push_back(split_setting(setting));
+    for (const std::string& setting : record_settings) record_arguments.sets.push_back(split_setting(setting));
+    for (const std::string& setting : equations_settings) equations_arguments.sets.push_back(split_setting(setting));
   } catch (const CLI::CallForHelp&) {
     const std::vector<CLI::App*> chosen = program.get_subcommands();
     static_cast<void>(write_answer(chosen.empty() ? program.help() : chosen.front()->help("poinsot")));
@@ -106,6 +146,8 @@ int run(int argument_count, const char* const* arguments) {
 
   if (solve_command->parsed()) return solve(solve_arguments);
   if (check_command->parsed()) return check(paths);
+  if (record_command->parsed()) return record(record_arguments);
+  if (equations_command->parsed()) return equations(equations_arguments);
   return schema(of_answer);
 }
 

@@ -22,6 +22,13 @@ extern "C" void on_interrupt(int /*signal*/) {
   _exit(exit_interrupted);
 }
 
+volatile std::sig_atomic_t interrupts = 0;
+
+extern "C" void note_interrupt(int signal) {
+  if (interrupts != 0) on_interrupt(signal);
+  interrupts = 1;
+}
+
 // Writes everything; the error number if that fails.
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
@@ -50,8 +57,22 @@ void prepare_streams() {
     if (placed != -1 && placed != descriptor) close(placed);
   }
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   if (std::signal(SIGINT, on_interrupt) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
 }
+
+void catch_interrupts() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
+    struct sigaction noted {};
+    noted.sa_handler = note_interrupt;
+    noted.sa_flags = SA_RESTART;
+    sigaction(signal, &noted, nullptr);
+  }
+}
+
+bool interrupted() { return interrupts != 0; }
 
 bool write_answer(std::string_view text) {
   const int error = write_all(STDOUT_FILENO, text);
@@ -70,6 +91,8 @@ void write_message(std::string_view text) {
   // Nowhere is left to report that standard error fails.
   static_cast<void>(write_all(STDERR_FILENO, lines));
 }
+
+void write_on_terminal(std::string_view text) { static_cast<void>(write_all(STDERR_FILENO, text)); }
 
 bool wants_color() {
   const char* terminal = std::getenv("TERM");

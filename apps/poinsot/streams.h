@@ -10,9 +10,13 @@ struct OutputError : std::runtime_error {
 };
 
 // To be called first. A standard stream that is closed gets a place-holder, so that no file opened later takes its
-// number; writing to a pipe that nobody reads becomes an error in place of a signal; the interrupt key ends the program
-// with exit code 130, unless the caller has set it to be ignored.
+// number; writing to a pipe that nobody reads, or more than a file may hold, becomes an error in place of a signal; the
+// interrupt key ends the program with exit code 130, unless the caller has set it to be ignored.
 void prepare_streams();
+
+// From here on the interrupt key and requests to end do not end the program but are noted, the first time.
+void catch_interrupts();
+bool interrupted();
 
 // Writes all of the text to standard output before it returns. False if its reader has gone away, so that nothing more
 // is wanted; OutputError if the text cannot be written for another reason.
@@ -20,6 +24,9 @@ void prepare_streams();
 
 // Writes the text and a line's end to standard error, control characters made harmless.
 void write_message(std::string_view text);
+
+// Writes the text to standard error as it is.
+void write_on_terminal(std::string_view text);
 
 // Whether standard output is a terminal that shows color and the environment does not forbid it (no-color.org).
 bool wants_color();

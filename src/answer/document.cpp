@@ -42,14 +42,17 @@ void require_value(const Answer& answer) {
 
 bool fully_answered(const Document& document) {
   return !document.solutions.empty() && std::ranges::all_of(document.solutions, [](const Solution& solution) {
-    return std::ranges::all_of(solution.answers,
-                               [](const Answer& answer) { return answer.state == AnswerState::found; });
+    return std::ranges::all_of(solution.answers, [](const Answer& answer) {
+      return answer.state == AnswerState::found ||
+             (answer.state == AnswerState::needs_letters && !answer.formula.empty());
+    });
   });
 }
 
 void require_values(const Document& document) {
   for (const Solution& solution : document.solutions) {
     for (const Unknown& unknown : solution.unknowns) {
+      if (unknown.value.empty() && !unknown.formula.empty()) continue;
       require_value(unknown.value, unknown.si, "the unknown '" + unknown.name + "'");
     }
     for (const Answer& answer : solution.answers) {

@@ -31,6 +31,24 @@ Json table_json(const std::vector<Column>& columns) {
   return {{"columns", list}};
 }
 
+void add_claim(Json& json, const ClaimOutcome& claim) {
+  json["holds"] = claim.holds;
+  if (claim.holds) {
+    json["how"] = claim.how;
+  } else {
+    Json letters = Json::object();
+    for (const ClaimOutcome::Value& item : claim.counterexample)
+      letters[item.letter] = {{"value", item.value}, {"unit", item.unit}, {"si", item.si}};
+    json["counterexample"] = {{"letters", letters}};
+    if (claim.sides.size() == 2) {
+      json["counterexample"]["left"] = claim.sides[0];
+      json["counterexample"]["right"] = claim.sides[1];
+      json["counterexample"]["unit"] = claim.unit;
+    }
+  }
+  if (!claim.assumptions.empty()) json["assumptions"] = claim.assumptions;
+}
+
 Json answer_json(const Answer& answer) {
   Json json = Json::object();
   json["ask"] = answer.ask;
@@ -51,6 +69,7 @@ Json answer_json(const Answer& answer) {
       json["unit"] = answer.unit;
       json["si"] = nullptr;
       json["letters"] = answer.letters;
+      if (!answer.component_names.empty() && !answer.formula.empty()) json["axes"] = answer.component_names;
       if (!answer.reason.empty()) json["reason"] = answer.reason;
       break;
     case AnswerState::undetermined:
@@ -62,6 +81,9 @@ Json answer_json(const Answer& answer) {
       json["reason"] = answer.reason;
       break;
   }
+  if (!answer.formula.empty()) json["formula"] = datum_json(answer.formula);
+  if (!answer.no_formula.empty()) json["no_formula"] = answer.no_formula;
+  if (answer.claim) add_claim(json, *answer.claim);
   return json;
 }
 
@@ -71,6 +93,7 @@ Json solution_json(const Solution& solution) {
     unknowns[unknown.name] = {{"value", datum_json(unknown.value)},
                               {"unit", unknown.unit},
                               {"si", datum_json(si_of(unknown.value, unknown.si))}};
+    if (!unknown.formula.empty()) unknowns[unknown.name]["formula"] = datum_json(unknown.formula);
   }
   Json answers = Json::object();
   for (const Answer& answer : solution.answers) answers[answer.name] = answer_json(answer);
@@ -79,6 +102,7 @@ Json solution_json(const Solution& solution) {
     checks[name] = std::isfinite(residual) ? Json(residual) : Json(nullptr);
   }
   Json json = {{"unknowns", unknowns}, {"answers", answers}, {"checks", checks}};
+  if (!solution.assumptions.empty()) json["assumptions"] = solution.assumptions;
   if (!solution.notes.empty()) json["notes"] = solution.notes;
   return json;
 }

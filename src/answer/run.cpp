@@ -6,6 +6,7 @@
 #include <set>
 
 #include "poinsot/answer/check.h"
+#include "poinsot/math/expression_text.h"
 #include "poinsot/statement/keys.h"
 #include "poinsot/statement/solve_statement.h"
 #include "poinsot/statement/tree.h"
@@ -27,11 +28,47 @@ Datum datum(const Value<double>& value, double factor) {
   return {std::move(items)};
 }
 
+Datum formula_datum(const Value<Expression>& value) {
+  if (value.is_number()) return {text(value.number)};
+  std::vector<Datum> items;
+  if (value.is_vector())
+    for (std::size_t k = 0; k < 3; ++k) items.push_back({text(value.vector[k])});
+  for (const Value<Expression>& item : value.items) items.push_back(formula_datum(item));
+  return {std::move(items)};
+}
+
+Answer answer_of(const statement::Claim& stated, const statement::SolvedClaim& solved) {
+  Answer answer;
+  answer.name = stated.name;
+  answer.ask = stated.text;
+  answer.reason = solved.reason;
+  if (solved.state != statement::AskState::found) {
+    answer.state = AnswerState::undetermined;
+    return answer;
+  }
+  answer.value = {solved.holds};
+  answer.si = {solved.holds};
+  ClaimOutcome outcome;
+  outcome.holds = solved.holds;
+  if (solved.holds) outcome.how = solved.proved ? "proved" : "sampled";
+  for (const auto& letter : solved.counterexample)
+    outcome.counterexample.push_back({letter.name, letter.value / letter.unit.factor, letter.unit.text, letter.value});
+  if (solved.sides) outcome.sides = {solved.sides->first, solved.sides->second};
+  outcome.unit = solved.unit.text;
+  outcome.assumptions = solved.assumptions;
+  answer.claim = std::move(outcome);
+  return answer;
+}
+
 Solution solution_of(const statement::Statement& stated, const statement::Solution& solved) {
   Solution solution;
-  for (const statement::SolvedUnknown& unknown : solved.unknowns)
-    solution.unknowns.push_back(
-        {unknown.name, datum(unknown.value, unknown.unit.factor), unknown.unit.text, datum(unknown.value, 1)});
+  for (const statement::SolvedUnknown& unknown : solved.unknowns) {
+    if (unknown.formula)
+      solution.unknowns.push_back({unknown.name, {}, unknown.unit.text, {}, formula_datum(*unknown.formula)});
+    else
+      solution.unknowns.push_back(
+          {unknown.name, datum(unknown.value, unknown.unit.factor), unknown.unit.text, datum(unknown.value, 1)});
+  }
   for (std::size_t i = 0; i < stated.asks.size(); ++i) {
     const statement::SolvedAsk& found = solved.asks[i];
     Answer answer;
@@ -64,9 +101,14 @@ Solution solution_of(const statement::Statement& stated, const statement::Soluti
         answer.state = AnswerState::refused;
         break;
     }
+    if (found.formula) answer.formula = formula_datum(*found.formula);
+    answer.no_formula = found.no_formula;
     solution.answers.push_back(std::move(answer));
   }
+  for (std::size_t i = 0; i < solved.claims.size(); ++i)
+    solution.answers.push_back(answer_of(stated.claims[i], solved.claims[i]));
   solution.checks = solved.checks;
+  solution.assumptions = solved.assumptions;
   solution.notes = solved.notes;
   return solution;
 }
@@ -169,6 +211,8 @@ std::vector<std::string> check_file(const std::string& path) {
   }
   for (const statement::Ask& ask : stated.asks)
     if (!covered.contains(ask.name)) failures.push_back(ask.name + ": the expect block leaves it out");
+  for (const statement::Claim& claim : stated.claims)
+    if (!covered.contains(claim.name)) failures.push_back(claim.name + ": the expect block leaves it out");
   return failures;
 }
 

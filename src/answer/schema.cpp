@@ -37,8 +37,13 @@ std::string answer_schema() {
         },
         "checks": {
           "type": "object",
-          "description": "relative residuals found on an independent road; null: could not be formed",
+          "description": "relative residuals; energy_drift and motion_error: of a motion; null: could not be formed",
           "additionalProperties": {"type": ["number", "null"], "minimum": 0}
+        },
+        "assumptions": {
+          "type": "array",
+          "description": "what the formulas rest on",
+          "items": {"type": "string"}
         },
         "notes": {
           "type": "array",
@@ -51,9 +56,10 @@ std::string answer_schema() {
       "type": "object",
       "required": ["value", "unit", "si"],
       "properties": {
-        "value": {"$ref": "#/$defs/datum"},
+        "value": {"anyOf": [{"$ref": "#/$defs/datum"}, {"type": "null"}], "description": "null: letters remain in it"},
         "unit": {"type": "string"},
-        "si": {"$ref": "#/$defs/datum"}
+        "si": {"anyOf": [{"$ref": "#/$defs/datum"}, {"type": "null"}]},
+        "formula": {"$ref": "#/$defs/formula"}
       }
     },
     "answer": {
@@ -78,7 +84,16 @@ std::string answer_schema() {
         "table": {"$ref": "#/$defs/table"},
         "determined": {"const": false, "description": "the statement does not fix the answer; reason says why"},
         "refused": {"const": true, "description": "an answer was found and failed its check; reason says which"},
-        "reason": {"type": "string"}
+        "reason": {"type": "string"},
+        "formula": {
+          "$ref": "#/$defs/formula",
+          "description": "where letters were left open: the answer in SI base units and the letters"
+        },
+        "no_formula": {"type": "string", "description": "why there is no formula where letters were left open"},
+        "holds": {"type": "boolean", "description": "of a claim; value and si are the same"},
+        "how": {"enum": ["proved", "sampled"], "description": "of a claim that holds"},
+        "counterexample": {"$ref": "#/$defs/counterexample", "description": "of a claim that does not hold"},
+        "assumptions": {"type": "array", "items": {"type": "string"}, "description": "under which a claim is made"}
       },
       "oneOf": [
         {
@@ -95,6 +110,24 @@ std::string answer_schema() {
         {"title": "not determined", "required": ["determined", "reason"], "not": {"required": ["value"]}},
         {"title": "refused", "required": ["refused", "reason"], "not": {"required": ["value"]}}
       ]
+    },
+    "counterexample": {
+      "type": "object",
+      "required": ["letters"],
+      "properties": {
+        "letters": {
+          "type": "object",
+          "description": "letters, and what the statement leaves open, for which the claim does not hold",
+          "additionalProperties": {
+            "type": "object",
+            "required": ["value", "unit", "si"],
+            "properties": {"value": {"type": "number"}, "unit": {"type": "string"}, "si": {"type": "number"}}
+          }
+        },
+        "left": {"type": "number", "description": "the left side there, in unit"},
+        "right": {"type": "number"},
+        "unit": {"type": "string"}
+      }
     },
     "table": {
       "type": "object",
@@ -115,6 +148,10 @@ std::string answer_schema() {
           }
         }
       }
+    },
+    "formula": {
+      "description": "infix text with + - * / ^ ( ), functions, pi and the letters; a list of such for a vector",
+      "anyOf": [{"type": "string"}, {"type": "array", "items": {"$ref": "#/$defs/formula"}}]
     },
     "datum": {
       "description": "a number, truth value, text, or a list of such (a vector is a list, a matrix a list of rows)",

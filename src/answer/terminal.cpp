@@ -55,7 +55,9 @@ class TerminalText {
     std::vector<std::string> unknowns;
     for (const Unknown& unknown : solution.unknowns) {
       unknowns.push_back(fmt::format("{} = {}", printable(unknown.name),
-                                     datum_text(unknown.value, printable(unknown.unit), style_.digits)));
+                                     unknown.value.empty()
+                                         ? datum_text(unknown.formula, "", style_.digits)
+                                         : datum_text(unknown.value, printable(unknown.unit), style_.digits)));
     }
     const std::size_t count = document.solutions.size();
     if (count > 1 || !unknowns.empty()) {
@@ -64,6 +66,9 @@ class TerminalText {
       text_ += unknowns.empty() ? "\n" : fmt::format(": {}\n", fmt::join(unknowns, ", "));
     }
     answers(solution.answers);
+    if (!solution.assumptions.empty())
+      text_ +=
+          "  " + painted(Role::faint, printable(fmt::format("where {}", fmt::join(solution.assumptions, ", ")))) + "\n";
     for (const std::string& note : solution.notes) text_ += "  " + printable(note) + "\n";
     if (!solution.checks.empty()) text_ += "  " + painted(Role::faint, check_line(solution.checks)) + "\n";
   }
@@ -102,6 +107,7 @@ class TerminalText {
       case AnswerState::found:
         break;
       case AnswerState::needs_letters:
+        if (!answer.formula.empty()) return formula_lines(answer);
         return {painted(Role::warning,
                         "needs values for " + printable(fmt::format("{}", fmt::join(answer.letters, ", "))))};
       case AnswerState::undetermined:
@@ -110,8 +116,40 @@ class TerminalText {
         return {painted(Role::failure, "refused: " + printable(answer.reason))};
     }
     if (!answer.columns.empty()) return table_lines(answer.columns);
+    if (answer.claim) return claim_lines(*answer.claim);
     std::vector<std::string> lines = datum_lines(answer.value, printable(answer.unit), style_.digits);
     if (!answer.component_names.empty()) {
+      const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
+      lines.back() += "  " + painted(Role::faint, axes);
+    }
+    return lines;
+  }
+
+  std::vector<std::string> claim_lines(const ClaimOutcome& claim) const {
+    const auto number = [&](double value, const std::string& unit) {
+      return datum_text({value}, printable(unit), style_.digits);
+    };
+    std::vector<std::string> lines;
+    if (claim.holds) {
+      lines.push_back("holds, " + claim.how);
+    } else {
+      std::vector<std::string> values;
+      for (const ClaimOutcome::Value& item : claim.counterexample)
+        values.push_back(printable(item.letter) + " = " + number(item.value, item.unit));
+      lines.push_back(values.empty() ? "fails" : fmt::format("fails: for {}", fmt::join(values, ", ")));
+      if (claim.sides.size() == 2)
+        lines.push_back(fmt::format("the left side is {}, the right {}", number(claim.sides[0], claim.unit),
+                                    number(claim.sides[1], claim.unit)));
+    }
+    if (!claim.assumptions.empty())
+      lines.push_back(painted(Role::faint, printable(fmt::format("if {}", fmt::join(claim.assumptions, ", ")))));
+    return lines;
+  }
+
+  std::vector<std::string> formula_lines(const Answer& answer) const {
+    std::vector<std::string> lines;
+    for (const std::string& line : datum_lines(answer.formula, "", style_.digits)) lines.push_back(line);
+    if (!answer.component_names.empty() && std::holds_alternative<std::vector<Datum>>(answer.formula.content)) {
       const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
       lines.back() += "  " + painted(Role::faint, axes);
     }
@@ -137,13 +175,20 @@ class TerminalText {
   }
 
   static std::string check_line(const std::map<std::string, double>& checks) {
-    std::vector<std::string> parts;
+    std::vector<std::string> parts, of_motion;
     for (const auto& [name, residual] : checks) {
+      if (name == "energy_drift" || name == "motion_error") {
+        of_motion.push_back((name == "energy_drift" ? "its energy kept to " : "its error below ") +
+                            rounded_residual(residual));
+        continue;
+      }
       std::string words = name == "newton_euler" ? "Newton-Euler" : printable(name);
       std::ranges::replace(words, '_', ' ');
       parts.push_back(words + " " + rounded_residual(residual));
     }
-    return fmt::format("checked on particles: {}", fmt::join(parts, ", "));
+    std::string line = fmt::format("checked on particles: {}", fmt::join(parts, ", "));
+    if (!of_motion.empty()) line += fmt::format("; the motion: {}", fmt::join(of_motion, ", "));
+    return line;
   }
 
   // How to give values to the letters that some answer needs.

@@ -79,6 +79,7 @@ class Run {
   bool watches_drift() const { return options_.watch_drift && !equations_.conserved.empty(); }
   void note_drift(double t, std::span<const double> y);
   static Ending ending_of(StepOutcome outcome);
+  static std::string words_of(IntegrationMethod method);
 
   const MethodMaker& make_;
   const MotionEquations& equations_;
@@ -110,10 +111,24 @@ Ending Run::ending_of(StepOutcome outcome) {
   return Ending::step_too_small;
 }
 
+std::string Run::words_of(IntegrationMethod method) {
+  switch (method) {
+    case IntegrationMethod::stiff:
+      return "integrated by backward differentiation formulas";
+    case IntegrationMethod::structure_preserving:
+      return "integrated by Gauss-Legendre collocation of order 16";
+    case IntegrationMethod::automatic:
+    case IntegrationMethod::explicit_runge_kutta:
+      break;
+  }
+  return "integrated by Dormand and Prince's method of order 8";
+}
+
 std::optional<Ending> Run::begin(IntegrationMethod method, double start, std::span<const double> y) {
   if (method_) result_.statistics.rejected += method_->rejected();
   method_ = make_(method, right_side_, scale_, options_);
   if (!method_) return Ending::no_stiff_solver;
+  result_.method += (result_.method.empty() ? "" : ", then ") + words_of(method);
   const StepOutcome outcome = method_->begin(start, y, end_);
   if (outcome != StepOutcome::advanced) return ending_of(outcome);
   result_.trajectory.keep(method_->flow());

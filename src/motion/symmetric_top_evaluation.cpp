@@ -53,16 +53,21 @@ SymmetricTop::Halves SymmetricTop::halves(double t) const {
   return result;
 }
 
-Quaternion<double> SymmetricTop::attitude(double t) const {
+Quaternion<double> SymmetricTop::attitude(double t) const { return attitude_of(halves(t)); }
+Vector3<double> SymmetricTop::angular_velocity(double t) const { return angular_velocity_of(halves(t)); }
+SymmetricTop::Turning SymmetricTop::turning(double t) const {
   const Halves h = halves(t);
+  return {attitude_of(h), angular_velocity_of(h)};
+}
+
+Quaternion<double> SymmetricTop::attitude_of(const Halves& h) const {
   const Quaternion<double> q = normalized(Quaternion<double>{h.upper.re, h.lower.re, h.lower.im, h.upper.im});
   // Half a turn back about y.
   return inverted_ ? q * Quaternion<double>{0, 0, -1, 0} : q;
 }
 
-Vector3<double> SymmetricTop::angular_velocity(double t) const {
+Vector3<double> SymmetricTop::angular_velocity_of(const Halves& h) const {
   // w = 2 conj(q) dq/dt for q = upper + lower i: 2 (conj(upper) d(lower) - lower conj(d(upper))) across the axis.
-  const Halves h = halves(t);
   const double factor = 2 / (size_squared(h.upper) + size_squared(h.lower));
   const ComplexValue<double> conjugate{h.upper.re, -h.upper.im}, conjugate_rate{h.upper_rate.re, -h.upper_rate.im};
   const ComplexValue<double> p = product(conjugate, h.lower_rate), r = product(h.lower, conjugate_rate);

@@ -1,6 +1,7 @@
 #include "poinsot/motion/trajectory.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -60,7 +61,10 @@ void Trajectory::state(double t, std::span<double> q, std::span<double> v) const
   auto found = std::upper_bound(steps_.begin(), steps_.end(), t,
                                 [&](double time, const Stored& s) { return sense * time < sense * s.start; });
   if (found != steps_.begin()) --found;
-  std::vector<double> y(q.size() + v.size());
+  std::array<double, 64> few;
+  std::vector<double> many(q.size() + v.size() > few.size() ? q.size() + v.size() : 0);
+  const std::span<double> y =
+      many.empty() ? std::span<double>(few).first(q.size() + v.size()) : std::span<double>(many);
   step(static_cast<std::size_t>(found - steps_.begin())).evaluate(t, y);
   std::copy(y.begin(), y.begin() + position_size_, q.begin());
   std::copy(y.begin() + position_size_, y.end(), v.begin());

@@ -162,7 +162,14 @@ class PieceDivision {
     const MatrixXd& C = part.series.coefficients();
     const MatrixXd P = qr.solve(MatrixXd::Identity(C.rows(), C.rows()));
     VectorXd rest = C.col(0) - J * (P * C.col(0));
-    if (C.rows() > n && rest.norm() > part.error && excess(C, rest.normalized()) > part.error) return true;
+    if (C.rows() > n && rest.norm() > part.error) {
+      const double clearance = excess(C, rest.normalized());
+      if (clearance > std::max(part.error, touching_)) return true;
+      if (clearance > part.error) {
+        note_touching(part);
+        return true;
+      }
+    }
 
     // G = P F, near s - s_zero.
     ChebyshevSeries G(n, part.series.size(0), part.series.size(1));
@@ -203,7 +210,8 @@ class PieceDivision {
     }
     constexpr double border = 1e-9;
     if (s.allFinite() && s.cwiseAbs().maxCoeff() <= 1 + border) {
-      if (part.series(place(s)).norm() > 5 * part.error) return true;  // of this combination alone
+      // Of this combination alone?
+      if (part.series(place(s)).norm() > std::max(5 * part.error, touching_)) return true;
       Pair zero = part.piece.middle;
       const Pair at = place(s);
       for (std::size_t k = 0; k < 2; ++k) zero[k] += part.piece.half[k] * at[k];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "poinsot/dynamics/velocity_constraint.h"
+#include "poinsot/math/expression.h"
 #include "poinsot/math/plain.h"
 
 namespace poinsot::solve {
@@ -151,5 +152,6 @@ void update_contacts(Mechanism<Scalar>& mechanism, const MomentOf<Scalar>& momen
 
 template void update_contacts(Mechanism<double>&, const MomentOf<double>&);
 template void update_contacts(Mechanism<Dual<1>>&, const MomentOf<Dual<1>>&);
+template void update_contacts(Mechanism<Expression>&, const MomentOf<Expression>&);
 
 }  // namespace poinsot::solve

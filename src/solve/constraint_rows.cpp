@@ -1,5 +1,6 @@
 // The constraints of a mechanism as equations for its velocities and accelerations.
 #include "poinsot/dynamics/velocity_constraint.h"
+#include "poinsot/math/expression.h"
 #include "poinsot/solve/equations.h"
 
 namespace poinsot::solve {
@@ -33,5 +34,8 @@ template ConstraintRow<double> constraint_row(const MomentOf<double>&, const Vel
 template ConstraintRow<Dual<1>> constraint_row(const MomentOf<Dual<1>>&, const VelocityConstraint<Dual<1>>&);
 template std::vector<double> constraint_coefficients(const MomentOf<double>&, const VelocityConstraint<double>&);
 template std::vector<Dual<1>> constraint_coefficients(const MomentOf<Dual<1>>&, const VelocityConstraint<Dual<1>>&);
+template ConstraintRow<Expression> constraint_row(const MomentOf<Expression>&, const VelocityConstraint<Expression>&);
+template std::vector<Expression> constraint_coefficients(const MomentOf<Expression>&,
+                                                         const VelocityConstraint<Expression>&);
 
 }  // namespace poinsot::solve

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "poinsot/math/expression.h"
 #include "poinsot/math/plain.h"
 #include "solve/equation_rows.h"
 
@@ -264,5 +265,14 @@ template ForceUnknowns force_unknowns(const Mechanism<Dual<1>>&);
 template LinearSystemOf<Dual<1>> motion_equations(const MomentOf<Dual<1>>&, const Scales&,
                                                   const std::vector<ConditionOf<Dual<1>>>&);
 template SpatialForce<Dual<1>> action_wrench(const MomentOf<Dual<1>>&, const std::vector<Dual<1>>&, std::size_t);
+template bool coordinate_turns(const Model<Expression>&, int);
+template Scales natural_scales(const Mechanism<Expression>&);
+template LinearSystemOf<Expression> velocity_equations(const MomentOf<Expression>&, const Scales&,
+                                                       const std::vector<ConditionOf<Expression>>&);
+template ForceUnknowns force_unknowns(const Mechanism<Expression>&);
+template LinearSystemOf<Expression> motion_equations(const MomentOf<Expression>&, const Scales&,
+                                                     const std::vector<ConditionOf<Expression>>&);
+template SpatialForce<Expression> action_wrench(const MomentOf<Expression>&, const std::vector<Expression>&,
+                                                std::size_t);
 
 }  // namespace poinsot::solve

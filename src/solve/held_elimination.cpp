@@ -28,20 +28,50 @@ Determinant determinant_of(const Eigen::PartialPivLU<MatrixXd>& lu) {
 
 }  // namespace
 
-HeldPivots pivots_of(const MatrixXd& A, double rank_tolerance) {
+HeldPivots pivots_of(const MatrixXd& A, double rank_tolerance, const std::vector<bool>& late) {
+  constexpr double good_size = 1e-6;  // of a pivot, after scaling
   HeldPivots pivots;
   pivots.rows = Eigen::PermutationMatrix<Eigen::Dynamic>(A.rows());
   pivots.columns = Eigen::PermutationMatrix<Eigen::Dynamic>(A.cols());
   pivots.rows.setIdentity();
   pivots.columns.setIdentity();
   if (A.size() == 0 || A.isZero(0)) return pivots;
-  Eigen::FullPivLU<MatrixXd> lu(A);
-  lu.setThreshold(rank_tolerance);
-  pivots.rows = lu.permutationP();
-  pivots.columns = lu.permutationQ();
-  pivots.rank = lu.rank();
-  const MatrixXd B = pivots.rows * A * pivots.columns;
-  const Determinant det = determinant_of(Eigen::PartialPivLU<MatrixXd>(B.topLeftCorner(pivots.rank, pivots.rank)));
+  // Row by row and column by column of B = rows A columns; the rows that come late stand last until they are wanted.
+  std::vector<Index> row, column;
+  for (const bool last : {false, true})
+    for (Index i = 0; i < A.rows(); ++i)
+      if ((!late.empty() && late[static_cast<std::size_t>(i)]) == last) row.push_back(i);
+  for (Index j = 0; j < A.cols(); ++j) column.push_back(j);
+  const auto early = late.empty() ? A.rows() : static_cast<Index>(std::count(late.begin(), late.end(), false));
+  MatrixXd B(A.rows(), A.cols());
+  for (Index i = 0; i < A.rows(); ++i) B.row(i) = A.row(row[static_cast<std::size_t>(i)]);
+  Index& k = pivots.rank;
+  double largest = 0;
+  bool all = early == A.rows();
+  while (k < std::min(A.rows(), A.cols())) {
+    const Index rows = (all ? A.rows() : early) - k, columns = A.cols() - k;
+    Index i = 0, j = 0;
+    const double size = rows > 0 ? B.block(k, k, rows, columns).cwiseAbs().maxCoeff(&i, &j) : 0;
+    if (!all && !(size > good_size)) {
+      all = true;
+      continue;
+    }
+    largest = std::max(largest, size);
+    if (!(size > rank_tolerance * largest)) break;
+    B.row(k).swap(B.row(k + i));
+    B.col(k).swap(B.col(k + j));
+    std::swap(row[static_cast<std::size_t>(k)], row[static_cast<std::size_t>(k + i)]);
+    std::swap(column[static_cast<std::size_t>(k)], column[static_cast<std::size_t>(k + j)]);
+    const Index below = A.rows() - k - 1, right = columns - 1;
+    const VectorXd factors = B.col(k).tail(below) / B(k, k);
+    B.bottomRightCorner(below, right) -= factors * B.row(k).tail(right);
+    ++k;
+  }
+  for (Index i = 0; i < A.rows(); ++i) pivots.rows.indices()[row[static_cast<std::size_t>(i)]] = static_cast<int>(i);
+  for (Index j = 0; j < A.cols(); ++j)
+    pivots.columns.indices()[j] = static_cast<int>(column[static_cast<std::size_t>(j)]);
+  const MatrixXd scaled = pivots.rows * A * pivots.columns;
+  const Determinant det = determinant_of(Eigen::PartialPivLU<MatrixXd>(scaled.topLeftCorner(k, k)));
   pivots.log_determinant = det.log;
   pivots.negative = det.negative;
   return pivots;

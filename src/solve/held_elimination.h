@@ -10,6 +10,7 @@
 
 #include <Eigen/Dense>
 #include <optional>
+#include <vector>
 
 namespace poinsot::solve {
 
@@ -22,8 +23,9 @@ struct HeldPivots {
 };
 
 // By complete pivoting. A: equations x unknowns, with rows and columns scaled to entries near one; the scaling must be
-// the same for all systems. The system should be one of the highest rank.
-HeldPivots pivots_of(const Eigen::MatrixXd& A, double rank_tolerance = 1e-11);
+// the same for all systems. The system should be one of the highest rank. late: of each row, whether it is a pivot's
+// only where the others have none of good size left.
+HeldPivots pivots_of(const Eigen::MatrixXd& A, double rank_tolerance = 1e-11, const std::vector<bool>& late = {});
 
 struct Remainder {
   Eigen::VectorXd values;    // one for each equation that is no pivot's, relative to det A11 of the pivots' system

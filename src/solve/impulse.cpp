@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "poinsot/math/expression.h"
 #include "poinsot/math/plain.h"
 #include "solve/equation_rows.h"
 
@@ -245,5 +246,14 @@ template SpatialForce<Dual<1>> impact_wrench(const MomentOf<Dual<1>>&, const Imp
 template Dual<1> approach(const MomentOf<Dual<1>>&, const ImpactOf<Dual<1>>&);
 template SpatialForce<Dual<1>> action_impulse(const MomentOf<Dual<1>>&, const BlowOf<Dual<1>>&,
                                               const std::vector<Dual<1>>&, std::size_t);
+template ImpulseUnknowns impulse_unknowns(const Mechanism<Expression>&, const BlowOf<Expression>&);
+template LinearSystemOf<Expression> impulse_equations(const MomentOf<Expression>&, const Scales&,
+                                                      const BlowOf<Expression>&,
+                                                      const std::vector<ConditionOf<Expression>>&,
+                                                      const std::vector<bool>&);
+template SpatialForce<Expression> impact_wrench(const MomentOf<Expression>&, const ImpactOf<Expression>&);
+template Expression approach(const MomentOf<Expression>&, const ImpactOf<Expression>&);
+template SpatialForce<Expression> action_impulse(const MomentOf<Expression>&, const BlowOf<Expression>&,
+                                                 const std::vector<Expression>&, std::size_t);
 
 }  // namespace poinsot::solve

@@ -5,17 +5,18 @@
 #include <cmath>
 #include <limits>
 
+#include "poinsot/math/expression.h"
 #include "poinsot/math/plain.h"
+#include "solve/assembled_system.h"
 
 namespace poinsot::solve {
 namespace {
 
-// A pivot below this part of the largest is rounding: entries are near one after scaling.
-constexpr double rank_tolerance = 1e-11;
 constexpr double conflict_tolerance = 1e-9;
 constexpr double open_tolerance = 1e-9;
 
-// Ruiz's scaling: rows and columns are brought to a largest entry near one. A row or column without entries stays.
+}  // namespace
+
 void equilibrate(Eigen::MatrixXd& A, Eigen::VectorXd& rows, Eigen::VectorXd& columns) {
   if (A.size() == 0) return;
   for (int sweep = 0; sweep < 8; ++sweep) {
@@ -35,8 +36,6 @@ void equilibrate(Eigen::MatrixXd& A, Eigen::VectorXd& rows, Eigen::VectorXd& col
     }
   }
 }
-
-}  // namespace
 
 bool LinearSolution::determined(std::size_t unknown) const {
   return std::none_of(share.begin(), share.end(),
@@ -130,46 +129,21 @@ template <class Scalar>
 LinearFactors::LinearFactors(const LinearSystemOf<Scalar>& system, const LinearScaling* held)
     : parts_(std::make_unique<Parts>()) {
   Parts& parts = *parts_;
-  // Without equations one that says nothing leaves every unknown open.
-  const auto m = static_cast<Eigen::Index>(std::max<std::size_t>(system.equations(), 1));
-  const auto n = static_cast<Eigen::Index>(system.unknowns());
+  AssembledSystem<Scalar> assembled(system);
+  Eigen::MatrixXd& A = parts.A;
+  A = std::move(assembled.A);
+  Eigen::VectorXd& b = assembled.b;
+  const Eigen::VectorXd &rows = assembled.row, &columns = assembled.column;
+  const Eigen::Index m = A.rows(), n = A.cols();
   LinearSolution& solution = parts.solution;
   solution.value.assign(system.unknowns(), 0.0);
-
-  // In natural units.
-  Eigen::MatrixXd& A = parts.A;
-  A = Eigen::MatrixXd::Zero(m, n);
-  Eigen::VectorXd b(m), rows(m), columns(n);
-  rows.setOnes();
-  b.setZero();
-  for (std::size_t i = 0; i < system.equations(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    rows[row] = 1 / system.equation_scale_[i];
-    b[row] = plain(system.right_side_[i]) * rows[row];
-  }
-  for (Eigen::Index j = 0; j < n; ++j) columns[j] = system.unknown_scale_[static_cast<std::size_t>(j)];
-  Eigen::MatrixXd rounding = Eigen::MatrixXd::Zero(m, n);
-  std::vector<bool> known_rounding(static_cast<std::size_t>(m), true);
-  for (const auto& entry : system.entries_) {
-    const auto i = static_cast<Eigen::Index>(entry.equation);
-    const auto j = static_cast<Eigen::Index>(entry.unknown);
-    A(i, j) += plain(entry.coefficient) * rows[i] * columns[j];
-    rounding(i, j) += entry.rounding.value_or(0) * rows[i] * columns[j];
-    if (!entry.rounding) known_rounding[entry.equation] = false;
-  }
   // Numbers that overflowed on the way hold nowhere.
-  for (Eigen::Index i = 0; i < m; ++i)
-    if (!A.row(i).allFinite() || !std::isfinite(b[i])) solution.conflict.push_back(static_cast<std::size_t>(i));
+  solution.conflict = assembled.bad;
   if (!solution.conflict.empty()) {
     solution.residual = std::numeric_limits<double>::infinity();
     parts.finite = false;
     return;
   }
-  for (Eigen::Index i = 0; i < m && n; ++i)
-    if (!known_rounding[static_cast<std::size_t>(i)])
-      // A row all of whose coefficients are rounding has no size of its own: then natural units tell.
-      rounding.row(i).setConstant(std::max(1e-14 * A.row(i).cwiseAbs().maxCoeff(), 1e-15));
-  A = (A.array().abs() <= rounding.array()).select(0, A);
   parts.row_scale = Eigen::VectorXd::Ones(m);
   parts.column_scale = Eigen::VectorXd::Ones(n);
   if (held) {
@@ -283,7 +257,9 @@ LinearDerivative LinearFactors::derivative(const LinearSystemOf<Dual<1>>& varied
 
 template class LinearSystemOf<double>;
 template class LinearSystemOf<Dual<1>>;
+template class LinearSystemOf<Expression>;
 template LinearFactors::LinearFactors(const LinearSystemOf<double>&, const LinearScaling*);
+template LinearFactors::LinearFactors(const LinearSystemOf<Expression>&, const LinearScaling*);
 template LinearFactors::LinearFactors(const LinearSystemOf<Dual<1>>&, const LinearScaling*);
 
 }  // namespace poinsot::solve

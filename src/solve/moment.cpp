@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "poinsot/dynamics/action_forces.h"
+#include "poinsot/math/expression.h"
 #include "poinsot/math/plain.h"
 
 namespace poinsot::solve {
@@ -103,5 +104,6 @@ Scalar MomentOf<Scalar>::known_effort(const Drive<Scalar>& drive) const {
 
 template class MomentOf<double>;
 template class MomentOf<Dual<1>>;
+template class MomentOf<Expression>;
 
 }  // namespace poinsot::solve

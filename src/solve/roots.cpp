@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solve/chebyshev_roots.h"
+#include "solve/few_evaluations.h"
 #include "solve/linear_roots.h"
 #include "solve/root_function.h"
 #include "solve/root_polish.h"
@@ -23,7 +24,9 @@ class RootFinder {
 
   Roots find() {
     Roots roots;
-    if (auto linear = linear_roots(function_)) {
+    if (function_.problem().costly && function_.unknowns() > 0) {
+      from_few_evaluations(roots);
+    } else if (auto linear = linear_roots(function_)) {
       roots = std::move(*linear);
     } else if (function_.unknowns() <= 2) {
       by_polynomials(roots);
@@ -35,6 +38,7 @@ class RootFinder {
       roots.points = found_.points(function_);
       if (roots.points.empty()) roots.best_misfit = smallest_misfit();
     }
+    if (roots.points.empty() && function_.best().size()) roots.best = function_.unscaled(function_.best());
     roots.evaluations = function_.evaluations();
     return roots;
   }
@@ -48,12 +52,39 @@ class RootFinder {
     roots.open = !chebyshev.open_unknowns.empty();
     roots.open_unknowns = std::move(chebyshev.open_unknowns);
     if (chebyshev.alternative.size()) roots.alternative = function_.unscaled(chebyshev.alternative);
+    if (roots.open) look_for_other_families(roots);
     const bool valued = function_.best().size() > 0;
     roots.search = roots.unresolved.empty() && valued ? RootSearch::certified : RootSearch::many_starts;
     if (roots.search == RootSearch::certified || roots.open) return;
     std::vector<VectorXd> starts = starts_on_grid(function_);
     starts.insert(starts.begin(), chebyshev.places.begin(), chebyshev.places.end());
     for (const VectorXd& start : starts) {
+      if (function_.out_of_time() || roots.open) break;
+      from_start(start, roots);
+    }
+  }
+
+  // Curves of solutions may be several, and other unknowns be open along another.
+  void look_for_other_families(Roots& roots) {
+    constexpr std::size_t starts = 10;
+    for (const VectorXd& start : starts_at_random(function_.problem(), starts)) {
+      if (function_.out_of_time() || roots.open_unknowns.size() == function_.problem().ranges.size()) return;
+      const auto root = polish(function_, start);
+      if (!root || !root->zero || !function_.inside(root->u)) continue;
+      const auto family = family_through(function_, *root);
+      if (!family) continue;
+      const std::size_t before = roots.open_unknowns.size();
+      for (const std::size_t k : family->open_unknowns)
+        if (std::find(roots.open_unknowns.begin(), roots.open_unknowns.end(), k) == roots.open_unknowns.end())
+          roots.open_unknowns.push_back(k);
+      std::sort(roots.open_unknowns.begin(), roots.open_unknowns.end());
+      if (roots.open_unknowns.size() > before) roots.alternative = function_.unscaled(family->other);
+    }
+  }
+
+  void from_few_evaluations(Roots& roots) {
+    roots.search = RootSearch::few_evaluations;
+    for (const VectorXd& start : starts_from_few_evaluations(function_)) {
       if (function_.out_of_time() || roots.open) break;
       from_start(start, roots);
     }

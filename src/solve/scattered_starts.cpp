@@ -10,19 +10,20 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// At the part 0 to 1 of a range, in natural sizes.
-double at_part(const RootRange& range, double part) {
+double at_part(const RootRange& range, double part) { return place_in_range(range, part, 3); }
+
+}  // namespace
+
+double place_in_range(const RootRange& range, double part, double decades) {
   const bool low = std::isfinite(range.lower), high = std::isfinite(range.upper);
   if (low && high) return (range.lower + part * (range.upper - range.lower)) / range.scale;
   if (low || high) {
-    const double away = std::pow(10, 6 * part - 3);
+    const double away = std::pow(10, decades * (2 * part - 1));
     return low ? range.lower / range.scale + away : range.upper / range.scale - away;
   }
   const double side = 2 * part - 1;
-  return (side < 0 ? -1 : 1) * std::pow(10, 6 * std::abs(side) - 3);
+  return (side < 0 ? -1 : 1) * std::pow(10, decades * (2 * std::abs(side) - 1));
 }
-
-}  // namespace
 
 std::vector<VectorXd> starts_on_grid(RootFunction& function) {
   const auto& ranges = function.problem().ranges;

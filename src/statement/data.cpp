@@ -5,11 +5,14 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "statement/exact_numbers.h"
 #include "statement/reader.h"
 #include "statement/scalar_value.h"
 
 namespace poinsot::statement {
 namespace {
+
+constexpr std::string_view standard_gravity_digits = "9.80665";
 
 const NamedExpression* find_named(const std::vector<NamedExpression>& items, const std::string& name) {
   const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
@@ -125,15 +128,19 @@ std::vector<std::string> settable_names(const Problem& problem) {
   return names;
 }
 
-Value<double> read_setting(const Problem& problem, const std::string& name, const std::string& text) {
-  const std::string file = "--set " + name + "=" + text;
+Expression setting_expression(const std::string& name, const std::string& text) {
   // On a command line blanks are a burden: 3kg is understood.
   std::string spaced = text;
   char* end = nullptr;
   std::strtod(text.c_str(), &end);
   const auto used = static_cast<std::size_t>(end - text.c_str());
   if (used > 0 && used < text.size() && std::isalpha(static_cast<unsigned char>(text[used]))) spaced.insert(used, " ");
-  const Expression expression = parse_expression(spaced, file, Mark{});
+  return parse_expression(spaced, "--set " + name + "=" + text, Mark{});
+}
+
+Value<double> read_setting(const Problem& problem, const std::string& name, const std::string& text) {
+  const std::string file = "--set " + name + "=" + text;
+  const Expression expression = setting_expression(name, text);
   Problem nothing;
   nothing.file = file;
   const Settings none;
@@ -251,7 +258,9 @@ Value<Scalar> DataScope<Scalar>::name(const Name& name, const Mark& mark, const 
     return Value<Scalar>::of_vector(Vector3<Scalar>::unit(static_cast<std::size_t>(axis - problem_.axes.begin())),
                                     dimensions::none);
   if (name.name == "time") return Value<Scalar>::of_number(time_, dimensions::time);
-  if (name.name == "g") return Value<Scalar>::of_number(Scalar(standard_gravity), dimensions::acceleration);
+  if (name.name == "g")
+    return Value<Scalar>::of_number(decimal_value<Scalar>(standard_gravity, standard_gravity_digits),
+                                    dimensions::acceleration);
   std::vector<std::string> known = settable_names(problem_);
   for (const auto* items : {&problem_.points, &problem_.directions})
     for (const NamedExpression& item : *items) known.push_back(item.name);
@@ -329,12 +338,15 @@ Scalar DataScope<Scalar>::gravity_size() {
         return norm(gravity.vector);
     }
   }
-  return Scalar(standard_gravity);
+  return decimal_value<Scalar>(standard_gravity, standard_gravity_digits);
 }
 
 template class DataScope<double>;
 template class DataScope<Dual<1>>;
 template class DataScope<TimeJet>;
 template class DataScope<TimeJetOf<Dual<1>>>;
+template class DataScope<Formula>;
+template class DataScope<Dual<1, Formula>>;
+template class DataScope<TimeJetOf<Formula>>;
 
 }  // namespace poinsot::statement

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "poinsot/statement/evaluate.h"
 #include "statement/evaluate_support.h"
+#include "statement/exact_numbers.h"
 
 namespace poinsot::statement {
 
@@ -63,6 +65,7 @@ struct FunctionContext {
   }
   // By a power of two to a size whose square cannot overflow or vanish.
   static Vector3<Scalar> scaled(const Vector3<Scalar>& v) {
+    if constexpr (is_exact<Scalar>) return v;
     const double largest = std::max({std::abs(plain(v.x)), std::abs(plain(v.y)), std::abs(plain(v.z))});
     return v * Scalar(std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1022, 1022)));
   }
@@ -100,7 +103,10 @@ std::optional<Value<Scalar>> function_of_number(const Call& call, const Function
   }
   if (f == "abs") {
     Result x = context.number(call, argument);
-    x.number = abs(x.number);
+    if constexpr (is_exact<Scalar> && !std::is_same_v<Scalar, Formula>)
+      x.number = plain(x.number) < 0 ? -x.number : x.number;
+    else
+      x.number = abs(x.number);
     return x;
   }
   return std::nullopt;
@@ -108,7 +114,7 @@ std::optional<Value<Scalar>> function_of_number(const Call& call, const Function
 
 template <class Scalar>
 std::optional<Value<Scalar>> function_of_vectors(const Call& call, const FunctionContext<Scalar>& context) {
-  using std::abs, std::atan2;
+  using std::atan2;
   using Result = Value<Scalar>;
   const std::string& f = call.function;
   const std::string pattern = call.pattern();
@@ -118,6 +124,7 @@ std::optional<Value<Scalar>> function_of_vectors(const Call& call, const Functio
     if (f == "norm") {
       const Result v = context.vector(call, first);
       if (is_zero(v)) return Result::of_number(norm(v.vector), v.dimension, v.bare);
+      if constexpr (is_exact<Scalar>) return Result::of_number(norm(v.vector), v.dimension, v.bare);
       // |v| = (v . v/s)/|v/s| with s near |v|.
       const Vector3<Scalar> near_unit = context.scaled(v.vector);
       return Result::of_number(dot(v.vector, near_unit) / norm(near_unit), v.dimension, v.bare);
@@ -143,7 +150,8 @@ std::optional<Value<Scalar>> function_of_vectors(const Call& call, const Functio
     const Vector3<Scalar> v = context.direction(call, second);
     // From sine and cosine: exact near 0 and 180 degrees, where the arc cosine is not.
     const Scalar cosine = dot(u, v);
-    return Result::of_number(atan2(norm(cross(u, v)), f == "angle" ? cosine : abs(cosine)), dimensions::angle);
+    return Result::of_number(atan2(norm(cross(u, v)), f == "angle" || plain(cosine) >= 0 ? cosine : -cosine),
+                             dimensions::angle);
   }
   return std::nullopt;
 }

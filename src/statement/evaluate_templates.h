@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "poinsot/statement/evaluate.h"
 #include "statement/evaluate_functions.h"
 #include "statement/evaluate_support.h"
+#include "statement/exact_numbers.h"
 
 namespace poinsot::statement {
 
@@ -23,12 +23,11 @@ struct Evaluation {
   const Mark& mark;
 
   Result operator()(const Number& number) const {
-    return finite(
-        Result::of_number(Scalar(number.value * number.unit.factor), number.unit.dimension, !number.has_unit));
+    return finite(Result::of_number(literal_value<Scalar>(number), number.unit.dimension, !number.has_unit));
   }
 
   Result operator()(const Name& name) const {
-    if (name.primes == 0 && name.name == "pi") return Result::of_number(Scalar(std::numbers::pi), dimensions::none);
+    if (name.primes == 0 && name.name == "pi") return Result::of_number(pi_value<Scalar>(), dimensions::none);
     if (name.primes == 0 && name.name == "any") return Result::any();
     return scope.name(name, mark, evaluator);
   }
@@ -236,9 +235,11 @@ struct Evaluation {
   static Scalar power_value(const Scalar& base, const Scalar& exponent) {
     using std::exp, std::log, std::pow, std::sqrt;
     const double p = plain(exponent);
-    if (!is_constant(exponent)) {
-      if (plain(base) > 0) return exp(exponent * log(base));
-      return pow(base, p);
+    if constexpr (!is_exact<Scalar>) {
+      if (!is_constant(exponent)) {
+        if (plain(base) > 0) return exp(exponent * log(base));
+        return pow(base, p);
+      }
     }
     if (p == 0.5) return sqrt(base);
     if (p == std::round(p) && std::abs(p) <= 64) {
@@ -250,7 +251,14 @@ struct Evaluation {
       }
       return p < 0 ? Scalar(1) / result : result;
     }
-    return pow(base, p);
+    if constexpr (is_exact<Scalar>) {
+      // Half powers have roots; other powers have no formula.
+      if (is_constant(exponent) && 2 * p == std::round(2 * p) && std::abs(p) <= 32)
+        return power_value(sqrt(base), Scalar(2) * exponent);
+      throw NoFormula("a power that is neither whole nor a half has no formula");
+    } else {
+      return pow(base, p);
+    }
   }
 
   bool compare(const Comparison& comparison, std::size_t i, const Result& left, const Result& right,
@@ -266,6 +274,7 @@ struct Evaluation {
                      value->is_vector() ? "compare components, v.x, or magnitudes, norm(v)" : "");
     }
     fitting(comparison.operands[i], left, comparison.operands[i + 1], right, "cannot be compared with");
+    if (is_exact<Scalar> && relation == Relation::equal) return plain(left.number - right.number) == 0;
     const double a = plain(left.number);
     const double b = plain(right.number);
     switch (relation) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "statement/sample.h"
+#include "statement/unknown_ranges.h"
 #include "statement/unknown_search.h"
 
 namespace poinsot::statement {

@@ -16,11 +16,8 @@ using Vector = Vector3<double>;
 SolvedInstant::SolvedInstant(const Problem& problem, const Settings& settings, const When& when,
                              const OpenChoice& choice)
     : problem_(problem), settings_(settings), choice_(choice), random_(choice.seed) {
-  if (problem.has_blow() && !problem.stages.empty())
-    fail(problem.file, problem.stages.front().mark, "a problem has stages or something sudden, not both",
-         "state the blow in a file of its own, with the motion just before it under instants: {before: {...}}");
   build(0, problem.stages.empty() ? std::nullopt : problem.stages.front().loads);
-  const auto instants = instants_at_start();
+  const auto instants = instants_at_start(problem);
   set_positions(instants);
   solve_velocities(instants, std::nullopt);
   if (when.after_blow) solve_blow();
@@ -54,48 +51,48 @@ void SolvedInstant::build(double time, const std::optional<std::vector<std::stri
   time_ = time;
   data_ = std::make_unique<DataScope<double>>(problem_, settings_, time);
   machine_ = machine_at(time, loads);
-  scales_ = solve::natural_scales(machine_.mechanism);
+  scales_ = choice_.scales ? *choice_.scales : solve::natural_scales(machine_.mechanism);
   moment_.emplace(machine_.mechanism);
   moment_->set_positions(machine_.q);
   motion_.reset();
 }
 
 // What is known at the start: of the only instant, of the first stage, or before a blow.
-std::vector<const Instant*> SolvedInstant::instants_at_start() const {
+std::vector<const Instant*> instants_at_start(const Problem& problem) {
   std::vector<const Instant*> found;
   const auto add = [&](const Instant& instant) {
-    if (!is_later(problem_, instant)) found.push_back(&instant);
+    if (!is_later(problem, instant)) found.push_back(&instant);
   };
-  if (problem_.has_blow()) {
-    for (const Instant& instant : problem_.instants) {
-      if (instant.name != "before" && instant.name != "after" && !is_later(problem_, instant))
-        fail(problem_.file, instant.mark,
+  if (problem.has_blow()) {
+    for (const Instant& instant : problem.instants) {
+      if (instant.name != "before" && instant.name != "after" && !is_later(problem, instant))
+        fail(problem.file, instant.mark,
              "the instants of a blow are called before and after, not '" + instant.name + "'");
       if (instant.name == "before") found.push_back(&instant);
     }
     return found;
   }
-  if (problem_.stages.empty()) {
-    for (const Instant& instant : problem_.instants) add(instant);
+  if (problem.stages.empty()) {
+    for (const Instant& instant : problem.instants) add(instant);
     if (found.size() > 1)
-      fail(problem_.file, found[1]->mark,
+      fail(problem.file, found[1]->mark,
            "the instants '" + found[0]->name + "' and '" + found[1]->name +
                "' need a motion that leads from one to the other",
            "state one instant, call the later one by its time such as `2 s`, or name the stages between them");
     return found;
   }
   std::vector<std::string> names;
-  for (const Stage& stage : problem_.stages)
+  for (const Stage& stage : problem.stages)
     names.insert(names.end(), {stage.name, stage.name + ".start", stage.name + ".end"});
-  for (const Instant& instant : problem_.instants) {
-    const std::string& first = problem_.stages.front().name;
+  for (const Instant& instant : problem.instants) {
+    const std::string& first = problem.stages.front().name;
     if (instant.name == "start" || instant.name == first || instant.name == first + ".start") {
       add(instant);
       continue;
     }
-    if (is_later(problem_, instant)) continue;
+    if (is_later(problem, instant)) continue;
     const std::string hint = did_you_mean(instant.name, names);
-    fail(problem_.file, instant.mark, "there is no stage for the instant '" + instant.name + "'",
+    fail(problem.file, instant.mark, "there is no stage for the instant '" + instant.name + "'",
          hint.empty() ? "the start of a stage is called STAGE.start, its end STAGE.end" : hint);
   }
   return found;
@@ -143,11 +140,7 @@ void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
   moment_->set_positions(machine_.q);
   solve::update_contacts(machine_.mechanism, *moment_);
   position_facts(instants);
-}
-
-double SolvedInstant::natural_unit(const Dimension& d) const {
-  return std::pow(scales_.length, d.length / 12.0) * std::pow(scales_.mass, d.mass / 12.0) *
-         std::pow(scales_.time, d.time / 12.0);
+  position_misfits_ = misfits_.size();
 }
 
 void SolvedInstant::take_misfits(const solve::LinearSolution& solution) {
@@ -175,9 +168,9 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
     moment_->set_velocities(v_);
     return;
   }
-  std::vector<solve::Condition> conditions = rate_conditions();
-  for (solve::Condition& condition : velocity_facts(instants)) conditions.push_back(std::move(condition));
-  if (problem_.steady) add_steady(conditions, false);
+  std::vector<solve::Condition> conditions = rate_conditions(view());
+  for (solve::Condition& condition : velocity_facts(view(), instants)) conditions.push_back(std::move(condition));
+  if (problem_.steady) add_steady(view(), conditions, false);
   velocities_ = solve::solve_velocities(*moment_, scales_, conditions, &velocity_equations_);
   if (choice_.trial)
     take_misfits(velocities_);
@@ -198,6 +191,12 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
 
 void SolvedInstant::solve_forces() {
   if (motion_) return;
+  for (const Strike& strike : problem_.strikes)
+    if (before_ && strike.stays && !strike.mass_neglected)
+      throw UnansweredError(problem_.file, strike.mark,
+                            "with the particle of strike '" + strike.name +
+                                "', which stays, the body moves on as another one than before",
+                            "ask for its accelerations and forces in the motion that follows: @ 0 s");
   for (const VelocityConstraint<double>& constraint : machine_.mechanism.constraints)
     if (constraint.shape_unknown && !constraint.carried_by) {
       const std::string& name = machine_.mechanism.actions[static_cast<std::size_t>(constraint.action)].name;
@@ -251,12 +250,20 @@ void SolvedInstant::contradiction(const solve::LinearSystem& equations, const so
     fail(problem_.file, mark, "nothing carries what the motion needs: " + all,
          "let a support or contact carry it, or leave a freedom for it");
   }
+  if (mark.line == 1 && problem_.steady) mark = problem_.steady->mark;
+  if (mark.line == 1 && !problem_.joints.empty()) mark = problem_.joints.front().mark;
+  if (names.size() == 1)
+    fail(problem_.file, mark, "this cannot hold: " + all + "; how the bodies are held does not allow it",
+         "correct or remove it, or free what holds it");
   fail(problem_.file, mark, std::string("these cannot all hold together: ") + all, "correct or remove one of them");
 }
 
 QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, const std::optional<Expression>& axes,
                                                const Elsewhere& elsewhere) {
-  if (level_of(problem_, expression) >= Level::force) solve_forces();
+  // What is asked of the whole motion finds forces there.
+  const Call* call = expression.as<Call>();
+  const bool of_motion = before_ && ((call && is_motion_feature(*call)) || !asks_forces(problem_, expression));
+  if (level_of(problem_, expression) >= Level::force && !of_motion) solve_forces();
   QuantityScope<double> quantities(machine_, machine_.mechanism.tree, *data_, State<double>{machine_.q, v_});
   if (motion_) {
     quantities.set_accelerations(moment_->accelerations());

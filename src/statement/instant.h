@@ -10,6 +10,7 @@
 
 #include "poinsot/solve/equations.h"
 #include "poinsot/solve/particle_check.h"
+#include "statement/instant_conditions.h"
 #include "statement/quantities.h"
 
 namespace poinsot::statement {
@@ -24,7 +25,8 @@ struct OpenChoice {
   std::size_t direction = 0;  // which of the open directions of these, or `every`
 
   static constexpr std::size_t every = static_cast<std::size_t>(-1);
-  bool trial = false;  // unknowns have trial values: what does not hold is a misfit, not an error
+  bool trial = false;                        // unknowns have trial values: what does not hold is a misfit, not an error
+  std::optional<solve::Scales> scales = {};  // units of misfits; those natural to the machine when left out
 };
 
 // Where in time: the only instant or the start of the first stage, or just after a blow.
@@ -40,6 +42,9 @@ bool turns_nothing(const Machine& machine, int coordinate);
 std::vector<int> still_coordinates(const Machine& machine);
 // Whether an instant is reached by the motion: a time, or found by a condition.
 bool is_later(const Problem& problem, const Instant& instant);
+
+// What is known at the start: of the only instant, of the first stage, or before a blow. Throws StatementError.
+std::vector<const Instant*> instants_at_start(const Problem& problem);
 
 // A state that a motion has reached.
 struct MotionState {
@@ -93,6 +98,7 @@ class SolvedInstant {
 
   bool after_blow() const { return before_.has_value(); }
   const solve::LinearSolution& blow() const { return blow_solution_; }
+  const std::vector<bool>& blow_acting() const { return blow_acting_; }  // of each action, in the blow
   const solve::LinearSystem& blow_equations() const { return blow_equations_; }
   const solve::LinearSolution& velocities() const { return velocities_; }
   const solve::LinearSystem& velocity_equations() const { return velocity_equations_; }
@@ -102,6 +108,8 @@ class SolvedInstant {
 
   // In a trial: by how much the equations fail to hold, in natural units.
   const std::vector<double>& misfits() const { return misfits_; }
+  std::size_t position_misfits() const { return position_misfits_; }  // the first ones: of facts about positions
+  const solve::Scales& scales() const { return scales_; }
   double misfit_size() const { return misfit_size_; }  // of the largest term in these equations
 
   // Cords that would have to push and contacts that would have to pull, in words. After solve_forces().
@@ -121,19 +129,14 @@ class SolvedInstant {
   void build(double time, const std::optional<std::vector<std::string>>& loads);
   void set_positions(const std::vector<const Instant*>& instants);
   void solve_velocities(const std::vector<const Instant*>& instants, const std::optional<std::vector<double>>& v);
-  std::vector<solve::Condition> rate_conditions() const;
   void position_facts(const std::vector<const Instant*>& instants);
-  std::vector<solve::Condition> velocity_facts(const std::vector<const Instant*>& instants);
+  InstantView<double> view() const;
   std::vector<solve::Condition> force_conditions();
-  void add_steady(std::vector<solve::Condition>& conditions, bool accelerations) const;
-  bool hangs_on(int body, int ancestor) const;
-  bool turns_unseen(int body) const;
-  std::vector<const Instant*> instants_at_start() const;
   void release(const std::vector<bool>& acting);
   void solve_blow();
   void take_misfits(const solve::LinearSolution& solution);
   void move_along(const solve::LinearSolution& solution, std::vector<double>& values, double pace = 1);
-  double natural_unit(const Dimension& dimension) const;
+  double natural_unit(const Dimension& dimension) const { return statement::natural_unit(scales_, dimension); }
   [[noreturn]] void contradiction(const solve::LinearSystem& equations, const solve::LinearSolution& solution,
                                   bool forces);
   QuantityScope<double> scope_for(const Expression& expression, const std::optional<Expression>& axes,
@@ -162,10 +165,12 @@ class SolvedInstant {
   std::vector<double> unknowns_;
   std::optional<solve::Linearisation> linearisation_;
   std::vector<double> misfits_;
+  std::size_t position_misfits_ = 0;
   double misfit_size_ = 0;
   // A blow, if this is the instant after it: what was before, and velocities after with all impulses.
   std::optional<solve::Moment> before_;
   solve::Blow blow_;
+  std::vector<bool> blow_acting_;  // of each action
   solve::LinearSystem blow_equations_;
   solve::LinearSolution blow_solution_;
   std::vector<double> impulses_;

@@ -8,52 +8,49 @@
 namespace poinsot::statement {
 namespace {
 
-using Vector = Vector3<double>;
+Mark place_of_blow(const Problem& problem) {
+  if (!problem.impulses.empty()) return problem.impulses.front().mark;
+  if (!problem.impacts.empty()) return problem.impacts.front().mark;
+  return problem.strikes.front().mark;
+}
+
+const Impact& impact_named(const Problem& problem, const std::string& name) {
+  return *std::find_if(problem.impacts.begin(), problem.impacts.end(),
+                       [&](const Impact& impact) { return impact.name == name; });
+}
 
 }  // namespace
 
 void SolvedInstant::solve_blow() {
   before_.emplace(*moment_);
-  blow_ = {};
-  for (const StatedImpulse& stated : machine_.impulses) {
-    solve::KnownImpulse impulse{stated.action, stated.on, SpatialForce<double>::zero(), stated.absorbed, stated.at};
-    Vector vector = moment_->on_ground_axes(stated.axes, stated.vector);
-    if (stated.relative_to) {
-      // The particle's momentum, less what it keeps of it relative to the body.
-      const auto center_velocity = [&](int body) {
-        if (body == ground) return Vector::zero();
-        const double mass = machine_.mechanism.tree.body(body).inertia.mass;
-        return mass > 0
-                   ? body_momentum(machine_.mechanism.tree, moment_->workspace(), body, Vector::zero()).linear / mass
-                   : Vector::zero();
-      };
-      const Vector absolute = vector + stated.particle_mass * center_velocity(*stated.relative_to);
-      const Vector relative = absolute - stated.particle_mass * center_velocity(stated.on);
-      vector = stated.absorbed > 0 ? absolute : (1 - stated.kept) * relative;
-    }
-    impulse.wrench = stated.couple ? SpatialForce<double>{vector, Vector::zero()}
-                                   : SpatialForce<double>{cross(moment_->position(stated.at), vector), vector};
-    blow_.impulses.push_back(impulse);
-  }
+  blow_ = stated_blow(view());
   for (const solve::Impact& impact : machine_.impacts) {
-    if (approach(*moment_, impact) >= 0) {
-      const auto stated = std::find_if(problem_.impacts.begin(), problem_.impacts.end(),
-                                       [&](const Impact& i) { return i.name == impact.name; });
-      fail(problem_.file, stated->mark,
+    const double toward = approach(*moment_, impact);
+    if (toward >= 0) {
+      for (std::size_t d = 0; d < velocities_.open.size() && !choice_.trial; ++d) {
+        std::vector<double> moved = v_;
+        for (std::size_t k = 0; k < moved.size(); ++k) moved[k] += velocities_.open[d][k];
+        moment_->set_velocities(moved);
+        const bool depends = std::abs(approach(*moment_, impact) - toward) > 1e-9 * scales_.length / scales_.time;
+        moment_->set_velocities(v_);
+        if (!depends) continue;
+        std::string names;
+        for (std::size_t k : velocities_.share[d]) names += (names.empty() ? "" : ", ") + velocity_equations_.name(k);
+        throw UnansweredError(
+            problem_.file, impact_named(problem_, impact.name).mark,
+            "whether impact '" + impact.name + "' happens is not determined: nothing fixes " + names + " before it",
+            "state it under joints: or instants:");
+      }
+      fail(problem_.file, impact_named(problem_, impact.name).mark,
            "nothing strikes at impact '" + impact.name +
                "': before it the two do not approach each other along the push",
            "check the direction under pushes: and the motion before");
     }
-    blow_.impacts.push_back(impact);
-  }
-  for (const Frame& frame : problem_.frames) {
-    const auto& body = machine_.mechanism.tree.body(machine_.index.at(frame.name));
-    for (int k = 0; k < velocity_size(body.joint); ++k) blow_.held_coordinates.push_back(body.v + k);
   }
   std::vector<const Instant*> after;
   for (const Instant& instant : problem_.instants)
     if (instant.name == "after") after.push_back(&instant);
-  const std::vector<solve::Condition> conditions = velocity_facts(after);
+  const std::vector<solve::Condition> conditions = velocity_facts(view(), after);
 
   // Cords and pushing contacts act, or give way, as the blow decides: the choice in which none has to push or pull and
   // none is overstretched or pressed in.
@@ -61,9 +58,11 @@ void SolvedInstant::solve_blow() {
   std::vector<std::size_t> one_sided;
   for (const Component<double>& component : mechanism.components)
     if (component.one_sided) one_sided.push_back(static_cast<std::size_t>(component.action));
-  if (one_sided.size() > 12) fail(problem_.file, {1, 1}, "more than 12 cords and contacts in one blow are too many");
+  if (one_sided.size() > 12)
+    fail(problem_.file, place_of_blow(problem_), "more than 12 cords and contacts in one blow are too many");
   const std::size_t n = static_cast<std::size_t>(mechanism.tree.velocity_size());
   const double impulse_unit = natural_unit(dimensions::momentum);
+  bool all_contradict = true;  // however the cords and contacts act
   for (std::size_t choice = 0; choice < (std::size_t{1} << one_sided.size()); ++choice) {
     std::vector<bool> acting(mechanism.actions.size(), true);
     for (std::size_t k = 0; k < one_sided.size(); ++k) acting[one_sided[k]] = !(choice >> k & 1);
@@ -73,6 +72,11 @@ void SolvedInstant::solve_blow() {
     double largest = 0;
     for (std::size_t k = n; k < solution.value.size(); ++k) largest = std::max(largest, std::abs(solution.value[k]));
     bool good = choice_.trial || solution.conflict.empty();
+    all_contradict = all_contradict && !good;
+    if (!good && choice == 0) {
+      blow_equations_ = equations;
+      blow_solution_ = solution;
+    }
     for (std::size_t k = 0; good && k < mechanism.components.size(); ++k) {
       const auto action = static_cast<std::size_t>(mechanism.components[k].action);
       if (mechanism.components[k].one_sided && acting[action])
@@ -90,24 +94,26 @@ void SolvedInstant::solve_blow() {
       good = constraint.kind == VelocityConstraintKind::cord_length ? rate <= 1e-9 * size : rate >= -1e-9 * size;
     }
     if (!good && !last && !choice_.trial) continue;
-    blow_equations_ = std::move(equations);
-    blow_solution_ = std::move(solution);
-    if (choice_.trial) take_misfits(blow_solution_);
     if (!good && !choice_.trial) {
       facts_.insert(facts_.end(), after.begin(), after.end());
-      if (one_sided.empty()) contradiction(blow_equations_, blow_solution_, true);
-      fail(problem_.file, {1, 1},
+      // The cords and contacts are not to blame: with all of them acting, what clashes is named best.
+      if (all_contradict) contradiction(blow_equations_, blow_solution_, true);
+      fail(problem_.file, place_of_blow(problem_),
            "no motion after the blow fits: whichever cords and contacts act, one would have to push or pull the wrong "
            "way");
     }
+    blow_equations_ = std::move(equations);
+    blow_solution_ = std::move(solution);
+    blow_acting_ = acting;
+    if (choice_.trial) take_misfits(blow_solution_);
     break;
   }
   impulses_ = blow_solution_.value;
   if (choice_.forces) move_along(blow_solution_, impulses_);
   for (std::size_t k = 0; k < blow_.impacts.size(); ++k)
     if (impulses_[impulses_.size() - blow_.impacts.size() + k] < -1e-9 * impulse_unit && !choice_.forces)
-      fail(problem_.file, {1, 1}, "the impact '" + blow_.impacts[k].name + "' would have to pull",
-           "check the direction under pushes:");
+      fail(problem_.file, impact_named(problem_, blow_.impacts[k].name).mark,
+           "the impact '" + blow_.impacts[k].name + "' would have to pull", "check the direction under pushes:");
   v_.assign(impulses_.begin(), impulses_.begin() + static_cast<std::ptrdiff_t>(n));
   moment_->set_velocities(v_);
 }

@@ -124,7 +124,11 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
     const auto& body = tree.body(i);
     if ((body.joint != JointType::ball && body.joint != JointType::free) || i == frame) continue;
     const Vector own = direction_on_body(tree, w, i, angular_velocity(w, i) - turning);
-    if (norm(own) > 0) motion.spins.emplace_back(i, about(own, center_of(i)));
+    // Axes that do not follow the spin serve bodies that look the same while they spin; others keep their own.
+    const std::vector<Vector> alike = symmetry_axes(body.inertia);
+    const bool unseen = alike.size() != 1 ? alike.size() == 3 || !(body.inertia.mass > 0)
+                                          : norm(cross(own, alike.front())) <= 1e-9 * norm(own);
+    if (norm(own) > 0 && unseen) motion.spins.emplace_back(i, about(own, center_of(i)));
   }
 
   // What may lead to the same motion again: turns of all that stands on the ground about the axis of the frame or the
@@ -186,7 +190,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   for (int i = 0; i < tree.body_count(); ++i) {
     const auto& body = tree.body(i);
     const auto first = static_cast<std::size_t>(body.v);
-    if (body.joint == JointType::revolute && turns_unseen(i)) {
+    if (body.joint == JointType::revolute && turns_unseen(tree, i, scales_.length)) {
       std::vector<double> positions = none;
       positions[first] = 1;
       add_symmetry(positions, none);

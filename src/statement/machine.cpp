@@ -1,5 +1,6 @@
 #include "statement/machine.h"
 
+#include "statement/exact_numbers.h"
 #include "statement/machine_draft.h"
 
 namespace poinsot::statement {
@@ -63,6 +64,9 @@ template struct MachineOf<Dual<1>>;
 template Machine build_machine(const Problem&, DataScope<double>&, DataScope<TimeJet>&, const AnyValue&,
                                const MachineOptions&);
 template MachineOf<Dual<1>> build_machine(const Problem&, DataScope<Dual<1>>&, DataScope<TimeJetOf<Dual<1>>>&,
+                                          const AnyValue&, const MachineOptions&);
+template struct MachineOf<Formula>;
+template MachineOf<Formula> build_machine(const Problem&, DataScope<Formula>&, DataScope<TimeJetOf<Formula>>&,
                                           const AnyValue&, const MachineOptions&);
 
 }  // namespace poinsot::statement

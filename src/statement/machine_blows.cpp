@@ -1,5 +1,6 @@
 // What happens suddenly in a machine.
 #include "poinsot/math/plain.h"
+#include "statement/exact_numbers.h"
 #include "statement/machine_draft.h"
 #include "statement/reader.h"
 
@@ -83,5 +84,8 @@ template void add_strike(MachineDraft<double>&, const Strike&);
 template void add_impulse(MachineDraft<Dual<1>>&, const Impulse&);
 template void add_impact(MachineDraft<Dual<1>>&, const Impact&);
 template void add_strike(MachineDraft<Dual<1>>&, const Strike&);
+template void add_impulse(MachineDraft<Formula>&, const Impulse&);
+template void add_impact(MachineDraft<Formula>&, const Impact&);
+template void add_strike(MachineDraft<Formula>&, const Strike&);
 
 }  // namespace poinsot::statement

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "poinsot/math/plain.h"
+#include "statement/exact_numbers.h"
 #include "statement/machine_draft.h"
 #include "statement/reader.h"
 #include "statement/rolling_surface.h"
@@ -116,5 +117,7 @@ template void add_contact(MachineDraft<double>&, const Contact&);
 template void add_cord(MachineDraft<double>&, const Cord&);
 template void add_contact(MachineDraft<Dual<1>>&, const Contact&);
 template void add_cord(MachineDraft<Dual<1>>&, const Cord&);
+template void add_contact(MachineDraft<Formula>&, const Contact&);
+template void add_cord(MachineDraft<Formula>&, const Cord&);
 
 }  // namespace poinsot::statement

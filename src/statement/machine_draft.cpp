@@ -6,6 +6,7 @@
 
 #include "poinsot/mass/composition.h"
 #include "poinsot/math/plain.h"
+#include "statement/exact_numbers.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
@@ -118,5 +119,7 @@ template struct MachineDraft<double>;
 template struct MachineDraft<Dual<1>>;
 template std::pair<Vector3<double>, Vector3<double>> across(const Vector3<double>&);
 template std::pair<Vector3<Dual<1>>, Vector3<Dual<1>>> across(const Vector3<Dual<1>>&);
+template struct MachineDraft<Formula>;
+template std::pair<Vector3<Formula>, Vector3<Formula>> across(const Vector3<Formula>&);
 
 }  // namespace poinsot::statement

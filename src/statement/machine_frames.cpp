@@ -1,6 +1,7 @@
 // Gravity and the frames of a machine.
 #include "poinsot/mass/composition.h"
 #include "poinsot/math/plain.h"
+#include "statement/exact_numbers.h"
 #include "statement/machine_draft.h"
 #include "statement/reader.h"
 
@@ -92,5 +93,7 @@ template void set_gravity(MachineDraft<double>&);
 template void add_frame(MachineDraft<double>&, const Frame&);
 template void set_gravity(MachineDraft<Dual<1>>&);
 template void add_frame(MachineDraft<Dual<1>>&, const Frame&);
+template void set_gravity(MachineDraft<Formula>&);
+template void add_frame(MachineDraft<Formula>&, const Frame&);
 
 }  // namespace poinsot::statement

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "poinsot/math/plain.h"
+#include "statement/exact_numbers.h"
 #include "statement/machine_draft.h"
 #include "statement/reader.h"
 
@@ -254,5 +255,9 @@ template JointAxes<Dual<1>> axes_of(const MachineDraft<Dual<1>>&, const Joint&);
 template Dual<1> pitch_of(const MachineDraft<Dual<1>>&, const Joint&);
 template Vector3<Dual<1>> support_place(const MachineDraft<Dual<1>>&, const Support&);
 template void add_joint_actions(MachineDraft<Dual<1>>&, const Joint&);
+template JointAxes<Formula> axes_of(const MachineDraft<Formula>&, const Joint&);
+template Formula pitch_of(const MachineDraft<Formula>&, const Joint&);
+template Vector3<Formula> support_place(const MachineDraft<Formula>&, const Support&);
+template void add_joint_actions(MachineDraft<Formula>&, const Joint&);
 
 }  // namespace poinsot::statement

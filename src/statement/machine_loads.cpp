@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "poinsot/math/plain.h"
+#include "statement/exact_numbers.h"
 #include "statement/machine_draft.h"
 #include "statement/reader.h"
 
@@ -68,5 +69,7 @@ template void add_spring(MachineDraft<double>&, const Spring&);
 template void add_load(MachineDraft<double>&, const Load&);
 template void add_spring(MachineDraft<Dual<1>>&, const Spring&);
 template void add_load(MachineDraft<Dual<1>>&, const Load&);
+template void add_spring(MachineDraft<Formula>&, const Spring&);
+template void add_load(MachineDraft<Formula>&, const Load&);
 
 }  // namespace poinsot::statement

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "poinsot/mass/composition.h"
+#include "statement/exact_numbers.h"
 #include "statement/machine_draft.h"
 #include "statement/reader.h"
 
@@ -160,7 +161,7 @@ void add_tree(MachineDraft<Scalar>& draft) {
       free = std::find_if(draft.problem.bodies.begin(), draft.problem.bodies.end(), waits);
     const std::size_t first = draft.next_velocity();
     const std::size_t i = static_cast<std::size_t>(free - draft.problem.bodies.begin());
-    const Vector3<Scalar> origin = free->massless ? Vector3<Scalar>::zero() : draft.masses[i].properties.center;
+    const Vector3<Scalar> origin = free->massless ? Vector3<Scalar>::zero() : draft.masses[i].center;
     draft.machine.index[free->name] =
         draft.add_link(free->name, ground, poinsot::Joint<Scalar>::free(), origin, draft.masses[i].properties);
     draft.name_free(free->name, first, 6);
@@ -171,5 +172,6 @@ void add_tree(MachineDraft<Scalar>& draft) {
 
 template void add_tree(MachineDraft<double>&);
 template void add_tree(MachineDraft<Dual<1>>&);
+template void add_tree(MachineDraft<Formula>&);
 
 }  // namespace poinsot::statement

@@ -4,12 +4,13 @@
 #include <array>
 #include <cmath>
 #include <concepts>
-#include <limits>
+#include <optional>
 
 #include "poinsot/mass/composition.h"
 #include "poinsot/mass/particles.h"
 #include "poinsot/mass/validity.h"
 #include "poinsot/math/plain.h"
+#include "statement/exact_numbers.h"
 #include "statement/reader.h"
 #include "statement/shapes.h"
 
@@ -36,6 +37,7 @@ class MassReader {
 
   BodyMassOf<Scalar> of_shapes();
   BodyMassOf<Scalar> of_numbers();
+  void absorb(BodyMassOf<Scalar>& whole);
 
  private:
   using Vector = Vector3<Scalar>;
@@ -238,7 +240,6 @@ SymmetricMatrix3<Scalar> MassReader<Scalar>::stated_tensor(const StatedInertia& 
   Vector moments = Vector::zero();
   ProductsOfInertia<Scalar> products;
   const auto magnitude = [](const Scalar& x) { return plain(x) < 0 ? -x : x; };
-  const auto smaller = [](const Scalar& a, const Scalar& b) { return plain(b) < plain(a) ? b : a; };
   Scalar size = mass * spread;
   for (int i = 0; i < 3; ++i) {
     const Scalar product = inertia.products[i] ? number(*inertia.products[i], dimension) : Scalar(0);
@@ -248,11 +249,11 @@ SymmetricMatrix3<Scalar> MassReader<Scalar>::stated_tensor(const StatedInertia& 
   // Moments left open become such as a body with the others can have: two open ones are large and nearly equal, one
   // alone lies between the difference and the sum of the others.
   std::vector<int> open;
-  Scalar smallest(std::numeric_limits<double>::infinity());
+  std::optional<Scalar> smallest;
   for (int i = 0; i < 3; ++i) {
     if (inertia.moments[i] && !is_any(*inertia.moments[i])) {
       moments[i] = moment(*inertia.moments[i]);
-      smallest = smaller(smallest, moments[i]);
+      if (!smallest || plain(moments[i]) < plain(*smallest)) smallest = moments[i];
       size += moments[i];
     } else {
       open.push_back(i);
@@ -264,8 +265,10 @@ SymmetricMatrix3<Scalar> MassReader<Scalar>::stated_tensor(const StatedInertia& 
     const double choice = any_(dimensions::moment_of_inertia);  // from 0.5 to 2
     const Scalar a = moments[(i + 1) % 3], b = moments[(i + 2) % 3];
     const Scalar difference = magnitude(a - b);
-    moments[i] = open.size() == 1 ? difference + Scalar(0.2 + 0.3 * choice) * (a + b - difference)
-                                  : Scalar(8) * size + Scalar(0.25 * choice) * smaller(smallest, size);
+    moments[i] = open.size() == 1
+                     ? difference + Scalar(0.2 + 0.3 * choice) * (a + b - difference)
+                     : Scalar(8) * size +
+                           Scalar(0.25 * choice) * (smallest && plain(*smallest) < plain(size) ? *smallest : size);
   }
   return inertia_tensor(moments, products);
 }
@@ -310,13 +313,26 @@ BodyMassOf<Scalar> MassReader<Scalar>::of_numbers() {
   return whole;
 }
 
+template <class Scalar>
+void MassReader<Scalar>::absorb(BodyMassOf<Scalar>& whole) {
+  if (body_.absorbed.empty()) return;
+  std::vector<MassProperties<Scalar>> list{whole.properties};
+  for (const Part& part : body_.absorbed) {
+    const ShapeValues<Scalar> shape = shape_values(part.shape, data_, part.name, wants_particles());
+    append(whole, list, shape, amount_of(part.amount, shape, "the particle of strike '" + part.name + "'"));
+  }
+  whole.properties = sum(list);
+}
+
 }  // namespace
 
 template <class Scalar>
 BodyMassOf<Scalar> body_mass(const Body& body, DataScope<Scalar>& data, const AnyValue& any, bool lenient) {
-  if (body.massless) return {massless<Scalar>(), {}};
+  if (body.massless) return {massless<Scalar>(), Vector3<Scalar>::zero(), {}};
   MassReader<Scalar> reader(body, data, any, lenient);
   BodyMassOf<Scalar> result = body.parts.empty() ? reader.of_numbers() : reader.of_shapes();
+  result.center = result.properties.center;
+  reader.absorb(result);
   if (lenient) return result;
   if (const auto report = validate(plain(result.properties), body.name))
     fail(data.problem().file, body.mark, report->message);
@@ -325,5 +341,6 @@ BodyMassOf<Scalar> body_mass(const Body& body, DataScope<Scalar>& data, const An
 
 template BodyMassOf<double> body_mass(const Body&, DataScope<double>&, const AnyValue&, bool);
 template BodyMassOf<Dual<1>> body_mass(const Body&, DataScope<Dual<1>>&, const AnyValue&, bool);
+template BodyMassOf<Formula> body_mass(const Body&, DataScope<Formula>&, const AnyValue&, bool);
 
 }  // namespace poinsot::statement

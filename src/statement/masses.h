@@ -16,6 +16,7 @@ using AnyValue = std::function<double(const Dimension&)>;
 template <class Scalar>
 struct BodyMassOf {
   MassProperties<Scalar> properties;        // on the ground's axes, as drawn
+  Vector3<Scalar> center;                   // of mass, before it absorbed particles
   std::vector<Particle<double>> particles;  // the same body on the independent road; only of doubles, and not of trials
 };
 using BodyMass = BodyMassOf<double>;

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "poinsot/mass/mesh_reader.h"
+#include "statement/exact_numbers.h"
 
 namespace poinsot::statement {
 namespace {
@@ -46,6 +47,7 @@ TriangleMesh<double> read_mesh(const Shape& shape, const Vector3<double>& p_OM, 
 
 template <class Scalar>
 ShapeValues<Scalar> mesh_shape(const ShapeArguments<Scalar>& arguments, const Vector3<Scalar>& p_OM) {
+  if (is_exact<Scalar>) throw NoFormula("the numbers of a mesh are not exact");
   const TriangleMesh<double> mesh = read_mesh(arguments.shape(), plain(p_OM), arguments.file());
   const ShapeProperties<double> solid = solid_of_mesh(mesh);
   // The mesh itself is constant; where it lies need not be.
@@ -57,5 +59,6 @@ ShapeValues<Scalar> mesh_shape(const ShapeArguments<Scalar>& arguments, const Ve
 
 template ShapeValues<double> mesh_shape(const ShapeArguments<double>&, const Vector3<double>&);
 template ShapeValues<Dual<1>> mesh_shape(const ShapeArguments<Dual<1>>&, const Vector3<Dual<1>>&);
+template ShapeValues<Formula> mesh_shape(const ShapeArguments<Formula>&, const Vector3<Formula>&);
 
 }  // namespace poinsot::statement

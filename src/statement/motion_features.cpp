@@ -12,8 +12,9 @@
 namespace poinsot::statement {
 namespace {
 
-constexpr int per_step = 6;          // samples in a step of the integration
-constexpr double repeats_to = 1e-7;  // how closely what repeats must come back
+constexpr int per_step = 6;             // samples in a step of the integration
+constexpr double repeats_to = 1e-7;     // how closely what repeats must come back
+constexpr std::size_t most_rises = 40;  // in one period
 constexpr std::size_t most_samples = 2'000'000;
 
 [[noreturn]] void unanswered(const std::string& file, const Mark& mark, const std::string& message,
@@ -26,12 +27,21 @@ constexpr std::size_t most_samples = 2'000'000;
 MotionFeatures::Sampled MotionFeatures::samples(double from, double to) const {
   Sampled sampled;
   const std::vector<double> nodes = motion_.nodes(from, to);
-  if (nodes.size() * per_step > most_samples)
-    unanswered(file_, mark_, "the motion is too long to follow '" + words_ + "' in it", "let it last shorter");
+  if (nodes.size() * per_step > most_samples) {
+    char text[60];
+    std::snprintf(text, sizeof text, " up to %.4g s", to);
+    unanswered(file_, mark_, "'" + words_ + "' has no answer in the motion" + text + ", and it is too long to go on",
+               motion_.end() ? "let it last shorter" : "say how long the motion lasts: stages: {run: {lasts: 10 s}}");
+  }
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     for (int k = 0; k < per_step; ++k) sampled.time.push_back(nodes[i] + (nodes[i + 1] - nodes[i]) * k / per_step);
   sampled.time.push_back(nodes.back());
-  for (double time : sampled.time) sampled.value.push_back(number_(time));
+  // What has been asked before is the beginning of what is asked now.
+  std::size_t known = 0;
+  while (known < sampled.time.size() && known < sampled_.time.size() && sampled.time[known] == sampled_.time[known])
+    sampled.value.push_back(sampled_.value[known++]);
+  for (std::size_t i = known; i < sampled.time.size(); ++i) sampled.value.push_back(number_(sampled.time[i]));
+  if (from == 0) sampled_ = sampled;
   return sampled;
 }
 
@@ -43,14 +53,16 @@ ExtremeFound MotionFeatures::polished(double before, double middle, double after
 }
 
 ExtremeFound MotionFeatures::smooth_extreme(double before, double after, bool largest) const {
-  // The zero of the slope by differences of sixth order, where it changes sign; else the least value.
+  // The zero of the slope, where it changes sign, by differences of sixth order where it is not known; else the least
+  // value.
   const double h = 0.05 * (after - before);
   const auto slope = [&](double t) {
+    if (rate_) return rate_(t);
     return (45 * (number_(t + h) - number_(t - h)) - 9 * (number_(t + 2 * h) - number_(t - 2 * h)) +
             (number_(t + 3 * h) - number_(t - 3 * h))) /
            (60 * h);
   };
-  if (before - 3 * h >= 0) {
+  if (rate_ || before - 3 * h >= 0) {
     try {
       const double a = slope(before), b = slope(after);
       if ((a < 0) != (b < 0)) {
@@ -70,54 +82,88 @@ ExtremeFound MotionFeatures::smooth_extreme(double before, double after, bool la
   return {largest ? -found.second : found.second, found.first};
 }
 
-std::vector<ExtremeFound> MotionFeatures::extremes(const Sampled& sampled, bool largest) const {
-  std::vector<ExtremeFound> found;
+std::vector<MotionFeatures::Rough> MotionFeatures::rough_extremes(const Sampled& sampled, bool largest) const {
+  std::vector<Rough> found;
   const double sign = largest ? 1 : -1;
   for (std::size_t i = 1; i + 1 < sampled.value.size(); ++i) {
     const double before = sign * sampled.value[i - 1], here = sign * sampled.value[i],
                  after = sign * sampled.value[i + 1];
-    if (here >= before && here > after)
-      found.push_back(polished(sampled.time[i - 1], sampled.time[i], sampled.time[i + 1], largest));
+    if (!(here >= before && here > after)) continue;
+    // The parabola through the three.
+    const double x1 = sampled.time[i - 1] - sampled.time[i], x2 = sampled.time[i + 1] - sampled.time[i];
+    const double s1 = (before - here) / x1, s2 = (after - here) / x2;
+    const double bend = (s2 - s1) / (x2 - x1), slope = s1 - bend * x1;
+    const double more = bend < 0 ? -slope * slope / (4 * bend) : 0;
+    const double drop = here - std::min(before, after);
+    found.push_back({sampled.time[i - 1], sampled.time[i], sampled.time[i + 1], sign * (here + more),
+                     0.1 * std::abs(more) + 0.01 * drop});
   }
   return found;
 }
 
+std::vector<ExtremeFound> MotionFeatures::extremes(const Sampled& sampled, bool largest) const {
+  std::vector<ExtremeFound> found;
+  for (const Rough& rough : rough_extremes(sampled, largest))
+    found.push_back(polished(rough.before, rough.middle, rough.after, largest));
+  return found;
+}
+
+// The outermost of the extremes, if its value is met again: found among those that may be as far out.
+std::optional<ExtremeFound> MotionFeatures::met_twice(const Sampled& sampled, bool largest, double range) const {
+  const double sign = largest ? 1 : -1;
+  std::vector<Rough> rough = rough_extremes(sampled, largest);
+  std::stable_sort(rough.begin(), rough.end(),
+                   [&](const Rough& a, const Rough& b) { return sign * a.estimate > sign * b.estimate; });
+  std::vector<ExtremeFound> found;
+  double outermost = -INFINITY;
+  for (const Rough& one : rough) {
+    const auto same = [&](const ExtremeFound& extreme) {
+      return std::abs(extreme.value - sign * outermost) <= repeats_to * range;
+    };
+    const bool twice = std::count_if(found.begin(), found.end(), same) >= 2;
+    // Once it is met twice only what is seen to lie farther out matters.
+    const double far = sign * one.estimate, same_as = repeats_to * range;
+    if (twice && far - one.doubt <= outermost + same_as) break;
+    if (far + one.doubt < outermost - same_as) continue;
+    found.push_back(polished(one.before, one.middle, one.after, largest));
+    outermost = std::max(outermost, sign * found.back().value);
+  }
+  std::optional<ExtremeFound> first;
+  int count = 0;
+  for (const ExtremeFound& extreme : found) {
+    if (std::abs(extreme.value - sign * outermost) > repeats_to * range) continue;
+    ++count;
+    if (!first || extreme.time < first->time) first = extreme;
+  }
+  return count >= 2 ? first : std::nullopt;
+}
+
 ExtremeFound MotionFeatures::extreme(bool largest) const {
   const double sign = largest ? 1 : -1;
-  const auto best_of = [&](const Sampled& sampled, const std::vector<ExtremeFound>& inner) {
-    ExtremeFound best{sampled.value.front(), sampled.time.front()};
-    for (const ExtremeFound& one : inner)
-      if (sign * one.value > sign * best.value + 1e-12 * std::abs(best.value)) best = one;
-    if (sign * sampled.value.back() > sign * best.value) best = {sampled.value.back(), sampled.time.back()};
-    return best;
-  };
   if (const std::optional<double> end = motion_.end()) {
     const Sampled sampled = samples(0, *end);
-    return best_of(sampled, extremes(sampled, largest));
+    ExtremeFound best{sampled.value.front(), sampled.time.front()};
+    for (std::size_t i = 0; i < sampled.value.size(); ++i)
+      if (sign * sampled.value[i] > sign * best.value) best = {sampled.value[i], sampled.time[i]};
+    const double highest = sign * best.value;
+    for (const Rough& rough : rough_extremes(sampled, largest)) {
+      if (sign * rough.estimate + rough.doubt < highest) continue;
+      const ExtremeFound one = polished(rough.before, rough.middle, rough.after, largest);
+      if (sign * one.value > sign * best.value + 1e-12 * std::abs(best.value)) best = one;
+    }
+    return best;
   }
   for (double until = 4 * motion_.pace_time(); !motion_.followed_enough(until); until *= 2) {
     const Sampled sampled = samples(0, until);
     const auto [low, high] = std::minmax_element(sampled.value.begin(), sampled.value.end());
     if (*high - *low <= 1e-9 * std::max(std::abs(*high), std::abs(*low))) {
       // It stays what it is, so far; a disturbance takes its time to grow.
-      if (until > 2000 * motion_.pace_time()) return {sampled.value.front(), 0};
+      if (until > 500 * motion_.pace_time()) return {sampled.value.front(), 0};
       continue;
     }
-    const std::vector<ExtremeFound> tops = extremes(sampled, true), bottoms = extremes(sampled, false);
-    if (tops.size() + bottoms.size() < 5) continue;
     // The same highest and lowest values must be met again.
-    const double range = *high - *low;
-    const auto met_twice = [&](const std::vector<ExtremeFound>& list, double value) {
-      return std::count_if(list.begin(), list.end(), [&](const ExtremeFound& one) {
-               return std::abs(one.value - value) <= repeats_to * range;
-             }) >= 2;
-    };
-    const auto value_less = [](const ExtremeFound& a, const ExtremeFound& b) { return a.value < b.value; };
-    const double top = tops.empty() ? *high : std::max_element(tops.begin(), tops.end(), value_less)->value;
-    const double bottom = bottoms.empty() ? *low : std::min_element(bottoms.begin(), bottoms.end(), value_less)->value;
-    if (!met_twice(tops, top) || !met_twice(bottoms, bottom)) continue;
-    return largest ? *std::max_element(tops.begin(), tops.end(), value_less)
-                   : *std::min_element(bottoms.begin(), bottoms.end(), value_less);
+    const std::optional<ExtremeFound> wanted = met_twice(sampled, largest, *high - *low);
+    if (wanted && met_twice(sampled, !largest, *high - *low)) return *wanted;
   }
   unanswered(file_, mark_,
              "'" + words_ + "' does not come back to the same extremes, so that of an endless motion it has no " +
@@ -125,8 +171,8 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
              "say how long the motion lasts: stages: {run: {lasts: 10 s}}");
 }
 
-ExtremeFound MotionFeatures::largest() const { return extreme(true); }
-ExtremeFound MotionFeatures::smallest() const { return extreme(false); }
+ExtremeFound MotionFeatures::largest() const { return note(extreme(true)); }
+ExtremeFound MotionFeatures::smallest() const { return note(extreme(false)); }
 
 double MotionFeatures::zero_between(double a, double b, double level) const {
   const auto f = [&](double t) { return number_(t) - level; };
@@ -161,16 +207,19 @@ double MotionFeatures::period() const {
       if (sampled.value[i] < level && sampled.value[i + 1] >= level)
         rising.push_back(zero_between(sampled.time[i], sampled.time[i + 1], level));
     // After how many rises does it repeat?
-    for (std::size_t k = 1; k <= 6 && 2 * k + 1 <= rising.size(); ++k) {
+    for (std::size_t k = 1; k <= most_rises && 2 * k + 1 <= rising.size(); ++k) {
       const double period = rising[k] - rising[0];
       bool repeats = true;
       for (std::size_t i = 0; i + k < rising.size() && repeats; ++i)
         repeats = std::abs(rising[i + k] - rising[i] - period) <= repeats_to * period;
-      for (int i = 1; i < 12 && repeats; ++i) {
-        const double time = rising[0] + period * i / 12;
+      const int places = 12 * static_cast<int>(k);
+      for (int i = 1; i < places && repeats; ++i) {
+        const double time = rising[0] + period * i / places;
         repeats = std::abs(number_(time) - number_(time + period)) <= 10 * repeats_to * (high - low);
       }
-      if (repeats) return period;
+      if (!repeats) continue;
+      note({0, rising[k]});
+      return period;
     }
     if ((end && until >= *end) || motion_.followed_enough(until))
       unanswered(file_, mark_, "'" + words_ + "' does not repeat: it has no period",
@@ -184,7 +233,18 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
   double begun = from, until = to ? *to : from + 4 * motion_.pace_time();
   for (;; until = from + 2 * (until - from)) {
     if (last) until = std::min(until, *last);
-    const Sampled sampled = samples(begun, until);
+    // Where a motion cannot be followed any farther, what happens before is known all the same.
+    std::optional<UnansweredError> stopped;
+    const Sampled sampled = [&] {
+      try {
+        return samples(begun, until);
+      } catch (const UnansweredError& error) {
+        if (to || !(motion_.reached() > begun && motion_.reached() < until)) throw;
+        stopped = error;
+        until = motion_.reached();
+        return samples(begun, until);
+      }
+    }();
     double size = 0;
     for (double value : sampled.value) size = std::max(size, std::abs(value));
     const auto start_counts = [&] {
@@ -206,9 +266,15 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
       const ExtremeFound near = polished(sampled.time[i - 1], a, sampled.time[i + 1], below);
       if (std::abs(near.value) <= 1e-10 * size) found.push_back(near.time);
     }
+    // What ends the motion happens at its end, whatever rounding leaves of it.
+    const double at_end = sampled.value.back(), sign = sampled.value.front() > 0 ? 1 : -1;
+    if ((stopped || (last && until >= *last)) && found.empty() && sense * sign <= 0 && std::abs(at_end) <= 1e-11 * size)
+      found.push_back(until);
     std::sort(found.begin(), found.end());
+    if (!found.empty()) note({0, to ? found.back() : found.front()});
     if (to) return found;
     if (!found.empty()) return {found.front()};
+    if (stopped) throw UnansweredError(*stopped);
     if ((last && until >= *last) || motion_.followed_enough(until)) break;
     begun = until;
   }
@@ -228,6 +294,7 @@ std::vector<double> MotionFeatures::times_of_extreme(bool largest, double from, 
   for (const ExtremeFound& one : extremes(sampled, largest))
     if (std::abs(one.value - best.value) <= repeats_to * (*high - *low) && one.time > from) found.push_back(one.time);
   if (found.empty()) found.push_back(best.time);
+  note({0, to ? found.back() : found.front()});
   if (!to) return {found.front()};
   return found;
 }

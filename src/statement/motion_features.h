@@ -1,6 +1,7 @@
 // Extremes, zeros and periods of a number along a motion.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -17,13 +18,22 @@ struct ExtremeFound {
   double time = 0;
 };
 
+// A number along a motion, and its rate where the motion itself knows that.
+struct NumberWithRate {
+  std::function<double(double time)> number, rate;
+};
+
 // The number is taken as smooth between the steps of the integration. Throws StatementError, at the mark, where the
 // motion does not answer: nothing repeats, there is no extreme or zero as far as an endless motion is followed.
 class MotionFeatures {
  public:
-  MotionFeatures(ProblemMotion& motion, std::function<double(double time)> number, std::string words, std::string file,
-                 Mark mark)
-      : motion_(motion), number_(std::move(number)), words_(std::move(words)), file_(std::move(file)), mark_(mark) {}
+  MotionFeatures(ProblemMotion& motion, NumberWithRate number, std::string words, std::string file, Mark mark)
+      : motion_(motion),
+        number_(std::move(number.number)),
+        rate_(std::move(number.rate)),
+        words_(std::move(words)),
+        file_(std::move(file)),
+        mark_(mark) {}
 
   // Over the whole motion if it has an end; of an endless one over as many cycles as it takes to see that it repeats.
   ExtremeFound largest() const;
@@ -33,22 +43,38 @@ class MotionFeatures {
   // the first only.
   std::vector<double> zeros(double from, std::optional<double> to, int sense) const;
   std::vector<double> times_of_extreme(bool largest, double from, std::optional<double> to) const;
+  // The latest time on which what has been found depends, s.
+  double latest() const { return latest_; }
 
  private:
   struct Sampled {
     std::vector<double> time, value;
   };
+  // An extreme among samples.
+  struct Rough {
+    double before = 0, middle = 0, after = 0;  // times
+    double estimate = 0;                       // of the value, by a parabola
+    double doubt = 0;                          // how far that may be off
+  };
   Sampled samples(double from, double to) const;
+  std::vector<Rough> rough_extremes(const Sampled& sampled, bool largest) const;
   std::vector<ExtremeFound> extremes(const Sampled& sampled, bool largest) const;
+  std::optional<ExtremeFound> met_twice(const Sampled& sampled, bool largest, double range) const;
   ExtremeFound extreme(bool largest) const;
+  ExtremeFound note(const ExtremeFound& found) const {
+    latest_ = std::max(latest_, found.time);
+    return found;
+  }
   ExtremeFound smooth_extreme(double before, double after, bool largest) const;
   ExtremeFound polished(double before, double middle, double after, bool largest) const;
   double zero_between(double a, double b, double level) const;
 
   ProblemMotion& motion_;
-  std::function<double(double time)> number_;
+  std::function<double(double time)> number_, rate_;
   std::string words_, file_;
   Mark mark_;
+  mutable Sampled sampled_;  // from the start
+  mutable double latest_ = 0;
 };
 
 }  // namespace poinsot::statement

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "poinsot/statement/expression.h"
+#include "poinsot/statement/units.h"
 #include "statement/lexer.h"
 
 namespace poinsot::statement {
@@ -200,6 +201,8 @@ class Parser {
       ++at_;
       return literal.text;
     }
+    if (now().is_sign("-"))
+      source_.fail(now().begin, "the motion begins at 0 s: there is no time before it", "write x @ start, x @ 2 s");
     if (now().kind != Token::Kind::name || now().primes > 0) {
       source_.fail(now().begin, "an instant is missing after '@'", "write its name or a time: x @ start, x @ 2 s");
     }
@@ -411,6 +414,9 @@ class Parser {
     if (token.is_sign(".."))
       source_.fail(token.begin, "a range cannot stand in a range", "write it as 0 s .. 2 s by 0.1 s");
     const bool simple = before().kind != Token::Kind::sign && token.kind != Token::Kind::sign;
+    if (before().kind == Token::Kind::name && token.kind == Token::Kind::name && is_unit_name(token.text))
+      source_.fail(token.begin, here + " is a unit, which stands behind a number",
+                   "write '" + before().text + " * 1 " + token.text + "'");
     const std::string repair = simple
                                    ? std::string(source_.text().substr(before().begin, before().end - before().begin)) +
                                          "*" + std::string(source_.text().substr(token.begin, token.end - token.begin))

@@ -3,44 +3,46 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "poinsot/motion/integrate.h"
+#include "poinsot/motion/lone_body.h"
 #include "poinsot/motion/mechanism_dynamics.h"
+#include "statement/absorbed_particles.h"
+#include "statement/lost_contact.h"
+#include "statement/massless_turning.h"
 #include "statement/motion_features.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
 namespace {
 
-constexpr double tolerance = 1e-12;  // of a step, over the natural sizes
 constexpr std::int64_t most_steps = 400'000;
 
 }  // namespace
 
 ProblemMotion::ProblemMotion(const Problem& problem, const Settings& settings, const OpenChoice& choice)
-    : problem_(problem), settings_(settings), choice_(choice), timed_(follows_time(problem)) {
+    : stated_(problem),
+      changed_(with_absorbed_particles(problem)),
+      problem_(changed_ ? *changed_ : problem),
+      settings_(settings),
+      choice_(choice),
+      timed_(follows_time(problem)) {
   start_ = std::make_unique<SolvedInstant>(problem, settings, When{0, problem.has_blow()}, choice);
-  probe_ = std::make_unique<SolvedInstant>(problem, settings, When{0, problem.has_blow()}, choice);
-  const auto moves_mass = [&](const std::vector<double>& direction) {
-    for (std::size_t k = 0; k < direction.size(); ++k)
-      if (std::abs(direction[k]) > 1e-12 && !turns_nothing(start_->machine(), static_cast<int>(k))) return true;
-    return false;
-  };
-  const auto& open = start_->velocities().open;
-  if (!choice.trial && !choice.velocities && std::any_of(open.begin(), open.end(), moves_mass))
+  std::vector<std::vector<double>> open = start_->velocities().open;
+  const std::vector<std::vector<double>> moving_nothing = take_massless(start_->machine(), open);
+  if (!choice.trial && !choice.velocities && !open.empty())
     fail(problem.file, mark_of(0),
          "the motion at the start of " + words_of(0) + " is not fixed: " +
              start_->velocity_equations().name(start_->velocities().share.front().front()) + " is unknown",
          "state it under instants: {start: {...}}");
-  for (const Strike& strike : problem.strikes)
-    if (strike.stays && !strike.mass_neglected)
-      throw UnansweredError(
-          problem.file, strike.mark,
-          "the particle of strike '" + strike.name + "' stays in the body: the motion after it is that of another body",
-          "state that motion in a file of its own, with the particle among the parts of the body");
   stages_.resize(std::max<std::size_t>(1, problem.stages.size()));
   StageRun& first = stages_.front();
   MotionState state = start_->state();
+  remove_components(moving_nothing, state.v);
+  if (start_->after_blow()) state.acting = start_->blow_acting();
+  if (changed_) start_ = std::make_unique<SolvedInstant>(problem_, settings, state, choice);
+  if (!state.acting.empty()) state.acting.resize(start_->machine().mechanism.actions.size());
   // A small push where the undisturbed motion would stay.
   for (const Instant& instant : problem.instants)
     for (const auto& [name, mark] : instant.nudged) {
@@ -57,8 +59,13 @@ ProblemMotion::ProblemMotion(const Problem& problem, const Settings& settings, c
     }
   first.q = state.q;
   first.v = state.v;
+  if (std::ranges::find(state.acting, false) != state.acting.end()) {
+    first.pieces.emplace_back();
+    first.acting.push_back(state.acting);
+  }
+  probe_ = std::make_unique<SolvedInstant>(problem_, settings, state, choice);
   // From rest, the loads set the pace.
-  SolvedInstant pushed(problem, settings, state, choice);
+  SolvedInstant pushed(problem_, settings, state, choice);
   pushed.solve_forces();
   const double pace = pushed.pace();
   pace_time_ = pace > 0 ? 1 / pace : 1;
@@ -140,6 +147,7 @@ void ProblemMotion::run(std::size_t stage, double until) {
   double target = now.end ? std::min(until, *now.end) : by_event ? std::min(until, now.time + span) : until;
   int changes = 0;
   while (!now.done && now.time < target) {
+    if (now.slips) throw_slip(now);
     std::vector<bool> acting = now.acting.empty() ? std::vector<bool>() : now.acting.back();
     const std::optional<std::vector<std::string>> loads =
         stage < problem_.stages.size() ? problem_.stages[stage].loads : std::nullopt;
@@ -170,16 +178,21 @@ void ProblemMotion::run(std::size_t stage, double until) {
       for (std::size_t i = 0; i < acting.size(); ++i) dynamics.set_acting(static_cast<int>(i), acting[i]);
     };
     set_acting();
-    if (!dynamics.open_coordinates(now.q).empty()) {
-      // The turning of a particle, or of a rod about its own line, moves nothing: it rests.
-      for (const OpenCoordinate& open : dynamics.open_coordinates(now.q))
-        if (turns_nothing(machine, open.coordinate) && now.v[static_cast<std::size_t>(open.coordinate)] == 0)
-          held.push_back(open.coordinate);
+    std::vector<MasslessSpin> spins;
+    // The turning of a particle, or of a rod about its own line, moves nothing: it rests.
+    while (const std::optional<int> massless = massless_coordinate(machine, dynamics.open_coordinates(now.q))) {
+      held.push_back(*massless);
+      const std::optional<MasslessSpin> spin = massless_spin(machine, *massless);
+      if (spin && spin->alone) spins.push_back(*spin);
       dynamics = MechanismDynamics(machine.mechanism, held);
       for (const StatedRate& rate : machine.accelerations) dynamics.set_held_acceleration(rate.velocity, rate.value);
       set_acting();
     }
-    for (const OpenCoordinate& open : dynamics.open_coordinates(now.q))
+    // What a body does by itself needs no coordinates that are good everywhere: Eulerian angles may start at their
+    // pole.
+    const bool given_motion = timed_ || !machine.accelerations.empty();
+    const std::optional<LoneBody> lone = given_motion ? std::nullopt : LoneBody::find(machine.mechanism);
+    for (const OpenCoordinate& open : lone ? std::vector<OpenCoordinate>() : dynamics.open_coordinates(now.q))
       fail(problem_.file, mark_of(stage),
            words_of(stage) + " is not determined: nothing fixes the " +
                machine.mechanism.coordinate_names[static_cast<std::size_t>(open.coordinate)] +
@@ -196,6 +209,7 @@ void ProblemMotion::run(std::size_t stage, double until) {
                                   std::span<double> a) {
       refresh(time);
       dynamics.accelerations(q, v, a);
+      for (const MasslessSpin& spin : spins) take_out(spin, a);
     };
     if (!machine.mechanism.constraints.empty())
       equations.project = [&](double, std::span<double> q, std::span<double> v) { dynamics.project(q, v); };
@@ -229,6 +243,10 @@ void ProblemMotion::run(std::size_t stage, double until) {
       if (!comparison || comparison->operands.size() != 2)
         fail(problem_.file, problem_.stages[stage].until->mark(), "the event that ends a stage is a comparison",
              "write until: theta == 30 deg");
+      const Relation relation = comparison->relations.front();
+      const int sense = relation == Relation::less || relation == Relation::less_equal         ? -1
+                        : relation == Relation::greater || relation == Relation::greater_equal ? 1
+                                                                                               : 0;
       Event event;
       event.name = "until";
       event.terminal = true;
@@ -246,6 +264,10 @@ void ProblemMotion::run(std::size_t stage, double until) {
         event.value(piece.start_time(), before.q, before.v);  // for the size of what is compared
       }
       const double left = std::abs(event.value(now.time, now.q, now.v));
+      if (now.time == now.start && sense * event.value(now.time, now.q, now.v) > 1e-11 * until_size)
+        throw UnansweredError(problem_.file, problem_.stages[stage].until->mark(),
+                              "what ends " + words_of(stage) + " holds from its start on",
+                              "turn the comparison round, or leave the stage out");
       if (now.time > now.start && left <= 1e-11 * until_size) {
         now.end = now.time;
         now.done = true;
@@ -271,6 +293,7 @@ void ProblemMotion::run(std::size_t stage, double until) {
         };
         // One that would have to pull or push the wrong way from the start on does not act at all.
         if (event.value(now.time, now.q, now.v) < -1e-9 * event.size) {
+          if (would_press_in(dynamics, action, now.q, now.v, pace_time_)) slips(stage, action, now);
           change_holds(stage, action, acting, now);
           now.acting.push_back(acting);
           now.pieces.emplace_back();
@@ -302,11 +325,24 @@ void ProblemMotion::run(std::size_t stage, double until) {
            "cords and contacts give way and catch again without end in " + words_of(stage));
     if (released) continue;
     IntegrationOptions options;
-    options.tolerance = tolerance;
+    options.tolerance = tolerance_;
     options.most_steps = most_steps;
     options.seconds = most_seconds_;
     const double end = std::min(target, now.end.value_or(target));
-    const IntegrationResult result = integrate(equations, now.time, now.q, now.v, end, options, events);
+    std::optional<IntegrationResult> by_itself;
+    if (lone) {
+      options.largest_step = pace_time_;
+      by_itself = lone->follow(equations, now.time, now.q, now.v, end, options, events);
+      options.largest_step = 0;
+    }
+    const IntegrationResult result =
+        by_itself ? *by_itself : integrate(equations, now.time, now.q, now.v, end, options, events);
+    methods_.insert(result.method);
+    if (result.ending == Ending::step_limit)
+      throw UnansweredError(problem_.file, mark_of(stage),
+                            words_of(stage) + " moves too much to be followed farther than " +
+                                std::to_string(result.time) + " s: that took " + std::to_string(most_steps) + " steps",
+                            "ask for earlier times");
     if (!result.complete())
       throw UnansweredError(problem_.file, mark_of(stage),
                             words_of(stage) + " cannot be followed: " + poinsot::describe(result),
@@ -326,7 +362,9 @@ void ProblemMotion::run(std::size_t stage, double until) {
         now.end = now.time;
         now.done = true;
       } else {
-        change_holds(stage, event_action[event], acting, now);
+        const std::size_t action = event_action[event];
+        if (acting[action] && would_press_in(dynamics, action, now.q, now.v, pace_time_)) slips(stage, action, now);
+        change_holds(stage, action, acting, now);
         // The next piece begins with the other hold.
         now.pieces.emplace_back();
         now.acting.push_back(acting);
@@ -345,6 +383,22 @@ void ProblemMotion::run(std::size_t stage, double until) {
                           "what ends " + words_of(stage) + " has not happened after " + text,
                           "check the condition, or write lasts:");
   }
+}
+
+// Nothing is stated of how a contact slips: there the motion ends.
+void ProblemMotion::slips(std::size_t stage, std::size_t action, StageRun& run) {
+  const std::string& name = start_->machine().mechanism.actions[action].name;
+  const auto contact = std::ranges::find(problem_.contacts, name, &Contact::name);
+  char time[40];
+  std::snprintf(time, sizeof time, " at %.6g s", run.time);
+  run.slips = Slip{contact == problem_.contacts.end() ? mark_of(stage) : contact->mark,
+                   "the contact '" + name + "' presses no more" + time +
+                       ", where the motion still needs its friction: it slips before, and how is not stated"};
+  throw_slip(run);
+}
+
+void ProblemMotion::throw_slip(const StageRun& run) const {
+  throw UnansweredError(problem_.file, run.slips->mark, run.slips->words, "let the motion end before");
 }
 
 // A cord or contact gives way, or catches again: then the motion changes as by a blow without rebound.
@@ -409,6 +463,21 @@ MotionState ProblemMotion::at(double time) {
   return state;
 }
 
+// The piece of the motion followed so far that a time falls into, if it is one of those with steps; `at` is the judge
+// of all others.
+const Trajectory* ProblemMotion::piece_at(double time) const {
+  for (std::size_t k = 0; k < stages_.size(); ++k) {
+    const StageRun& stage = stages_[k];
+    // At the end of a stage the next one begins.
+    if (stage.done && k + 1 < stages_.size() && time >= stage.time) continue;
+    if (!stage.begun || time < stage.start || time > stage.time) return nullptr;
+    for (const Trajectory& piece : stage.pieces)
+      if (!piece.empty() && time >= piece.start_time() && time <= piece.end_time()) return &piece;
+    return nullptr;
+  }
+  return nullptr;
+}
+
 double ProblemMotion::follow(double time) {
   for (std::size_t stage = 0;; ++stage) {
     begin(stage);
@@ -456,24 +525,49 @@ SolvedInstant& ProblemMotion::instant_at(double time) {
 }
 
 Value<double> ProblemMotion::value(double time, const Expression& expression, const std::optional<Expression>& axes) {
+  values_until_ = std::max(values_until_, time);
   probe_->move_to(at(time));
   return probe_->ask(expression, axes, nullptr);
 }
 
 NumberInTime ProblemMotion::number(const Expression& expression, const std::optional<Expression>& axes) {
-  // Coordinates and their rates stand in the state itself.
-  const Name* name = expression.as<Name>();
-  const NamedCoordinate* coordinate = name && name->primes < 2 ? start_->machine().coordinate(name->name) : nullptr;
-  if (coordinate)
-    return [this, rate = name->primes == 1, position = static_cast<std::size_t>(coordinate->position),
-            velocity = static_cast<std::size_t>(coordinate->velocity)](double time) {
-      const MotionState state = at(time);
-      return rate ? state.v[velocity] : state.q[position];
-    };
+  if (const std::optional<StateEntry> entry = state_entry(expression))
+    return [this, entry](double time) { return state_number(time, *entry); };
   return [this, expression, axes](double time) {
     probe_->move_to(at(time));
     return probe_->number(expression, axes);
   };
+}
+
+NumberWithRate ProblemMotion::with_rate(const Expression& expression, const std::optional<Expression>& axes) {
+  NumberWithRate both{number(expression, axes), {}};
+  const Name* name = expression.as<Name>();
+  const NamedCoordinate* coordinate = name && name->primes == 0 ? start_->machine().coordinate(name->name) : nullptr;
+  if (coordinate)
+    both.rate = [this, entry = StateEntry{true, static_cast<std::size_t>(coordinate->velocity)}](double time) {
+      return state_number(time, entry);
+    };
+  return both;
+}
+
+// Coordinates and their rates stand in the state itself.
+std::optional<ProblemMotion::StateEntry> ProblemMotion::state_entry(const Expression& expression) const {
+  const Name* name = expression.as<Name>();
+  const NamedCoordinate* coordinate = name && name->primes < 2 ? start_->machine().coordinate(name->name) : nullptr;
+  if (!coordinate) return std::nullopt;
+  const bool rate = name->primes == 1;
+  return StateEntry{rate, static_cast<std::size_t>(rate ? coordinate->velocity : coordinate->position)};
+}
+
+double ProblemMotion::state_number(double time, const StateEntry& entry) {
+  if (const Trajectory* piece = piece_at(time)) {
+    state_.q.resize(static_cast<std::size_t>(piece->position_size()));
+    state_.v.resize(static_cast<std::size_t>(piece->velocity_size()));
+    piece->state(time, state_.q, state_.v);
+    return entry.rate ? state_.v[entry.place] : state_.q[entry.place];
+  }
+  const MotionState state = at(time);
+  return entry.rate ? state.v[entry.place] : state.q[entry.place];
 }
 
 Dimension ProblemMotion::dimension(const Expression& expression, const std::optional<Expression>& axes) {
@@ -502,9 +596,13 @@ std::vector<double> ProblemMotion::nodes(double from, double to) {
 Value<double> ProblemMotion::feature(const Call& call, const std::optional<Expression>& axes, const Mark& mark) {
   const Expression& of = call.arguments.front().value;
   const Dimension kind = dimension(of, axes);
-  const MotionFeatures features(*this, number(of, axes), to_string(of), problem_.file, mark);
-  if (call.function == "period") return Value<double>::of_number(features.period(), dimensions::time);
-  return Value<double>::of_number(call.function == "min" ? features.smallest().value : features.largest().value, kind);
+  const MotionFeatures features(*this, with_rate(of, axes), to_string(of), problem_.file, mark);
+  const double found = call.function == "period" ? features.period()
+                       : call.function == "min"  ? features.smallest().value
+                                                 : features.largest().value;
+  double& until = call.function == "period" ? values_until_ : extremes_until_;
+  until = std::max(until, features.latest());
+  return Value<double>::of_number(found, call.function == "period" ? dimensions::time : kind);
 }
 
 std::vector<double> ProblemMotion::times(const Expression& condition, const std::optional<Expression>& axes,
@@ -519,29 +617,52 @@ std::vector<double> ProblemMotion::times(const Expression& condition, const std:
     const Expression& other = comparison->operands[1 - side];
     if (!call || (call->function != "min" && call->function != "max") || call->arguments.size() != 1) continue;
     if (to_string(call->arguments[0].value) != to_string(other)) continue;
-    const MotionFeatures features(*this, number(other, axes), to_string(other), problem_.file, condition.mark());
-    return features.times_of_extreme(call->function == "max", from, to);
+    const MotionFeatures features(*this, with_rate(other, axes), to_string(other), problem_.file, condition.mark());
+    const std::vector<double> found = features.times_of_extreme(call->function == "max", from, to);
+    values_until_ = std::max(values_until_, features.latest());
+    return found;
   }
   const NumberInTime left = number(comparison->operands[0], axes), right = number(comparison->operands[1], axes);
   if (!same_kind(dimension(comparison->operands[0], axes), dimension(comparison->operands[1], axes)) &&
       left(from) != 0 && right(from) != 0)
     fail(problem_.file, condition.mark(), "the two sides of this comparison are of different kinds");
-  const MotionFeatures features(
-      *this, [left, right](double time) { return left(time) - right(time); }, to_string(condition), problem_.file,
-      condition.mark());
+  const MotionFeatures features(*this, {[left, right](double time) { return left(time) - right(time); }, {}},
+                                to_string(condition), problem_.file, condition.mark());
   const Relation relation = comparison->relations.front();
   const int sense = relation == Relation::less || relation == Relation::less_equal         ? -1
                     : relation == Relation::greater || relation == Relation::greater_equal ? 1
                                                                                            : 0;
-  return features.zeros(from, to, sense);
+  const std::vector<double> found = features.zeros(from, to, sense);
+  values_until_ = std::max(values_until_, features.latest());
+  return found;
 }
 
 double ProblemMotion::time_of(const Expression& quantity, double value, const Mark& mark) {
   const NumberInTime number_at = number(quantity, std::nullopt);
-  const MotionFeatures features(
-      *this, [number_at, value](double time) { return number_at(time) - value; }, to_string(quantity), problem_.file,
-      mark);
-  return features.zeros(0, std::nullopt, 0).front();
+  const MotionFeatures features(*this, {[number_at, value](double time) { return number_at(time) - value; }, {}},
+                                to_string(quantity), problem_.file, mark);
+  try {
+    const double time = features.zeros(0, std::nullopt, 0).front();
+    values_until_ = std::max(values_until_, time);
+    return time;
+  } catch (const UnansweredError&) {
+    double least = number_at(0), most = least;
+    for (const double time : nodes(0, reached())) {
+      least = std::min(least, number_at(time));
+      most = std::max(most, number_at(time));
+    }
+    // A motion that could not be followed is another matter.
+    if (least > value || most < value) {
+      const bool turning = same_kind(dimension(quantity, std::nullopt), dimensions::angle);
+      const double unit = turning ? std::numbers::pi / 180 : 1;
+      char text[200];
+      std::snprintf(text, sizeof text, "'%s' does not come to %.6g %s up to %.4g s: it runs from %.6g to %.6g %s",
+                    to_string(quantity).c_str(), value / unit, turning ? "deg" : "m", reached(), least / unit,
+                    most / unit, turning ? "deg" : "m");
+      throw UnansweredError(problem_.file, mark, text, "let the table run over what is reached");
+    }
+    throw;
+  }
 }
 
 bool has_later_facts(const Problem& problem) {
@@ -555,6 +676,8 @@ bool has_later_facts(const Problem& problem) {
 std::vector<double> later_misfits(const Problem& problem, const Settings& settings, const OpenChoice& choice) {
   std::vector<double> misfits;
   ProblemMotion motion(problem, settings, choice);
+  // At trial values a motion may be one that nobody would follow.
+  if (choice.trial) motion.set_time_limit(1);
   for (const Instant& instant : problem.instants) {
     const bool later = is_later(problem, instant);
     if (later && instant.found_when) continue;

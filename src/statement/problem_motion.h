@@ -4,11 +4,13 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "poinsot/motion/trajectory.h"
 #include "statement/instant.h"
+#include "statement/motion_features.h"
 
 namespace poinsot {
 class MechanismDynamics;
@@ -22,6 +24,13 @@ struct MotionCheckpoint {
   double stage_start = 0;  // s
 };
 
+// How far the motion may be from the true one: by how much it differs from one followed sixteen times less closely.
+struct MotionError {
+  double relative = 0;  // of the coordinates, to their natural sizes; infinite if the other one could not be followed
+  double angle = 0;     // rad
+  double length = 0;    // m
+};
+
 // One number along the motion.
 using NumberInTime = std::function<double(double time)>;
 
@@ -30,6 +39,9 @@ class ProblemMotion {
   // problem and settings must outlive the motion. Throws StatementError if the state at the start is not fixed.
   ProblemMotion(const Problem& problem, const Settings& settings, const OpenChoice& choice);
   ~ProblemMotion();
+
+  // The problem that moves: particles that stay after a blow belong to their bodies.
+  const Problem& problem() const { return problem_; }
 
   // When a stage starts and ends, s; the last one may have no end.
   double stage_start(std::size_t stage);
@@ -44,6 +56,7 @@ class ProblemMotion {
   Value<double> value(double time, const Expression& expression, const std::optional<Expression>& axes);
   // The number that an expression is, in SI.
   NumberInTime number(const Expression& expression, const std::optional<Expression>& axes);
+  NumberWithRate with_rate(const Expression& expression, const std::optional<Expression>& axes);
   Dimension dimension(const Expression& expression, const std::optional<Expression>& axes);
 
   // What is asked over the motion from its start on: extremes and periods (see motion_features.h).
@@ -84,8 +97,19 @@ class ProblemMotion {
   const std::vector<std::string>& happenings() const { return happenings_; }
   // The drift of the energy relative to its size, where it is conserved.
   std::optional<double> energy_drift() const { return energy_drift_; }
+  // How it was found, in words: "closed form: symmetric top".
+  const std::set<std::string>& methods() const { return methods_; }
+  // The latest times on which what has been asked of it depends, s: of values and times, and of extremes.
+  double values_until() const { return values_until_; }
+  double extremes_until() const { return extremes_until_; }
+  // Up to a time; none where the motion is known in closed form or begins with a nudge.
+  std::optional<MotionError> error(double until);
 
  private:
+  struct Slip {
+    Mark mark;
+    std::string words;
+  };
   struct StageRun {
     double start = 0;
     std::optional<double> end;              // known once it is reached, or from the start if it lasts a given time
@@ -94,24 +118,40 @@ class ProblemMotion {
     std::vector<double> q, v;               // at the end of the last piece
     double time = 0;                        // of that end
     bool begun = false, done = false;
+    std::optional<Slip> slips;  // at that end, so that nothing tells how it goes on
   };
+  struct StateEntry {
+    bool rate = false;
+    std::size_t place = 0;
+  };
+  std::optional<StateEntry> state_entry(const Expression& expression) const;
+  double state_number(double time, const StateEntry& entry);
+  const Trajectory* piece_at(double time) const;
   void begin(std::size_t stage);
   void run(std::size_t stage, double until);
+  [[noreturn]] void slips(std::size_t stage, std::size_t action, StageRun& run);
+  [[noreturn]] void throw_slip(const StageRun& run) const;
   void change_holds(std::size_t stage, std::size_t action, std::vector<bool>& acting, StageRun& run);
   std::size_t stage_at(double time);
   const Mark& mark_of(std::size_t stage) const;
   std::string words_of(std::size_t stage) const;
 
+  const Problem& stated_;
+  std::optional<Problem> changed_;  // by particles that stay after a blow
   const Problem& problem_;
   const Settings& settings_;
   OpenChoice choice_;
   bool timed_ = false;  // loads or given motions follow the time
   std::unique_ptr<SolvedInstant> start_, probe_;
   std::vector<StageRun> stages_;
+  State<double> state_;  // the last one looked at
   double pace_time_ = 1;
   double most_seconds_ = 60;
+  double values_until_ = 0, extremes_until_ = 0;
+  double tolerance_ = 1e-12;  // of a step, over the natural sizes
   std::vector<std::string> happenings_;
   std::optional<double> energy_drift_;
+  std::set<std::string> methods_;
 };
 
 // Whether something is stated of the motion after its start.

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "poinsot/mass/composition.h"
+#include "statement/exact_numbers.h"
 #include "statement/quantity_values.h"
 #include "statement/reader.h"
 
@@ -94,11 +95,11 @@ struct LevelFinder {
   Level operator()(const Number&) const { return Level::position; }
   Level operator()(const Name& name) const {
     if (name.primes >= 2) return Level::force;
-    if (name.primes == 1) return Level::velocity;
+    // The rate of what is defined follows from accelerations.
     if (depth < 200)
       for (const NamedExpression& item : problem.define)
-        if (item.name == name.name) return of(item.value);
-    return Level::position;
+        if (item.name == name.name) return name.primes > 0 ? Level::force : of(item.value);
+    return name.primes > 0 ? Level::velocity : Level::position;
   }
   Level operator()(const Member& member) const { return of(member.object); }
   Level operator()(const Arrow& arrow) const { return std::max(of(arrow.from), of(arrow.to)); }
@@ -124,7 +125,8 @@ struct LevelFinder {
   }
 };
 
-std::vector<std::string> body_names(const Machine& machine) {
+template <class Scalar>
+std::vector<std::string> body_names(const MachineOf<Scalar>& machine) {
   std::vector<std::string> names;
   for (const auto& [name, index] : machine.index) names.push_back(name);
   return names;
@@ -159,9 +161,9 @@ const std::vector<FunctionForm>& quantity_functions() {
   return forms;
 }
 
-template <class Scalar>
-QuantityScope<Scalar>::QuantityScope(const Machine& machine, const Model<Scalar>& model, DataScope<Scalar>& data,
-                                     State<Scalar> state)
+template <class Scalar, class Base>
+QuantityScope<Scalar, Base>::QuantityScope(const MachineOf<Base>& machine, const Model<Scalar>& model,
+                                           DataScope<Scalar>& data, State<Scalar> state)
     : machine_(machine),
       model_(model),
       data_(data),
@@ -171,28 +173,28 @@ QuantityScope<Scalar>::QuantityScope(const Machine& machine, const Model<Scalar>
   update_velocities(model_, workspace_, state_);
 }
 
-template <class Scalar>
-void QuantityScope<Scalar>::set_accelerations(const std::vector<double>& accelerations) {
-  if constexpr (std::is_same_v<Scalar, double>) {
+template <class Scalar, class Base>
+void QuantityScope<Scalar, Base>::set_accelerations(const std::vector<Base>& accelerations) {
+  if constexpr (std::is_same_v<Scalar, Base>) {
     accelerations_ = accelerations;
     has_accelerations_ = true;
-    update_accelerations<double>(model_, workspace_, state_, accelerations_);
+    update_accelerations<Base>(model_, workspace_, state_, accelerations_);
   }
 }
 
-template <class Scalar>
-void QuantityScope<Scalar>::set_forces(const solve::Moment* moment, const std::vector<double>* unknowns) {
+template <class Scalar, class Base>
+void QuantityScope<Scalar, Base>::set_forces(const solve::MomentOf<Base>* moment, const std::vector<Base>* unknowns) {
   moment_ = moment;
   unknowns_ = unknowns;
 }
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::value(const Expression& expression) {
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::value(const Expression& expression) {
   return evaluate(expression, static_cast<Scope<Scalar>&>(*this), problem_.file);
 }
 
-template <class Scalar>
-Matrix3<Scalar> QuantityScope<Scalar>::axes_of(const Expression& expression) {
+template <class Scalar, class Base>
+Matrix3<Scalar> QuantityScope<Scalar, Base>::axes_of(const Expression& expression) {
   const Evaluator<Scalar> evaluator(*this, problem_.file);
   if (const List* list = expression.as<List>()) {
     if (list->items.size() != 3) evaluator.fail(expression.mark(), "axes are three directions");
@@ -212,14 +214,14 @@ Matrix3<Scalar> QuantityScope<Scalar>::axes_of(const Expression& expression) {
   return body_rotation(model_, workspace_, body_of(expression, evaluator));
 }
 
-template <class Scalar>
-bool QuantityScope<Scalar>::is_frame(int body) const {
+template <class Scalar, class Base>
+bool QuantityScope<Scalar, Base>::is_frame(int body) const {
   return body == ground || !machine_.mechanism.takes_part[static_cast<std::size_t>(body)];
 }
 
-template <class Scalar>
-int QuantityScope<Scalar>::body_of(const Expression& expression, const Evaluator<Scalar>& evaluator,
-                                   bool system_allowed) {
+template <class Scalar, class Base>
+int QuantityScope<Scalar, Base>::body_of(const Expression& expression, const Evaluator<Scalar>& evaluator,
+                                         bool system_allowed) {
   const Name* name = plain_name(expression);
   if (!name) evaluator.fail(expression.mark(), "expected the name of a body");
   if (name->name == "system") {
@@ -236,9 +238,9 @@ int QuantityScope<Scalar>::body_of(const Expression& expression, const Evaluator
   evaluator.fail(expression.mark(), "there is no body '" + name->name + "'", hint.empty() ? "known: " + all : hint);
 }
 
-template <class Scalar>
-Vector3<Scalar> QuantityScope<Scalar>::mass_center_of(int body, const Expression& expression,
-                                                      const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+Vector3<Scalar> QuantityScope<Scalar, Base>::mass_center_of(int body, const Expression& expression,
+                                                            const Evaluator<Scalar>& evaluator) {
   if (body == whole_system) return mass_center(model_, workspace_);
   if (is_frame(body)) return point_position(model_, workspace_, body, Vector::zero());
   if (!(plain(model_.body(body).inertia.mass) > 0))
@@ -247,16 +249,16 @@ Vector3<Scalar> QuantityScope<Scalar>::mass_center_of(int body, const Expression
   return body_mass_center(model_, workspace_, body);
 }
 
-template <class Scalar>
-typename QuantityScope<Scalar>::Riding QuantityScope<Scalar>::riding(const Expression& expression,
-                                                                     const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+typename QuantityScope<Scalar, Base>::Riding QuantityScope<Scalar, Base>::riding(const Expression& expression,
+                                                                                 const Evaluator<Scalar>& evaluator) {
   const auto at = [&](int body, const Vector& position) {
     return Riding{body, direction_on_body(model_, workspace_, body,
                                           position - point_position(model_, workspace_, body, Vector::zero()))};
   };
   if (const Of* of = expression.as<Of>()) {
     const int body = body_of(of->body, evaluator);
-    const Vector3<double> drawn = plain(data_.place(of->point));
+    const Vector3<Base> drawn = as_base(data_.place(of->point));
     return {body, lifted<Scalar>(machine_.place(body, drawn).point)};
   }
   if (const Call* call = expression.as<Call>();
@@ -273,14 +275,14 @@ typename QuantityScope<Scalar>::Riding QuantityScope<Scalar>::riding(const Expre
                  "write A of plate for a point that moves with a body, or the body for its mass center");
 }
 
-template <class Scalar>
-Vector3<Scalar> QuantityScope<Scalar>::place(const Expression& expression, const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+Vector3<Scalar> QuantityScope<Scalar, Base>::place(const Expression& expression, const Evaluator<Scalar>& evaluator) {
   return evaluator.vector(expression, dimensions::length);
 }
 
 // The body's mass properties in its present pose, on ground axes.
-template <class Scalar>
-MassProperties<Scalar> QuantityScope<Scalar>::current_mass(int body) {
+template <class Scalar, class Base>
+MassProperties<Scalar> QuantityScope<Scalar, Base>::current_mass(int body) {
   const auto one = [&](int i) {
     const SpatialInertia<Scalar>& I = model_.body(i).inertia;
     if (!(plain(I.mass) > 0)) return massless<Scalar>();
@@ -296,8 +298,9 @@ MassProperties<Scalar> QuantityScope<Scalar>::current_mass(int body) {
   return sum(all);
 }
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::name(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::name(const Name& name, const Mark& mark,
+                                                const Evaluator<Scalar>& evaluator) {
   const NamedCoordinate* coordinate = machine_.coordinate(name.name);
   const auto defined = std::find_if(problem_.define.begin(), problem_.define.end(),
                                     [&](const NamedExpression& item) { return item.name == name.name; });
@@ -314,7 +317,7 @@ Value<Scalar> QuantityScope<Scalar>::name(const Name& name, const Mark& mark, co
     if (name.primes == 1) return number_value(state_.v[v], dimension / dimensions::time);
     if (name.primes == 2) {
       if (has_accelerations_)
-        return number_value(Scalar(accelerations_[v]), dimension / dimensions::time / dimensions::time);
+        return number_value(lifted<Scalar>(accelerations_[v]), dimension / dimensions::time / dimensions::time);
       evaluator.fail(mark, "the acceleration " + name.name + "'' cannot stand inside rate() or among the velocities");
     }
     evaluator.fail(mark, "only first and second derivatives are known: " + name.name + "' and " + name.name + "''");
@@ -355,24 +358,24 @@ Value<Scalar> QuantityScope<Scalar>::name(const Name& name, const Mark& mark, co
   return data_.name(name, mark, Evaluator<Scalar>(data_, problem_.file));
 }
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::of(const Of& of, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::of(const Of& of, const Mark& mark, const Evaluator<Scalar>& evaluator) {
   const int body = body_of(of.body, evaluator);
   (void)mark;
-  const Vector3<double> drawn = plain(data_.place(of.point));
+  const Vector3<Base> drawn = as_base(data_.place(of.point));
   return vector_value(point_position(model_, workspace_, body, lifted<Scalar>(machine_.place(body, drawn).point)),
                       dimensions::length);
 }
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::at(const At& at, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::at(const At& at, const Mark& mark, const Evaluator<Scalar>& evaluator) {
   if (!elsewhere_) evaluator.fail(mark, "'@ " + at.instant + "' cannot stand here");
   return elsewhere_(at, at.instant_mark);
 }
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::member(const Member& member, const Mark& mark,
-                                            const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::member(const Member& member, const Mark& mark,
+                                                  const Evaluator<Scalar>& evaluator) {
   const Result object = evaluator(member.object);
   const auto axis = std::find(problem_.axes.begin(), problem_.axes.end(), member.name);
   if (!object.is_vector()) evaluator.fail(mark, "only vectors have components");
@@ -383,8 +386,9 @@ Value<Scalar> QuantityScope<Scalar>::member(const Member& member, const Mark& ma
   return number_value(dot(object.vector, column), object.dimension);
 }
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::call(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::call(const Call& call, const Mark& mark,
+                                                const Evaluator<Scalar>& evaluator) {
   static const std::map<std::string, std::vector<std::string>> patterns{
       {"position", {""}},
       {"center", {""}},
@@ -442,6 +446,7 @@ Value<Scalar> QuantityScope<Scalar>::call(const Call& call, const Mark& mark, co
       if (feature_) return feature_(call, axes_expression_, mark);
     evaluator.fail(mark, call.function + "() over the motion cannot stand here");
   }
+  if (call.function == "derivative" && call.pattern() == "by") return derivative_by(call, mark, evaluator);
   const QuantityFunction* function = find_function(call.function);
   if (!function) {
     std::vector<std::string> names;
@@ -472,8 +477,34 @@ Value<Scalar> QuantityScope<Scalar>::call(const Call& call, const Mark& mark, co
   return inertia(call, mark, evaluator);
 }
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::kinematic(const Call& call, const Evaluator<Scalar>& evaluator) {
+// derivative(X by m): how X changes with a letter, all other letters held.
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::derivative_by(const Call& call, const Mark& mark,
+                                                         const Evaluator<Scalar>& evaluator) {
+  if constexpr (std::is_same_v<Scalar, Formula>) {
+    const Name* name = plain_name(*call.argument("by"));
+    if (const Name* primed = call.argument("by")->as<Name>(); primed && primed->primes == 1) name = primed;
+    if (!name) evaluator.fail(call.argument("by")->mark(), "a derivative is by a letter", "write derivative(X by m)");
+    const Result by = evaluator(*call.argument("by"));
+    const std::string letter = name->name + std::string(static_cast<std::size_t>(name->primes), '\'');
+    const std::vector<std::string> letters = by.is_number() ? by.number.letters() : std::vector<std::string>{};
+    if (letters != std::vector<std::string>{letter})
+      evaluator.fail(call.argument("by")->mark(), "'" + letter + "' is no letter whose value is open");
+    Result value = evaluator(call.arguments.front().value);
+    if (!value.is_number() && !value.is_vector()) evaluator.fail(mark, "only numbers and vectors have a derivative");
+    if (value.is_number()) value.number = poinsot::derivative(value.number, letter);
+    for (std::size_t k = 0; value.is_vector() && k < 3; ++k)
+      value.vector[k] = poinsot::derivative(value.vector[k], letter);
+    value.dimension = value.dimension / by.dimension;
+    value.bare = false;
+    return value;
+  } else {
+    evaluator.fail(mark, "a derivative by a letter stands in claims only");
+  }
+}
+
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Evaluator<Scalar>& evaluator) {
   const std::string& f = call.function;
   const Expression& what = call.arguments[0].value;
   if (f == "center")
@@ -508,8 +539,8 @@ Value<Scalar> QuantityScope<Scalar>::kinematic(const Call& call, const Evaluator
   return vector_value(a, dimensions::acceleration);
 }
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::momentum(const Call& call, const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Evaluator<Scalar>& evaluator) {
   const std::string& f = call.function;
   const Expression& what = call.arguments[0].value;
   const int body = body_of(what, evaluator, true);
@@ -551,9 +582,9 @@ Value<Scalar> QuantityScope<Scalar>::momentum(const Call& call, const Evaluator<
   return number_value(T, dimensions::energy);
 }
 
-template <class Scalar>
-std::pair<Vector3<Scalar>, Vector3<Scalar>> QuantityScope<Scalar>::line(const Call& call,
-                                                                        const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+std::pair<Vector3<Scalar>, Vector3<Scalar>> QuantityScope<Scalar, Base>::line(const Call& call,
+                                                                              const Evaluator<Scalar>& evaluator) {
   const Expression& about = *call.argument("about");
   if (const Expression* at = call.argument("at")) {
     const Result d = evaluator(about);
@@ -567,15 +598,15 @@ std::pair<Vector3<Scalar>, Vector3<Scalar>> QuantityScope<Scalar>::line(const Ca
   }
   if (const Call* axis = about.as<Call>(); axis && axis->function == "axis" && axis->arguments.size() == 1) {
     const Vector d = evaluator(about).vector;
-    const JointPlace& joint = machine_.joints.at(plain_name(axis->arguments[0].value)->name);
+    const JointPlaceOf<Base>& joint = machine_.joints.at(plain_name(axis->arguments[0].value)->name);
     return {point_position(model_, workspace_, joint.at.body, lifted<Scalar>(joint.at.point)), d};
   }
   evaluator.fail(about.mark(), "this axis has a direction but no place",
                  "write about A->B, about axis(hinge), or about x at A");
 }
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::geometry(const Call& call, const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::geometry(const Call& call, const Evaluator<Scalar>& evaluator) {
   using std::acos;
   const std::string& f = call.function;
   const Expression& what = call.arguments[0].value;
@@ -617,38 +648,43 @@ Value<Scalar> QuantityScope<Scalar>::geometry(const Call& call, const Evaluator<
   return number_value(norm(Vector(place(to, evaluator) - A)), dimensions::length);
 }
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::rate(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) {
-  if constexpr (!std::is_same_v<Scalar, double>) {
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::rate(const Call& call, const Mark& mark,
+                                                const Evaluator<Scalar>& evaluator) {
+  if constexpr (!std::is_same_v<Scalar, Base>) {
     evaluator.fail(mark, "the rate of a rate cannot be asked", "ask for acceleration() or angular_acceleration()");
   } else {
     if (!has_accelerations_) evaluator.fail(mark, "rate() cannot stand among what is known of the velocities");
-    using Timed = Dual<1>;
+    using Timed = Dual<1, Base>;
     // The state as a function of time: values with their rates.
     const Model<Timed> model = convert<Timed>(model_);
     State<Timed> state;
-    std::vector<double> q_rate(state_.q.size());
-    position_rate<double>(model_, state_.q, state_.v, q_rate);
+    std::vector<Base> q_rate(state_.q.size());
+    position_rate<Base>(model_, state_.q, state_.v, q_rate);
     for (std::size_t i = 0; i < state_.q.size(); ++i) state.q.push_back(Timed(state_.q[i], {q_rate[i]}));
     for (std::size_t i = 0; i < state_.v.size(); ++i) state.v.push_back(Timed(state_.v[i], {accelerations_[i]}));
     const Timed now = Timed::variable(data_.value(parse_expression("time", problem_.file, mark)).number, 0);
     DataScope<Timed> data(problem_, data_.settings(), now);
-    QuantityScope<Timed> timed(machine_, model, data, std::move(state));
+    data.vary_as(data_);
+    QuantityScope<Timed, Base> timed(machine_, model, data, std::move(state));
     if (axes_expression_) timed.set_axes(*axes_expression_);
     const Value<Timed> value = timed.value(call.arguments[0].value);
     const Dimension dimension = value.dimension / dimensions::time;
     if (value.is_number()) return number_value(value.number.partial[0], dimension);
     if (!value.is_vector()) evaluator.fail(mark, "only numbers and vectors have a rate");
-    Vector3<double> derivative{value.vector.x.partial[0], value.vector.y.partial[0], value.vector.z.partial[0]};
+    Vector derivative{value.vector.x.partial[0], value.vector.y.partial[0], value.vector.z.partial[0]};
     if (const Expression* relative_to = call.argument("relative to")) {
       const int frame = body_of(*relative_to, evaluator);
-      derivative = derivative - cross(angular_velocity(workspace_, frame), plain(value.vector));
+      derivative = derivative - cross(angular_velocity(workspace_, frame),
+                                      Vector{value.vector.x.value, value.vector.y.value, value.vector.z.value});
     }
     return vector_value(derivative, dimension);
   }
 }
 
 template class QuantityScope<double>;
-template class QuantityScope<Dual<1>>;
+template class QuantityScope<Dual<1>, double>;
+template class QuantityScope<Formula>;
+template class QuantityScope<Dual<1, Formula>, Formula>;
 
 }  // namespace poinsot::statement

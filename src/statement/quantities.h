@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "poinsot/dynamics/momentum.h"
@@ -35,17 +36,21 @@ bool asks_forces(const Problem& problem, const Expression& expression);
 // Stands for all bodies together where a body is asked.
 constexpr int whole_system = -2;
 
-// A mechanism in motion as the scope of expressions. Scalar: double; Dual<1> differentiates by time or by a velocity.
-template <class Scalar>
+// A mechanism in motion as the scope of expressions.
+//
+// Base: the scalar of the machine. Scalar: the same, or Dual<1, Base>, which differentiates by time or by a velocity.
+template <class Scalar, class Base = Scalar>
 class QuantityScope : public Scope<Scalar> {
  public:
   // data: of the same scalar. All arguments must outlive the scope.
-  QuantityScope(const Machine& machine, const Model<Scalar>& model, DataScope<Scalar>& data, State<Scalar> state);
+  QuantityScope(const MachineOf<Base>& machine, const Model<Scalar>& model, DataScope<Scalar>& data,
+                State<Scalar> state);
 
   // Accelerations of the coordinates, and (for forces) the solution of solve_motion that they come from.
-  void set_accelerations(const std::vector<double>& accelerations);
-  void set_forces(const solve::Moment* moment, const std::vector<double>* unknowns);
-  void set_blow(const solve::Moment* before, const solve::Blow* blow, const std::vector<double>* impulses) {
+  void set_accelerations(const std::vector<Base>& accelerations);
+  void set_forces(const solve::MomentOf<Base>* moment, const std::vector<Base>* unknowns);
+  void set_blow(const solve::MomentOf<Base>* before, const solve::BlowOf<Base>* blow,
+                const std::vector<Base>* impulses) {
     before_ = before;
     blow_ = blow;
     impulses_ = impulses;
@@ -84,6 +89,15 @@ class QuantityScope : public Scope<Scalar> {
   using Vector = Vector3<Scalar>;
   using Result = Value<Scalar>;
 
+  // What the machine is made of, without the derivatives that this scope adds.
+  static const Base& as_base(const Scalar& x) {
+    if constexpr (std::is_same_v<Scalar, Base>)
+      return x;
+    else
+      return x.value;
+  }
+  static Vector3<Base> as_base(const Vector& v) { return {as_base(v.x), as_base(v.y), as_base(v.z)}; }
+
   int body_of(const Expression& expression, const Evaluator<Scalar>& evaluator, bool system_allowed = false);
   bool is_frame(int body) const;
   Vector place(const Expression& expression, const Evaluator<Scalar>& evaluator);
@@ -102,13 +116,16 @@ class QuantityScope : public Scope<Scalar> {
   Result momentum(const Call& call, const Evaluator<Scalar>& evaluator);
   Result inertia(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
   Result free_motion(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
+  Result poinsot_construction(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator, int body,
+                              const Vector& H, const Vector& w);
   Result geometry(const Call& call, const Evaluator<Scalar>& evaluator);
   Result force(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
   Result holding(const Call& call, const Evaluator<Scalar>& evaluator);
   Result stability(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
   Result rate(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
+  Result derivative_by(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
 
-  const Machine& machine_;
+  const MachineOf<Base>& machine_;
   const Model<Scalar>& model_;
   DataScope<Scalar>& data_;
   const Problem& problem_;
@@ -120,19 +137,19 @@ class QuantityScope : public Scope<Scalar> {
   Feature feature_;
   std::function<const solve::Linearisation&(const Mark&)> linearisation_;
   bool has_accelerations_ = false;
-  std::vector<double> accelerations_;
-  const solve::Moment* moment_ = nullptr;
-  const std::vector<double>* unknowns_ = nullptr;
-  const solve::Moment* before_ = nullptr;
-  const solve::Blow* blow_ = nullptr;
-  const std::vector<double>* impulses_ = nullptr;
+  std::vector<Base> accelerations_;
+  const solve::MomentOf<Base>* moment_ = nullptr;
+  const std::vector<Base>* unknowns_ = nullptr;
+  const solve::MomentOf<Base>* before_ = nullptr;
+  const solve::BlowOf<Base>* blow_ = nullptr;
+  const std::vector<Base>* impulses_ = nullptr;
   std::vector<std::string> pending_;
 
-  template <class Other>
+  template <class Other, class OtherBase>
   friend class QuantityScope;
 };
 
 extern template class QuantityScope<double>;
-extern template class QuantityScope<Dual<1>>;
+extern template class QuantityScope<Dual<1>, double>;
 
 }  // namespace poinsot::statement

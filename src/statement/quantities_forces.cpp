@@ -1,13 +1,15 @@
 // Forces, couples, reactions, drives and impulses.
 #include <algorithm>
 
+#include "statement/exact_numbers.h"
 #include "statement/quantities.h"
 #include "statement/quantity_values.h"
 
 namespace poinsot::statement {
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& mark,
+                                                 const Evaluator<Scalar>& evaluator) {
   const bool sudden = call.function == "impulse" || call.function == "impulsive_couple";
   if (sudden && !before_)
     evaluator.fail(mark, call.function + "() belongs to a blow, and nothing sudden happens here",
@@ -15,7 +17,7 @@ Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, c
   if (!sudden && (!moment_ || !unknowns_))
     evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known of the velocities");
   const std::string& f = call.function;
-  const Mechanism<double>& mechanism = machine_.mechanism;
+  const Mechanism<Base>& mechanism = machine_.mechanism;
   const Expression& what = call.arguments[0].value;
   std::string name, joint;
   Mark name_mark = what.mark();
@@ -76,44 +78,44 @@ Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, c
                            "' and '" + mechanism.actions[i].joint + "'",
                        "write reaction(" + name + " of " + mechanism.actions[i].joint + ")");
   }
-  SpatialForce<double> wrench = SpatialForce<double>::zero();
+  SpatialForce<Base> wrench = SpatialForce<Base>::zero();
   for (std::size_t i : actions)
     wrench +=
         sudden ? solve::action_impulse(*before_, *blow_, *impulses_, i) : solve::action_wrench(*moment_, *unknowns_, i);
   const Action& first = mechanism.actions[actions.front()];
-  double sign = 1;
+  Base sign(1);
   if (const Expression* on = call.argument("on")) {
     const int body = body_of(*on, evaluator);
     for (std::size_t i : actions)
       if (mechanism.actions[i].on != first.on || mechanism.actions[i].from != first.from)
         evaluator.fail(name_mark, "'" + name + "' means several things between different bodies");
     if (body == first.from && body != first.on)
-      sign = -1;
+      sign = Base(-1);
     else if (body != first.on)
       evaluator.fail(on->mark(), "'" + name + "' does not act on '" + to_string(*on) + "'");
   }
-  const auto as_vector = [&](const Vector3<double>& v, const Dimension& dimension) {
+  const auto as_vector = [&](const Vector3<Base>& v, const Dimension& dimension) {
     return vector_value(lifted<Scalar>(sign * v), dimension);
   };
   // Where the first component of the actions is carried.
-  const solve::Moment& now = sudden ? *before_ : *moment_;
-  const auto own_place = [&]() -> Vector3<double> {
-    for (const Component<double>& component : mechanism.components)
+  const solve::MomentOf<Base>& now = sudden ? *before_ : *moment_;
+  const auto own_place = [&]() -> Vector3<Base> {
+    for (const Component<Base>& component : mechanism.components)
       if (component.action == static_cast<int>(actions.front())) return now.position(component.at);
     if (const auto found = machine_.joints.find(name); found != machine_.joints.end())
       return now.position(found->second.at);
-    return Vector3<double>::zero();
+    return Vector3<Base>::zero();
   };
   if (f == "tension") {
     // Of size one along the cord, so that a cord that would have to push shows a negative tension.
     for (std::size_t k = 0; k < mechanism.components.size(); ++k)
       if (mechanism.components[k].action == static_cast<int>(actions.front()))
-        return number_value(Scalar((*unknowns_)[solve::force_unknowns(mechanism).accelerations + k]),
+        return number_value(lifted<Scalar>((*unknowns_)[solve::force_unknowns(mechanism).accelerations + k]),
                             dimensions::force);
     return number_value(Scalar(0), dimensions::force);  // slack
   }
   if (f == "load") {
-    for (const KnownForce<double>& force : mechanism.forces)
+    for (const KnownForce<Base>& force : mechanism.forces)
       if (force.action == static_cast<int>(actions.front()))
         return force.couple ? as_vector(wrench.moment, dimensions::moment) : as_vector(wrench.force, dimensions::force);
   }
@@ -122,9 +124,9 @@ Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, c
                    "write drive(FREEDOM of " + name + "), FREEDOM one of turn, slide, first, second, slide1, slide2");
   if (f == "drive") {
     // What it exerts along or about its own axis; gimbals may pass on more.
-    for (const Drive<double>& drive : mechanism.drives) {
+    for (const Drive<Base>& drive : mechanism.drives) {
       if (drive.action != static_cast<int>(actions.front())) continue;
-      const Vector3<double> d = moment_->direction(drive.along);
+      const Vector3<Base> d = moment_->direction(drive.along);
       return drive.turning ? as_vector(dot(wrench.moment, d) * d, dimensions::moment)
                            : as_vector(wrench.force, dimensions::force);
     }
@@ -133,14 +135,17 @@ Value<Scalar> QuantityScope<Scalar>::force(const Call& call, const Mark& mark, c
   if (f == "impulse") return as_vector(wrench.force, dimensions::momentum);
   if (f == "impulsive_couple") {
     const Expression* about = call.argument("about");
-    const Vector3<double> P = about ? plain(place(*about, evaluator)) : own_place();
+    const Vector3<Base> P = about ? as_base(place(*about, evaluator)) : own_place();
     return as_vector(wrench.moment - cross(P, wrench.force), dimensions::angular_momentum);
   }
-  const Vector3<double> P = f == "couple" ? plain(place(*call.argument("about"), evaluator)) : own_place();
+  const Vector3<Base> P = f == "couple" ? as_base(place(*call.argument("about"), evaluator)) : own_place();
   return as_vector(wrench.moment - cross(P, wrench.force), dimensions::moment);
 }
 
 template Value<double> QuantityScope<double>::force(const Call&, const Mark&, const Evaluator<double>&);
-template Value<Dual<1>> QuantityScope<Dual<1>>::force(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>, double>::force(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Formula> QuantityScope<Formula>::force(const Call&, const Mark&, const Evaluator<Formula>&);
+template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::force(const Call&, const Mark&,
+                                                                                 const Evaluator<Dual<1, Formula>>&);
 
 }  // namespace poinsot::statement

@@ -1,19 +1,20 @@
 // Whether a motion holds: stability near a steady motion, contacts that push and cords that pull.
 #include <algorithm>
 
+#include "statement/exact_numbers.h"
 #include "statement/quantities.h"
 #include "statement/quantity_values.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::holding(const Call& call, const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::holding(const Call& call, const Evaluator<Scalar>& evaluator) {
   const Expression& what = call.arguments[0].value;
   if (!moment_ || !unknowns_)
     evaluator.fail(what.mark(), call.function + "() cannot stand inside rate() or among what is known");
   const ActionKind kind = call.function == "taut" ? ActionKind::cord : ActionKind::contact;
-  const Mechanism<double>& mechanism = machine_.mechanism;
+  const Mechanism<Base>& mechanism = machine_.mechanism;
   std::vector<std::string> known;
   const std::size_t first = solve::force_unknowns(mechanism).accelerations;
   for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
@@ -24,10 +25,10 @@ Value<Scalar> QuantityScope<Scalar>::holding(const Call& call, const Evaluator<S
     double push = 0, largest = 0;
     bool acts = false;
     for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
-      const Component<double>& component = mechanism.components[k];
-      if (!component.couple) largest = std::max(largest, std::abs((*unknowns_)[first + k]));
+      const Component<Base>& component = mechanism.components[k];
+      if (!component.couple) largest = std::max(largest, std::abs(plain((*unknowns_)[first + k])));
       if (component.action != static_cast<int>(i) || !component.one_sided) continue;
-      push = (*unknowns_)[first + k];
+      push = plain((*unknowns_)[first + k]);
       acts = true;
     }
     return Result::of_truth(acts && push >= -1e-12 * largest);
@@ -43,8 +44,9 @@ Value<Scalar> QuantityScope<Scalar>::holding(const Call& call, const Evaluator<S
                     : "known: " + all);
 }
 
-template <class Scalar>
-Value<Scalar> QuantityScope<Scalar>::stability(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::stability(const Call& call, const Mark& mark,
+                                                     const Evaluator<Scalar>& evaluator) {
   const Expression& what = call.arguments[0].value;
   const int asked = body_of(what, evaluator, true);
   if (!linearisation_) evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known");
@@ -67,8 +69,14 @@ Value<Scalar> QuantityScope<Scalar>::stability(const Call& call, const Mark& mar
 }
 
 template Value<double> QuantityScope<double>::holding(const Call&, const Evaluator<double>&);
-template Value<Dual<1>> QuantityScope<Dual<1>>::holding(const Call&, const Evaluator<Dual<1>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>, double>::holding(const Call&, const Evaluator<Dual<1>>&);
 template Value<double> QuantityScope<double>::stability(const Call&, const Mark&, const Evaluator<double>&);
-template Value<Dual<1>> QuantityScope<Dual<1>>::stability(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>, double>::stability(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Formula> QuantityScope<Formula>::holding(const Call&, const Evaluator<Formula>&);
+template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::holding(const Call&,
+                                                                                   const Evaluator<Dual<1, Formula>>&);
+template Value<Formula> QuantityScope<Formula>::stability(const Call&, const Mark&, const Evaluator<Formula>&);
+template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::stability(
+    const Call&, const Mark&, const Evaluator<Dual<1, Formula>>&);
 
 }  // namespace poinsot::statement

@@ -8,7 +8,9 @@
 #include "statement/read_actions.h"
 #include "statement/read_asks.h"
 #include "statement/read_bodies.h"
+#include "statement/read_claims.h"
 #include "statement/read_joints.h"
+#include "statement/read_record.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
@@ -234,8 +236,7 @@ Problem read_one(const Entry& root, const std::string& file) {
   problem.given = named_expressions(members, "given", file);
   for (const auto& [name, unit] : named(members, "letters", file)) {
     check_name(name.text, name.mark, file);
-    problem.letters.push_back(
-        {name.text, unit.kind == Entry::Kind::scalar && unit.text == "1" ? Unit{} : read_unit(unit, file), name.mark});
+    problem.letters.push_back(read_letter(name, unit, file));
   }
   for (const auto& [name, unit] : named(members, "find", file)) {
     check_name(name.text, name.mark, file);
@@ -295,6 +296,7 @@ Problem read_one(const Entry& root, const std::string& file) {
            "'" + name->name + "' is no unknown under find:", "only squares of unknowns can be neglected");
   }
   problem.where = members.list("where");
+  problem.assume = read_assumptions(members, file);
   problem.gravity = members.expression("gravity");
   problem.points = named_expressions(members, "points", file);
   problem.directions = named_expressions(members, "directions", file);
@@ -371,13 +373,22 @@ Statement read_statement(std::string_view text, const std::string& file) {
     check_name(name.text, name.mark, file);
     statement.asks.push_back(read_ask(name, entry, file));
   }
+  for (const auto& [name, entry] : named(members, "claim", file)) {
+    check_name(name.text, name.mark, file);
+    statement.claims.push_back(read_claim(name, entry, file));
+    for (const Ask& ask : statement.asks)
+      if (ask.name == name.text)
+        fail(file, name.mark, "'" + name.text + "' is the name of a question and of a claim", "rename one of them");
+  }
+  if (const Entry* record = members.find("record")) statement.record = read_record(*record, file);
   if (const Entry* expect = members.find("expect")) {
     statement.expects = true;
     statement.expected = read_expect(*expect, file);
   }
   Entry shared = root;
   std::erase_if(shared.members, [](const auto& member) {
-    return member.first.text == "ask" || member.first.text == "expect" || member.first.text == "situations";
+    const std::string& key = member.first.text;
+    return key == "ask" || key == "claim" || key == "record" || key == "expect" || key == "situations";
   });
   const auto add = [&](const std::string& name, const Entry& entry) {
     statement.situations.push_back({name, read_one(entry, file), {}});
@@ -392,7 +403,8 @@ Statement read_statement(std::string_view text, const std::string& file) {
       check_name(name.text, name.mark, file);
       if (entry.kind != Entry::Kind::map) fail(file, entry.mark, "a situation is a map of what differs in it");
       for (const auto& [key, value] : entry.members)
-        if (key.text == "ask" || key.text == "expect" || key.text == "situations" || key.text == "title")
+        if (key.text == "ask" || key.text == "claim" || key.text == "record" || key.text == "expect" ||
+            key.text == "situations" || key.text == "title")
           fail(file, key.mark, "'" + key.text + "' cannot stand in a situation", "it belongs at the top of the file");
       add(name.text, laid_over(shared, entry));
       if (const Entry* find = entry.find("find"); find && find->kind == Entry::Kind::map)
@@ -400,7 +412,7 @@ Statement read_statement(std::string_view text, const std::string& file) {
           statement.situations.back().own_unknowns.push_back(unknown.text);
     }
   }
-  if (statement.asks.empty())
+  if (statement.asks.empty() && statement.claims.empty() && !statement.record)
     fail(file, root.mark, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
   return statement;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "poinsot/math/plain.h"
+#include "statement/exact_numbers.h"
 #include "statement/shapes.h"
 
 namespace poinsot::statement {
@@ -83,5 +84,7 @@ template RollingSurface<double> rolling_surface(const Body&, DataScope<double>&,
                                                 const Vector3<double>&);
 template RollingSurface<Dual<1>> rolling_surface(const Body&, DataScope<Dual<1>>&, const Vector3<Dual<1>>&,
                                                  const Vector3<Dual<1>>&);
+template RollingSurface<Formula> rolling_surface(const Body&, DataScope<Formula>&, const Vector3<Formula>&,
+                                                 const Vector3<Formula>&);
 
 }  // namespace poinsot::statement

@@ -11,13 +11,18 @@ SolvedInstant& Sample::instant(const Home& home) {
   std::unique_ptr<SolvedInstant> found;
   const Problem& problem = statement_.situations[home.situation].problem;
   const Settings& settings = settings_[home.situation];
+  const auto in_motion = [&](auto&& state_in) {
+    ProblemMotion& moving = motion(home.situation);
+    const MotionState state = state_in(moving);
+    found = std::make_unique<SolvedInstant>(moving.problem(), settings, state, choice_);
+  };
+  const std::size_t stage = home.instant - (problem.has_blow() && home.instant > 0 ? 1 : 0);
   if (home.ending)
-    found = std::make_unique<SolvedInstant>(problem, settings, motion(home.situation).end_of(home.instant), choice_);
+    in_motion([&](ProblemMotion& moving) { return moving.end_of(home.instant); });
   else if (home.time)
-    found = std::make_unique<SolvedInstant>(problem, settings, motion(home.situation).at(*home.time), choice_);
-  else if (home.instant > 0 && !problem.has_blow())
-    found = std::make_unique<SolvedInstant>(
-        problem, settings, motion(home.situation).at(motion(home.situation).stage_start(home.instant)), choice_);
+    in_motion([&](ProblemMotion& moving) { return moving.at(*home.time); });
+  else if (stage > 0)
+    in_motion([&](ProblemMotion& moving) { return moving.at(moving.stage_start(stage)); });
   else
     found =
         std::make_unique<SolvedInstant>(problem, settings, When{0, problem.has_blow() && home.instant == 1}, choice_);
@@ -39,7 +44,7 @@ std::optional<Sample::Home> Sample::resolve_in(std::size_t i, const std::string&
   }
   for (std::size_t k = 0; k < problem.stages.size(); ++k) {
     const std::string& stage = problem.stages[k].name;
-    if (name == stage || name == stage + ".start") return Home{i, k, std::nullopt};
+    if (name == stage || name == stage + ".start") return Home{i, k + (problem.has_blow() ? 1 : 0), std::nullopt};
     if (name == stage + ".end") {
       if (const std::optional<double> end = motion(i).stage_end(k)) return Home{i, k, end, true};
       fail(problem.file, mark, "stage '" + stage + "' has no end", "write lasts: or until:");
@@ -59,7 +64,7 @@ std::optional<Sample::Home> Sample::resolve_in(std::size_t i, const std::string&
       return Home{i, 0, motion(i).times(*instant.found_when, std::nullopt, 0, std::nullopt).front()};
     if (!is_later(problem, instant)) return start_of(i);
   }
-  if (name == "start" && !problem.has_blow()) return Home{i, 0, std::nullopt};
+  if (name == "start") return start_of(i);
   DataScope<double> data(problem, settings_[i]);
   if (data.knows(name)) {
     const Value<double> value = data.value(parse_expression(name, problem.file, mark));

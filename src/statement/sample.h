@@ -60,7 +60,7 @@ class Sample {
   // Where something is asked.
   struct Home {
     std::size_t situation = 0;
-    std::size_t instant = 0;     // before or after a blow; or the stage at whose start
+    std::size_t instant = 0;     // the stage at whose start; where there is a blow, 0 before it, and one more after it
     std::optional<double> time;  // along the motion, s
     bool ending = false;         // the end of the stage `instant`, with its own loads
     bool operator<(const Home& other) const {
@@ -122,28 +122,6 @@ class Sample {
     return *(motions_[situation] = std::move(motion));
   }
 
-  // Times at which something happens; the table of an ask, column by column.
-  std::vector<double> times(const Ask& ask);
-  std::vector<Value<double>> table(const Ask& ask);
-
- private:
-  Value<double> value_at(const Home& place, const Expression& expression, const std::optional<Expression>& axes) {
-    return instant(place).ask(expression, axes, [&](const At& at, const Mark& mark) {
-      return instant(resolve(at.instant, mark)).raw(at.expression, axes, nullptr);
-    });
-  }
-  Home home_of(const Ask& ask) {
-    if (ask.table || ask.when) return start_of(0);
-    if (!ask.extremum) return home(ask.of.front(), ask.mark);
-    return start_of(situation_of(statement_, ask));
-  }
-  // The only instant, or that just after a blow.
-  Home start_of(std::size_t situation) const {
-    return {situation, statement_.situations[situation].problem.has_blow() ? 1u : 0u, std::nullopt};
-  }
-  void add_row_over_datum(const Ask& ask, const AllSettings& settings, std::vector<Value<double>>& values);
-  std::optional<Home> resolve_in(std::size_t i, const std::string& name, const Mark& mark,
-                                 std::vector<std::string>& known, const std::string& prefix);
   // Where what stands without @ is meant: in the only situation and stage there is, after a blow if there is one. An
   // expression all of whose quantities have an @ is at home at the first of these.
   Home home(const Expression& expression, const Mark& mark) {
@@ -166,7 +144,7 @@ class Sample {
            "write " + to_string(expression) + " @ one of " + names);
     }
     const auto& stages = statement_.situations.front().problem.stages;
-    if (stages.size() > 1 && !asks_motion_feature(expression)) {
+    if (stages.size() > 1 && !statement_.situations.front().problem.has_blow() && !asks_motion_feature(expression)) {
       std::string names;
       for (const Stage& stage : stages) names += (names.empty() ? "" : ", ") + stage.name;
       fail(statement_.file, mark, "in which stage is this asked?",
@@ -174,7 +152,30 @@ class Sample {
     }
     return start_of(0);
   }
+  SolvedInstant& instant(const Home& home);
 
+  // Times at which something happens; the table of an ask, column by column.
+  std::vector<double> times(const Ask& ask);
+  std::vector<Value<double>> table(const Ask& ask);
+
+ private:
+  Value<double> value_at(const Home& place, const Expression& expression, const std::optional<Expression>& axes) {
+    return instant(place).ask(expression, axes, [&](const At& at, const Mark& mark) {
+      return instant(resolve(at.instant, mark)).raw(at.expression, axes, nullptr);
+    });
+  }
+  Home home_of(const Ask& ask) {
+    if (ask.table || ask.when) return start_of(0);
+    if (!ask.extremum) return home(ask.of.front(), ask.mark);
+    return start_of(situation_of(statement_, ask));
+  }
+  // The only instant, or that just after a blow.
+  Home start_of(std::size_t situation) const {
+    return {situation, statement_.situations[situation].problem.has_blow() ? 1u : 0u, std::nullopt};
+  }
+  void add_row_over_datum(const Ask& ask, const AllSettings& settings, std::vector<Value<double>>& values);
+  std::optional<Home> resolve_in(std::size_t i, const std::string& name, const Mark& mark,
+                                 std::vector<std::string>& known, const std::string& prefix);
   // Whether an expression names a quantity of the model and not only unknowns.
   bool asks_instant(const Expression& expression) const {
     Problem bare = statement_.situations.front().problem;
@@ -218,8 +219,6 @@ class Sample {
     }
   };
   static const At* first_at(const Expression& expression) { return std::visit(AtFinder{}, expression->content); }
-
-  SolvedInstant& instant(const Home& home);
 
   const Statement& statement_;
   AllSettings settings_;

@@ -5,6 +5,7 @@
 
 #include "poinsot/mass/particles.h"
 #include "poinsot/mass/shapes.h"
+#include "statement/exact_numbers.h"
 #include "statement/mesh_shape.h"
 #include "statement/shape_arguments.h"
 
@@ -336,5 +337,6 @@ ShapeValues<Scalar> shape_values(const Shape& shape, DataScope<Scalar>& data, co
 
 template ShapeValues<double> shape_values(const Shape&, DataScope<double>&, const std::string&, bool);
 template ShapeValues<Dual<1>> shape_values(const Shape&, DataScope<Dual<1>>&, const std::string&, bool);
+template ShapeValues<Formula> shape_values(const Shape&, DataScope<Formula>&, const std::string&, bool);
 
 }  // namespace poinsot::statement

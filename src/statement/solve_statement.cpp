@@ -8,9 +8,11 @@
 #include <memory>
 #include <set>
 
+#include "statement/claims.h"
 #include "statement/compare_values.h"
 #include "statement/describe.h"
 #include "statement/extremum.h"
+#include "statement/formula_search.h"
 #include "statement/reader.h"
 #include "statement/sample.h"
 #include "statement/unknown_search.h"
@@ -19,8 +21,11 @@ namespace poinsot::statement {
 namespace {
 
 constexpr double check_tolerance = 1e-8;    // residual on the road of particles, relative
+constexpr double motion_tolerance = 1e-5;   // error of a motion, relative; as measured some sixteen times what it is
 constexpr double same_tolerance = 1e-9;     // between two choices of what is open, relative
 constexpr double refound_tolerance = 1e-7;  // the same where unknowns are found anew
+
+constexpr int most_first_draws = 16;  // of letters, until unknowns have a solution
 
 bool asks_energy(const Expression& expression) {
   std::set<std::string> names;
@@ -28,7 +33,10 @@ bool asks_energy(const Expression& expression) {
   return text.find("energy(") != std::string::npos;
 }
 
-double draw(const Letter& letter, std::mt19937_64& random) {
+// spread: how far from one unit later draws reach.
+double draw(const Letter& letter, std::mt19937_64& random, int spread = 0) {
+  if (spread > 0 && letter.unit.dimension != dimensions::angle)
+    return letter.unit.factor * std::exp((0.7 + 0.4 * spread) * std::uniform_real_distribution<double>(-1, 1)(random));
   if (letter.unit.dimension == dimensions::angle) return std::uniform_real_distribution<double>(0.2, 1.2)(random);
   return letter.unit.factor * std::uniform_real_distribution<double>(0.5, 2)(random);
 }
@@ -38,8 +46,9 @@ using Values = std::vector<std::optional<Value<double>>>;
 
 class StatementSolver {
  public:
-  StatementSolver(const Statement& statement, Settings settings)
-      : statement_(statement), settings_(std::move(settings)), search_(statement, settings_) {
+  // exact: the settings as formulas.
+  StatementSolver(const Statement& statement, Settings settings, FormulaValues exact)
+      : statement_(statement), settings_(std::move(settings)), exact_(std::move(exact)), search_(statement, settings_) {
     for (const Situation& situation : statement.situations) {
       for (const Letter& letter : situation.problem.letters) add_once(open_, letter);
     }
@@ -51,10 +60,14 @@ class StatementSolver {
     if (search_.unknowns().empty()) {
       if (open_.empty()) hold_later_facts();
       result.solutions.push_back(solve_one(AllSettings(statement_.situations.size(), settings_)));
+      if (!open_.empty())
+        find_formulas({statement_, open_, exact_, settings_, {}, base_, *sample_, natural_}, result.solutions.back());
       return result;
     }
     // With letters open, roots are sought at drawn values, to see which answers depend on which letters.
-    const RootsFound found = search_.find(settings_with_letters());
+    RootsFound found = search_.find(settings_with_letters());
+    while (!open_.empty() && !makes_sense(found) && ++first_draw_ < most_first_draws)
+      found = UnknownSearch(statement_, settings_).find(settings_with_letters());
     result.warnings = found.warnings;
     for (const AllSettings& root : found.roots) {
       undetermined_.clear();
@@ -67,6 +80,9 @@ class StatementSolver {
           for (const Letter& letter : open_) ask.letters.push_back(letter.name);
         }
         solution.unknowns.clear();
+        if (found.open.empty())
+          find_formulas({statement_, open_, exact_, settings_, search_.unknowns(), base_, *sample_, natural_},
+                        solution);
       }
       if (!found.open.empty()) {
         // What another solution of the conditions changes is not determined.
@@ -77,7 +93,8 @@ class StatementSolver {
         for (const std::string& name : found.open) names += (names.empty() ? "'" : ", '") + name + "'";
         for (std::size_t i = 0; i < solution.asks.size(); ++i) {
           SolvedAsk& ask = solution.asks[i];
-          if (ask.state != AskState::found) continue;
+          // What varies with something else that is open may only follow the unknowns.
+          if (ask.state != AskState::found && ask.state != AskState::undetermined) continue;
           if (found.alternative && same(ask.value, other.asks[i].value, tolerance(i, ask.value, other.asks[i].value)))
             continue;
           ask.state = AskState::undetermined;
@@ -132,9 +149,9 @@ class StatementSolver {
 
   Settings settings_with_letters() const {
     Settings settings = settings_;
-    std::mt19937_64 random(1000);
+    std::mt19937_64 random(1000 + static_cast<std::uint64_t>(first_draw_));
     for (const Letter& letter : open_)
-      settings[letter.name] = Value<double>::of_number(draw(letter, random), letter.unit.dimension);
+      settings[letter.name] = Value<double>::of_number(draw(letter, random, first_draw_), letter.unit.dimension);
     return settings;
   }
 
@@ -182,6 +199,11 @@ class StatementSolver {
         } catch (const UnansweredError& error) {
           values.emplace_back(std::nullopt);
           unanswered_[ask.name] = error.diagnostics().front();
+        } catch (const StatementError&) {
+          std::optional<Diagnostic> open = fails_where_open(sample, ask, settings);
+          if (!open) throw;
+          values.emplace_back(std::nullopt);
+          unanswered_[ask.name] = *std::move(open);
         }
         continue;
       }
@@ -193,15 +215,61 @@ class StatementSolver {
     return values;
   }
 
+  // What has no value where all open velocities are taken for zero, but has one elsewhere, is not determined.
+  std::optional<Diagnostic> fails_where_open(Sample& sample, const Ask& ask, const AllSettings& settings) {
+    const auto has_value = [&](std::size_t direction) {
+      try {
+        Sample moved(statement_, settings, {.seed = 16, .velocities = true, .direction = direction});
+        moved.value(ask);
+        return true;
+      } catch (const StatementError&) {
+        return false;
+      }
+    };
+    try {
+      const SolvedInstant& instant = sample.instant_of(ask);
+      const solve::LinearSolution& velocities = instant.velocities();
+      if (velocities.open.empty() || !has_value(OpenChoice::every)) return std::nullopt;
+      std::vector<std::string> names;
+      std::size_t missing = 0;
+      for (const bool alone : {true, false})
+        for (std::size_t d = 0; d < velocities.open.size() && (alone || missing == 0); ++d) {
+          if (alone && !has_value(d)) continue;
+          ++missing;
+          for (std::size_t k : velocities.share[d])
+            if (const std::string& name = instant.velocity_equations().name(k);
+                std::find(names.begin(), names.end(), name) == names.end())
+              names.push_back(name);
+        }
+      return Diagnostic{statement_.situations.front().problem.file, ask.mark, open_velocities(names, missing), {}};
+    } catch (const StatementError&) {
+      return std::nullopt;
+    }
+  }
+
+  // Whether there are roots, at letters for which the statement can be solved.
+  bool makes_sense(const RootsFound& found) {
+    try {
+      for (const AllSettings& root : found.roots) {
+        Sample sample(statement_, root, OpenChoice{});
+        evaluate(sample, root, OpenChoice{});
+      }
+    } catch (const StatementError&) {
+      return false;
+    }
+    return !found.roots.empty();
+  }
+
   // With open letters drawn at random until the statement makes sense; the draw is kept in base_.
   Values with_letters(const OpenChoice& choice, const std::string* only) {
     constexpr int most_draws = 40;
     for (int attempt = 0;; ++attempt) {
       AllSettings settings = base_;
-      std::mt19937_64 random(1000 + static_cast<std::uint64_t>(attempt) + (only ? 500 : 0));
+      std::mt19937_64 random(1000 + static_cast<std::uint64_t>(first_draw_ + attempt) + (only ? 500 : 0));
       for (const Letter& letter : open_) {
-        const double value = draw(letter, random);
-        if (only && *only != letter.name) continue;
+        const double value = draw(letter, random, first_draw_);
+        // A root comes with the values of the letters at which it was found.
+        if (!search_.unknowns().empty() || (only && *only != letter.name)) continue;
         for (Settings& one : settings) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
       }
       try {
@@ -213,7 +281,7 @@ class StatementSolver {
         }
         return values;
       } catch (const StatementError&) {
-        if (open_.empty() || attempt == most_draws) throw;
+        if (open_.empty() || !search_.unknowns().empty() || attempt == most_draws) throw;
       }
     }
   }
@@ -307,6 +375,8 @@ class StatementSolver {
       return !other[i] || !same(*base[i], *other[i], tolerance(i, *base[i], *other[i]));
     };
     for (const Letter& letter : open_) {
+      // Where there are unknowns, they follow the letters: solve() tells what depends on them.
+      if (!search_.unknowns().empty()) break;
       const Values other = with_letters(OpenChoice{}, &letter.name);
       for (std::size_t i = 0; i < base.size(); ++i)
         if (differs(other, i)) {
@@ -586,8 +656,12 @@ class StatementSolver {
         // The statement does not say enough of what holds the motion: stability is not told.
       }
     }
-    for (const auto& [situation, motion] : sample_->motions())
+    for (const auto& [situation, motion] : sample_->motions()) {
       result.notes.insert(result.notes.end(), motion->happenings().begin(), motion->happenings().end());
+      const std::string& name = statement_.situations[situation].name;
+      for (const std::string& method : motion->methods())
+        result.notes.push_back("the motion" + (name.empty() ? "" : " @ " + name) + ": " + method);
+    }
   }
   static std::string stability_words(const solve::Linearisation& near) {
     char text[60];
@@ -609,6 +683,9 @@ class StatementSolver {
   }
 
   void check(Solution& result) {
+    std::map<std::size_t, double> latest;
+    for (const auto& [home, instant] : sample_->instants())
+      if (home.time) latest[home.situation] = std::max(latest[home.situation], *home.time);
     // Some instants of each motion.
     for (const auto& [situation, motion] : sample_->motions())
       for (const double part : {0.31, 0.67, 1.0})
@@ -634,11 +711,32 @@ class StatementSolver {
         auto [entry, fresh] = result.checks.emplace("energy_drift", *drift);
         if (!fresh) entry->second = std::max(entry->second, *drift);
       }
+    for (const auto& [situation, motion] : sample_->motions()) {
+      const double at_times = std::max(motion->values_until(), latest[situation]);
+      std::optional<MotionError> error = motion->error(std::max(at_times, motion->extremes_until()));
+      if (error && error->relative > motion_tolerance && motion->extremes_until() > at_times) {
+        // How far an extreme goes does not depend on when it comes.
+        result.notes.push_back("the motion is sensitive: when it comes to the extremes found is not certain");
+        error = at_times > 0 ? motion->error(at_times) : std::nullopt;
+      }
+      if (!error) continue;
+      auto [entry, fresh] = result.checks.emplace("motion_error", error->relative);
+      if (!fresh) entry->second = std::max(entry->second, error->relative);
+    }
     for (const auto& [name, residual] : result.checks) {
-      if (residual <= check_tolerance) continue;
+      const bool of_motion = name == "motion_error";
+      if (residual <= (of_motion ? motion_tolerance : check_tolerance)) continue;
       for (SolvedAsk& ask : result.asks) {
         if (ask.state != AskState::found) continue;
         ask.state = AskState::refused;
+        if (of_motion) {
+          char text[120];
+          std::snprintf(text, sizeof text,
+                        "the motion is so sensitive that it may be off by %.1g of its size: let it last shorter",
+                        residual);
+          ask.reason = text;
+          continue;
+        }
         ask.reason = "the independent check with particles does not confirm it (" + name + " off by " +
                      std::to_string(residual) + ")";
       }
@@ -647,9 +745,11 @@ class StatementSolver {
 
   const Statement& statement_;
   Settings settings_;
+  FormulaValues exact_;
   UnknownSearch search_;
   AllSettings base_;
   std::vector<Letter> open_;
+  int first_draw_ = 0;  // of letters at which unknowns have a solution
   std::unique_ptr<Sample> sample_;
   std::vector<std::unique_ptr<Sample>> extremal_;  // at the extrema that are asked
   std::map<std::string, Diagnostic> unanswered_;   // what a motion does not tell, by ask
@@ -686,11 +786,75 @@ Settings read_settings(const Statement& statement, const std::vector<std::pair<s
   return settings;
 }
 
+namespace {
+
+// Letters without value.
+std::vector<Letter> open_letters(const Statement& statement, const Settings& settings) {
+  std::vector<Letter> open;
+  for (const Situation& situation : statement.situations)
+    for (const Letter& letter : situation.problem.letters)
+      if (!settings.contains(letter.name) &&
+          std::none_of(open.begin(), open.end(), [&](const Letter& known) { return known.name == letter.name; }))
+        open.push_back(letter);
+  return open;
+}
+
+// Without the situations that claims alone speak of: their letters are no data of the questions.
+Statement for_questions(const Statement& statement) {
+  Statement result = statement;
+  std::erase_if(result.situations, [&](const Situation& situation) {
+    const bool claimed = std::any_of(statement.claims.begin(), statement.claims.end(),
+                                     [&](const Claim& claim) { return claim.situation == situation.name; });
+    return claimed && !situation.name.empty() &&
+           std::none_of(statement.asks.begin(), statement.asks.end(), [&](const Ask& ask) {
+             return ask.table || ask.when || (ask.extremum && ask.extremum->situation == situation.name) ||
+                    ask.text.find("@ " + situation.name) != std::string::npos;
+           });
+  });
+  return result.situations.empty() ? statement : result;
+}
+
+// The settings with the unknowns found, in each situation.
+AllSettings settings_of_root(const Statement& statement, const Settings& settings, const Solution& solution) {
+  AllSettings all(statement.situations.size(), settings);
+  for (const SolvedUnknown& unknown : solution.unknowns)
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::string own = " @ " + statement.situations[i].name;
+      const std::string name = unknown.name.substr(0, unknown.name.find(" @ "));
+      if (!unknown.formula && (unknown.name == name || unknown.name == name + own)) all[i][name] = unknown.value;
+    }
+  return all;
+}
+
+}  // namespace
+
 SolvedStatement solve_statement(const Statement& statement,
                                 const std::vector<std::pair<std::string, std::string>>& sets) {
-  if (statement.asks.empty())
+  if (statement.asks.empty() && statement.claims.empty())
     fail(statement.file, Mark{1, 1}, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
-  return StatementSolver(statement, read_settings(statement, sets)).solve();
+  Settings settings = read_settings(statement, sets);
+  FormulaValues exact;
+  for (const auto& [name, text] : sets)
+    for (const Situation& situation : statement.situations) {
+      const std::vector<std::string> names = settable_names(situation.problem);
+      if (std::find(names.begin(), names.end(), name) == names.end()) continue;
+      exact[name] = exact_setting(situation.problem, name, text);
+      break;
+    }
+  SolvedStatement solved;
+  const bool only_claims =
+      statement.asks.empty() && std::all_of(statement.situations.begin(), statement.situations.end(),
+                                            [](const Situation& s) { return s.problem.find.empty(); });
+  if (only_claims) {
+    solved.open_letters = open_letters(statement, settings);
+    solved.solutions.emplace_back();
+  } else {
+    const Statement questions = for_questions(statement);
+    solved = StatementSolver(questions, settings, exact).solve();
+  }
+  for (Solution& solution : solved.solutions)
+    solution.claims = solve_claims(statement, settings_of_root(statement, settings, solution), exact);
+  return solved;
 }
 
 }  // namespace poinsot::statement

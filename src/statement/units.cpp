@@ -15,7 +15,7 @@ namespace poinsot::statement {
 namespace {
 
 constexpr std::size_t longest_unit = 100;
-constexpr int largest_exponent = 9;
+constexpr int largest_exponent = 100;  // as of a dimension: what the program writes it reads
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -155,7 +155,7 @@ class UnitReader {
     if (bracket) ++at_;
     const bool negative = at_ < text_.size() && text_[at_] == '-';
     if (negative) ++at_;
-    numerator = whole(begin, largest_exponent);
+    numerator = whole(begin, bracket ? 12 * largest_exponent : largest_exponent);
     if (negative) numerator = -numerator;
     if (!bracket) return;
     if (at_ < text_.size() && text_[at_] == '/') {

@@ -3,15 +3,12 @@
 
 #include <chrono>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "poinsot/solve/roots.h"
-#include "statement/instant.h"
-#include "statement/sample.h"
+#include "statement/unknown_equations.h"
 
 namespace poinsot::statement {
 
@@ -21,11 +18,6 @@ struct RootsFound {
   std::optional<AllSettings> alternative;  // another solution, where unknowns stay open
 };
 
-// `where:` comparisons between one unknown and values narrow its range; slot_of tells which range is that of a name.
-using SlotOf = std::function<std::optional<std::size_t>(const std::string& name)>;
-void narrow_ranges(const Problem& problem, const Settings& settings, std::vector<solve::RootRange>& ranges,
-                   const SlotOf& slot_of);
-
 class UnknownSearch {
  public:
   // statement must outlive the search; `settings` are values from outside the file, which are not sought.
@@ -33,65 +25,52 @@ class UnknownSearch {
 
   const std::vector<Unknown>& unknowns() const { return unknowns_; }
   // Whether an unknown has one value for all situations.
-  bool is_common(const std::string& name) const;
-  bool is_own(std::size_t situation, const std::string& name) const;
+  bool is_common(const std::string& name) const { return statement::is_common(statement_, name); }
+  bool is_own(std::size_t situation, const std::string& name) const {
+    return statement::is_own(statement_, situation, name);
+  }
 
   // All values of the unknowns that satisfy what is stated, with the given values of everything else. First the
   // unknowns common to all situations, from the situations that have none of their own, then those of each situation.
-  // Everything that the statement leaves open is taken as `choice` says.
+  // Everything that the statement leaves open is taken as `choice` says. Ends within a few seconds.
   RootsFound find(const Settings& settings, const OpenChoice& choice = {});
 
  private:
-  // Conditions that are evaluated together: those on the velocities of a situation, on its forces, and on the motion
-  // that follows.
-  enum class Aspect { velocities, forces, later };
-  struct Group {
-    std::size_t situation = 0;
-    Aspect aspect = Aspect::velocities;
-    bool operator==(const Group&) const = default;
-  };
-  // The unknowns of one search and the conditions that they must satisfy.
-  struct Search {
-    std::vector<Unknown> unknowns;
-    std::vector<Group> groups;
-  };
-  // One number: an unknown or a component of one.
-  struct Slot {
-    const Unknown* unknown;
-    std::size_t component;
-  };
-  struct Slots {
-    std::vector<Slot> slots;
-    std::vector<solve::RootRange> ranges;
-  };
-
-  std::vector<Group> groups_of(std::size_t situation) const;
-  std::vector<std::size_t> situations_of(const Search& search) const;
-  RootsFound find_with_choices(const Search& search, const AllSettings& settings);
-  RootsFound find_subset(const Search& search, const AllSettings& settings, const Choice& choice, std::size_t subset);
+  // Every solution so far, refined by one more search.
+  template <class Find>
+  void refine(RootsFound& all, const Find& find) const;
+  RootsFound find_with_choices(const UnknownSystem& system, const AllSettings& settings);
+  RootsFound find_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice);
+  RootsFound find_subset(const UnknownSystem& system, const AllSettings& settings, const Choice& choice,
+                         std::size_t subset);
   double total_of(const Choice& choice, const AllSettings& settings) const;
-  std::size_t independent_conditions(const Search& search, const AllSettings& settings);
-  RootsFound find_by_blocks(const Search& search, const AllSettings& settings);
-  std::vector<Search> blocks_of(const Search& search, const AllSettings& settings);
-  RootsFound find_block(const Search& search, const AllSettings& settings, bool negative_lengths);
-  std::set<std::string> unknowns_of(const std::string& choice) const;
-  Slots slots_of(const Search& search, const AllSettings& settings, bool negative_lengths) const;
-  AllSettings settings_at(const Search& search, const Slots& slots, const AllSettings& settings,
-                          const std::vector<double>& x) const;
-  solve::RootProblem equations_of(const Search& search, const Slots& slots, const AllSettings& settings,
-                                  RootsFound& found);
-  solve::RootEquations misfits(const Search& search, const AllSettings& settings) const;
-  Settings with_trial_values(const Settings& settings) const;
-  std::string conditions_in_words(const Search& search) const;
+  RootsFound find_by_blocks(const UnknownSystem& system, const AllSettings& settings);
+  RootsFound find_block(const UnknownSystem& system, const AllSettings& settings);
+  std::string nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded) const;
+  std::optional<StatementError> objection(const AllSettings& root) const;
+  void leave_out_nonsense(RootsFound& found) const;
+  UnknownEquations equations_of(const UnknownSystem& system, const AllSettings& settings) const;
   double seconds_left() const;
 
   const Statement& statement_;
   std::vector<Unknown> unknowns_;
   std::set<std::string> known_;  // given from outside
   OpenChoice choice_;
-  std::optional<StatementError> refusal_;
-  bool makes_sense_ = false;  // whether the equations had a value anywhere in the last search
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
+
+// Adds what another search found, but for its roots.
+void merge(RootsFound& all, const RootsFound& more);
+
+template <class Find>
+void UnknownSearch::refine(RootsFound& all, const Find& find) const {
+  std::vector<AllSettings> refined;
+  for (const AllSettings& root : all.roots) {
+    const RootsFound found = find(root);
+    refined.insert(refined.end(), found.roots.begin(), found.roots.end());
+    merge(all, found);
+  }
+  all.roots = std::move(refined);
+}
 
 }  // namespace poinsot::statement

@@ -75,7 +75,9 @@ TEST_F(Run, OpenLettersStandInTheDocument) {
     EXPECT_EQ(answer.letters, std::vector<std::string>{"m"});
     EXPECT_TRUE(answer.value.empty());
   }
-  EXPECT_FALSE(fully_answered(document));
+  // With a formula a question has its answer.
+  EXPECT_EQ(std::get<std::string>(document.solutions[0].answers[1].formula.content), "m/25");
+  EXPECT_TRUE(fully_answered(document));
 }
 
 TEST_F(Run, DataTakeOtherValues) {

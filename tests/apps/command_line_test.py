@@ -52,10 +52,12 @@ class Usage(unittest.TestCase):
     def test_unknown_command_gets_the_nearest(self):
         self.assert_wrong_usage(
             ["slove", "a.yaml"],
-            "unknown command 'slove': expected one of solve, check, schema (did you mean 'solve'?)")
+            "unknown command 'slove': expected one of solve, check, record, equations, schema (did you mean 'solve'?)")
 
     def test_unknown_command_far_from_all(self):
-        self.assert_wrong_usage(["integrate"], "unknown command 'integrate': expected one of solve, check, schema")
+        self.assert_wrong_usage(
+            ["integrate"],
+            "unknown command 'integrate': expected one of solve, check, record, equations, schema")
 
     def test_unknown_option_gets_the_nearest(self):
         self.assert_wrong_usage(["solve", "a.yaml", "--jsno"],

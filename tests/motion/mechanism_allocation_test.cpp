@@ -1,5 +1,5 @@
-// MechanismDynamics allocates nothing once it is made: every call of operator new in this program is counted. A sanitizer
-// brings an operator new of its own, so that only builds without one count.
+// MechanismDynamics allocates nothing once it is made: every call of operator new in this program is counted. A
+// sanitizer brings an operator new of its own, so that only builds without one count.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

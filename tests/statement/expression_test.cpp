@@ -250,7 +250,7 @@ TEST(Expression, WrongUnits) {
        "f:1:6: error: a unit has no parentheses (kg/(m*s) is written kg/m/s; if 'm*s' is a name, put blanks around the "
        "'/')"},
       {"2 m^n",
-       "f:1:4: error: an exponent of a unit must be a whole number up to 9, not 0 (write it like m^2, s^-1 or "
+       "f:1:4: error: an exponent of a unit must be a whole number up to 100, not 0 (write it like m^2, s^-1 or "
        "m^(1/2))"},
       {"3/2/4 m",
        "f:1:3: error: a fraction with a unit after '/' can be read in two ways (put the fraction and its unit, or what "

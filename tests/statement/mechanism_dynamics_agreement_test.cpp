@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "motion/random_mechanisms.h"
 #include "statement/instant.h"
@@ -76,6 +77,7 @@ TEST(MechanismDynamicsAgreement, RandomProblemFiles) {
 
 TEST(MechanismDynamicsAgreement, TextbookFiles) {
   Tally tally;
+  int without_body = 0;
   for (const auto& entry :
        std::filesystem::directory_iterator(std::string(POINSOT_SOURCE_DIR) + "/examples/textbook")) {
     if (entry.path().extension() != ".yaml") continue;
@@ -96,11 +98,20 @@ TEST(MechanismDynamicsAgreement, TextbookFiles) {
         double letter_value = 1.1;
         for (const Letter& letter : solved.open_letters)
           settings[letter.name] = Value<double>::of_number(letter_value *= 1.3, letter.unit.dimension);
-        SolvedInstant instant(problem, settings, When{}, OpenChoice{});
-        compare(instant, tally);
+        std::optional<SolvedInstant> instant;
+        try {
+          instant.emplace(problem, settings, When{}, OpenChoice{});
+        } catch (const StatementError&) {
+          // Letters may stay without a value, or with one that belongs to no body.
+          if (problem.letters.empty()) throw;
+          ++without_body;
+          continue;
+        }
+        compare(*instant, tally);
       }
     }
   }
+  EXPECT_LT(5 * without_body, tally.cases);
   EXPECT_EQ(tally.contradictory, 0);
   EXPECT_GT(tally.cases, 80);
   EXPECT_GT(tally.determined, 250);

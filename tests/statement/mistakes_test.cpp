@@ -729,6 +729,50 @@ TEST(WithoutAnswer, MomentsGivenAsAny) {
   }
 }
 
+// What is asked has no value at rest: that the motion is open comes first.
+TEST(WithoutAnswer, OpenVelocitiesOfWhatHasNoValueAtRest) {
+  const auto found = outcomes(
+      "title: t\ngravity: none\npoints: {O: [0, 0, 0]}\n"
+      "bodies: {ball: {mass: 1 kg, center: O, inertia: {axis: [1, 1, 0], axial: 1 kg*m^2, transverse: 3 kg*m^2}}}\n"
+      "instants: {now: {angular_velocity(ball): [any, 0, 0]}}\n"
+      "ask: {a: precession_rate(ball), b: mass(ball)}\n");
+  EXPECT_EQ(found[0].state, AskState::undetermined);
+  EXPECT_EQ(found[0].reason, "nothing fixes angular velocity of ball along x: state it under joints: or instants:");
+  EXPECT_EQ(found[1].state, AskState::found);
+}
+TEST(WithoutAnswer, AnImpactOfWhichTheMotionBeforeIsOpen) {
+  const auto found = outcomes(
+      "title: t\npoints: {G: [0, 0, 0], C: [0.4 m, 0, 0.7 m]}\n"
+      "bodies: {plate: {rectangle: {center: G, sides: [0.8 m * x, 1.4 m * z]}, mass: 3 kg}}\n"
+      "impacts: {stop: {of: plate, against: ground, at: C, pushes: +y, restitution: 0}}\n"
+      "instants: {before: {angular_velocity(plate): [0, 0, 0]}}\nask: {a: angular_velocity(plate)}\n");
+  EXPECT_EQ(found[0].state, AskState::undetermined);
+  EXPECT_EQ(found[0].reason,
+            "whether impact 'stop' happens is not determined: nothing fixes velocity of plate along y before it: "
+            "state it under joints: or instants:");
+}
+// A cord is not to blame for a fact that no way of its acting allows.
+TEST(Contradictions, OfABlowWithACord) {
+  const std::string file =
+      "title: t\npoints: {A: [0, 1 m, 0], B: [0, -1 m, 0]}\n"
+      "bodies: {rod: {rod: [A, B], mass: 3 kg}}\ncords: {wire: {holds: rod, at: A, pulls: +y}}\n"
+      "impulses: {blow: {body: rod, at: B, value: [2 N*s, 0, 0]}}\n";
+  EXPECT_EQ(failure_of([&] {
+              solve(file + "instants: {before: rest, after: {velocity(rod).x: 0}}\nask: {a: velocity(rod)}\n");
+            }),
+            "test.yaml:6:34: error: these cannot all hold together: impulses on rod along x; 'after': velocity(rod).x "
+            "(correct or remove one of them)");
+}
+TEST(Contradictions, OfAFactWithWhatHoldsTheBody) {
+  EXPECT_EQ(failure_of([&] {
+              solve(head + disk +
+                    "gravity: none\njoints: {shaft: {revolute: y, at: O, to: disk, rate: 2 rad/s, accel: 0}}\n"
+                    "instants: {now: {acceleration(disk).y: 3 m/s^2}}\nask: {a: force(shaft on disk)}\n");
+            }),
+            "test.yaml:6:18: error: this cannot hold: 'now': acceleration(disk).y; how the bodies are held does not "
+            "allow it (correct or remove it, or free what holds it)");
+}
+
 TEST(WithoutAnswer, SupportsThatShareALoad) {
   const auto found = outcomes(head + disk +
                               "gravity: -x\njoints: {shaft: {revolute: y, to: disk, rate: 2 rad/s, supports: {O: ball, "

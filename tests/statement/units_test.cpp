@@ -171,9 +171,9 @@ TEST(Units, MalformedUnitsSayWhatIsWrong) {
       {"kg/(m*s)", "a unit has no parentheses (kg/(m*s) is written kg/m/s)"},
       {"N m", "a blank stands within a unit (write it without blanks, as in N*m)"},
       {"2/s", "a number stands within a unit (put the number before the unit)"},
-      {"m^0", "an exponent of a unit must be a whole number up to 9, not 0 (write it like m^2, s^-1 or m^(1/2))"},
-      {"m^10", "an exponent of a unit must be a whole number up to 9, not 0 (write it like m^2, s^-1 or m^(1/2))"},
-      {"m^1.5", "an exponent of a unit must be a whole number up to 9, not 0 (write it like m^2, s^-1 or m^(1/2))"},
+      {"m^0", "an exponent of a unit must be a whole number up to 100, not 0 (write it like m^2, s^-1 or m^(1/2))"},
+      {"m^101", "an exponent of a unit must be a whole number up to 100, not 0 (write it like m^2, s^-1 or m^(1/2))"},
+      {"m^1.5", "an exponent of a unit must be a whole number up to 100, not 0 (write it like m^2, s^-1 or m^(1/2))"},
       {"m^(1/5)",
        "this exponent is not possible for a unit (exponents go by halves, thirds, quarters, sixths or twelfths)"},
       {"^2", "an exponent stands without a unit before it (write it like m^2)"},
@@ -274,6 +274,11 @@ TEST(UnitHabits, ComposedUnitsAreWhatTheirTextSays) {
         }
       }
     }
+  }
+  // Also where the exponents grow large.
+  for (const char* power : {"W^4", "J^9/s^8", "N^(35/12)"}) {
+    const Dimension dimension = parse_unit(power).dimension;
+    EXPECT_EQ(parse_unit(si_unit(dimension, false).text).dimension, dimension) << power;
   }
 }
 

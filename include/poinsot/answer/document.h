@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,8 +31,25 @@ struct Column {
   std::vector<double> si;     // in SI base units, angles in radians
 };
 
+// What has become of a claim, where the answer is to one.
+struct ClaimOutcome {
+  bool holds = false;
+  std::string how;  // "proved" or "sampled"; "" if it does not hold
+  // Letters with values for which it does not hold, and the two sides there; numbers in `unit`.
+  struct Value {
+    std::string letter;
+    double value = 0;
+    std::string unit;
+    double si = 0;
+  };
+  std::vector<Value> counterexample;
+  std::vector<double> sides;  // left and right, in `unit`; empty where it compares no numbers
+  std::string unit;
+  std::vector<std::string> assumptions;
+};
+
 struct Answer {
-  std::string name;   // the key under `ask:`
+  std::string name;   // the key under `ask:` or `claim:`
   std::string ask;    // the ask as written
   std::string words;  // what is given, in words: quantity, body, point, axes, sense of a reaction
   AnswerState state = AnswerState::found;
@@ -42,6 +60,10 @@ struct Answer {
   std::string reason;                        // for every state but `found`: why, and what would help
   std::vector<std::string> letters;          // for needs_letters: the letters it depends on
   std::vector<Column> columns;               // of a table, in the order asked; then value, si and unit stay empty
+  // Where letters were left open: the answer in SI as infix text (a list for vectors), or why it has none.
+  Datum formula{};
+  std::string no_formula{};
+  std::optional<ClaimOutcome> claim{};
 };
 
 struct Unknown {
@@ -49,13 +71,15 @@ struct Unknown {
   Datum value;
   std::string unit;
   Datum si;
+  Datum formula{};  // where letters were left open; value and si are then empty if letters remain in it
 };
 
 struct Solution {
   std::vector<Unknown> unknowns;
-  std::vector<Answer> answers;           // in the order of the file
-  std::map<std::string, double> checks;  // relative residuals found on the independent road, by name
-  std::vector<std::string> notes;        // what else was found: stability, what happened during a motion
+  std::vector<Answer> answers;             // in the order of the file
+  std::map<std::string, double> checks;    // relative residuals found on the independent road, by name
+  std::vector<std::string> notes;          // what else was found: stability, what happened during a motion
+  std::vector<std::string> assumptions{};  // that the formulas rest on: "m > 0"
 };
 
 struct Letter {

@@ -163,9 +163,10 @@ ConstraintLine<Scalar> constraint_line(const Model<Scalar>& tree, const Workspac
       const Vector3<Scalar>& d = line.unit.force;
       const Vector3<Scalar> v_on = detail::velocity_at(w, c.on, P), v_from = detail::velocity_at(w, c.from, P);
       const Vector3<Scalar> v_contact =
-          c.carried_by                              ? detail::carried_velocity(tree, w, c, P)
-          : c.kind == VelocityConstraintKind::point ? v_on
-                                                  : detail::contact_velocity(tree, w, c, Vector3<Scalar>(P - point_position(tree, w, c.on, c.center)));
+          c.carried_by ? detail::carried_velocity(tree, w, c, P)
+          : c.kind == VelocityConstraintKind::point
+              ? v_on
+              : detail::contact_velocity(tree, w, c, Vector3<Scalar>(P - point_position(tree, w, c.on, c.center)));
       const Vector3<Scalar> relative = detail::acceleration_at(w, c.on, P) + cross(w_on, v_contact - v_on) -
                                        detail::acceleration_at(w, c.from, P) - cross(w_from, v_contact - v_from);
       const Vector3<Scalar> w_direction = c.carried_by ? Vector3<Scalar>(angular_velocity(w, *c.carried_by)) : w_from;

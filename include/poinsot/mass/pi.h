@@ -3,6 +3,8 @@
 
 #include <numbers>
 
+#include "poinsot/math/expression.h"
+
 namespace poinsot {
 
 // Specialise this for scalars that hold pi otherwise than as a double (a symbol, more digits).
@@ -13,6 +15,10 @@ struct Pi {
 template <>
 struct Pi<long double> {
   static long double value() { return std::numbers::pi_v<long double>; }
+};
+template <>
+struct Pi<Expression> {
+  static Expression value() { return Expression::pi(); }
 };
 
 template <class Scalar>

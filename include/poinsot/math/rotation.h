@@ -8,13 +8,10 @@
 
 namespace poinsot {
 
-// Rotation by an angle (rad) about a unit axis: R = c 1 + s [n]x + (1 - c) n n^T (Rodrigues). 1 - c is formed as
-// 2 sin^2(angle/2), so that small turns keep their digits.
+// Rotation by an angle (rad) about a unit axis: R = c 1 + s [n]x + (1 - c) n n^T (Rodrigues).
 template <class Scalar>
 Matrix3<Scalar> rotation_about(const Vector3<Scalar>& unit_axis, const Scalar& angle) {
-  const auto [half_sine, half_cosine] = sine_cosine(Scalar(Scalar(0.5) * angle));
-  const Scalar s = Scalar(2) * half_sine * half_cosine;
-  const Scalar versine = Scalar(2) * half_sine * half_sine;
+  const auto [s, versine] = sine_versine(angle);
   const Vector3<Scalar>& n = unit_axis;
   const Vector3<Scalar> a = versine * n;
   const Vector3<Scalar> b = s * n;

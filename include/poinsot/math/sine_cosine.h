@@ -89,4 +89,17 @@ inline void sine_cosine_list(const double* x, int count, double* __restrict sine
   }
 }
 
+// sin(angle) and 1 - cos(angle), the latter formed as 2 sin^2(angle/2), so that small angles keep their digits. Exact
+// scalars bring their own.
+template <class Scalar>
+struct SineVersine {
+  Scalar sine;
+  Scalar versine;
+};
+template <class Scalar>
+SineVersine<Scalar> sine_versine(const Scalar& angle) {
+  const auto [half_sine, half_cosine] = sine_cosine(Scalar(Scalar(0.5) * angle));
+  return {Scalar(2) * half_sine * half_cosine, Scalar(2) * half_sine * half_sine};
+}
+
 }  // namespace poinsot

@@ -66,8 +66,8 @@ struct VelocityConstraint {
   // curved.
   std::optional<int> carried_by{};
   std::optional<int> carried_along{};  // where that only turns: the body whose mass center carries the contact along
-  int action = -1;             // the cord or contact that it belongs to; -1: a joint
-  std::string words;           // "rolling at floor, along y"
+  int action = -1;                     // the cord or contact that it belongs to; -1: a joint
+  std::string words;                   // "rolling at floor, along y"
   int on = ground;
   int from = ground;
   Place<Scalar> at;         // rides with `on`

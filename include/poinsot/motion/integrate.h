@@ -78,6 +78,7 @@ struct ErrorEstimate {
 };
 
 struct IntegrationResult {
+  std::string method;  // how it was found, in words: "integrated by Dormand and Prince's method of order 8"
   Ending ending = Ending::reached_end;
   double time = 0.0;  // s, where it ended
   std::vector<double> q;

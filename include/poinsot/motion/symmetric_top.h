@@ -72,6 +72,12 @@ class SymmetricTop {
   // On body axes, rad/s.
   Vector3<double> angular_velocity(double t) const;
 
+  struct Turning {
+    Quaternion<double> attitude;
+    Vector3<double> angular_velocity;
+  };
+  Turning turning(double t) const;  // both of these, in the time of one
+
   // Conserved: H_Z (kg m^2/s), H_z, and the energy E with the potential m g c cos theta (J).
   double vertical_momentum() const { return vertical_momentum_; }
   double axial_momentum() const { return axial_momentum_; }
@@ -134,6 +140,8 @@ class SymmetricTop {
   void set_up_nutation(const TopCubic& cubic, const TopCubicData& data);
   TopCurve curve_of(const TopCubic& cubic, const TopCubicData& data) const;
   Halves halves(double t) const;
+  Quaternion<double> attitude_of(const Halves& h) const;
+  Vector3<double> angular_velocity_of(const Halves& h) const;
   double angle(const Half& half, const CellPhase::Place& here) const;
   Axis axis_at(const CellPhase::Place& here) const;
 

@@ -52,6 +52,8 @@ class LinearSystemOf {
   LinearSolution solve() const;
 
  private:
+  template <class>
+  friend struct AssembledSystem;
   friend class LinearFactors;
   struct Entry {
     std::size_t equation, unknown;
@@ -70,6 +72,31 @@ using LinearSystem = LinearSystemOf<double>;
 // equations contradict each other they are the weights of the compromise.
 struct LinearScaling {
   std::vector<double> equations, unknowns;
+};
+
+// What is left of overdetermined equations when all unknowns are eliminated.
+struct LinearRemainder {
+  std::vector<double> values;          // zero wherever the equations can be satisfied
+  std::vector<std::size_t> equations;  // of each value: the equation that is left over
+  double size = 0;                     // of the largest term in them
+};
+
+// The scaling and the pivots of one system, held for all systems of a family, so that what is left when the unknowns
+// are eliminated varies as smoothly as coefficients and right sides do: it consists of determinants.
+class LinearElimination {
+ public:
+  // system: best one of the highest rank in the family. late: of each equation, whether it is a pivot's only where the
+  // others do not suffice (facts, so that they are what is left over).
+  explicit LinearElimination(const LinearSystemOf<double>& system, const std::vector<bool>& late = {});
+
+  std::size_t rank() const;
+  // Nothing where the remainder has no value: where the pivots are singular to the last digit or belong to a system of
+  // lower rank, where numbers are not finite, or for a system of another size.
+  std::optional<LinearRemainder> remainder(const LinearSystemOf<double>& system) const;
+
+ private:
+  struct Parts;
+  std::shared_ptr<const Parts> parts_;
 };
 
 // The derivatives of LinearSolution::value and LinearSolution::misfit.

@@ -43,12 +43,14 @@ struct RootProblem {
   // derivative of value i by unknown k (of smooth value i, if there are such).
   std::function<std::optional<RootEquations>(const std::vector<double>&, std::vector<std::vector<double>>* slopes)>
       slopes;
+  bool costly = false;  // an evaluation takes long (a motion is followed): few are made
 };
 
 enum class RootSearch {
-  linear,       // the equations are linear: their solution is the only one
-  certified,    // there are no other roots in the ranges, as far as Roots::reach
-  many_starts,  // found from many starts: there may be others
+  linear,           // the equations are linear: their solution is the only one
+  certified,        // there are no other roots in the ranges, as far as Roots::reach
+  many_starts,      // found from many starts: there may be others
+  few_evaluations,  // of equations that are costly to evaluate: there may be others
 };
 
 // A part of the ranges where roots could neither be found nor excluded.
@@ -64,6 +66,7 @@ struct Roots {
   std::vector<std::size_t> open_unknowns;
   std::vector<double> alternative;         // where unknowns are open: another solution
   double best_misfit = 0;                  // where there is no root: the smallest misfit met
+  std::vector<double> best;                // and the place of it; empty if the equations had no value anywhere
   std::size_t starts = 0;                  // of a search from many starts
   std::size_t evaluations = 0;             // of the equations
   double reach = 0;                        // infinite ranges of a certified search end at so many natural sizes

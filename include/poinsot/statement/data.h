@@ -22,6 +22,9 @@ inline constexpr double standard_gravity = 9.80665;
 // number, or if its dimension is not that of the letter or datum; unknown names are the caller's to find.
 Value<double> read_setting(const Problem& problem, const std::string& name, const std::string& text);
 
+// What stands behind `--set NAME=`; blanks before units may be missing there.
+Expression setting_expression(const std::string& name, const std::string& text);
+
 // Names that `--set` can reach: data and letters.
 std::vector<std::string> settable_names(const Problem& problem);
 
@@ -44,6 +47,12 @@ class DataScope : public Scope<Scalar> {
   // Gives a datum, letter, unknown or choice a value that varies, in place of that in settings; before anything is
   // evaluated.
   void vary(const std::string& name, Value<Scalar> value) { varied_[name] = std::move(value); }
+  // Gives what varies in a scope over another scalar the same values here, as constants.
+  template <class Other>
+  void vary_as(const DataScope<Other>& other) {
+    for (const auto& [name, value] : other.varied()) varied_[name] = lifted<Scalar>(value);
+  }
+  const std::map<std::string, Value<Scalar>>& varied() const { return varied_; }
 
   Value<Scalar> name(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
   Value<Scalar> call(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) override;

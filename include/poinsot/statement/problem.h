@@ -34,6 +34,7 @@ struct Letter {
   std::string name;
   Unit unit;
   Mark mark;
+  bool either_sign = false;  // stated as signed; else it is positive, but for angles
 };
 
 // A uniform shape: `kind` is its key in the language, `arguments` what stands below it; a shape given by a list of
@@ -83,6 +84,7 @@ struct Body {
   std::optional<Expression> center;
   std::optional<StatedInertia> inertia;
   std::vector<Part> added;
+  std::vector<Part> absorbed;  // particles that have struck it and stay
   Mark mark;
 };
 
@@ -274,6 +276,17 @@ struct Ask {
   Mark mark;
 };
 
+// That something holds for all values of the letters, and of the motion as far as the statement leaves it open.
+struct Claim {
+  std::string name;
+  std::vector<Expression> of;      // comparisons and truth values, all of which must hold
+  std::vector<Expression> assume;  // comparisons, beside those of the problem
+  std::optional<Expression> axes;
+  std::string situation;  // "" if there is only one
+  std::string text;       // as written
+  Mark mark, situation_mark;
+};
+
 struct Expected {
   std::string part;
   std::optional<Expression> value, formula;
@@ -303,6 +316,7 @@ struct Problem {
   std::vector<Expression> neglect;   // squares of unknowns that count as nothing
   std::vector<std::string> without;  // added masses and loads that are left out
   std::vector<Expression> where;     // comparisons that the unknowns must satisfy
+  std::vector<Expression> assume;    // comparisons under which claims are made
   std::array<std::string, 3> axes{"x", "y", "z"};
   std::optional<Expression> gravity;  // absent: not stated; the name `none`: no gravity
   std::vector<NamedExpression> points, directions, define;
@@ -331,10 +345,22 @@ struct Situation {
   std::vector<std::string> own_unknowns;  // found in this situation by itself; the others are common to all
 };
 
+// What is recorded of the motion: columns over time.
+struct Record {
+  std::vector<NamedExpression> columns;
+  Expression every;
+  std::optional<Expression> lasts;
+  std::optional<Expression> axes;
+  std::map<std::string, Unit> units;
+  Mark mark;
+};
+
 // What one file says.
 struct Statement {
   std::vector<Situation> situations;  // at least one
   std::vector<Ask> asks;              // in the order of the file
+  std::vector<Claim> claims;
+  std::optional<Record> record;
   std::vector<ExpectedCase> expected;
   bool expects = false;
   std::string file, title;

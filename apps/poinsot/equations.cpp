@@ -1,0 +1,98 @@
+// poinsot equations.
+#include "poinsot/statement/equations.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+#include "commands.h"
+#include "exit_codes.h"
+#include "poinsot/statement/diagnostic.h"
+#include "poinsot/statement/tree.h"
+#include "streams.h"
+
+namespace {
+
+using poinsot::TextForm;
+using poinsot::statement::EquationPart;
+
+constexpr std::array<std::pair<const char*, TextForm>, 6> forms{{{"text", TextForm::plain},
+                                                                 {"tex", TextForm::tex},
+                                                                 {"c", TextForm::c},
+                                                                 {"c++", TextForm::cpp},
+                                                                 {"python", TextForm::python},
+                                                                 {"sympy", TextForm::sympy}}};
+constexpr std::array<std::pair<const char*, EquationPart>, 7> parts{
+    {{"mass-matrix", EquationPart::mass_matrix},
+     {"right-hand-side", EquationPart::right_side},
+     {"constraint-matrix", EquationPart::constraint_matrix},
+     {"reduced", EquationPart::reduced},
+     {"position-rate", EquationPart::position_rate},
+     {"forward-dynamics", EquationPart::forward_dynamics},
+     {"inverse-dynamics", EquationPart::inverse_dynamics}}};
+
+// A word of the command line that is none of those expected.
+struct WordError : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+template <class Table>
+auto chosen(const Table& table, const std::string& option, const std::string& word) {
+  std::vector<std::string> known;
+  for (const auto& [name, value] : table) {
+    if (name == word) return value;
+    known.emplace_back(name);
+  }
+  const std::string hint = poinsot::statement::did_you_mean(word, known);
+  throw WordError(fmt::format("{} knows no '{}': expected {}{}", option, word, fmt::join(known, ", "),
+                              hint.empty() ? "" : " (" + hint + ")"));
+}
+
+bool write_file(const std::string& path, const std::string& text) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), &std::fclose);
+  return file && std::fwrite(text.data(), 1, text.size(), file.get()) == text.size() && std::fflush(file.get()) == 0;
+}
+
+}  // namespace
+
+int equations(const EquationsArguments& arguments) {
+  using namespace poinsot::statement;
+  EquationsOptions options;
+  try {
+    options.form = chosen(forms, "--form", arguments.form);
+    for (const std::string& part : arguments.of) options.parts.push_back(chosen(parts, "--of", part));
+    const auto wanted = [&](EquationPart part) { return std::count(options.parts.begin(), options.parts.end(), part); };
+    if (wanted(EquationPart::forward_dynamics) && wanted(EquationPart::inverse_dynamics))
+      throw WordError("--of: forward-dynamics and inverse-dynamics are two functions; ask for one at a time");
+    if (!poinsot::is_code_name(arguments.function))
+      throw WordError(fmt::format("--name: '{}' cannot be the name of a function", arguments.function));
+  } catch (const WordError& error) {
+    write_message(fmt::format("poinsot: {}\nTry 'poinsot equations --help'.", error.what()));
+    return exit_wrong_input;
+  }
+  options.function = arguments.function;
+  options.situation = arguments.situation;
+  options.sets = arguments.sets;
+  options.letters = arguments.letters;
+  try {
+    const Statement statement = read_statement(read_file(arguments.file), arguments.file);
+    const std::string text = equations_text(statement, options);
+    if (arguments.output.empty()) {
+      static_cast<void>(write_answer(text));
+    } else if (!write_file(arguments.output, text)) {
+      write_message(fmt::format("poinsot: cannot write {}: {}", arguments.output, std::strerror(errno)));
+      return exit_internal;
+    }
+    return exit_answered;
+  } catch (const NoEquations& error) {
+    write_message(fmt::format("{}: no equations of motion: {}", arguments.file, error.what()));
+    return exit_unanswered;
+  }
+}

@@ -1,0 +1,134 @@
+// Numbers, letters and simple powers.
+#include "poinsot/math/expression.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "math/expression_fraction.h"
+
+namespace poinsot {
+namespace {
+
+using symbolic::Generator;
+using symbolic::GeneratorPointer;
+using symbolic::Integer;
+
+// The convergent p/q of the continued fraction of a number with q <= 10000 that is the same double, if there is one.
+std::optional<symbolic::Ratio> small_fraction(double number) {
+  constexpr double most = 10000;
+  if (!(std::fabs(number) < 1e9)) return std::nullopt;
+  double rest = number;
+  double p = 1, q = 0, p_before = 0, q_before = 1;
+  while (true) {
+    const double whole = std::floor(rest);
+    p_before = std::exchange(p, whole * p + p_before);
+    q_before = std::exchange(q, whole * q + q_before);
+    if (q > most) return std::nullopt;
+    if (p / q == number) return symbolic::Ratio{static_cast<std::int64_t>(p), static_cast<std::int64_t>(q)};
+    if (rest == whole) return std::nullopt;
+    rest = 1 / (rest - whole);
+  }
+}
+
+[[noreturn]] void refuse(std::string_view digits) {
+  throw std::invalid_argument("\"" + std::string(digits) + "\" is no number such as 7, -3/8, 0.15 or 1.5e-3");
+}
+
+Expression whole_number(std::string_view digits, std::string_view all) {
+  const std::string_view plain_digits = digits.starts_with('-') || digits.starts_with('+') ? digits.substr(1) : digits;
+  if (plain_digits.empty() || plain_digits.find_first_not_of("0123456789") != std::string_view::npos) refuse(all);
+  Integer number;
+  fmpz_set_str(number.get(), std::string(plain_digits).c_str(), 10);
+  const Expression size = symbolic::integer_expression(number);
+  return digits.starts_with('-') ? -size : size;
+}
+
+void collect_letters(const Expression& x, std::set<std::string>& names) {
+  if (!x.fraction()) return;
+  for (const GeneratorPointer& g : *x.fraction()->generators) {
+    if (g->kind == symbolic::Kind::letter) names.insert(g->name);
+    collect_letters(g->argument, names);
+    collect_letters(g->second, names);
+  }
+}
+
+}  // namespace
+
+Expression::Expression(double number) {
+  if (!std::isfinite(number)) throw std::domain_error("a number that is not finite stands for no formula");
+  if (number == 0) return;
+  if (const auto fraction = small_fraction(number)) {
+    *this = symbolic::ratio_expression(*fraction);
+    return;
+  }
+  int exponent = 0;
+  const auto digits = static_cast<std::int64_t>(std::ldexp(std::frexp(number, &exponent), 53));
+  *this = Expression(digits) * pow(Expression(2), exponent - 53);
+}
+
+Expression Expression::number(std::string_view digits) {
+  if (const auto slash = digits.find('/'); slash != std::string_view::npos) {
+    const Expression below = whole_number(digits.substr(slash + 1), digits);
+    if (below.is_zero()) refuse(digits);
+    return whole_number(digits.substr(0, slash), digits) / below;
+  }
+  std::string_view mantissa = digits;
+  int exponent = 0;
+  if (const auto e = digits.find_first_of("eE"); e != std::string_view::npos) {
+    const std::string power(digits.substr(e + 1));
+    std::size_t read = 0;
+    try {
+      exponent = std::stoi(power, &read);
+    } catch (const std::exception&) {
+      refuse(digits);
+    }
+    if (read != power.size() || std::abs(exponent) > 1000) refuse(digits);
+    mantissa = digits.substr(0, e);
+  }
+  std::string whole(mantissa);
+  if (const auto point = whole.find('.'); point != std::string::npos) {
+    exponent -= static_cast<int>(whole.size() - point - 1);
+    whole.erase(point, 1);
+  }
+  return whole_number(whole, digits) * pow(Expression(10), exponent);
+}
+
+Expression Expression::letter(const std::string& name, Sign sign) {
+  return symbolic::generator_expression(symbolic::letter_generator(name, sign));
+}
+
+Expression Expression::pi() { return symbolic::generator_expression(symbolic::pi_generator()); }
+
+bool Expression::is_number() const {
+  return !fraction_ || std::all_of(fraction_->generators->begin(), fraction_->generators->end(),
+                                   [](const GeneratorPointer& g) { return g->constant; });
+}
+
+bool Expression::is_rational() const { return !fraction_ || fraction_->generators->empty(); }
+
+std::size_t Expression::terms() const {
+  return fraction_ ? fraction_->numerator.length() + fraction_->denominator.length() : 0;
+}
+
+std::vector<std::string> Expression::letters() const {
+  std::set<std::string> names;
+  collect_letters(*this, names);
+  return {names.begin(), names.end()};
+}
+
+std::vector<std::string> Expression::assumptions() const {
+  return fraction_ && fraction_->assumptions ? *fraction_->assumptions : std::vector<std::string>{};
+}
+
+Expression pow(const Expression& x, int power) {
+  Expression base = power < 0 ? 1 / x : x;
+  Expression result(1);
+  for (unsigned rest = static_cast<unsigned>(std::abs(power)); rest != 0; rest /= 2) {
+    if (rest % 2 != 0) result *= base;
+    if (rest > 1) base *= base;
+  }
+  return result;
+}
+
+}  // namespace poinsot

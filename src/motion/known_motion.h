@@ -1,0 +1,62 @@
+// Motions known in closed form, as the flows and methods of integration.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "motion/body_coordinates.h"
+#include "motion/step_method.h"
+#include "poinsot/motion/symmetric_top.h"
+#include "poinsot/motion/torque_free.h"
+
+namespace poinsot {
+
+// The rotation of a body through time, from what it is at one instant or, in closed form, without minding that.
+class RotationFlow {
+ public:
+  virtual ~RotationFlow() = default;
+  // Attitude and angular velocity of `from` at the time t0, taken to the time t.
+  virtual void advance(double t0, const BodyPose& from, double t, BodyPose& pose) const = 0;
+  // In which the body turns by about a radian, s.
+  virtual double natural_time() const = 0;
+};
+
+// Constant angular velocity; attitude and angular velocity are those of the pose at t0.
+std::shared_ptr<const RotationFlow> uniform_rotation(double t0, const BodyPose& pose);
+std::shared_ptr<const RotationFlow> torque_free_rotation(double t0, const BodyPose& pose,
+                                                         const SymmetricMatrix3<double>& inertia);
+// axis: of symmetry, a unit vector on body axes; up: a unit vector on ground axes. gravity_moment as in TopParameters.
+std::shared_ptr<const RotationFlow> top_rotation(double t0, const BodyPose& pose, const TopParameters& parameters,
+                                                 const Vector3<double>& axis, const Vector3<double>& up);
+
+// A body's rotation in the coordinates of its joints, with its mass center on the parabola of free fall.
+class BodyFlow final : public StateFlow {
+ public:
+  BodyFlow(std::shared_ptr<const BodyCoordinates> coordinates, std::shared_ptr<const RotationFlow> rotation, double t0,
+           const BodyPose& pose, const Vector3<double>& gravity);
+  void advance(double from, std::span<const double> start, double to, std::span<double> state) const override;
+
+ private:
+  void reach(double from, std::span<const double> start, double to, std::span<double> state, int depth) const;
+
+  std::shared_ptr<const BodyCoordinates> coordinates_;
+  std::shared_ptr<const RotationFlow> rotation_;
+  double t0_;
+  Vector3<double> center_, velocity_, gravity_;
+};
+
+// The angle of a body about a fixed axis, as a state of one coordinate.
+struct AxisMotion {
+  double t0 = 0;             // s
+  double angle = 0;          // at t0, from upright to the arm of the weight, rad
+  double coordinate = 0;     // the joint's angle at t0, rad
+  double rate = 0;           // at t0, rad/s
+  double moment = 0;         // of inertia about the axis, kg m^2
+  double weight_moment = 0;  // of the weight when the arm is level, N m; zero: uniform rotation
+};
+std::shared_ptr<const StateFlow> axis_flow(const AxisMotion& motion);
+
+// A method of steps of about the natural time along a flow that needs none.
+std::unique_ptr<StepMethod> make_known_method(std::shared_ptr<const StateFlow> flow, double step, double largest);
+
+}  // namespace poinsot

@@ -1,0 +1,19 @@
+// Claims: what is said to hold for all values of the letters, and of the motion as far as the statement leaves it open.
+//
+// A claim is proved by reduction: the sides of an equation differ by what vanishes identically, those of an inequality
+// by what has one sign under the assumptions. What is not proved so is tried at random exact numbers; a claim that
+// fails at one of them, in the solved statement too, is refuted.
+#pragma once
+
+#include "poinsot/statement/solve_statement.h"
+#include "statement/formula_instant.h"
+
+namespace poinsot::statement {
+
+// settings: values of letters and data from outside and of unknowns, of each situation; exact: those that have one as
+// formulas. Throws StatementError for claims that can never be right: unknown names, wrong dimensions, formulas of the
+// data alone, assumptions that contradict each other.
+std::vector<SolvedClaim> solve_claims(const Statement& statement, const std::vector<Settings>& settings,
+                                      const FormulaValues& exact);
+
+}  // namespace poinsot::statement

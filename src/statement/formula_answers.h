@@ -1,0 +1,60 @@
+// The answers of a statement with letters left open, as formulas.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "statement/formula_instant.h"
+#include "statement/sample.h"
+
+namespace poinsot::statement {
+
+// Bounds on the search for the formulas of one file.
+inline constexpr std::size_t most_formula_terms = 20000;
+inline constexpr double most_formula_seconds = 20;
+
+// What stands for a letter in formulas. Lengths, masses, durations and what is made of them are positive, angles real.
+Value<Formula> formula_of(const Letter& letter);
+
+// The value of `--set NAME=TEXT`, exactly; read_setting has understood it before.
+Value<Formula> exact_setting(const Problem& problem, const std::string& name, const std::string& text);
+
+// All formulas of one root.
+class FormulaAnswers {
+ public:
+  // values: of each situation, for letters, data from outside and unknowns. numbers: the same at values of the letters.
+  // All arguments must outlive it.
+  FormulaAnswers(const Statement& statement, const std::vector<FormulaValues>& values, Sample& numbers)
+      : statement_(statement), values_(values), numbers_(numbers) {}
+
+  // Throws NoFormula with the reason.
+  Value<Formula> value(const Ask& ask);
+  // Solves everything that the situations state, for the remainders.
+  void solve_all();
+  // What must vanish if the facts hold, of all instants that were needed.
+  std::vector<Formula> remainders() const;
+
+ private:
+  FormulaInstant& instant(const Sample::Home& home);
+  Value<Formula> at_home(const Sample::Home& home, const Expression& expression, const std::optional<Expression>& axes);
+
+  const Statement& statement_;
+  const std::vector<FormulaValues>& values_;
+  Sample& numbers_;
+  std::map<Sample::Home, std::unique_ptr<FormulaInstant>> instants_;
+};
+
+// Whether a formula has the given value at values of the letters: to `tolerance`, relative, and `natural` times a small
+// part of the tolerance where all cancels.
+bool agrees(const Value<Formula>& formula, const Value<double>& value, const LetterValues& letters, double tolerance,
+            double natural);
+
+// The same formula with others in place of letters.
+Value<Formula> substituted(const Value<Formula>& formula, const std::map<std::string, Formula>& letters);
+
+// The letters in it.
+std::vector<std::string> letters_in(const Value<Formula>& formula);
+
+}  // namespace poinsot::statement

@@ -1,0 +1,78 @@
+// One situation of a statement with letters left open, solved at an instant as formulas.
+//
+// The same machine, conditions and equations as in SolvedInstant, over exact scalars; the linear equations are solved
+// exactly for letters in general position.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "poinsot/solve/exact_solution.h"
+#include "statement/exact_numbers.h"
+#include "statement/instant.h"
+
+namespace poinsot::statement {
+
+// Letters, data from outside the file and unknowns, each as a formula.
+using FormulaValues = std::map<std::string, Value<Formula>>;
+
+// Collects what a statement leaves open, as letters in place of zero: for claims, which hold whatever it is.
+struct OpenLetters {
+  bool all_poses = false;         // coordinates without name are open too
+  std::vector<Letter> made;       // positions and velocities
+  std::set<std::string> unfixed;  // accelerations, forces and impulses that nothing fixes
+};
+
+class FormulaInstant {
+ public:
+  // numbers: the same instant solved at some values of the letters, for what is decided on numbers: which cords and
+  // contacts act in a blow. problem and numbers must outlive the instant. Throws NoFormula for what has none: loops
+  // that close in another pose than drawn, later stages; what the roads of expressions throw (StatementError,
+  // std::domain_error, ExpressionTooLarge).
+  // open: what the statement leaves open is a letter there, and zero when left out.
+  FormulaInstant(const Problem& problem, const FormulaValues& values, const SolvedInstant& numbers,
+                 OpenLetters* open = nullptr);
+
+  // The value of an ask on the given axes (ground axes where none are stated).
+  using Elsewhere = std::function<Value<Formula>(const At& at, const Mark& mark)>;
+  Value<Formula> ask(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere);
+  // The same with vectors on ground axes.
+  Value<Formula> raw(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere);
+
+  void solve_forces();
+  const std::vector<Formula>& positions() const { return machine_.q; }
+  const std::vector<Formula>& velocities() const { return v_; }
+  // What is left of the facts and equations solved so far: it vanishes if all of them hold.
+  const std::vector<Formula>& remainders() const { return remainders_; }
+
+ private:
+  void set_positions(const std::vector<const Instant*>& instants);
+  void open_positions();
+  void solve_velocities();
+  void solve_blow();
+  solve::ExactSolution solve_with_unfixed(const solve::LinearSystemOf<Formula>& equations);
+  InstantView<Formula> view() const;
+  QuantityScope<Formula> scope_for(const Expression& expression, const std::optional<Expression>& axes,
+                                   const Elsewhere& elsewhere);
+
+  const Problem& problem_;
+  const SolvedInstant& numbers_;
+  OpenLetters* open_ = nullptr;
+  Formula time_;
+  Settings no_settings_;
+  std::unique_ptr<DataScope<Formula>> data_;
+  MachineOf<Formula> machine_;
+  solve::Scales scales_;
+  std::optional<solve::MomentOf<Formula>> moment_, before_;
+  std::vector<const Instant*> facts_;
+  solve::BlowOf<Formula> blow_;
+  std::vector<Formula> v_, unknowns_, impulses_;
+  bool forces_solved_ = false;
+  std::vector<Formula> remainders_;
+};
+
+}  // namespace poinsot::statement

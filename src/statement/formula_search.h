@@ -1,0 +1,27 @@
+// Finds the formulas of a solved statement and holds each against numbers.
+#pragma once
+
+#include <vector>
+
+#include "poinsot/statement/solve_statement.h"
+#include "statement/formula_answers.h"
+
+namespace poinsot::statement {
+
+struct FormulaTask {
+  const Statement& statement;
+  const std::vector<Letter>& open;  // letters without value
+  const FormulaValues& given;       // what has a value from outside, exactly
+  const Settings& known;            // the same in numbers
+  const std::vector<Unknown>& unknowns;
+  const AllSettings& settings;         // of each situation, with values for the open letters and the unknowns of a root
+  Sample& sample;                      // solved at these
+  const std::vector<double>& natural;  // the size that each ask naturally has
+};
+
+// Adds to every ask of the solution that has numbers its formula, or the reason why it has none; lists the unknowns
+// that have formulas. Every formula is compared with the numbers at `settings` and at letters drawn at random twice,
+// where the statement is solved anew and checked on particles. Never throws for a formula that cannot be had.
+void find_formulas(const FormulaTask& task, Solution& solution);
+
+}  // namespace poinsot::statement

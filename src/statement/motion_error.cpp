@@ -1,0 +1,63 @@
+// How far a motion may be from the true one.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "statement/problem_motion.h"
+#include "statement/reader.h"
+
+namespace poinsot::statement {
+
+std::optional<MotionError> ProblemMotion::error(double until) {
+  const bool known = std::all_of(methods_.begin(), methods_.end(),
+                                 [](const std::string& method) { return method.starts_with("closed form"); });
+  // When a nudged motion departs is as arbitrary as the nudge.
+  const bool nudged = std::any_of(problem_.instants.begin(), problem_.instants.end(),
+                                  [](const Instant& instant) { return !instant.nudged.empty(); });
+  if (known || nudged) return std::nullopt;
+  MotionError error;
+  constexpr int instants = 200;
+  until = std::min(until, reached());
+  const double length = start_->natural_size(dimensions::length);
+  try {
+    ProblemMotion coarse(stated_, settings_, choice_);
+    coarse.tolerance_ = 16 * tolerance_;
+    coarse.most_seconds_ = most_seconds_;
+    try {
+      until = std::min(until, coarse.follow(until));
+    } catch (const UnansweredError&) {
+      // Where one of them can be followed no farther, so can the other, but for their errors.
+      if (coarse.reached() < 0.99 * until) throw;
+      until = coarse.reached();
+    }
+    for (int i = 1; i <= instants; ++i) {
+      const double time = i == instants ? until : until * i / instants;
+      const MotionState a = at(time), b = coarse.at(time);
+      for (const auto& body : start_->machine().mechanism.tree.bodies()) {
+        const auto q = static_cast<std::size_t>(body.q);
+        const int size = position_size(body.joint);
+        double sign = 1;
+        if (size > 1) {
+          double same = 0;
+          for (std::size_t k = q; k < q + 4; ++k) same += a.q[k] * b.q[k];
+          if (same < 0) sign = -1;
+        }
+        for (int k = 0; k < size; ++k) {
+          const auto place = q + static_cast<std::size_t>(k);
+          const bool turning = k < 4 && body.joint != JointType::prismatic;
+          // Twice a difference of quaternions is an angle.
+          const double apart = std::abs(a.q[place] - (k < 4 ? sign : 1) * b.q[place]) * (size > 1 && k < 4 ? 2 : 1);
+          double& largest = turning ? error.angle : error.length;
+          largest = std::max(largest, apart);
+        }
+      }
+    }
+  } catch (const StatementError&) {
+    error.relative = std::numeric_limits<double>::infinity();
+    return error;
+  }
+  error.relative = std::max(error.angle, error.length / length);
+  return error;
+}
+
+}  // namespace poinsot::statement

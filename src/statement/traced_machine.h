@@ -1,0 +1,29 @@
+// The mechanism of a problem over the scalar that writes down what is computed with it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "poinsot/dynamics/equations_of_motion.h"
+#include "poinsot/math/traced.h"
+#include "poinsot/statement/equations.h"
+#include "statement/exact_numbers.h"
+#include "statement/machine.h"
+
+namespace poinsot::statement {
+
+struct TracedMachine {
+  MachineOf<Formula> stated;
+  Mechanism<Traced> mechanism;
+  Trace trace;
+  // Inputs of the trace in this order: q, v, third (accelerations, or forces), parameters.
+  State<Traced> state;
+  std::vector<Traced> third;
+  std::vector<TextInput> inputs;
+  std::vector<bool> held;  // of each velocity coordinate: whether it moves as given
+};
+
+// Throws StatementError, NoEquations.
+TracedMachine traced_machine(const Problem& problem, const EquationsOptions& options, const std::string& third_array);
+
+}  // namespace poinsot::statement

@@ -1,0 +1,264 @@
+#include "statement/unknown_equations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "statement/problem_motion.h"
+#include "statement/unknown_ranges.h"
+
+namespace poinsot::statement {
+namespace {
+
+std::vector<bool> facts_among(const solve::LinearSystem& system) {
+  std::vector<bool> facts(system.equations());
+  for (std::size_t i = 0; i < facts.size(); ++i) facts[i] = system.words(i).starts_with("'");
+  return facts;
+}
+
+}  // namespace
+
+UnknownEquations::UnknownEquations(const Statement& statement, UnknownSystem system, const AllSettings& settings,
+                                   const OpenChoice& choice, const std::vector<Unknown>& all)
+    : statement_(statement),
+      system_(std::move(system)),
+      settings_(settings),
+      choice_(choice),
+      trial_(settings),
+      slots_(system_.slots()) {
+  choice_.trial = true;
+  for (Settings& one : trial_)
+    for (const Unknown& unknown : all) {
+      const double unit = unknown.unit.factor;
+      one.emplace(unknown.name, unknown.vector ? Value<double>::of_vector({unit, unit, unit}, unknown.unit.dimension)
+                                               : Value<double>::of_number(unit, unknown.unit.dimension));
+    }
+  const std::vector<std::size_t> situations = system_.situations();
+  // Sizes that are natural in this problem, with one unit of each unknown.
+  std::vector<double> natural(slots_.size(), 0.0);
+  try {
+    std::vector<double> ones;
+    for (const UnknownSlot& slot : slots_) ones.push_back(slot.unknown.unit.factor);
+    put(ones, trial_);
+    const std::size_t first = situations.empty() ? 0 : situations.front();
+    SolvedInstant instant(statement_.situations[first].problem, trial_[first], When{}, choice_);
+    for (std::size_t k = 0; k < slots_.size(); ++k) natural[k] = instant.natural_size(slots_[k].unknown.unit.dimension);
+  } catch (const StatementError&) {
+    // These values make no sense; the units serve.
+  }
+  ranges_ = ranges_of(statement_, system_, settings_, natural);
+  for (std::size_t i : situations)
+    for (const Expression& square : statement_.situations[i].problem.neglect)
+      for (std::size_t k = 0; k < slots_.size(); ++k)
+        if (slots_[k].unknown.name == square.as<Binary>()->left.as<Name>()->name) add_once(small_, k);
+}
+
+void UnknownEquations::put(const std::vector<double>& x, AllSettings& settings) const {
+  const std::vector<std::size_t> reached = system_.situations();
+  for (std::size_t k = 0; k < slots_.size(); ++k) {
+    const Unknown& unknown = slots_[k].unknown;
+    const bool common = is_common(statement_, unknown.name);
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+      if (!common && std::find(reached.begin(), reached.end(), i) == reached.end()) continue;
+      Value<double>& value = settings[i][unknown.name];
+      if (unknown.vector) {
+        if (!value.is_vector()) value = Value<double>::of_vector(Vector3<double>::zero(), unknown.unit.dimension);
+        value.vector[slots_[k].component] = x[k];
+      } else {
+        value = Value<double>::of_number(x[k], unknown.unit.dimension);
+      }
+    }
+  }
+}
+
+AllSettings UnknownEquations::settings_at(const std::vector<double>& x) const {
+  AllSettings settings = settings_;
+  put(x, settings);
+  return settings;
+}
+
+std::vector<std::vector<double>> UnknownEquations::places(std::size_t count) const {
+  std::vector<std::vector<double>> list;
+  std::mt19937_64 random(23);
+  std::uniform_real_distribution<double> part(0.6, 1.4);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<double>& x = list.emplace_back();
+    for (const solve::RootRange& range : ranges_) {
+      const bool low = std::isfinite(range.lower), high = std::isfinite(range.upper);
+      const double draw = i == 0 ? 1.05 : part(random);
+      x.push_back(low && high ? range.lower + (range.upper - range.lower) * (draw - 0.5)
+                  : low       ? range.lower + range.scale * draw
+                  : high      ? range.upper - range.scale * draw
+                              : range.scale * draw * (i % 2 == 0 ? 1 : -1));
+    }
+  }
+  return list;
+}
+
+// Places of less than the highest rank are rare, but zero and the ends of ranges are among them.
+void UnknownEquations::hold_measures() {
+  if (measured_) return;
+  measured_ = true;
+  for (const std::vector<double>& x : places(4)) {
+    try {
+      take_measures(x);
+    } catch (const StatementError& error) {
+      refusal_ = error;
+    }
+  }
+}
+
+void UnknownEquations::take_measures(const std::vector<double>& x) {
+  put(x, trial_);
+  for (std::size_t i : system_.situations()) {
+    const bool velocities = system_.has({i, Aspect::velocities}), forces = system_.has({i, Aspect::forces});
+    if (!velocities && !forces && !system_.has({i, Aspect::positions})) continue;
+    const Problem& problem = statement_.situations[i].problem;
+    OpenChoice choice = choice_;
+    if (const auto held = measures_.scales.find(i); held != measures_.scales.end()) choice.scales = held->second;
+    SolvedInstant instant(problem, trial_[i], When{0, problem.has_blow()}, choice);
+    if (forces) instant.solve_forces();
+    measures_.scales.emplace(i, instant.scales());
+    const auto hold = [&](Level level, const solve::LinearSystem& system) {
+      solve::LinearElimination elimination(system, facts_among(system));
+      const auto [held, fresh] = measures_.eliminations.try_emplace({i, level}, elimination);
+      if (!fresh && elimination.rank() > held->second.rank()) held->second = elimination;
+    };
+    if (velocities) hold(Level::velocities, instant.velocity_equations());
+    if (velocities && instant.after_blow()) hold(Level::blow, instant.blow_equations());
+    if (forces) hold(Level::forces, instant.motion_equations());
+  }
+}
+
+bool UnknownEquations::add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system) const {
+  const auto held = measures_.eliminations.find({group.group.situation, level});
+  const auto left = held == measures_.eliminations.end() ? std::nullopt : held->second.remainder(system);
+  if (!left) return false;
+  group.values.insert(group.values.end(), left->values.begin(), left->values.end());
+  for (const std::size_t equation : left->equations) group.words.push_back(system.words(equation));
+  group.size = std::max(group.size, left->size);
+  return true;
+}
+
+UnknownEquations::Evaluated UnknownEquations::evaluate(const std::vector<double>& x) {
+  hold_measures();
+  put(x, trial_);
+  Evaluated all;
+  bool smooth = true, complete = true;
+  const auto add = [](std::vector<double>& list, auto first, auto last) { list.insert(list.end(), first, last); };
+  solve::RootEquations& equations = all.equations;
+  for (std::size_t i : system_.situations()) {
+    const Problem& problem = statement_.situations[i].problem;
+    const auto wanted = [&](Aspect aspect) { return system_.has({i, aspect}); };
+    const auto group_of = [&](Aspect aspect) -> GroupConditions& {
+      all.groups.push_back({{i, aspect}, {}, 0, {}});
+      return all.groups.back();
+    };
+    if (wanted(Aspect::later)) {
+      GroupConditions& group = group_of(Aspect::later);
+      group.values = later_misfits(problem, trial_[i], choice_);
+      group.size = 1;
+      group.words.assign(group.values.size(), "what is stated of the motion");
+      add(equations.values, group.values.begin(), group.values.end());
+      equations.size = std::max(equations.size, 1.0);
+      smooth = false;
+    }
+    if (!wanted(Aspect::positions) && !wanted(Aspect::velocities) && !wanted(Aspect::forces)) continue;
+    OpenChoice choice = choice_;
+    if (const auto held = measures_.scales.find(i); held != measures_.scales.end()) choice.scales = held->second;
+    SolvedInstant instant(problem, trial_[i], When{0, problem.has_blow()}, choice);
+    const auto positions = static_cast<std::ptrdiff_t>(instant.position_misfits());
+    const auto velocities = static_cast<std::ptrdiff_t>(instant.misfits().size());
+    if (wanted(Aspect::forces)) instant.solve_forces();
+    const auto& values = instant.misfits();
+    if (wanted(Aspect::positions)) {
+      GroupConditions& group = group_of(Aspect::positions);
+      add(group.values, values.begin(), values.begin() + positions);
+      group.size = 1;
+      group.words.assign(group.values.size(), "what is stated of positions and masses");
+      add(equations.values, values.begin(), values.begin() + positions);
+    }
+    if (wanted(Aspect::velocities)) {
+      GroupConditions& group = group_of(Aspect::velocities);
+      complete = complete && add_left_over(group, Level::velocities, instant.velocity_equations());
+      if (instant.after_blow()) complete = complete && add_left_over(group, Level::blow, instant.blow_equations());
+      add(equations.values, values.begin() + positions, values.begin() + velocities);
+    }
+    if (wanted(Aspect::forces)) {
+      complete = complete && add_left_over(group_of(Aspect::forces), Level::forces, instant.motion_equations());
+      add(equations.values, values.begin() + velocities, values.end());
+    }
+    equations.size = std::max(equations.size, instant.misfit_size());
+  }
+  if (!complete) all.groups.clear();
+  std::sort(all.groups.begin(), all.groups.end(), [&](const GroupConditions& a, const GroupConditions& b) {
+    const auto place = [&](const ConditionGroup& group) {
+      return std::find(system_.groups.begin(), system_.groups.end(), group);
+    };
+    return place(a.group) < place(b.group);
+  });
+  if (smooth)
+    for (const GroupConditions& group : all.groups) {
+      add(equations.smooth, group.values.begin(), group.values.end());
+      equations.smooth_size = std::max(equations.smooth_size, group.size);
+    }
+  return all;
+}
+
+std::optional<solve::RootEquations> UnknownEquations::exact(const std::vector<double>& x) {
+  try {
+    solve::RootEquations equations = evaluate(x).equations;
+    makes_sense_ = true;
+    return equations;
+  } catch (const StatementError& error) {
+    // Values without sense are outside the range; a statement without sense has no value anywhere.
+    refusal_ = error;
+    return std::nullopt;
+  }
+}
+
+std::optional<std::vector<GroupConditions>> UnknownEquations::conditions_at(const std::vector<double>& x) {
+  try {
+    return evaluate(x).groups;
+  } catch (const StatementError& error) {
+    refusal_ = error;
+    return std::nullopt;
+  }
+}
+
+// Without the squares of some unknowns: the equations, linear in these around zero.
+std::optional<solve::RootEquations> UnknownEquations::operator()(const std::vector<double>& x) {
+  if (small_.empty()) return exact(x);
+  std::vector<double> at = x;
+  for (std::size_t k : small_) at[k] = 0;
+  auto sum = exact(at);
+  if (!sum) return std::nullopt;
+  for (std::size_t k : small_) {
+    const double h = 0.5 * ranges_[k].scale;
+    at[k] = h;
+    const auto ahead = exact(at);
+    at[k] = -h;
+    const auto behind = exact(at);
+    at[k] = 0;
+    if (!ahead || !behind) return std::nullopt;
+    const auto add_slope = [&](std::vector<double>& values, const std::vector<double>& up,
+                               const std::vector<double>& down) {
+      if (up.size() != values.size() || down.size() != values.size()) return values.clear();
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] += (up[i] - down[i]) / (2 * h) * x[k];
+    };
+    add_slope(sum->values, ahead->values, behind->values);
+    add_slope(sum->smooth, ahead->smooth, behind->smooth);
+  }
+  return sum;
+}
+
+solve::RootProblem UnknownEquations::problem() {
+  solve::RootProblem problem;
+  problem.ranges = ranges_;
+  problem.costly = std::any_of(system_.groups.begin(), system_.groups.end(),
+                               [](const ConditionGroup& group) { return group.aspect == Aspect::later; });
+  problem.equations = [this](const std::vector<double>& x) { return (*this)(x); };
+  return problem;
+}
+
+}  // namespace poinsot::statement

@@ -1,0 +1,86 @@
+// The conditions on unknowns as equations for their values.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "poinsot/solve/roots.h"
+#include "statement/unknown_system.h"
+
+namespace poinsot::statement {
+
+// What is left of one group of conditions when velocities, accelerations and forces are eliminated.
+struct GroupConditions {
+  ConditionGroup group;
+  std::vector<double> values;
+  double size = 0;                 // of the largest term in them
+  std::vector<std::string> words;  // of each
+};
+
+// Units, scaling and pivots are taken once and held, so that misfits at different values of the unknowns compare, and
+// vary as smoothly as the data do.
+class UnknownEquations {
+ public:
+  // statement must outlive it. all: every unknown of the statement; those that the system does not seek and that
+  // `settings` (of each situation) do not know take a trial value of one unit.
+  UnknownEquations(const Statement& statement, UnknownSystem system, const AllSettings& settings,
+                   const OpenChoice& choice, const std::vector<Unknown>& all);
+  UnknownEquations(const UnknownEquations&) = delete;
+  UnknownEquations& operator=(const UnknownEquations&) = delete;
+
+  const UnknownSystem& system() const { return system_; }
+  const std::vector<UnknownSlot>& slots() const { return slots_; }
+  const std::vector<solve::RootRange>& ranges() const { return ranges_; }
+
+  AllSettings settings_at(const std::vector<double>& x) const;
+  // Nothing where the values make no sense. Without the squares that are neglected, as stated.
+  std::optional<solve::RootEquations> operator()(const std::vector<double>& x);
+  std::optional<std::vector<GroupConditions>> conditions_at(const std::vector<double>& x);
+  // Some places in the ranges, among them their middle.
+  std::vector<std::vector<double>> places(std::size_t count) const;
+
+  // For solve::find_roots; valid as long as this object.
+  solve::RootProblem problem();
+
+  // Which unknowns enter without their squares.
+  const std::vector<std::size_t>& without_squares() const { return small_; }
+  // Whether there was a value anywhere, and the last reason why there was none.
+  bool makes_sense() const { return makes_sense_; }
+  const std::optional<StatementError>& refusal() const { return refusal_; }
+
+ private:
+  enum class Level { velocities, blow, forces };
+  struct Measures {
+    std::map<std::size_t, solve::Scales> scales;  // of each situation
+    std::map<std::pair<std::size_t, Level>, solve::LinearElimination> eliminations;
+  };
+  struct Evaluated {
+    solve::RootEquations equations;
+    std::vector<GroupConditions> groups;
+  };
+
+  void hold_measures();
+  void take_measures(const std::vector<double>& x);
+  Evaluated evaluate(const std::vector<double>& x);
+  std::optional<solve::RootEquations> exact(const std::vector<double>& x);
+  void put(const std::vector<double>& x, AllSettings& settings) const;
+  bool add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system) const;
+
+  const Statement& statement_;
+  UnknownSystem system_;
+  AllSettings settings_;
+  OpenChoice choice_;
+  AllSettings trial_;  // with values for everything
+  std::vector<UnknownSlot> slots_;
+  std::vector<solve::RootRange> ranges_;
+  std::vector<std::size_t> small_;
+  Measures measures_;
+  bool measured_ = false;
+  bool makes_sense_ = false;
+  std::optional<StatementError> refusal_;
+};
+
+}  // namespace poinsot::statement

@@ -1,0 +1,199 @@
+#include "statement/unknown_ranges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "statement/reader.h"
+
+namespace poinsot::statement {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+bool is_bare(const Expression& expression, const std::string& name) {
+  if (const Unary* unary = expression.as<Unary>()) return is_bare(unary->operand, name);
+  const Name* word = expression.as<Name>();
+  return word && word->primes == 0 && word->name == name;
+}
+bool is_bare(const std::optional<Expression>& expression, const std::string& name) {
+  return expression && is_bare(*expression, name);
+}
+// As an item of a list of coordinates, or of a list of places.
+bool stands_in(const Expression& place, const std::string& name) {
+  const List* list = place.as<List>();
+  return list && std::any_of(list->items.begin(), list->items.end(),
+                             [&](const Expression& item) { return is_bare(item, name) || stands_in(item, name); });
+}
+bool stands_in(const std::optional<Expression>& place, const std::string& name) {
+  return place && stands_in(*place, name);
+}
+
+template <class Visit>
+bool any_shape_argument(const Problem& problem, Visit&& visit) {
+  for (const Body& body : problem.bodies)
+    for (const auto* parts : {&body.parts, &body.added})
+      for (const poinsot::statement::Part& part : *parts)
+        for (const NamedExpression& argument : part.shape.arguments)
+          if (visit(argument.value)) return true;
+  return false;
+}
+
+// A radius, a side, the length of a relaxed spring.
+bool is_extent(const Problem& problem, const std::string& name) {
+  return any_shape_argument(problem, [&](const Expression& argument) { return is_bare(argument, name); }) ||
+         std::any_of(problem.springs.begin(), problem.springs.end(),
+                     [&](const Spring& spring) { return is_bare(spring.free_length, name); });
+}
+
+// A length that stands by itself among the coordinates of a place, or as a displacement.
+bool is_coordinate(const Problem& problem, const std::string& name) {
+  const auto any_of = [](const auto& list, const auto& holds) { return std::any_of(list.begin(), list.end(), holds); };
+  return any_of(problem.points, [&](const NamedExpression& point) { return stands_in(point.value, name); }) ||
+         any_shape_argument(problem, [&](const Expression& argument) { return stands_in(argument, name); }) ||
+         any_of(problem.bodies, [&](const Body& body) { return stands_in(body.center, name); }) ||
+         any_of(problem.joints,
+                [&](const Joint& joint) {
+                  return stands_in(joint.place, name) || stands_in(joint.at, name) ||
+                         any_of(joint.freedoms, [&](const Freedom& freedom) {
+                           return is_bare(freedom.position, name) || is_bare(freedom.free_position, name);
+                         });
+                }) ||
+         any_of(problem.loads, [&](const Load& load) { return stands_in(load.at, name); }) ||
+         any_of(problem.impulses, [&](const Impulse& impulse) { return stands_in(impulse.at, name); }) ||
+         any_of(problem.springs,
+                [&](const Spring& spring) { return stands_in(spring.at, name) || stands_in(spring.end, name); }) ||
+         any_of(problem.instants, [&](const Instant& instant) {
+           return any_of(instant.facts, [&](const Fact& fact) {
+             return level_of(problem, fact.quantity) == Level::position && is_bare(fact.value, name);
+           });
+         });
+}
+
+// A stiffness or a damping resists.
+bool is_resistance(const Problem& problem, const std::string& name) {
+  for (const Joint& joint : problem.joints)
+    for (const Freedom& freedom : joint.freedoms)
+      if (is_bare(freedom.stiffness, name) || is_bare(freedom.damping, name)) return true;
+  return std::any_of(problem.springs.begin(), problem.springs.end(), [&](const Spring& spring) {
+    return is_bare(spring.stiffness, name) || is_bare(spring.damping, name);
+  });
+}
+
+// What is chosen among can only push.
+bool is_chosen_push(const Statement& statement, const Problem& problem, const std::string& name) {
+  return std::any_of(problem.choose.begin(), problem.choose.end(), [&](const Choice& choice) {
+    return std::any_of(choice.of.begin(), choice.of.end(),
+                       [&](const std::string& amount) { return unknowns_of_amount(statement, amount).contains(name); });
+  });
+}
+
+bool is_never_negative(const Statement& statement, const Problem& problem, const Unknown& unknown) {
+  if (unknown.vector) return false;
+  const Dimension& d = unknown.unit.dimension;
+  if (d == dimensions::mass || d == dimensions::time) return true;
+  if (d == dimensions::length) return is_extent(problem, unknown.name) || !is_coordinate(problem, unknown.name);
+  return is_resistance(problem, unknown.name) || is_chosen_push(statement, problem, unknown.name);
+}
+
+}  // namespace
+
+void narrow_ranges(const Problem& problem, const Settings& settings, std::vector<solve::RootRange>& ranges,
+                   const SlotOf& slot_of) {
+  for (const Expression& condition : problem.where) {
+    const Comparison* comparison = condition.as<Comparison>();
+    if (!comparison)
+      fail(problem.file, condition.mark(), "a condition under where: is a comparison", "write 0 deg < b < 90 deg");
+    for (std::size_t i = 0; i + 1 < comparison->operands.size(); ++i) {
+      const Expression &left = comparison->operands[i], &right = comparison->operands[i + 1];
+      const bool less = comparison->relations[i] == Relation::less || comparison->relations[i] == Relation::less_equal;
+      const bool greater =
+          comparison->relations[i] == Relation::greater || comparison->relations[i] == Relation::greater_equal;
+      const auto value_of = [&](const Expression& e) -> std::optional<double> {
+        DataScope<double> data(problem, settings);
+        try {
+          const Value<double> value = data.value(e);
+          return value.is_number() ? std::optional(value.number) : std::nullopt;
+        } catch (const StatementError&) {
+          return std::nullopt;  // it names an unknown itself
+        }
+      };
+      for (const auto& [name, bound, above] : {std::tuple{&left, &right, greater}, std::tuple{&right, &left, less}}) {
+        const Name* word = name->template as<Name>();
+        const auto slot = word && word->primes == 0 ? slot_of(word->name) : std::nullopt;
+        const auto value = slot ? value_of(*bound) : std::nullopt;
+        if (!value || !(less || greater)) continue;
+        solve::RootRange& range = ranges[*slot];
+        const bool open = comparison->relations[i] == Relation::less || comparison->relations[i] == Relation::greater;
+        if (above && *value >= range.lower) {
+          range.lower = *value;
+          range.lower_open = open;
+        } else if (!above && *value <= range.upper) {
+          range.upper = *value;
+          range.upper_open = open;
+        }
+      }
+    }
+  }
+}
+
+bool satisfies_where(const Statement& statement, const std::vector<std::size_t>& situations,
+                     const AllSettings& settings, const std::set<std::string>& sought) {
+  for (std::size_t i : situations)
+    for (const Expression& condition : statement.situations[i].problem.where) {
+      // What speaks of unknowns that are found later is judged then.
+      std::set<std::string> names;
+      collect_names(condition, names);
+      const bool later = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return sought.contains(name) && !settings[i].contains(name);
+      });
+      if (later) continue;
+      DataScope<double> data(statement.situations[i].problem, settings[i]);
+      const Value<double> value = data.value(condition);
+      if (value.is_boolean() && !value.truth) return false;
+    }
+  return true;
+}
+
+std::vector<solve::RootRange> ranges_of(const Statement& statement, const UnknownSystem& system,
+                                        const AllSettings& settings, const std::vector<double>& natural) {
+  const std::vector<UnknownSlot> slots = system.slots();
+  const std::vector<std::size_t> situations = system.situations();
+  const Problem& problem = statement.situations[situations.empty() ? 0 : situations.front()].problem;
+  std::vector<solve::RootRange> ranges;
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    solve::RootRange range;
+    // The unit in which an unknown is wanted is a natural size of it, unless the problem is of another order.
+    range.scale = slots[k].unknown.unit.factor;
+    const double ratio = natural[k] / range.scale;
+    if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e6 || ratio < 1e-6)) range.scale = natural[k];
+    range.lower = -infinite;
+    range.upper = infinite;
+    ranges.push_back(range);
+  }
+  for (std::size_t i : situations)
+    narrow_ranges(statement.situations[i].problem, settings[i], ranges,
+                  [&](const std::string& name) -> std::optional<std::size_t> {
+                    for (std::size_t k = 0; k < slots.size(); ++k)
+                      if (slots[k].unknown.name == name && !slots[k].unknown.vector) return k;
+                    return std::nullopt;
+                  });
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const Unknown& unknown = slots[k].unknown;
+    solve::RootRange& range = ranges[k];
+    const bool open = !std::isfinite(range.lower) && !(range.upper <= 0);
+    if (open && is_never_negative(statement, problem, unknown)) range.lower = 0;
+    if (unknown.unit.dimension == dimensions::angle) {
+      constexpr double half_turn = 3.141592653589793;
+      range.scale = 1;
+      if (!std::isfinite(range.lower))
+        range.lower = range.upper > -half_turn ? -half_turn : range.upper - 2 * half_turn;
+      if (!std::isfinite(range.upper)) range.upper = range.lower < half_turn ? half_turn : range.lower + 2 * half_turn;
+    }
+    // A narrow range sets the size.
+    if (const double half = (range.upper - range.lower) / 2; half > 0) range.scale = std::min(range.scale, half);
+  }
+  return ranges;
+}
+
+}  // namespace poinsot::statement

@@ -1,0 +1,84 @@
+// Particles and slender rods: no one has to say how they turn about a line of their own.
+#include "statement/massless_turning.h"
+
+#include <gtest/gtest.h>
+
+#include "statement/motion_support.h"
+
+namespace poinsot::statement {
+namespace {
+
+constexpr double g = 9.81;
+
+// Where the end of a line of length L from the origin is that moves under gravity -z as a particle would at its end.
+Vector3<double> spherical_pendulum(double L, const Vector3<double>& at, const Vector3<double>& v, double time) {
+  const auto slopes = [L](const Numbers<6>& y) {
+    const double tension = (-g * y[2] + y[3] * y[3] + y[4] * y[4] + y[5] * y[5]) / (L * L);
+    return Numbers<6>{y[3], y[4], y[5], -tension * y[0], -tension * y[1], -g - tension * y[2]};
+  };
+  const auto y = integrated(Numbers<6>{at.x, at.y, at.z, v.x, v.y, v.z}, time, 4000, slopes);
+  return {y[0], y[1], y[2]};
+}
+
+const std::string pendulum =
+    "title: t\ngiven: {g: 9.81 m/s^2, L: 1.3 m}\npoints: {O: [0, 0, 0], B: [0.48 m, 0.36 m, -sqrt(L^2 - 0.36 m^2)]}\n"
+    "gravity: -z\ninstants: {start: {velocity(B of bob): [-0.9 m/s, 1.2 m/s, 0]}}\n"
+    "ask: {p: position(B of bob) @ 1.7 s, here: velocity(B of bob), T: kinetic_energy(bob)}\n";
+const double height = -std::sqrt(1.3 * 1.3 - 0.36);
+
+TEST(MasslessTurning, ParticleOnABallJoint) {
+  const SolvedText solved(pendulum + "bodies: {bob: {particle: B, mass: any}}\njoints: {turn: {ball: O, to: bob}}\n");
+  const Vector3<double> expected = spherical_pendulum(1.3, {0.48, 0.36, height}, {-0.9, 1.2, 0}, 1.7);
+  EXPECT_LT(norm(solved.vector("p") - expected), 1e-9);
+}
+
+TEST(MasslessTurning, ParticleOnACordAskedAtTheStartToo) {
+  const SolvedText solved(pendulum +
+                          "bodies: {bob: {particle: B, mass: 2 kg}}\ncords: {c: {at: O, to: bob, end: B}}\n");
+  const Vector3<double> expected = spherical_pendulum(1.3, {0.48, 0.36, height}, {-0.9, 1.2, 0}, 1.7);
+  EXPECT_LT(norm(solved.vector("p") - expected), 1e-9);
+  EXPECT_NEAR(solved.number("T"), 2.25, 1e-12);
+}
+
+TEST(MasslessTurning, RodOnABallJoint) {
+  // As a particle at two thirds of its length.
+  const SolvedText solved(pendulum + "bodies: {bob: {rod: [O, B], mass: any}}\njoints: {turn: {ball: O, to: bob}}\n");
+  const double part = 2.0 / 3;
+  const Vector3<double> expected =
+      spherical_pendulum(1.3 * part, part * Vector3<double>{0.48, 0.36, height}, {-0.9 * part, 1.2 * part, 0}, 1.7) /
+      part;
+  EXPECT_LT(norm(solved.vector("p") - expected), 1e-9);
+}
+
+TEST(MasslessTurning, RodsOnBallJointsMoveAsOnUniversalJoints) {
+  const auto text = [](const std::string& joints) {
+    return "title: t\ngiven: {g: 9.81 m/s^2}\npoints: {O: [0, 0, 0], A: [0.3 m, 0.2 m, -0.8 m], B: [0.5 m, -0.1 m, "
+           "-1.2 m]}\n"
+           "directions: {a: cross(O->A with x), c: cross(A->B with O->A), b: cross(A->B with c)}\n"
+           "bodies: {upper: {rod: [O, A], mass: 2 kg}, lower: {rod: [A, B], mass: 1 kg}}\n"
+           "gravity: -z\ninstants: {start: {velocity(A of upper): 1 m/s * a, velocity(B of lower): 1 m/s * a + 0.7 m/s "
+           "* c}}\n"
+           "ask: {A: position(A of upper) @ 1.2 s, B: position(B of lower) @ 1.2 s, T: kinetic_energy(system)}\n"
+           "joints: {" +
+           joints + "}\n";
+  };
+  const SolvedText balls(text("top: {ball: O, to: upper}, knee: {ball: A, from: upper, to: lower}"));
+  const SolvedText hinges(
+      text("top: {universal: [x, a], at: O, to: upper}, "
+           "knee: {universal: [c, b], at: A, from: upper, to: lower}"));
+  EXPECT_NEAR(balls.number("T"), hinges.number("T"), 1e-12);
+  EXPECT_LT(norm(balls.vector("A") - hinges.vector("A")), 1e-8);
+  EXPECT_LT(norm(balls.vector("B") - hinges.vector("B")), 1e-8);
+}
+
+TEST(MasslessTurning, WhatMovesMassStillHasToBeStated) {
+  const std::string bodies =
+      "bodies: {bob: {sphere: {center: B, radius: 10 cm}, mass: 2 kg}}\njoints: {turn: {ball: O, to: bob}}\n";
+  EXPECT_EQ(
+      failure_of_text(pendulum + bodies),
+      "test.yaml:5:12: error: the motion at the start of the motion is not fixed: angular velocity of bob at turn "
+      "along x is unknown (state it under instants: {start: {...}})");
+}
+
+}  // namespace
+}  // namespace poinsot::statement

@@ -1,0 +1,200 @@
+// What is said of unknowns: their roots, that they are open, or what is in the way.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "poinsot/statement/solve_statement.h"
+
+namespace poinsot::statement {
+namespace {
+
+SolvedStatement solved(const std::string& text) { return solve_statement(read_statement(text, "test.yaml"), {}); }
+
+double number(const SolvedStatement& solution, std::size_t ask = 0, std::size_t root = 0) {
+  return solution.solutions.at(root).asks.at(ask).value.number;
+}
+
+std::string all_warnings(const SolvedStatement& solution) {
+  std::string text;
+  for (const std::string& warning : solution.warnings) text += warning + "\n";
+  return text;
+}
+
+void expect_open(const SolvedAsk& ask) {
+  EXPECT_EQ(ask.state, AskState::undetermined);
+  EXPECT_NE(ask.reason.find("open"), std::string::npos) << ask.reason;
+}
+
+// The unit is a million times a million times the value.
+TEST(UnknownSearch, ARangeSetsTheSize) {
+  const SolvedStatement solution = solved(R"(title: a linear unknown whose unit is of another order
+gravity: none
+points: {O: [0, 0, 0]}
+bodies:
+  cart: {particle: O, mass: 2 kg}
+joints:
+  rail: {prismatic: x, at: O, to: cart, rate: 1.3 m/s, damping: c, force: 10 N}
+find: {c: kN*s/mm}
+where: [0 kN*s/mm < c < 0.00001 kN*s/mm]
+instants:
+  now: {acceleration(cart).x: 3.7 m/s^2}
+ask: {c: c}
+)");
+  ASSERT_EQ(solution.solutions.size(), 1U) << all_warnings(solution);
+  EXPECT_NEAR(number(solution), 2, 1e-12);
+}
+
+// A radius changes the size of the mechanism, but says nothing of the momentum of another body.
+TEST(UnknownSearch, AnUnknownOfTheForcesIsNoneOfTheVelocities) {
+  const SolvedStatement solution = solved(R"(title: a mass from a momentum, a radius and gravity from forces
+gravity: [0, -G, 0]
+points: {O: [0, 0, 0], C: [0, 2 m, 0]}
+bodies:
+  slider: {particle: O, mass: m}
+  wheel: {rod: [C, [r, 2 m, 0]], mass: 4 kg}
+joints:
+  rail: {prismatic: x, at: O, to: slider, rate: 2 m/s}
+  axle: {revolute: z, at: C, to: wheel, rate: 0, couple: 1 N*m}
+find: {m: kg, r: m, G: m/s^2}
+instants:
+  now: {angular_momentum(slider about C).z: 6 kg*m^2/s, velocity(slider).x: 2 m/s, force(axle on wheel).y: 6.666666666666667 N, angular_acceleration(wheel).z: -7.407407407407407 rad/s^2}
+ask: {m: m, r: r, G: G}
+)");
+  bool met = false;
+  for (std::size_t k = 0; k < solution.solutions.size(); ++k) {
+    EXPECT_NEAR(number(solution, 0, k), 1.5, 1e-9);
+    met = met || (std::abs(number(solution, 1, k) - 0.9) < 1e-7 && std::abs(number(solution, 2, k) - 5) < 1e-6);
+  }
+  EXPECT_TRUE(met) << all_warnings(solution);
+}
+
+TEST(UnknownSearch, AMassFromThePlaceOfTheMassCenter) {
+  const SolvedStatement solution = solved(R"(title: a mass from the place of the mass center
+gravity: none
+bodies:
+  bar: {parts: {one: {particle: [-150 mm, -340 mm, -870 mm], mass: m}, two: {particle: [-500 mm, -710 mm, -1130 mm], mass: 1800 g}}}
+joints:
+  j: {weld: [-400 mm, -1080 mm, -1350 mm], to: bar}
+find: {m: g}
+instants: {now: {center(bar).x: -0.31 m}}
+ask: {m: m}
+)");
+  ASSERT_EQ(solution.solutions.size(), 1U) << all_warnings(solution);
+  EXPECT_NEAR(number(solution), 2.1375, 1e-9);
+}
+
+// Of a sum, other values must make sense too: a negative damping does not.
+TEST(UnknownSearch, WhatOnlyASumFixesIsOpen) {
+  const SolvedStatement solution = solved(R"(title: two unknowns of which only a sum is fixed
+gravity: none
+points: {O: [0, 0, 0]}
+bodies:
+  cart: {particle: O, mass: 2 kg}
+joints:
+  rail: {prismatic: x, at: O, to: cart, rate: 1 m/s, damping: c, force: F}
+find: {c: N*s/m, F: N}
+instants: {now: {acceleration(cart).x: 3 m/s^2}}
+ask: {c: c, F: F, a: acceleration(cart).x}
+)");
+  ASSERT_EQ(solution.solutions.size(), 1U) << all_warnings(solution);
+  expect_open(solution.solutions[0].asks[0]);
+  expect_open(solution.solutions[0].asks[1]);
+  EXPECT_EQ(solution.solutions[0].asks[2].state, AskState::found);
+  EXPECT_NEAR(number(solution, 2), 3, 1e-9);
+}
+
+// m v^2 r along a curve: said once, without arbitrary points of it.
+TEST(UnknownSearch, OpenAlongACurveIsSaidOnce) {
+  const SolvedStatement solution = solved(R"(title: a moment of momentum fixes the product of rate and squared radius
+gravity: none
+points: {O: [0, 0, 0]}
+bodies:
+  bob: {particle: [r, 0, 0], mass: 2 kg}
+joints:
+  pin: {revolute: z, at: O, to: bob, rate: w}
+find: {r: m, w: rad/s}
+where: [0.1 m < r < 3 m]
+instants: {now: {angular_momentum(bob about O).z: 5 kg*m^2/s}}
+ask: {r: r, w: w, H: angular_momentum(bob about O).z}
+)");
+  ASSERT_EQ(solution.solutions.size(), 1U) << all_warnings(solution);
+  expect_open(solution.solutions[0].asks[0]);
+  expect_open(solution.solutions[0].asks[1]);
+}
+
+TEST(UnknownSearch, WithoutASolutionTheFactsThatClashAreNamedAtTheirPlace) {
+  const SolvedStatement solution = solved(R"(title: a force cannot turn the cart aside
+gravity: none
+points: {O: [0, 0, 0]}
+bodies:
+  cart: {particle: O, mass: 2 kg}
+joints:
+  rail: {prismatic: x, at: O, to: cart, rate: 1 m/s, force: F}
+find: {F: N}
+instants:
+  now:
+    acceleration(cart).x: 3 m/s^2
+    velocity(cart).x: 4 m/s
+ask: {F: F}
+)");
+  EXPECT_TRUE(solution.solutions.empty());
+  const std::string text = all_warnings(solution);
+  EXPECT_NE(text.find("test.yaml:12:5"), std::string::npos) << text;
+  EXPECT_NE(text.find("velocity(cart).x"), std::string::npos) << text;
+  EXPECT_EQ(text.find("0 starts"), std::string::npos) << text;
+}
+
+// Facts about the motion are followed from a few starts, wherever the range ends.
+TEST(UnknownSearch, AStartFromWhatComesLater) {
+  const SolvedStatement solution = solved(R"(title: how fast a cart must start to reach a place
+gravity: none
+points: {O: [0, 0, 0]}
+bodies:
+  cart: {particle: O, mass: 2 kg}
+joints:
+  rail: {prismatic: x, at: O, to: cart, displacement: s, damping: 3 N*s/m, force: 0}
+find: {v0: m/s}
+where: [v0 > 0 m/s]
+instants:
+  start: {s: 0, s': v0}
+  2 s: {s: 4 m}
+ask: {v0: v0}
+)");
+  ASSERT_EQ(solution.solutions.size(), 1U) << all_warnings(solution);
+  EXPECT_NEAR(number(solution), 4 * 1.5 / (1 - std::exp(-3.0)), 1e-7);
+  EXPECT_NE(all_warnings(solution).find("found from a few motions"), std::string::npos) << all_warnings(solution);
+}
+
+// Seven unknowns and facts that no values satisfy.
+TEST(UnknownSearch, AHopelessSystemEndsWithWhatWasTried) {
+  const std::string text = R"(title: facts that no masses and springs satisfy
+gravity: -y
+points: {O: [0, 0, 0], A: [a, b, 0], B: [c, -b, 0.3 m]}
+bodies:
+  one: {parts: {p: {particle: A, mass: m}, q: {particle: B, mass: n}}}
+joints:
+  pin: {revolute: [1, 2, 3], at: O, to: one, rate: w, couple: T}
+find: {a: m, b: m, c: m, m: kg, n: kg, w: rad/s, T: N*m}
+instants:
+  now:
+    velocity(one): [1 m/s, 2 m/s, 5 m/s]
+    mass(one): 3 kg
+    angular_momentum(one about O): [1 kg*m^2/s, -1 kg*m^2/s, 2 kg*m^2/s]
+    acceleration(one): [1 m/s^2, 7 m/s^2, 3 m/s^2]
+    force(pin on one): [100 N, 0, 7 N]
+ask: {T: T}
+)";
+  std::string message;
+  try {
+    const SolvedStatement solution = solved(text);
+    EXPECT_TRUE(solution.solutions.empty());
+    message = all_warnings(solution);
+  } catch (const StatementError& error) {
+    message = error.what();
+  }
+  EXPECT_NE(message.find("no values of"), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace poinsot::statement
