@@ -151,6 +151,8 @@ class TerminalText {
     for (const std::string& line : datum_lines(answer.formula, "", style_.digits)) lines.push_back(line);
     if (!answer.component_names.empty() && std::holds_alternative<std::vector<Datum>>(answer.formula.content)) {
       const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
+      // A vector; the rows of a matrix have their brackets.
+      if (lines.size() == 1 && !lines.front().starts_with("[")) lines.front() = "(" + lines.front() + ")";
       lines.back() += "  " + painted(Role::faint, axes);
     }
     return lines;

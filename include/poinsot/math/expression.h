@@ -4,7 +4,8 @@
 // inverse trigonometric functions. It is kept in one form whatever the way it was reached, so that two expressions are
 // equal exactly if their difference is the zero expression. Certain is that for rational functions of letters, sines
 // and cosines of rational multiples of letters and products of letters, and square roots of such; sines of numbers
-// other than multiples of pi/12 and nested roots of numbers are compared by their digits (see is_zero).
+// other than multiples of pi/12, nested roots, inverse functions and roots of factors of unknown sign are compared by
+// some 300 digits at a point.
 //
 // How: an angle a enters through the letter t = tan(a/2), so that sin a = 2t/(1 + t^2), cos a = (1 - t^2)/(1 + t^2) and
 // all that has no roots is a quotient of two polynomials without common factor. A root is taken of each irreducible
