@@ -1,4 +1,4 @@
-// MechanismDynamics allocates nothing once it is made: every call of operator new in this program is counted..
+// MechanismDynamics allocates nothing once it is made: every call of operator new in this program is counted.
 #include <gtest/gtest.h>
 
 #include "allocation_counter.h"
