@@ -35,9 +35,11 @@ template <class Scalar>
 void add_generalised_force(const Model<Scalar>& tree, const Workspace<Scalar>& workspace, int on, int from,
                            const PlacedForce<Scalar>& force, std::vector<Scalar>& forces) {
   for (const auto& [body, sign] : {std::pair{on, 1}, std::pair{from, -1}})
-    for_each_coordinate_motion(tree, workspace, body, force.point, [&](int k, const SpatialMotion<Scalar>& S) {
-      forces[static_cast<std::size_t>(k)] += Scalar(sign) * (dot(force.force, S.linear) + dot(force.couple, S.angular));
-    });
+    for_each_coordinate_motion(tree, workspace, body, force.point,
+                               [&, sign = sign](int k, const SpatialMotion<Scalar>& S) {
+                                 forces[static_cast<std::size_t>(k)] +=
+                                     Scalar(sign) * (dot(force.force, S.linear) + dot(force.couple, S.angular));
+                               });
 }
 
 // Q: of loads, springs with their dampers, and what drives exert that is known. After update_velocities.
