@@ -54,19 +54,61 @@ class CollocationFlow final : public StateFlow {
   double accuracy_;
 };
 
-class RotationCollocation final : public StepMethod {
+// What the methods for one turning body have in common: the state, in the body's momentum and attitude.
+class RotationSteps : public StepMethod {
  public:
-  RotationCollocation(std::shared_ptr<const Rotor> rotor, const IntegrationOptions& options)
-      : rotor_(std::move(rotor)),
-        tolerance_(options.tolerance),
-        first_(options.first_step),
-        largest_(options.largest_step > 0.0 ? options.largest_step : INFINITY),
-        flow_(std::make_shared<CollocationFlow>(rotor_, options.tolerance)) {}
+  double time() const override { return t_; }
+  std::span<double> state() override {
+    write_rotation(rotor_->principal, state_, y_.data());
+    return y_;
+  }
+  // Nothing changes it but rounding.
+  void state_changed(bool) override {}
+  bool minds_itself() const override { return true; }
+  StepView last_step() override {
+    write_rotation(rotor_->principal, state_start_, y_start_.data());
+    return {start_, t_ - start_, t_, StepForm::flow, y_start_, flow_.get()};
+  }
+  std::shared_ptr<const StateFlow> flow() const override { return flow_; }
 
-  StepOutcome begin(double t, std::span<const double> y, double limit) override {
+ protected:
+  RotationSteps(std::shared_ptr<const Rotor> rotor, std::shared_ptr<const StateFlow> flow)
+      : rotor_(std::move(rotor)), flow_(std::move(flow)) {}
+
+  void begin_at(double t, std::span<const double> y) {
     std::copy(y.begin(), y.end(), y_.begin());
     state_ = read_rotation(rotor_->principal, y_.data());
     t_ = t;
+  }
+  void begin_step() {
+    momentum_size_ = std::max(momentum_size_, norm(state_.momentum));
+    state_start_ = state_;
+    start_ = t_;
+  }
+
+  std::shared_ptr<const Rotor> rotor_;
+  std::shared_ptr<const StateFlow> flow_;
+  RotationState state_;
+  RotationState state_start_;
+  double momentum_size_ = 1.0;
+  double t_ = 0.0;
+  double start_ = 0.0;
+
+ private:
+  Numbers y_{};
+  Numbers y_start_{};
+};
+
+class RotationCollocation final : public RotationSteps {
+ public:
+  RotationCollocation(std::shared_ptr<const Rotor> rotor, const IntegrationOptions& options)
+      : RotationSteps(rotor, std::make_shared<CollocationFlow>(rotor, options.tolerance)),
+        tolerance_(options.tolerance),
+        first_(options.first_step),
+        largest_(options.largest_step > 0.0 ? options.largest_step : INFINITY) {}
+
+  StepOutcome begin(double t, std::span<const double> y, double limit) override {
+    begin_at(t, y);
     const double span = std::fabs(limit - t);
     if (span == 0.0) return StepOutcome::advanced;
     momentum_size_ = largest_momentum(*rotor_, state_, span);
@@ -80,9 +122,7 @@ class RotationCollocation final : public StepMethod {
 
   StepOutcome advance(double limit) override {
     const PrincipalBody& body = rotor_->principal;
-    momentum_size_ = std::max(momentum_size_, norm(state_.momentum));
-    state_start_ = state_;
-    start_ = t_;
+    begin_step();
     for (;;) {
       const double left = limit - t_;
       double h = std::copysign(std::min(std::fabs(h_), largest_), left);
@@ -127,40 +167,18 @@ class RotationCollocation final : public StepMethod {
     }
   }
 
-  double time() const override { return t_; }
-  std::span<double> state() override {
-    write_rotation(rotor_->principal, state_, y_.data());
-    return y_;
-  }
-  // Nothing changes it but rounding.
-  void state_changed(bool) override {}
-  bool minds_itself() const override { return true; }
-  StepView last_step() override {
-    write_rotation(rotor_->principal, state_start_, y_start_.data());
-    return {start_, t_ - start_, t_, StepForm::flow, y_start_, flow_.get()};
-  }
   std::int64_t rejected() const override { return rejected_; }
   std::int64_t evaluations() const override { return 8 * rounds_; }
-  std::shared_ptr<const StateFlow> flow() const override { return flow_; }
 
  private:
-  std::shared_ptr<const Rotor> rotor_;
   double tolerance_;
   double first_;
   double largest_;
-  std::shared_ptr<const CollocationFlow> flow_;
-  RotationState state_;
-  RotationState state_start_;
-  double momentum_size_ = 1.0;
-  double t_ = 0.0;
-  double start_ = 0.0;
   double h_ = 0.0;
   double last_error_ = 0.0;
   std::int64_t rejected_ = 0;
   int rejected_in_a_row_ = 0;
   std::int64_t rounds_ = 0;
-  Numbers y_{};
-  Numbers y_start_{};
 };
 
 // Equal steps for long runs: the splitting for a body with an axis of symmetry, whose energy error stays bounded
@@ -205,20 +223,18 @@ class EqualStepFlow final : public StateFlow {
   EqualSteps steps_;
 };
 
-class RotationInEqualSteps final : public StepMethod {
+class RotationInEqualSteps final : public RotationSteps {
  public:
   RotationInEqualSteps(std::shared_ptr<const Rotor> rotor, const IntegrationOptions& options)
-      : rotor_(std::move(rotor)),
+      : RotationSteps(rotor, std::make_shared<EqualStepFlow>(rotor)),
         steps_(rotor_->principal),
         // Differences of steps show nothing finer than rounding.
         tolerance_(std::max(options.tolerance, 1e-14)),
-        stated_(options.fixed_step),
-        flow_(std::make_shared<EqualStepFlow>(rotor_)) {}
+        stated_(options.fixed_step) {}
 
   StepOutcome begin(double t, std::span<const double> y, double limit) override {
-    std::copy(y.begin(), y.end(), y_.begin());
-    state_ = read_rotation(rotor_->principal, y_.data());
-    first_ = t_ = t;
+    begin_at(t, y);
+    first_ = t;
     limit_ = limit;
     done_ = 0;
     const double span = std::fabs(limit - t);
@@ -233,9 +249,7 @@ class RotationInEqualSteps final : public StepMethod {
   }
 
   StepOutcome advance(double) override {
-    state_start_ = state_;
-    start_ = t_;
-    momentum_size_ = std::max(momentum_size_, norm(state_.momentum));
+    begin_step();
     if (!steps_.step(state_, t_, h_, momentum_size_, evaluations_)) return StepOutcome::no_convergence;
     ++done_;
     t_ = done_ == count_ ? limit_ : first_ + static_cast<double>(done_) * h_;
@@ -243,21 +257,8 @@ class RotationInEqualSteps final : public StepMethod {
                                                                                         : StepOutcome::not_finite;
   }
 
-  double time() const override { return t_; }
-  std::span<double> state() override {
-    write_rotation(rotor_->principal, state_, y_.data());
-    return y_;
-  }
-  // Nothing changes it but rounding.
-  void state_changed(bool) override {}
-  bool minds_itself() const override { return true; }
-  StepView last_step() override {
-    write_rotation(rotor_->principal, state_start_, y_start_.data());
-    return {start_, t_ - start_, t_, StepForm::flow, y_start_, flow_.get()};
-  }
   std::int64_t rejected() const override { return 0; }
   std::int64_t evaluations() const override { return evaluations_; }
-  std::shared_ptr<const StateFlow> flow() const override { return flow_; }
 
  private:
   // The longest step that differs by no more than the tolerance from two of half its length.
@@ -284,24 +285,15 @@ class RotationInEqualSteps final : public StepMethod {
     return h;
   }
 
-  std::shared_ptr<const Rotor> rotor_;
   EqualSteps steps_;
   double tolerance_;
   double stated_;
-  std::shared_ptr<const EqualStepFlow> flow_;
-  RotationState state_;
-  RotationState state_start_;
-  double momentum_size_ = 1.0;
   double first_ = 0.0;
   double limit_ = 0.0;
-  double t_ = 0.0;
-  double start_ = 0.0;
   double h_ = 0.0;
   std::int64_t count_ = 0;
   std::int64_t done_ = 0;
   std::int64_t evaluations_ = 0;
-  Numbers y_{};
-  Numbers y_start_{};
 };
 
 // The rotation that the steps of the collocation give.

@@ -366,7 +366,7 @@ class ClaimSolver {
       undetermined("the claim takes a derivative by a letter, which formulas tell, and this has none");
       return;
     }
-    bool possible = false;
+    bool possible = false, understood = false;
     std::optional<StatementError> fault;
     const bool along = is_along_motion(problem_, claim_);
     const auto end =
@@ -382,6 +382,7 @@ class ClaimSolver {
         Verdict assumed;
         for (const Expression& expression : problem_.assume) judge_expression(assumed, start, expression, std::nullopt);
         for (const Expression& expression : claim_.assume) judge_expression(assumed, start, expression, claim_.axes);
+        understood = true;
         if (!assumed.holds || assumed.close) continue;
         Verdict verdict = by_numbers(start);
         if (along && verdict.holds && attempt < 10) {
@@ -401,7 +402,9 @@ class ClaimSolver {
       // Without letters nothing varies but what is open.
       if (letters_.empty() && attempt > 8) break;
     }
-    if (!possible && fault && claim_.assume.empty() && problem_.assume.empty()) throw StatementError(*fault);
+    // What fails everywhere, before it is looked whether the assumptions hold, is no matter of values.
+    if (!possible && fault && (!understood || (claim_.assume.empty() && problem_.assume.empty())))
+      throw StatementError(*fault);
     finish(possible);
   }
 

@@ -25,6 +25,20 @@ bool has_numbers_only(const Value<Formula>& value) {
   return value.is_list() && std::all_of(value.items.begin(), value.items.end(), has_numbers_only);
 }
 
+// What `find` returns; whatever keeps it from a formula becomes the reason why there is none.
+template <class Find>
+auto or_no_formula(const Find& find) {
+  try {
+    return find();
+  } catch (const StatementError& error) {
+    throw NoFormula(error.diagnostics().front().message);
+  } catch (const std::domain_error& error) {
+    throw NoFormula(error.what());
+  } catch (const ExpressionTooLarge& error) {
+    throw NoFormula(error.what());
+  }
+}
+
 }  // namespace
 
 Value<Formula> formula_of(const Letter& letter) {
@@ -62,7 +76,7 @@ Value<Formula> FormulaAnswers::at_home(const Sample::Home& home, const Expressio
 
 Value<Formula> FormulaAnswers::value(const Ask& ask) {
   if (ask.table || ask.when || ask.extremum) throw NoFormula("it is found by numbers");
-  try {
+  return or_no_formula([&] {
     std::vector<Value<Formula>> items;
     for (const Expression& expression : ask.of) {
       if (asks_motion_feature(expression)) throw NoFormula("the motion is followed by numbers");
@@ -71,29 +85,17 @@ Value<Formula> FormulaAnswers::value(const Ask& ask) {
     Value<Formula> value = ask.is_list ? Value<Formula>::of_list(std::move(items)) : items.front();
     if (!has_numbers_only(value)) throw NoFormula("it is no number");
     return value;
-  } catch (const StatementError& error) {
-    throw NoFormula(error.diagnostics().front().message);
-  } catch (const std::domain_error& error) {
-    throw NoFormula(error.what());
-  } catch (const ExpressionTooLarge& error) {
-    throw NoFormula(error.what());
-  }
+  });
 }
 
 void FormulaAnswers::solve_all() {
-  try {
+  or_no_formula([&] {
     for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
       if (statement_.situations[i].problem.has_blow()) instant({i, 1, std::nullopt});
       FormulaInstant& start = instant({i, 0, std::nullopt});
       if (!statement_.situations[i].problem.has_blow()) start.solve_forces();
     }
-  } catch (const StatementError& error) {
-    throw NoFormula(error.diagnostics().front().message);
-  } catch (const std::domain_error& error) {
-    throw NoFormula(error.what());
-  } catch (const ExpressionTooLarge& error) {
-    throw NoFormula(error.what());
-  }
+  });
 }
 
 std::vector<Formula> FormulaAnswers::remainders() const {

@@ -105,7 +105,7 @@ std::vector<Expression> expression_list(const Entry& entry, const std::string& f
 
 Unit read_unit(const Entry& entry, const std::string& file) {
   try {
-    return parse_unit(scalar_text(entry, file, "a unit"));
+    return parse_unit(scalar_text(entry, file, "a unit, such as kg, m or rad/s"));
   } catch (const std::invalid_argument& error) {
     fail(file, entry.mark, error.what());
   }

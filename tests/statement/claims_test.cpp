@@ -189,6 +189,8 @@ TEST(Claims, MistakesAreFoundWhereTheyStand) {
   EXPECT_NE(message("m*L == L*m").find("claims nothing of the model"), std::string::npos);
   EXPECT_NE(message("kinetic_energy(bar) + T").find("claims nothing"), std::string::npos);
   EXPECT_NE(message("{claim: T > 0, assume: [m]}").find("an assumption is a comparison"), std::string::npos);
+  EXPECT_NE(message("{claim: T > 0, assume: [L > R]}").find("'R' is not defined"), std::string::npos)
+      << message("{claim: T > 0, assume: [L > R]}");
   EXPECT_NE(message("{claim: T > 0, situation: other}").find("there is no situation 'other'"), std::string::npos);
 }
 
