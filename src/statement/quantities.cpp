@@ -15,116 +15,6 @@
 namespace poinsot::statement {
 namespace {
 
-struct QuantityFunction {
-  const char* name;
-  const char* form;
-  Level level;
-};
-
-constexpr QuantityFunction functions[] = {
-    {"position", "position(A of plate)", Level::position},
-    {"center", "center(plate)", Level::position},
-    {"velocity", "velocity(A of plate), velocity(plate) for its mass center", Level::velocity},
-    {"acceleration", "acceleration(A of plate), acceleration(plate) for its mass center", Level::force},
-    {"angular_velocity", "angular_velocity(disk), angular_velocity(disk relative to arm)", Level::velocity},
-    {"angular_acceleration", "angular_acceleration(disk)", Level::force},
-    {"momentum", "momentum(disk)", Level::velocity},
-    {"angular_momentum", "angular_momentum(disk about G)", Level::velocity},
-    {"kinetic_energy", "kinetic_energy(disk), kinetic_energy(disk about center(disk)) for its rotation",
-     Level::velocity},
-    {"potential_energy", "potential_energy(disk)", Level::position},
-    {"rate", "rate(angular_momentum(disk about G)), rate(X relative to frame)", Level::force},
-    {"mass", "mass(disk)", Level::position},
-    {"weight", "weight(disk)", Level::position},
-    {"moment_of_inertia", "moment_of_inertia(plate about A->B), moment_of_inertia(plate about x at A)",
-     Level::position},
-    {"radius_of_gyration", "radius_of_gyration(plate about A->B)", Level::position},
-    {"moments_of_inertia", "moments_of_inertia(plate about A)", Level::position},
-    {"products_of_inertia", "products_of_inertia(plate about A)", Level::position},
-    {"inertia_matrix", "inertia_matrix(plate about A)", Level::position},
-    {"principal_moments", "principal_moments(plate about A)", Level::position},
-    {"principal_axes", "principal_axes(plate about A)", Level::position},
-    {"axis", "axis(hinge)", Level::position},
-    {"distance", "distance(A to B), distance(center(wheel) to axis(spindle))", Level::position},
-    {"direction_angles", "direction_angles(angular_momentum(disk about G))", Level::position},
-    {"force", "force(pin on rod)", Level::force},
-    {"couple", "couple(pin on rod about A)", Level::force},
-    {"reaction", "reaction(A), reaction(A of bearings)", Level::force},
-    {"reaction_couple", "reaction_couple(A)", Level::force},
-    {"drive", "drive(shaft), drive(slide of collar)", Level::force},
-    {"tension", "tension(wire)", Level::force},
-    {"load", "load(push)", Level::force},
-    {"symmetry_axis", "symmetry_axis(satellite)", Level::position},
-    {"precession_axis", "precession_axis(satellite)", Level::velocity},
-    {"precession_rate", "precession_rate(satellite)", Level::velocity},
-    {"spin_rate", "spin_rate(satellite), spin_rate(satellite about z) for its sense", Level::velocity},
-    {"precession_sense", "precession_sense(satellite)", Level::velocity},
-    {"body_cone", "body_cone(satellite)", Level::velocity},
-    {"space_cone", "space_cone(satellite)", Level::velocity},
-    {"invariable_plane", "invariable_plane(satellite)", Level::velocity},
-    {"poinsot_ellipsoid", "poinsot_ellipsoid(satellite)", Level::velocity},
-    {"polhode", "polhode(satellite)", Level::velocity},
-    {"axis_stability", "axis_stability(satellite)", Level::velocity},
-    {"period", "period(theta)", Level::motion},
-    {"touching", "touching(mesh)", Level::force},
-    {"taut", "taut(wire)", Level::force},
-    {"stable", "stable(plate), stable(system)", Level::force},
-    {"stability", "stability(plate), stability(system)", Level::force},
-    {"growth_rate", "growth_rate(plate), growth_rate(system)", Level::force},
-    {"frequencies", "frequencies(plate), frequencies(system)", Level::force},
-    {"impulse", "impulse(A), impulse(stop on plate)", Level::velocity},
-    {"impulsive_couple", "impulsive_couple(A), impulsive_couple(hinge on plate about A)", Level::velocity},
-};
-
-const QuantityFunction* find_function(const std::string& name) {
-  for (const QuantityFunction& function : functions)
-    if (name == function.name) return &function;
-  return nullptr;
-}
-
-struct LevelFinder {
-  const Problem& problem;
-  bool through_at = false;
-  bool through_features = false;  // min(), max(), period(): of what?
-  int depth = 0;
-
-  Level of(const Expression& expression) const {
-    return expression ? std::visit(LevelFinder{problem, through_at, through_features, depth + 1}, expression->content)
-                      : Level::position;
-  }
-  Level operator()(const Number&) const { return Level::position; }
-  Level operator()(const Name& name) const {
-    if (name.primes >= 2) return Level::force;
-    // The rate of what is defined follows from accelerations.
-    if (depth < 200)
-      for (const NamedExpression& item : problem.define)
-        if (item.name == name.name) return name.primes > 0 ? Level::force : of(item.value);
-    return name.primes > 0 ? Level::velocity : Level::position;
-  }
-  Level operator()(const Member& member) const { return of(member.object); }
-  Level operator()(const Arrow& arrow) const { return std::max(of(arrow.from), of(arrow.to)); }
-  Level operator()(const Of& item) const { return of(item.point); }
-  Level operator()(const Call& call) const {
-    if (is_motion_feature(call) && !through_features) return Level::motion;
-    Level level = Level::position;
-    if (const QuantityFunction* function = find_function(call.function)) level = function->level;
-    for (const Argument& argument : call.arguments) level = std::max(level, of(argument.value));
-    return level;
-  }
-  Level operator()(const Unary& unary) const { return of(unary.operand); }
-  Level operator()(const Binary& binary) const { return std::max(of(binary.left), of(binary.right)); }
-  Level operator()(const Comparison& comparison) const { return largest(comparison.operands); }
-  // What is asked at another instant finds its own forces there.
-  Level operator()(const At& at) const { return through_at ? of(at.expression) : Level::position; }
-  Level operator()(const List& list) const { return largest(list.items); }
-  Level operator()(const Range& range) const { return std::max({of(range.from), of(range.to), of(range.step)}); }
-  Level largest(const std::vector<Expression>& items) const {
-    Level level = Level::position;
-    for (const Expression& item : items) level = std::max(level, of(item));
-    return level;
-  }
-};
-
 template <class Scalar>
 std::vector<std::string> body_names(const MachineOf<Scalar>& machine) {
   std::vector<std::string> names;
@@ -133,33 +23,6 @@ std::vector<std::string> body_names(const MachineOf<Scalar>& machine) {
 }
 
 }  // namespace
-
-Level level_of(const Problem& problem, const Expression& expression, bool through_at) {
-  return LevelFinder{problem, through_at}.of(expression);
-}
-
-bool asks_forces(const Problem& problem, const Expression& expression) {
-  std::set<std::string> functions;
-  collect_functions(expression, functions, true);
-  // The linearised motion is told by accelerations, which no open share of a load changes.
-  for (const char* name : {"stable", "stability", "growth_rate", "frequencies"})
-    if (functions.contains(name)) return false;
-  return LevelFinder{problem, true, true}.of(expression) >= Level::force;
-}
-
-bool asks_motion_feature(const Expression& expression) {
-  const Problem nothing;
-  return level_of(nothing, expression, true) == Level::motion;
-}
-
-const std::vector<FunctionForm>& quantity_functions() {
-  static const std::vector<FunctionForm> forms = [] {
-    std::vector<FunctionForm> list;
-    for (const QuantityFunction& function : functions) list.push_back({function.name, function.form});
-    return list;
-  }();
-  return forms;
-}
 
 template <class Scalar, class Base>
 QuantityScope<Scalar, Base>::QuantityScope(const MachineOf<Base>& machine, const Model<Scalar>& model,
@@ -389,92 +252,45 @@ Value<Scalar> QuantityScope<Scalar, Base>::member(const Member& member, const Ma
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::call(const Call& call, const Mark& mark,
                                                 const Evaluator<Scalar>& evaluator) {
-  static const std::map<std::string, std::vector<std::string>> patterns{
-      {"position", {""}},
-      {"center", {""}},
-      {"velocity", {"", "relative to"}},
-      {"acceleration", {"", "relative to"}},
-      {"angular_velocity", {"", "relative to"}},
-      {"angular_acceleration", {""}},
-      {"momentum", {""}},
-      {"angular_momentum", {"about"}},
-      {"kinetic_energy", {"", "about"}},
-      {"potential_energy", {""}},
-      {"rate", {"", "relative to"}},
-      {"mass", {""}},
-      {"weight", {""}},
-      {"moment_of_inertia", {"about", "about at"}},
-      {"radius_of_gyration", {"about", "about at"}},
-      {"moments_of_inertia", {"about"}},
-      {"products_of_inertia", {"about"}},
-      {"inertia_matrix", {"about"}},
-      {"principal_moments", {"about"}},
-      {"principal_axes", {"about"}},
-      {"axis", {""}},
-      {"distance", {"to"}},
-      {"direction_angles", {""}},
-      {"force", {"on"}},
-      {"couple", {"on about"}},
-      {"reaction", {"", "of"}},
-      {"reaction_couple", {"", "of"}},
-      {"drive", {""}},
-      {"tension", {""}},
-      {"load", {""}},
-      {"symmetry_axis", {""}},
-      {"precession_axis", {""}},
-      {"precession_rate", {""}},
-      {"spin_rate", {"", "about"}},
-      {"precession_sense", {""}},
-      {"body_cone", {""}},
-      {"space_cone", {""}},
-      {"invariable_plane", {""}},
-      {"poinsot_ellipsoid", {""}},
-      {"polhode", {""}},
-      {"axis_stability", {""}},
-      {"period", {""}},
-      {"touching", {""}},
-      {"taut", {""}},
-      {"stable", {""}},
-      {"stability", {""}},
-      {"growth_rate", {""}},
-      {"frequencies", {""}},
-      {"impulse", {"", "of", "on"}},
-      {"impulsive_couple", {"", "of", "on about"}},
-  };
   if (is_motion_feature(call)) {
     if constexpr (std::is_same_v<Scalar, double>)
       if (feature_) return feature_(call, axes_expression_, mark);
     evaluator.fail(mark, call.function + "() over the motion cannot stand here");
   }
   if (call.function == "derivative" && call.pattern() == "by") return derivative_by(call, mark, evaluator);
-  const QuantityFunction* function = find_function(call.function);
+  const QuantityFunction* function = find_quantity(call.function);
   if (!function) {
     std::vector<std::string> names;
-    for (const QuantityFunction& known : functions) names.emplace_back(known.name);
+    for (const QuantityFunction& known : quantity_table()) names.emplace_back(known.name);
     evaluator.unknown_call(call, mark, names);
   }
-  const auto& allowed = patterns.at(call.function);
   // reaction(A of bearings) reads as one argument.
-  if (call.arguments.empty() || std::find(allowed.begin(), allowed.end(), call.pattern()) == allowed.end())
+  if (call.arguments.empty() ||
+      std::find(function->patterns.begin(), function->patterns.end(), call.pattern()) == function->patterns.end())
     evaluator.fail(mark, call.function + " is not written like this", std::string("write ") + function->form);
-  const std::string& f = call.function;
-  if (f == "velocity" || f == "acceleration" || f == "angular_velocity" || f == "angular_acceleration" ||
-      f == "position" || f == "center")
-    return kinematic(call, evaluator);
-  if (f == "momentum" || f == "angular_momentum" || f == "kinetic_energy" || f == "potential_energy" || f == "mass" ||
-      f == "weight")
-    return momentum(call, evaluator);
-  if (f == "symmetry_axis" || f == "precession_axis" || f == "precession_rate" || f == "spin_rate" ||
-      f == "precession_sense" || f == "body_cone" || f == "space_cone" || f == "invariable_plane" ||
-      f == "poinsot_ellipsoid" || f == "polhode" || f == "axis_stability")
-    return free_motion(call, mark, evaluator);
-  if (f == "axis" || f == "distance" || f == "direction_angles") return geometry(call, evaluator);
-  if (f == "rate") return rate(call, mark, evaluator);
-  if (f == "touching" || f == "taut") return holding(call, evaluator);
-  if (f == "stable" || f == "stability" || f == "growth_rate" || f == "frequencies")
-    return stability(call, mark, evaluator);
-  if (function->level == Level::force || f == "impulse" || f == "impulsive_couple") return force(call, mark, evaluator);
-  return inertia(call, mark, evaluator);
+  switch (function->kind) {
+    case QuantityKind::kinematic:
+      return kinematic(call, evaluator);
+    case QuantityKind::momentum:
+      return momentum(call, evaluator);
+    case QuantityKind::inertia:
+      return inertia(call, mark, evaluator);
+    case QuantityKind::free_motion:
+      return free_motion(call, mark, evaluator);
+    case QuantityKind::geometry:
+      return geometry(call, evaluator);
+    case QuantityKind::rate:
+      return rate(call, mark, evaluator);
+    case QuantityKind::force:
+      return force(call, mark, evaluator);
+    case QuantityKind::holding:
+      return holding(call, evaluator);
+    case QuantityKind::stability:
+      return stability(call, mark, evaluator);
+    case QuantityKind::motion_feature:
+      break;
+  }
+  evaluator.fail(mark, call.function + "() over the motion cannot stand here");
 }
 
 // derivative(X by m): how X changes with a letter, all other letters held.
@@ -501,151 +317,6 @@ Value<Scalar> QuantityScope<Scalar, Base>::derivative_by(const Call& call, const
   } else {
     evaluator.fail(mark, "a derivative by a letter stands in claims only");
   }
-}
-
-template <class Scalar, class Base>
-Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Evaluator<Scalar>& evaluator) {
-  const std::string& f = call.function;
-  const Expression& what = call.arguments[0].value;
-  if (f == "center")
-    return vector_value(mass_center_of(body_of(what, evaluator, true), what, evaluator), dimensions::length);
-  if (f == "position") {
-    if (plain_name(what) && !machine_.index.contains(plain_name(what)->name))
-      return vector_value(place(what, evaluator), dimensions::length);
-    const Riding point = riding(what, evaluator);
-    return vector_value(point_position(model_, workspace_, point.body, point.local), dimensions::length);
-  }
-  if ((f == "acceleration" || f == "angular_acceleration") && !has_accelerations_)
-    evaluator.fail(what.mark(), f + " cannot stand inside rate() or among what is known of the velocities");
-  const Expression* relative_to = call.argument("relative to");
-  const int frame = relative_to ? body_of(*relative_to, evaluator) : ground;
-  const BodyMotion<Scalar>& F = workspace_.motion[static_cast<std::size_t>(frame + 1)];
-  if (f == "angular_velocity")
-    return vector_value(Vector(angular_velocity(workspace_, body_of(what, evaluator)) - F.w),
-                        dimensions::angular_velocity);
-  if (f == "angular_acceleration")
-    return vector_value(Vector(angular_acceleration(workspace_, body_of(what, evaluator))),
-                        dimensions::angular_acceleration);
-  // The system moves as its mass center.
-  if (const Name* name = plain_name(what); name && name->name == "system" && f == "velocity")
-    return vector_value(poinsot::momentum(model_, workspace_, Vector::zero()).linear / total_mass(model_),
-                        dimensions::velocity);
-  const Riding point = riding(what, evaluator);
-  const Vector r = point_position(model_, workspace_, point.body, point.local) - F.p;
-  const Vector v = point_velocity(model_, workspace_, point.body, point.local) - F.v - cross(F.w, r);
-  if (f == "velocity") return vector_value(v, dimensions::velocity);
-  const Vector a = point_acceleration(model_, workspace_, point.body, point.local) - F.a - cross(F.alpha, r) -
-                   cross(F.w, cross(F.w, r)) - Scalar(2) * cross(F.w, v);
-  return vector_value(a, dimensions::acceleration);
-}
-
-template <class Scalar, class Base>
-Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Evaluator<Scalar>& evaluator) {
-  const std::string& f = call.function;
-  const Expression& what = call.arguments[0].value;
-  const int body = body_of(what, evaluator, true);
-  if (body == ground) evaluator.fail(what.mark(), "the ground has no " + f);
-  const bool all = body == whole_system;
-  if (f == "mass" || f == "weight") {
-    const Scalar mass = all ? total_mass(model_) : model_.body(body).inertia.mass;
-    if (f == "mass") return number_value(mass, dimensions::mass);
-    return number_value(mass * data_.gravity_size(), dimensions::force);
-  }
-  if (f == "momentum") {
-    const auto total = all ? poinsot::momentum(model_, workspace_, Vector::zero())
-                           : body_momentum(model_, workspace_, body, Vector::zero());
-    return vector_value(total.linear, dimensions::momentum);
-  }
-  if (f == "angular_momentum") {
-    const Vector P = place(*call.argument("about"), evaluator);
-    const auto total = all ? poinsot::momentum(model_, workspace_, P) : body_momentum(model_, workspace_, body, P);
-    return vector_value(total.angular, dimensions::angular_momentum);
-  }
-  if (f == "potential_energy") {
-    Scalar sum(0);
-    for (int i = 0; i < model_.body_count(); ++i)
-      if ((all || i == body) && plain(model_.body(i).inertia.mass) > 0)
-        sum = sum - model_.body(i).inertia.mass * dot(model_.gravity(), body_mass_center(model_, workspace_, i));
-    return number_value(sum, dimensions::energy);
-  }
-  const Scalar T = all ? poinsot::kinetic_energy(model_, workspace_) : body_kinetic_energy(model_, workspace_, body);
-  if (const Expression* about = call.argument("about")) {
-    const Vector P = place(*about, evaluator), G = mass_center_of(body, what, evaluator);
-    if (plain(norm(P - G)) > 1e-9 * (1 + plain(norm(G))))
-      evaluator.fail(about->mark(), "the kinetic energy of the motion about a point is meant about the mass center",
-                     "write kinetic_energy(" + to_string(what) + " about center(" + to_string(what) + "))");
-    const Vector L =
-        (all ? poinsot::momentum(model_, workspace_, P) : body_momentum(model_, workspace_, body, P)).linear;
-    const Scalar mass = all ? total_mass(model_) : model_.body(body).inertia.mass;
-    return number_value(Scalar(T - Scalar(0.5) * norm_squared(L) / mass), dimensions::energy);
-  }
-  return number_value(T, dimensions::energy);
-}
-
-template <class Scalar, class Base>
-std::pair<Vector3<Scalar>, Vector3<Scalar>> QuantityScope<Scalar, Base>::line(const Call& call,
-                                                                              const Evaluator<Scalar>& evaluator) {
-  const Expression& about = *call.argument("about");
-  if (const Expression* at = call.argument("at")) {
-    const Result d = evaluator(about);
-    if (!d.is_vector() || plain(norm_squared(d.vector)) == 0) evaluator.fail(about.mark(), "expected an axis");
-    return {place(*at, evaluator), normalized(d.vector)};
-  }
-  if (const Arrow* arrow = about.as<Arrow>()) {
-    const Vector A = place(arrow->from, evaluator), B = place(arrow->to, evaluator);
-    if (plain(norm_squared(B - A)) == 0) evaluator.fail(about.mark(), "the two points of this axis coincide");
-    return {A, normalized(Vector(B - A))};
-  }
-  if (const Call* axis = about.as<Call>(); axis && axis->function == "axis" && axis->arguments.size() == 1) {
-    const Vector d = evaluator(about).vector;
-    const JointPlaceOf<Base>& joint = machine_.joints.at(plain_name(axis->arguments[0].value)->name);
-    return {point_position(model_, workspace_, joint.at.body, lifted<Scalar>(joint.at.point)), d};
-  }
-  evaluator.fail(about.mark(), "this axis has a direction but no place",
-                 "write about A->B, about axis(hinge), or about x at A");
-}
-
-template <class Scalar, class Base>
-Value<Scalar> QuantityScope<Scalar, Base>::geometry(const Call& call, const Evaluator<Scalar>& evaluator) {
-  using std::acos;
-  const std::string& f = call.function;
-  const Expression& what = call.arguments[0].value;
-  if (f == "axis") {
-    const Name* name = plain_name(what);
-    const auto found = name ? machine_.joints.find(name->name) : machine_.joints.end();
-    if (found == machine_.joints.end()) {
-      std::vector<std::string> joints;
-      for (const auto& [joint, place] : machine_.joints) joints.push_back(joint);
-      evaluator.fail(what.mark(), "there is no joint '" + to_string(what) + "'", did_you_mean(to_string(what), joints));
-    }
-    if (!found->second.axis) evaluator.fail(what.mark(), "joint '" + name->name + "' has no axis of its own");
-    return vector_value(
-        direction_on_ground(model_, workspace_, found->second.axis->body, lifted<Scalar>(found->second.axis->vector)),
-        dimensions::none);
-  }
-  if (f == "direction_angles") {
-    const Result v = evaluator(what);
-    if (!v.is_vector()) evaluator.fail(what.mark(), "direction angles are asked of a vector");
-    const Scalar size = norm(v.vector);
-    if (!(plain(size) > 0)) evaluator.fail(what.mark(), "the zero vector has no direction angles");
-    std::vector<Result> items;
-    for (std::size_t k = 0; k < 3; ++k) {
-      Scalar cosine = dot(v.vector, axes_.column(k)) / size;
-      if (plain(cosine) > 1) cosine = Scalar(1);
-      if (plain(cosine) < -1) cosine = Scalar(-1);
-      items.push_back(number_value(Scalar(acos(cosine)), dimensions::angle));
-    }
-    return Result::of_list(std::move(items));
-  }
-  // distance
-  const Expression& to = *call.argument("to");
-  const Vector A = place(what, evaluator);
-  const Call* axis = to.as<Call>();
-  if (to.as<Arrow>() || (axis && axis->function == "axis")) {
-    const auto [P, d] = line(Call{"distance", {Argument{"", what}, Argument{"about", to}}}, evaluator);
-    return number_value(norm(cross(d, Vector(A - P))), dimensions::length);
-  }
-  return number_value(norm(Vector(place(to, evaluator) - A)), dimensions::length);
 }
 
 template <class Scalar, class Base>

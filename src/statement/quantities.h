@@ -13,25 +13,9 @@
 #include "poinsot/solve/linearisation.h"
 #include "poinsot/statement/data.h"
 #include "statement/machine.h"
+#include "statement/quantity_functions.h"
 
 namespace poinsot::statement {
-
-// On what an expression depends: positions only, velocities, accelerations and forces, or the motion that follows.
-enum class Level { position, velocity, force, motion };
-// What stands before an `@` counts only if `through_at`.
-Level level_of(const Problem& problem, const Expression& expression, bool through_at = false);
-
-// The quantity functions and how each is written, for messages and the manual.
-const std::vector<FunctionForm>& quantity_functions();
-
-// Whether a call asks for an extreme or the period of a quantity over the motion.
-inline bool is_motion_feature(const Call& call) {
-  return (call.function == "min" || call.function == "max" || call.function == "period") && call.pattern().empty() &&
-         call.arguments.size() == 1 && !call.arguments.front().value.as<List>();
-}
-bool asks_motion_feature(const Expression& expression);
-// Whether forces or accelerations are asked, at any instant or over the motion.
-bool asks_forces(const Problem& problem, const Expression& expression);
 
 // Stands for all bodies together where a body is asked.
 constexpr int whole_system = -2;

@@ -1,0 +1,72 @@
+#include "statement/ask_values.h"
+
+#include <algorithm>
+
+#include "statement/extremum.h"
+#include "statement/open_words.h"
+
+namespace poinsot::statement {
+namespace {
+
+// What has no value where all open velocities are taken for zero, but has one elsewhere, is not determined.
+std::optional<Diagnostic> fails_where_open(const Statement& statement, Sample& sample, const Ask& ask,
+                                           const AllSettings& settings) {
+  const auto has_value = [&](std::size_t direction) {
+    try {
+      Sample moved(statement, settings, {.seed = 16, .velocities = true, .direction = direction});
+      moved.value(ask);
+      return true;
+    } catch (const StatementError&) {
+      return false;
+    }
+  };
+  try {
+    const SolvedInstant& instant = sample.instant_of(ask);
+    const solve::LinearSolution& velocities = instant.velocities();
+    if (velocities.open.empty() || !has_value(OpenChoice::every)) return std::nullopt;
+    std::vector<std::string> names;
+    std::size_t missing = 0;
+    for (const bool alone : {true, false})
+      for (std::size_t d = 0; d < velocities.open.size() && (alone || missing == 0); ++d) {
+        if (alone && !has_value(d)) continue;
+        ++missing;
+        for (std::size_t k : velocities.share[d])
+          if (const std::string& name = instant.velocity_equations().name(k);
+              std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(name);
+      }
+    return Diagnostic{statement.situations.front().problem.file, ask.mark, open_velocities(names, missing), {}};
+  } catch (const StatementError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+AskValues ask_values(const Statement& statement, Sample& sample, const AllSettings& settings,
+                     const OpenChoice& choice) {
+  AskValues result;
+  for (const Ask& ask : statement.asks) {
+    if (ask.extremum) {
+      ExtremumFound found = ExtremumSearch(statement, ask, settings, choice).find();
+      result.values.push_back(found.value);
+      if (!found.value) result.no_extremum[ask.name] = found.reason;
+      if (found.sample) result.extremal.push_back(std::move(found.sample));
+      continue;
+    }
+    try {
+      result.values.emplace_back(sample.value(ask));
+    } catch (const UnansweredError& error) {
+      result.values.emplace_back(std::nullopt);
+      result.unanswered[ask.name] = error.diagnostics().front();
+    } catch (const StatementError&) {
+      std::optional<Diagnostic> open = fails_where_open(statement, sample, ask, settings);
+      if (!open) throw;
+      result.values.emplace_back(std::nullopt);
+      result.unanswered[ask.name] = *std::move(open);
+    }
+  }
+  return result;
+}
+
+}  // namespace poinsot::statement

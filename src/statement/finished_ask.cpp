@@ -1,0 +1,131 @@
+#include "statement/finished_ask.h"
+
+#include <algorithm>
+
+#include "statement/compare_values.h"
+#include "statement/describe.h"
+#include "statement/reader.h"
+
+namespace poinsot::statement {
+namespace {
+
+bool asks_energy(const Expression& expression) {
+  const std::string text = to_string(expression);
+  return text.find("energy(") != std::string::npos;
+}
+
+const Unit* unknown_unit(const Problem& problem, const std::string& name) {
+  for (const Unknown& unknown : problem.find)
+    if (unknown.name == name) return &unknown.unit;
+  return nullptr;
+}
+
+bool dimension_is_text(const Value<double>& value) {
+  return value.is_list() && !value.items.empty() && value.items.front().is_text();
+}
+
+SolvedAsk finished_extremum(const Statement& statement, const Ask& ask, const std::optional<Value<double>>& value,
+                            const AskValues& asked) {
+  const Problem& problem = statement.situations[situation_of(statement, ask)].problem;
+  SolvedAsk solved;
+  solved.words = describe(ask, problem, false);
+  if (!value) {
+    solved.state = AskState::refused;
+    solved.reason = asked.no_extremum.at(ask.name);
+    return solved;
+  }
+  solved.value = *value;
+  if (ask.unit && !same_kind(ask.unit->dimension, value->dimension))
+    fail(problem.file, ask.mark,
+         "'" + ask.extremum->name + "' is " + to_string(value->dimension) + ", but " + ask.unit->text +
+             " is a unit of " + to_string(ask.unit->dimension),
+         "ask for it in a unit such as " + problem.habits.unit_for(value->dimension).text);
+  solved.unit = ask.unit ? *ask.unit : problem.habits.unit_for(value->dimension);
+  return solved;
+}
+
+SolvedAsk finished_table(const Statement& statement, const Ask& ask, const Value<double>& value) {
+  const Problem& problem = statement.situations.front().problem;
+  SolvedAsk solved;
+  solved.words = describe(ask, problem, false);
+  const std::size_t count = ask.table->columns.size();
+  for (std::size_t c = 0; c < count; ++c) {
+    const NamedExpression& stated = ask.table->columns[c];
+    SolvedColumn column;
+    column.name = stated.name;
+    std::optional<Dimension> dimension;
+    for (std::size_t row = c; row < value.items.size(); row += count) {
+      column.values.push_back(value.items[row].number);
+      if (!dimension || dimension == dimensions::none) dimension = value.items[row].dimension;
+    }
+    const auto unit = ask.table->units.find(stated.name);
+    if (unit != ask.table->units.end()) {
+      if (dimension && !same_kind(unit->second.dimension, *dimension))
+        fail(problem.file, stated.mark,
+             "column '" + stated.name + "' is " + to_string(*dimension) + ", but " + unit->second.text +
+                 " is a unit of " + to_string(unit->second.dimension));
+      column.unit = unit->second;
+    } else {
+      column.unit = problem.habits.unit_for(dimension.value_or(dimensions::none), asks_energy(stated.value));
+    }
+    solved.columns.push_back(std::move(column));
+  }
+  solved.value = value;
+  return solved;
+}
+
+FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& sample) {
+  FinishedAsk result;
+  SolvedAsk& solved = result.solved;
+  const Problem& problem = sample.problem_of(ask);
+  if (!ask.when &&
+      std::none_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) { return asks_model(problem, e); }))
+    fail(problem.file, ask.mark, "'" + ask.name + "' asks nothing of the model: it is a formula of the data",
+         "ask for a quantity, such as angular_momentum(BODY about POINT)");
+  solved.value = value;
+  const Dimension dimension = dimension_of(value);
+  result.natural_size = sample.instant_of(ask).natural_size(dimension);
+  drop_noise(solved.value, std::max(size_of(value), result.natural_size));
+  for (const Value<double>& item : value.items)
+    if (!same_kind(dimension_of(item), dimension))
+      fail(problem.file, ask.mark,
+           "the items of this list are of different kinds: " + to_string(dimension) + " and " +
+               to_string(dimension_of(item)),
+           "ask them one by one");
+  if (ask.unit) {
+    if (!same_kind(ask.unit->dimension, dimension))
+      fail(problem.file, ask.mark,
+           "the answer is " + to_string(dimension) + ", but " + ask.unit->text + " is a unit of " +
+               to_string(ask.unit->dimension),
+           "ask for it in a unit such as " + problem.habits.unit_for(dimension).text);
+    solved.unit = *ask.unit;
+  } else if (const Name* name = ask.of.size() == 1 ? ask.of.front().as<Name>() : nullptr;
+             name && unknown_unit(problem, name->name)) {
+    solved.unit = *unknown_unit(problem, name->name);
+  } else if (!value.is_boolean() && !value.is_text() && !dimension_is_text(value)) {
+    solved.unit = problem.habits.unit_for(dimension, std::all_of(ask.of.begin(), ask.of.end(), asks_energy));
+  }
+  solved.words = describe(ask, problem, has_vector(value));
+  if (has_vector(value)) solved.component_names.assign(problem.axes.begin(), problem.axes.end());
+  return result;
+}
+
+}  // namespace
+
+FinishedAsk finished_ask(const Statement& statement, std::size_t index, const AskValues& asked, Sample& sample) {
+  const Ask& ask = statement.asks[index];
+  if (const auto missing = asked.unanswered.find(ask.name); missing != asked.unanswered.end()) {
+    const Diagnostic& why = missing->second;
+    FinishedAsk result;
+    result.solved.state = AskState::undetermined;
+    result.solved.reason = why.message + (why.hint.empty() ? "" : ": " + why.hint);
+    result.solved.words = describe(ask, statement.situations.front().problem, false);
+    return result;
+  }
+  const std::optional<Value<double>>& value = asked.values[index];
+  if (ask.table) return {finished_table(statement, ask, *value)};
+  if (ask.extremum) return {finished_extremum(statement, ask, value, asked)};
+  return finished_value(ask, *value, sample);
+}
+
+}  // namespace poinsot::statement

@@ -1,0 +1,18 @@
+// An ask's value with what its reader needs besides: the unit in which it is shown, words, names of components.
+#pragma once
+
+#include "poinsot/statement/solve_statement.h"
+#include "statement/ask_values.h"
+
+namespace poinsot::statement {
+
+struct FinishedAsk {
+  SolvedAsk solved;
+  double natural_size = 0;  // of a quantity of this kind in the model, SI: what is far below it is noise
+};
+
+// asked: the values at `sample`. index: of the ask in the statement. Throws StatementError: what asks nothing of the
+// model, units that do not fit.
+FinishedAsk finished_ask(const Statement& statement, std::size_t index, const AskValues& asked, Sample& sample);
+
+}  // namespace poinsot::statement

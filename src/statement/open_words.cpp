@@ -1,0 +1,59 @@
+#include "statement/open_words.h"
+
+namespace poinsot::statement {
+
+std::string listed(const std::vector<std::string>& names, const char* last) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? std::string(" ") + last + " " : ", ") + names[i];
+  return text;
+}
+
+namespace {
+
+// The names of the unknowns that one open direction moves.
+std::vector<std::string> moved_names(const solve::LinearSystem& equations, const solve::LinearSolution& solution,
+                                     std::size_t direction, std::size_t first, std::size_t last) {
+  std::vector<std::string> names;
+  if (direction >= solution.share.size()) return names;
+  for (std::size_t k : solution.share[direction])
+    if (k >= first && k < last) names.push_back(equations.name(k));
+  if (names.size() > 6) {
+    names.resize(5);
+    names.emplace_back("more");
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string open_velocities(std::vector<std::string> names, std::size_t missing) {
+  const std::size_t count = names.size();
+  if (count > 6) {
+    names.resize(5);
+    names.emplace_back("more");
+  }
+  const std::string enough = missing >= count ? ""
+                                              : " (" + (missing == 1 ? std::string("one") : std::to_string(missing)) +
+                                                    " of them would do, or another fact)";
+  return "nothing fixes " + listed(names, "and") + enough + ": state " + (count == 1 || missing == 1 ? "it" : "them") +
+         " under joints: or instants:";
+}
+
+std::string open_force(const SolvedInstant& instant, std::size_t direction) {
+  if (instant.after_blow() && !instant.forces_solved())
+    return "the blow does not fix " +
+           listed(
+               moved_names(instant.blow_equations(), instant.blow(), direction, 0, instant.blow_equations().unknowns()),
+               "and") +
+           " one by one";
+  const auto& equations = instant.motion_equations();
+  const std::size_t accelerations = solve::force_unknowns(instant.machine().mechanism).accelerations;
+  const std::vector<std::string> motions = moved_names(equations, instant.motion(), direction, 0, accelerations);
+  if (!motions.empty())
+    return "nothing fixes the " + listed(motions, "and the") + ": state it, or the couple or force that causes it";
+  return listed(moved_names(equations, instant.motion(), direction, accelerations, equations.unknowns()), "and") +
+         " share the same load: the statement does not fix them one by one";
+}
+
+}  // namespace poinsot::statement

@@ -1,0 +1,21 @@
+// What the equations of an instant leave open, in words: for answers that are not determined.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "statement/instant.h"
+
+namespace poinsot::statement {
+
+// "a, b and c", with `last` between the last two.
+std::string listed(const std::vector<std::string>& names, const char* last);
+
+// That nothing fixes these velocities, of which `missing` would do.
+std::string open_velocities(std::vector<std::string> names, std::size_t missing);
+
+// What of accelerations and forces, or of impulses, one open direction of an instant moves, and that nothing fixes it.
+std::string open_force(const SolvedInstant& instant, std::size_t direction);
+
+}  // namespace poinsot::statement

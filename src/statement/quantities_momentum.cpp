@@ -1,0 +1,58 @@
+// Mass, weight, momenta and energies.
+#include "statement/exact_numbers.h"
+#include "statement/quantities.h"
+#include "statement/quantity_values.h"
+#include "statement/reader.h"
+
+namespace poinsot::statement {
+
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Evaluator<Scalar>& evaluator) {
+  const std::string& f = call.function;
+  const Expression& what = call.arguments[0].value;
+  const int body = body_of(what, evaluator, true);
+  if (body == ground) evaluator.fail(what.mark(), "the ground has no " + f);
+  const bool all = body == whole_system;
+  if (f == "mass" || f == "weight") {
+    const Scalar mass = all ? total_mass(model_) : model_.body(body).inertia.mass;
+    if (f == "mass") return number_value(mass, dimensions::mass);
+    return number_value(mass * data_.gravity_size(), dimensions::force);
+  }
+  if (f == "momentum") {
+    const auto total = all ? poinsot::momentum(model_, workspace_, Vector::zero())
+                           : body_momentum(model_, workspace_, body, Vector::zero());
+    return vector_value(total.linear, dimensions::momentum);
+  }
+  if (f == "angular_momentum") {
+    const Vector P = place(*call.argument("about"), evaluator);
+    const auto total = all ? poinsot::momentum(model_, workspace_, P) : body_momentum(model_, workspace_, body, P);
+    return vector_value(total.angular, dimensions::angular_momentum);
+  }
+  if (f == "potential_energy") {
+    Scalar sum(0);
+    for (int i = 0; i < model_.body_count(); ++i)
+      if ((all || i == body) && plain(model_.body(i).inertia.mass) > 0)
+        sum = sum - model_.body(i).inertia.mass * dot(model_.gravity(), body_mass_center(model_, workspace_, i));
+    return number_value(sum, dimensions::energy);
+  }
+  const Scalar T = all ? poinsot::kinetic_energy(model_, workspace_) : body_kinetic_energy(model_, workspace_, body);
+  if (const Expression* about = call.argument("about")) {
+    const Vector P = place(*about, evaluator), G = mass_center_of(body, what, evaluator);
+    if (plain(norm(P - G)) > 1e-9 * (1 + plain(norm(G))))
+      evaluator.fail(about->mark(), "the kinetic energy of the motion about a point is meant about the mass center",
+                     "write kinetic_energy(" + to_string(what) + " about center(" + to_string(what) + "))");
+    const Vector L =
+        (all ? poinsot::momentum(model_, workspace_, P) : body_momentum(model_, workspace_, body, P)).linear;
+    const Scalar mass = all ? total_mass(model_) : model_.body(body).inertia.mass;
+    return number_value(Scalar(T - Scalar(0.5) * norm_squared(L) / mass), dimensions::energy);
+  }
+  return number_value(T, dimensions::energy);
+}
+
+template Value<double> QuantityScope<double>::momentum(const Call&, const Evaluator<double>&);
+template Value<Dual<1>> QuantityScope<Dual<1>, double>::momentum(const Call&, const Evaluator<Dual<1>>&);
+template Value<Formula> QuantityScope<Formula>::momentum(const Call&, const Evaluator<Formula>&);
+template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::momentum(const Call&,
+                                                                                    const Evaluator<Dual<1, Formula>>&);
+
+}  // namespace poinsot::statement
