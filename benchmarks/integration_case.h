@@ -67,8 +67,10 @@ struct ForkCase {
     const double sine = std::sin(0.5 * y[1]), cosine = std::cos(0.5 * y[1]);
     return {cosine * c, -sine * s, cosine * s, sine * c};
   }
-  void rates(const double* y, double* rate) const {
-    const double s = std::sin(y[0]), c = std::cos(y[0]);
+  template <class Number>
+  void rates(const Number* y, Number* rate) const {
+    using std::cos, std::sin;
+    const Number s = sin(y[0]), c = cos(y[0]);
     rate[0] = y[2];
     rate[1] = y[3];
     rate[2] = ((across - along) * s * c * y[3] * y[3] - weight * s) / across;

@@ -8,6 +8,7 @@
 
 #include "exit_codes.h"
 #include "poinsot/answer/document.h"
+#include "poinsot/answer/explanation_markdown.h"
 #include "poinsot/answer/json.h"
 #include "poinsot/answer/schema.h"
 #include "poinsot/answer/terminal.h"
@@ -27,7 +28,8 @@ std::string why_unanswered(const Answer& answer) {
     case AnswerState::found:
       break;
     case AnswerState::needs_letters:
-      return fmt::format("needs values for {}", fmt::join(answer.letters, ", "));
+      return fmt::format("needs values for {}{}", fmt::join(answer.letters, ", "),
+                         answer.no_formula.empty() ? "" : ": " + answer.no_formula);
     case AnswerState::undetermined:
       return "not determined: " + answer.reason;
     case AnswerState::refused:
@@ -49,7 +51,8 @@ void report_unanswered(const std::string& file, const Document& document, bool i
   std::set<std::string> unanswered;
   for (const Solution& solution : document.solutions) {
     for (const Answer& answer : solution.answers) {
-      if (answer.state == AnswerState::found || !unanswered.insert(answer.name).second) continue;
+      const bool has_formula = answer.state == AnswerState::needs_letters && !answer.formula.empty();
+      if (answer.state == AnswerState::found || has_formula || !unanswered.insert(answer.name).second) continue;
       if (in_full) write_message(fmt::format("{}: no answer to '{}': {}", file, answer.name, why_unanswered(answer)));
     }
   }
@@ -71,6 +74,8 @@ int solve(const SolveArguments& arguments) {
       std::string text;
       if (arguments.json) {
         text = to_json(document) + "\n";
+      } else if (arguments.run.explain) {
+        text = (first ? "" : "\n") + to_markdown(document);
       } else {
         text = (first ? "" : "\n") + to_terminal(document, style);
       }

@@ -78,6 +78,8 @@ int run(int argument_count, const char* const* arguments) {
   CLI::App* solve_command = program.add_subcommand("solve", "Solve problem files and print the answers");
   solve_command->add_option("FILE", solve_arguments.files, "Problem files; - for standard input")->required();
   solve_command->add_flag("--json", solve_arguments.json, "Print one answer document per file, one per line");
+  solve_command->add_flag("--explain", solve_arguments.run.explain,
+                          "Print worked solutions, as Markdown with formulas in TeX; with --json as a field of it");
   add_sets(*solve_command, settings);
 
   std::vector<std::string> paths;

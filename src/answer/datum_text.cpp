@@ -58,20 +58,20 @@ std::vector<std::string> matrix_lines(const std::vector<std::vector<double>>& ro
   return lines;
 }
 
-std::string text_without_unit(const Datum& datum, int digits) {
+std::string text_without_unit(const Datum& datum, int digits, bool vector) {
   if (const auto* number = std::get_if<double>(&datum.content)) return rounded(*number, digits);
   if (const auto* truth = std::get_if<bool>(&datum.content)) return *truth ? "true" : "false";
   if (const auto* text = std::get_if<std::string>(&datum.content)) return printable(*text);
   const auto* list = std::get_if<List>(&datum.content);
   if (list == nullptr || list->empty()) return "none";
   if (const std::optional<std::vector<double>> numbers = numbers_of(datum)) {
-    if (numbers->size() == 3) return fmt::format("({})", fmt::join(rounded_together(*numbers, digits), ", "));
+    if (vector && numbers->size() == 3) return fmt::format("({})", fmt::join(rounded_together(*numbers, digits), ", "));
     std::vector<std::string> texts;
     for (double number : *numbers) texts.push_back(rounded(number, digits));
     return fmt::format("[{}]", fmt::join(texts, ", "));
   }
   std::vector<std::string> texts;
-  for (const Datum& item : *list) texts.push_back(text_without_unit(item, digits));
+  for (const Datum& item : *list) texts.push_back(text_without_unit(item, digits, vector));
   const std::string joined = fmt::format("{}", fmt::join(texts, ", "));
   const bool only_texts =
       std::ranges::all_of(*list, [](const Datum& item) { return std::holds_alternative<std::string>(item.content); });
@@ -80,15 +80,16 @@ std::string text_without_unit(const Datum& datum, int digits) {
 
 }  // namespace
 
-std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits) {
+std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits, bool vector) {
   const std::optional<std::vector<std::vector<double>>> rows = rows_of(datum);
-  std::vector<std::string> lines = rows ? matrix_lines(*rows, digits) : std::vector{text_without_unit(datum, digits)};
+  std::vector<std::string> lines =
+      rows ? matrix_lines(*rows, digits) : std::vector{text_without_unit(datum, digits, vector)};
   if (!unit.empty()) lines.back() += " " + unit;
   return lines;
 }
 
 std::string datum_text(const Datum& datum, const std::string& unit, int digits) {
-  return text_without_unit(datum, digits) + (unit.empty() ? "" : " " + unit);
+  return text_without_unit(datum, digits, true) + (unit.empty() ? "" : " " + unit);
 }
 
 }  // namespace poinsot::answer

@@ -8,11 +8,11 @@
 
 namespace poinsot::answer {
 
-// At least one line; the unit (printable) stands once, behind the last. Three numbers are a vector, `(a, b, c)`, other
-// numbers a list, `[a, b]`; texts are joined by commas; an empty list is "none".
-std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits);
+// At least one line; the unit (printable) stands once, behind the last. Numbers are a list, `[a, b]`, or if `vector`
+// the components of one, `(a, b, c)`, rounded together; texts are joined by commas; an empty list is "none".
+std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits, bool vector);
 
-// The same on one line, rows of a matrix side by side.
+// The same on one line, rows of a matrix side by side; three numbers are a vector.
 std::string datum_text(const Datum& datum, const std::string& unit, int digits);
 
 }  // namespace poinsot::answer

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "poinsot/answer/explanation_markdown.h"
+
 namespace poinsot::answer {
 namespace {
 
@@ -87,7 +89,8 @@ Json answer_json(const Answer& answer) {
   return json;
 }
 
-Json solution_json(const Solution& solution) {
+Json solution_json(const Document& document, std::size_t index) {
+  const Solution& solution = document.solutions[index];
   Json unknowns = Json::object();
   for (const Unknown& unknown : solution.unknowns) {
     unknowns[unknown.name] = {{"value", datum_json(unknown.value)},
@@ -104,6 +107,7 @@ Json solution_json(const Solution& solution) {
   Json json = {{"unknowns", unknowns}, {"answers", answers}, {"checks", checks}};
   if (!solution.assumptions.empty()) json["assumptions"] = solution.assumptions;
   if (!solution.notes.empty()) json["notes"] = solution.notes;
+  if (solution.explanation) json["explanation"] = to_markdown(document, index);
   return json;
 }
 
@@ -112,7 +116,7 @@ Json solution_json(const Solution& solution) {
 std::string to_json(const Document& document) {
   require_values(document);
   Json solutions = Json::array();
-  for (const Solution& solution : document.solutions) solutions.push_back(solution_json(solution));
+  for (std::size_t i = 0; i < document.solutions.size(); ++i) solutions.push_back(solution_json(document, i));
   const Json json{{"poinsot", POINSOT_VERSION},
                   {"file", document.file},
                   {"title", document.title},

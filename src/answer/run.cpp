@@ -7,6 +7,7 @@
 
 #include "poinsot/answer/check.h"
 #include "poinsot/math/expression_text.h"
+#include "poinsot/statement/explanation.h"
 #include "poinsot/statement/keys.h"
 #include "poinsot/statement/solve_statement.h"
 #include "poinsot/statement/tree.h"
@@ -220,7 +221,11 @@ std::vector<std::string> check_file(const std::string& path) {
 
 Document run_file(const std::string& path, const RunOptions& options) {
   const statement::Statement stated = statement::read_statement(statement::read_file(path), path);
-  return document_of(stated, statement::solve_statement(stated, options.sets));
+  const statement::SolvedStatement solved = statement::solve_statement(stated, options.sets);
+  Document document = document_of(stated, solved);
+  for (std::size_t i = 0; options.explain && i < document.solutions.size(); ++i)
+    document.solutions[i].explanation = statement::explain(stated, options.sets, solved, i);
+  return document;
 }
 
 std::vector<CheckResult> check_paths(const std::vector<std::string>& paths) {

@@ -49,7 +49,8 @@ std::string answer_schema() {
           "type": "array",
           "description": "what else was found: stability of a steady motion, what happened during a motion",
           "items": {"type": "string"}
-        }
+        },
+        "explanation": {"type": "string", "description": "with --explain: the worked solution, Markdown with TeX"}
       }
     },
     "unknown": {

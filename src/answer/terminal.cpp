@@ -108,8 +108,10 @@ class TerminalText {
         break;
       case AnswerState::needs_letters:
         if (!answer.formula.empty()) return formula_lines(answer);
-        return {painted(Role::warning,
-                        "needs values for " + printable(fmt::format("{}", fmt::join(answer.letters, ", "))))};
+        return {painted(
+            Role::warning,
+            "needs values for " + printable(fmt::format("{}{}", fmt::join(answer.letters, ", "),
+                                                        answer.no_formula.empty() ? "" : ": " + answer.no_formula)))};
       case AnswerState::undetermined:
         return {painted(Role::failure, "not determined: " + printable(answer.reason))};
       case AnswerState::refused:
@@ -117,7 +119,8 @@ class TerminalText {
     }
     if (!answer.columns.empty()) return table_lines(answer.columns);
     if (answer.claim) return claim_lines(*answer.claim);
-    std::vector<std::string> lines = datum_lines(answer.value, printable(answer.unit), style_.digits);
+    std::vector<std::string> lines =
+        datum_lines(answer.value, printable(answer.unit), style_.digits, !answer.component_names.empty());
     if (!answer.component_names.empty()) {
       const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
       lines.back() += "  " + painted(Role::faint, axes);
@@ -148,7 +151,7 @@ class TerminalText {
 
   std::vector<std::string> formula_lines(const Answer& answer) const {
     std::vector<std::string> lines;
-    for (const std::string& line : datum_lines(answer.formula, "", style_.digits)) lines.push_back(line);
+    for (const std::string& line : datum_lines(answer.formula, "", style_.digits, false)) lines.push_back(line);
     if (!answer.component_names.empty() && std::holds_alternative<std::vector<Datum>>(answer.formula.content)) {
       const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
       // A vector; the rows of a matrix have their brackets.
@@ -181,14 +184,17 @@ class TerminalText {
     for (const auto& [name, residual] : checks) {
       if (name == "energy_drift" || name == "motion_error") {
         of_motion.push_back((name == "energy_drift" ? "its energy kept to " : "its error below ") +
-                            rounded_residual(residual));
+                            (residual == 0 ? "rounding" : rounded_residual(residual)));
         continue;
       }
+      if (name == "facts") continue;
       std::string words = name == "newton_euler" ? "Newton-Euler" : printable(name);
       std::ranges::replace(words, '_', ' ');
       parts.push_back(words + " " + rounded_residual(residual));
     }
     std::string line = fmt::format("checked on particles: {}", fmt::join(parts, ", "));
+    if (const auto facts = checks.find("facts"); facts != checks.end())
+      line += "; facts hold to " + rounded_residual(facts->second);
     if (!of_motion.empty()) line += fmt::format("; the motion: {}", fmt::join(of_motion, ", "));
     return line;
   }

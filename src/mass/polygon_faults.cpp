@@ -39,8 +39,8 @@ bool meet(const Flat& a, const Flat& b, const Flat& c, const Flat& d, double rea
 
 void check_outline(ShapeCheck& check, const std::vector<Point>& vertices, double tolerance) {
   const std::size_t count = vertices.size();
-  check.require(count >= 3, ShapeRule::enough_points,
-                fmt::format("a polygon needs at least 3 vertices, but {} {} given", count, count == 1 ? "is" : "are"));
+  check.require(count >= 3, ShapeRule::enough_points, "a polygon needs at least 3 vertices, but {} {} given", count,
+                count == 1 ? "is" : "are");
   for (std::size_t i = 0; i < count && check.good(); ++i) check.point(fmt::format("vertex {}", i + 1), vertices[i]);
   for (std::size_t i = 0; i < count && check.good(); ++i) {
     const std::size_t j = (i + 1) % count;
@@ -71,9 +71,9 @@ void check_outline(ShapeCheck& check, const std::vector<Point>& vertices, double
     const Point p = vertices[i] - origin;
     const double height = poinsot::dot(p, normal);
     check.require(std::abs(height) <= tolerance * extent, ShapeRule::flat,
-                  fmt::format("vertex {} at {} is {:.4g} m off the plane of the others; all vertices must lie in one "
-                              "plane",
-                              i + 1, text(vertices[i]), std::abs(height)));
+                  "vertex {} at {} is {:.4g} m off the plane of the others; all vertices must lie in one "
+                  "plane",
+                  i + 1, text(vertices[i]), std::abs(height));
     outline.push_back({poinsot::dot(p, u), poinsot::dot(p, v)});
   }
 
@@ -85,16 +85,16 @@ void check_outline(ShapeCheck& check, const std::vector<Point>& vertices, double
     const Flat after = minus(outline[(j + 1) % count], outline[j]);
     const double size = std::sqrt(dot(before, before) * dot(after, after));
     check.require(dot(before, after) > 0 || std::abs(turn(before, after)) > zero_length * size,
-                  ShapeRule::simple_outline,
-                  fmt::format("the outline turns back on itself at vertex {} {}", j + 1, text(vertices[j])));
+                  ShapeRule::simple_outline, "the outline turns back on itself at vertex {} {}", j + 1,
+                  text(vertices[j]));
     for (std::size_t k = i + 2; k < count && check.good(); ++k) {
       const std::size_t l = (k + 1) % count;
       if (l == i) continue;
       if (!meet(outline[i], outline[j], outline[k], outline[l], reach)) continue;
       check.require(false, ShapeRule::simple_outline,
-                    fmt::format("the side from vertex {} to {} meets the side from vertex {} to {}; list the vertices "
-                                "in order round the plate",
-                                i + 1, j + 1, k + 1, l + 1));
+                    "the side from vertex {} to {} meets the side from vertex {} to {}; list the vertices "
+                    "in order round the plate",
+                    i + 1, j + 1, k + 1, l + 1);
     }
   }
 }

@@ -45,9 +45,8 @@ ShapeCheck& between_corners(ShapeCheck& check, const Point& corner, const Point&
   for (std::size_t i = 0; i < 3; ++i) {
     const Point axis = axes.column(i);
     check.direction(names[i], axis);
-    check.require(
-        std::abs(norm(axis) - 1) <= tolerance, ShapeRule::given_direction,
-        fmt::format("{} {} must be a unit vector, but has the length {:.10g}", names[i], text(axis), norm(axis)));
+    check.require(std::abs(norm(axis) - 1) <= tolerance, ShapeRule::given_direction,
+                  "{} {} must be a unit vector, but has the length {:.10g}", names[i], text(axis), norm(axis));
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
@@ -57,9 +56,9 @@ ShapeCheck& between_corners(ShapeCheck& check, const Point& corner, const Point&
   for (std::size_t i = 0; i < 3; ++i) {
     const double size = dot(axes.column(i), opposite - corner);
     check.require(std::abs(size) > zero_length * largest, ShapeRule::positive_extent,
-                  fmt::format("the corners {} and {} have the same place along {}; a box needs three sizes more than "
-                              "zero",
-                              text(corner), text(opposite), names[i]));
+                  "the corners {} and {} have the same place along {}; a box needs three sizes more than "
+                  "zero",
+                  text(corner), text(opposite), names[i]);
   }
   return check;
 }
@@ -68,8 +67,7 @@ ShapeCheck& two_radii(ShapeCheck& check, double outer_radius, double inner_radiu
   return check.positive("the outer radius", outer_radius)
       .not_negative("the inner radius", inner_radius)
       .require(inner_radius < outer_radius, ShapeRule::radii_order,
-               fmt::format("the inner radius {:.10g} m must be less than the outer radius {:.10g} m", inner_radius,
-                           outer_radius));
+               "the inner radius {:.10g} m must be less than the outer radius {:.10g} m", inner_radius, outer_radius);
 }
 
 }  // namespace
@@ -84,9 +82,8 @@ Fault rod(std::string_view name, const Point& A, const Point& B) {
 
 Fault polyline(std::string_view name, const std::vector<Point>& points) {
   ShapeCheck check("wire", name);
-  check.require(
-      points.size() >= 2, ShapeRule::enough_points,
-      fmt::format("a wire needs at least 2 points, but {} {} given", points.size(), points.size() == 1 ? "is" : "are"));
+  check.require(points.size() >= 2, ShapeRule::enough_points, "a wire needs at least 2 points, but {} {} given",
+                points.size(), points.size() == 1 ? "is" : "are");
   for (std::size_t i = 1; i < points.size() && check.good(); ++i) {
     check.distinct(fmt::format("point {}", i), points[i - 1], fmt::format("point {}", i + 1), points[i]);
   }
@@ -147,7 +144,7 @@ Fault triangle(std::string_view name, const Point& A, const Point& B, const Poin
       .distinct("corner C", C, "corner A", A);
   return check
       .require(norm(cross(B - A, C - A)) > zero_length * norm(B - A) * norm(C - A), ShapeRule::not_collinear,
-               fmt::format("the corners {}, {}, {} lie on one line; a plate needs an area", text(A), text(B), text(C)))
+               "the corners {}, {}, {} lie on one line; a plate needs an area", text(A), text(B), text(C))
       .result();
 }
 
@@ -286,8 +283,7 @@ Fault torus(std::string_view name, const Point& center, const Point& axis, doubl
       .positive("the ring radius", ring_radius)
       .positive("the section radius", section_radius)
       .require(section_radius <= ring_radius, ShapeRule::radii_order,
-               fmt::format("the section radius {:.10g} m must not exceed the ring radius {:.10g} m", section_radius,
-                           ring_radius))
+               "the section radius {:.10g} m must not exceed the ring radius {:.10g} m", section_radius, ring_radius)
       .result();
 }
 
@@ -298,8 +294,8 @@ Fault tetrahedron(std::string_view name, const Point& A, const Point& B, const P
   const double volume = std::abs(dot(B - A, cross(C - A, D - A))) / 6;
   return check
       .require(volume > zero_length * size * size * size, ShapeRule::not_collinear,
-               fmt::format("the corners {}, {}, {}, {} lie in one plane; a solid needs a volume", text(A), text(B),
-                           text(C), text(D)))
+               "the corners {}, {}, {}, {} lie in one plane; a solid needs a volume", text(A), text(B), text(C),
+               text(D))
       .result();
 }
 

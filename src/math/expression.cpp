@@ -6,6 +6,7 @@
 #include <set>
 
 #include "math/expression_fraction.h"
+#include "poinsot/math/expression_text.h"
 
 namespace poinsot {
 namespace {
@@ -118,7 +119,12 @@ std::vector<std::string> Expression::letters() const {
 }
 
 std::vector<std::string> Expression::assumptions() const {
-  return fraction_ && fraction_->assumptions ? *fraction_->assumptions : std::vector<std::string>{};
+  std::set<std::string> words;
+  if (fraction_ && fraction_->assumptions)
+    for (const symbolic::Assumption& assumption : *fraction_->assumptions)
+      words.insert(assumption.not_negative.is_zero() ? assumption.key + " > 0"
+                                                     : text(assumption.not_negative) + " >= 0");
+  return {words.begin(), words.end()};
 }
 
 Expression pow(const Expression& x, int power) {

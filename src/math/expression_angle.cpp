@@ -151,7 +151,7 @@ SineCosine<Expression> sine_cosine(const Expression& x) {
     pair = turned(pair, of_term(unit, {small(n), small(d)}));
   }
   if (f.assumptions) {
-    for (const std::string& assumption : *f.assumptions) {
+    for (const Assumption& assumption : *f.assumptions) {
       pair = {assuming(pair.sine, assumption), assuming(pair.cosine, assumption)};
     }
   }

@@ -1,8 +1,11 @@
 #include "math/expression_digits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "poinsot/math/expression_decision.h"
 
 namespace poinsot {
 namespace symbolic {
@@ -135,6 +138,31 @@ BallOfLetter sample_point(int attempt) {
   };
 }
 
+namespace {
+
+// Far and near points, with letters of any sign on either side of zero.
+BallOfLetter spread_point(int attempt) {
+  return [point = sample_point(attempt), attempt](const Generator& letter) {
+    Ball value = point(letter);
+    int sum = attempt;
+    for (const char c : letter.name) sum += static_cast<unsigned char>(c) * (1 + attempt / 2 % 3);
+    if (letter.sign == Sign::real && sum % 2 == 1) arb_neg(value.get(), value.get());
+    return value;
+  };
+}
+
+// Whether what is zero at one point is so at others, where inverse functions and roots are on other branches.
+bool is_zero_elsewhere(const Generators& generators, const Polynomial& polynomial) {
+  constexpr int points = 24;
+  for (int attempt = 1; attempt <= points; ++attempt) {
+    const Ball value = ball_of(generators, polynomial, spread_point(attempt), 256);
+    if (arb_is_finite(value.get()) && !arb_contains_zero(value.get())) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool is_zero_by_digits(const Generators& generators, const Polynomial& polynomial) {
   for (int attempt = 0; attempt < 64; ++attempt) {
     const BallOfLetter point = sample_point(attempt);
@@ -146,7 +174,11 @@ bool is_zero_by_digits(const Generators& generators, const Polynomial& polynomia
     arb_mul_2exp_si(limit.get(), limit.get(), -1000);
     Ball size;
     arb_abs(size.get(), fine.get());
-    return arb_contains_zero(fine.get()) && arb_lt(size.get(), limit.get());
+    const bool zero = arb_contains_zero(fine.get()) && arb_lt(size.get(), limit.get());
+    const bool number = std::all_of(generators.begin(), generators.end(), [](const auto& g) { return g->constant; });
+    if (!zero || number || !notes_decisions()) return zero;
+    note_zero_by_digits();
+    return is_zero_elsewhere(generators, polynomial);
   }
   return false;
 }

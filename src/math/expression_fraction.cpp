@@ -231,15 +231,15 @@ static Expression inverse(const Expression& x) {
 Assumptions united(const Assumptions& a, const Assumptions& b) {
   if (!b || a == b) return a;
   if (!a) return b;
-  auto all = std::make_shared<std::vector<std::string>>();
+  auto all = std::make_shared<std::vector<Assumption>>();
   std::set_union(a->begin(), a->end(), b->begin(), b->end(), std::back_inserter(*all));
   return all;
 }
 
-Expression assuming(const Expression& x, const std::string& assumption) {
+Expression assuming(const Expression& x, const Assumption& assumption) {
   if (!x.fraction()) return x;
   Fraction f = *x.fraction();
-  f.assumptions = united(f.assumptions, std::make_shared<std::vector<std::string>>(1, assumption));
+  f.assumptions = united(f.assumptions, std::make_shared<std::vector<Assumption>>(1, assumption));
   return Expression(std::make_shared<const Fraction>(std::move(f)));
 }
 

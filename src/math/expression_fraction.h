@@ -66,7 +66,15 @@ bool before(const GeneratorPointer& a, const GeneratorPointer& b);
 bool same(const GeneratorPointer& a, const GeneratorPointer& b);
 
 using GeneratorList = std::shared_ptr<const Generators>;
-using Assumptions = std::shared_ptr<const std::vector<std::string>>;  // in order; null: none
+
+// What was assumed where a root was simplified: a positive letter, or something not negative. It is brought to words
+// only when asked for: many are made and few are read.
+struct Assumption {
+  std::string key;
+  Expression not_negative;  // zero: the key is a positive letter
+  friend bool operator<(const Assumption& a, const Assumption& b) { return a.key < b.key; }
+};
+using Assumptions = std::shared_ptr<const std::vector<Assumption>>;  // in order; null: none
 
 struct Fraction {
   GeneratorList generators;
@@ -76,7 +84,7 @@ struct Fraction {
 };
 
 Assumptions united(const Assumptions& a, const Assumptions& b);
-Expression assuming(const Expression& x, const std::string& assumption);
+Expression assuming(const Expression& x, const Assumption& assumption);
 
 // numerator / denominator in the form that is kept, from polynomials in which roots may occur with any power.
 Expression quotient(const Generators& generators, Polynomial numerator, Polynomial denominator,

@@ -115,10 +115,27 @@ std::vector<Polynomial> Polynomial::coefficients_by(std::size_t variable) const 
 
 Polynomial Polynomial::moved(const std::vector<int>& place, std::size_t variables) const {
   const auto n = static_cast<std::size_t>(fmpz_mpoly_ctx_nvars(ring_));
-  std::vector<slong> map(n, -1);
-  for (std::size_t i = 0; i < std::min(n, place.size()); ++i) map[i] = place[i];
+  const std::size_t known = std::min(n, place.size());
   Polynomial result(variables);
-  fmpz_mpoly_compose_fmpz_mpoly_gen(result.get(), terms_, map.data(), ring_, result.ring());
+  fmpz_mpoly_fit_length(result.terms_, fmpz_mpoly_length(terms_, ring_), result.ring_);
+  std::vector<ulong> powers(n), moved_powers(std::max<std::size_t>(variables, 1));
+  for (slong term = 0; term < fmpz_mpoly_length(terms_, ring_); ++term) {
+    fmpz_mpoly_get_term_exp_ui(powers.data(), terms_, term, ring_);
+    std::fill(moved_powers.begin(), moved_powers.end(), 0);
+    for (std::size_t i = 0; i < known; ++i)
+      if (place[i] >= 0) moved_powers[static_cast<std::size_t>(place[i])] = powers[i];
+    fmpz_mpoly_push_term_fmpz_ui(result.terms_, terms_->coeffs + term, moved_powers.data(), result.ring_);
+  }
+  // Variables that stay in their order leave the terms in theirs.
+  int last = -1;
+  for (std::size_t i = 0; i < known; ++i) {
+    if (place[i] < 0) continue;
+    if (place[i] <= last) {
+      result.tidy();
+      break;
+    }
+    last = place[i];
+  }
   return result;
 }
 
@@ -137,12 +154,12 @@ Integer Polynomial::content() const {
 int Polynomial::leading_sign() const { return is_zero() ? 0 : fmpz_sgn(coefficient(0).get()); }
 
 Polynomial operator+(const Polynomial& a, const Polynomial& b) {
-  Polynomial c(a);
+  Polynomial c(static_cast<std::size_t>(fmpz_mpoly_ctx_nvars(a.ring_)));
   fmpz_mpoly_add(c.terms_, a.terms_, b.terms_, a.ring_);
   return c;
 }
 Polynomial operator-(const Polynomial& a, const Polynomial& b) {
-  Polynomial c(a);
+  Polynomial c(static_cast<std::size_t>(fmpz_mpoly_ctx_nvars(a.ring_)));
   fmpz_mpoly_sub(c.terms_, a.terms_, b.terms_, a.ring_);
   return c;
 }
@@ -187,15 +204,6 @@ Polynomial power(const Polynomial& a, int exponent) {
   Polynomial result(static_cast<std::size_t>(fmpz_mpoly_ctx_nvars(a.ring())), Integer(1));
   for (int k = 0; k < exponent; ++k) result = result * a;
   return result;
-}
-
-Polynomial common_divisor(const Polynomial& a, const Polynomial& b) {
-  check_limits(std::max(a.length(), b.length()));
-  Polynomial c(a);
-  if (fmpz_mpoly_gcd(c.get(), a.get(), b.get(), a.ring()) == 0) {
-    throw ExpressionTooLarge("the common factors of a formula could not be found; give some of the letters values");
-  }
-  return c;
 }
 
 Factors factored(const Polynomial& a) {

@@ -24,6 +24,8 @@ struct HalfTangents {
   int sine = 0, plus = 0, minus = 0, one = 0;
 };
 
+constexpr std::size_t longest_united = 16;  // terms of factors that are tried together
+
 // What a formula without sums is made of, and its sums.
 class Builder {
  public:
@@ -52,6 +54,7 @@ class Builder {
   void write_parts() {
     settle_roots();
     balance_sums();
+    unite_angles();
     std::vector<ScaledForm> sums;
     std::vector<int> exponents;
     for (const Power& power : powers_) {
@@ -231,6 +234,25 @@ class Builder {
     powers_.insert(powers_.end(), squares.begin(), squares.end());
     if (!above.is_constant()) powers_.push_back({above, 1});
     if (!below.is_constant()) powers_.push_back({below, -1});
+  }
+
+  // Factors of angles alone together where that is shorter: (cos(a) + sin(a)) (cos(a) - sin(a)) is cos(2 a).
+  void unite_angles() {
+    const auto of_angles = [&](const Power& power) {
+      const std::vector<bool> used = power.base.used();
+      for (std::size_t v = 0; v < generators_.size(); ++v)
+        if (used[v] && !is_angle(*generators_[v])) return false;
+      return power.exponent != 0 && !power.base.is_constant() && power.base.length() <= longest_united;
+    };
+    const auto length = [&](const Polynomial& p) { return operators(trigonometric_form(generators_, p).form); };
+    for (std::size_t i = 0; i < powers_.size(); ++i)
+      for (std::size_t k = i + 1; k < powers_.size() && of_angles(powers_[i]); ++k) {
+        if (powers_[k].exponent != powers_[i].exponent || !of_angles(powers_[k])) continue;
+        const Polynomial both = powers_[i].base * powers_[k].base;
+        if (length(both) > length(powers_[i].base) + length(powers_[k].base)) continue;
+        powers_[i].base = both;
+        powers_[k].exponent = 0;
+      }
   }
 
   // s^a c^b (1 + s)^p (1 - s)^q (1 + c)^r (1 - c)^u of least length with the powers of t that are to be written.

@@ -77,7 +77,7 @@ Expression noting_letters(Expression x, const Generators& generators, const Poly
   const std::vector<bool> used = polynomial.used();
   for (std::size_t v = 0; v < generators.size(); ++v) {
     const Generator& g = *generators[v];
-    if (used[v] && g.kind == Kind::letter && g.positive) x = assuming(x, g.name + " > 0");
+    if (used[v] && g.kind == Kind::letter && g.positive) x = assuming(x, {g.name, {}});
   }
   return x;
 }
@@ -276,14 +276,14 @@ Expression sqrt(const Expression& x) {
     }
   }
   if (f.assumptions) {
-    for (const std::string& assumption : *f.assumptions) root = assuming(root, assumption);
+    for (const Assumption& assumption : *f.assumptions) root = assuming(root, assumption);
   }
   if (open.is_one()) {
     if (sign < 0) throw std::domain_error("the square root of " + text(x) + ", which is negative");
     return root;
   }
   const Expression radicand = polynomial_expression(*f.generators, sign < 0 ? -open : open);
-  return assuming(root * root_of_irreducible(radicand, open_factors > 1), text(radicand) + " >= 0");
+  return assuming(root * root_of_irreducible(radicand, open_factors > 1), {key_of(radicand), radicand});
 }
 
 Expression abs(const Expression& x) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "math/trace_nodes.h"
+#include "math/trace_resubstitution.h"
 
 namespace poinsot {
 namespace {
@@ -28,14 +29,6 @@ struct Needed {
     }
   }
 };
-
-std::size_t operations_needed(const Trace& trace, const std::vector<Traced>& outputs) {
-  const Needed needed(trace.nodes(), outputs);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < trace.nodes().size(); ++i)
-    count += needed.uses[i] > 0 && is_operation(trace.nodes()[i].operation);
-  return count;
-}
 
 // A product: factors of the new trace, in order.
 struct Term {
@@ -233,15 +226,26 @@ StraightLine::StraightLine(const Trace& trace, const std::vector<Traced>& output
   const Trace* best = &trace;
   std::vector<Traced> results = outputs;
   std::size_t operations = operations_needed(trace, outputs);
-  for (int round = 0; round < most_rounds; ++round) {
-    Shortening next(*best, results);
-    Trace candidate = next.take_trace();
-    const std::size_t count = operations_needed(candidate, next.outputs());
-    if (count >= operations) break;
+  const auto take = [&](Trace candidate, const std::vector<Traced>& found) {
+    const std::size_t count = operations_needed(candidate, found);
+    if (count >= operations) return false;
     operations = count;
-    results = next.outputs();
+    results = found;
     shorter = std::move(candidate);
     best = &shorter;
+    return true;
+  };
+  const auto bring_together = [&] {
+    for (int round = 0; round < most_rounds; ++round) {
+      Shortening next(*best, results);
+      Trace candidate = next.take_trace();
+      if (!take(std::move(candidate), next.outputs())) break;
+    }
+  };
+  bring_together();
+  if (auto other = resubstituted(*best, results)) {
+    take(std::move(other->trace), other->outputs);
+    bring_together();
   }
 
   const std::vector<Trace::Node>& nodes = best->nodes();

@@ -225,7 +225,8 @@ class GaussCollocation final : public StepMethod {
     for (std::size_t k = 0; k < n_; ++k) size_[k] = std::max({size_[k], std::fabs(y_[k]), scale_.size(k)});
   }
 
-  // Equal steps as long as the error at the start allows, unless stated.
+  // Equal steps as long as the error allows at the start and on the way of as many steps as show a swing of the motion,
+  // unless stated.
   StepOutcome choose_step() {
     const double span = limit_ - first_;
     double h = stated_;
@@ -246,12 +247,37 @@ class GaussCollocation final : public StepMethod {
         if (factor >= 1.0 && (factor < 1.2 || h == std::fabs(span) || attempt > 6)) break;
         h *= std::clamp(factor, 0.3, 3.0);
       }
+      const double worst = largest_error(std::copysign(h, span));
+      if (worst > 1.0) h *= std::max(0.1, 0.9 * std::pow(worst, -1.0 / 16.0));
     }
     const double count = std::ceil(std::fabs(span) / h * (1.0 - 1e-12));
     if (!(count < 1e15)) return StepOutcome::too_small;
     count_ = std::max<std::int64_t>(1, static_cast<std::int64_t>(count));
     h_ = span / static_cast<double>(count_);
     return StepOutcome::advanced;
+  }
+
+  // Of the first steps of this length, over what is allowed; infinite if one cannot be made.
+  double largest_error(double h) {
+    constexpr int looks = 32;
+    std::vector<double> y = y_;
+    std::vector<double> carry(n_);
+    double largest = 0.0;
+    bool known = false;
+    for (int k = 0; k < looks && std::fabs(k * h) < std::fabs(limit_ - first_); ++k) {
+      const double t = first_ + k * h;
+      if (known) {
+        step_.start_extrapolated();
+      } else if (!step_.start_flat(right_side_, t, y, h)) {
+        return std::numeric_limits<double>::infinity();
+      }
+      if (step_.solve(right_side_, t, y, h, size_) != StepOutcome::advanced)
+        return std::numeric_limits<double>::infinity();
+      known = true;
+      largest = std::max(largest, step_.estimated_error(scale_.allowed()));
+      step_.add_to(y, carry);
+    }
+    return largest;
   }
 
   RightSide& right_side_;

@@ -5,53 +5,16 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
 #include "motion/dormand_prince_853.h"
 #include "motion/event_search.h"
+#include "motion/integration_arguments.h"
 #include "motion/methods.h"
+#include "motion/packed_collocation.h"
 
 namespace poinsot {
 
 namespace {
-
-void require(bool holds, const char* message) {
-  if (!holds) throw std::invalid_argument(std::string("integrate: ") + message);
-}
-
-bool all_finite(std::span<const double> numbers) {
-  return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
-}
-
-bool positive_sizes(const std::vector<double>& sizes, int expected) {
-  return sizes.empty() || (sizes.size() == static_cast<std::size_t>(expected) &&
-                           std::ranges::all_of(sizes, [](double x) { return x > 0.0 && std::isfinite(x); }));
-}
-
-void check(const MotionEquations& equations, double start, std::span<const double> q, std::span<const double> v,
-           double end, const IntegrationOptions& options, std::span<const Event> events) {
-  require(equations.position_size >= 0 && equations.velocity_size >= 0, "a size of the equations is negative");
-  require(q.size() == static_cast<std::size_t>(equations.position_size), "q has not position_size entries");
-  require(v.size() == static_cast<std::size_t>(equations.velocity_size), "v has not velocity_size entries");
-  require(static_cast<bool>(equations.accelerations), "the equations give no accelerations");
-  require(equations.position_rate || equations.position_size == equations.velocity_size,
-          "without position_rate there must be as many velocities as coordinates");
-  require(positive_sizes(equations.position_sizes, equations.position_size),
-          "position_sizes must be empty or positive numbers, one per coordinate");
-  require(positive_sizes(equations.velocity_sizes, equations.velocity_size),
-          "velocity_sizes must be empty or positive numbers, one per velocity");
-  require(std::ranges::all_of(equations.quaternions,
-                              [&](int first) { return first >= 0 && first + 4 <= equations.position_size; }),
-          "a quaternion lies outside the coordinates");
-  require(std::isfinite(start) && std::isfinite(end), "the times must be finite");
-  require(all_finite(q) && all_finite(v), "the state at the start is not finite");
-  require(options.tolerance > 0.0 && options.tolerance < 1.0, "the tolerance must lie between 0 and 1");
-  require(options.first_step >= 0.0 && options.largest_step >= 0.0 && options.fixed_step >= 0.0,
-          "steps must not be negative");
-  require(options.most_steps > 0 && options.seconds > 0.0, "the limits must be positive");
-  require(std::ranges::all_of(events, [](const Event& event) { return event.value && event.size > 0.0; }),
-          "an event needs a value and a positive size");
-}
 
 // One integration from a start to an end.
 class Run {
@@ -75,6 +38,8 @@ class Run {
  private:
   std::optional<Ending> begin(IntegrationMethod method, double start, std::span<const double> y);
   std::optional<Ending> one_step();
+  bool is_watched() const { return options_.store || options_.observer || !events_.empty(); }
+  std::optional<IntegrationMethod> successor(StepOutcome outcome) const;
   bool find_events(StepView& step, std::vector<double>& y_end);
   bool watches_drift() const { return options_.watch_drift && !equations_.conserved.empty(); }
   void note_drift(double t, std::span<const double> y);
@@ -89,7 +54,7 @@ class Run {
   RightSide right_side_;
   ErrorScale scale_;
   std::unique_ptr<StepMethod> method_;
-  bool switched_ = false;
+  IntegrationMethod in_use_ = IntegrationMethod::automatic;
   std::vector<double> y_;
   std::vector<double> y_sample_;
   std::vector<char> zero_at_start_;  // the event's value was zero where the next step starts
@@ -116,6 +81,7 @@ std::string Run::words_of(IntegrationMethod method) {
     case IntegrationMethod::stiff:
       return "integrated by backward differentiation formulas";
     case IntegrationMethod::structure_preserving:
+    case IntegrationMethod::collocation:
       return "integrated by Gauss-Legendre collocation of order 16";
     case IntegrationMethod::automatic:
     case IntegrationMethod::explicit_runge_kutta:
@@ -125,7 +91,13 @@ std::string Run::words_of(IntegrationMethod method) {
 }
 
 std::optional<Ending> Run::begin(IntegrationMethod method, double start, std::span<const double> y) {
-  if (method_) result_.statistics.rejected += method_->rejected();
+  if (method_) {
+    result_.statistics.rejected += method_->rejected();
+    result_.statistics.evaluations += method_->evaluations();
+  }
+  if (method == IntegrationMethod::automatic && equations_.accelerations_at_eight && !is_watched())
+    method = IntegrationMethod::collocation;
+  in_use_ = method;
   method_ = make_(method, right_side_, scale_, options_);
   if (!method_) return Ending::no_stiff_solver;
   result_.method += (result_.method.empty() ? "" : ", then ") + words_of(method);
@@ -197,23 +169,32 @@ bool Run::find_events(StepView& step, std::vector<double>& y_end) {
   return false;
 }
 
+// What goes on where the method in use does badly, if the choice was left open.
+std::optional<IntegrationMethod> Run::successor(StepOutcome outcome) const {
+  if (options_.method != IntegrationMethod::automatic || outcome == StepOutcome::advanced) return std::nullopt;
+  if (in_use_ == IntegrationMethod::collocation) return IntegrationMethod::explicit_runge_kutta;
+  if (in_use_ != IntegrationMethod::stiff && outcome == StepOutcome::stiff && has_stiff_solver())
+    return IntegrationMethod::stiff;
+  return std::nullopt;
+}
+
 // Nothing if the integration goes on.
 std::optional<Ending> Run::one_step() {
   const StepOutcome outcome = method_->advance(end_);
-  if (outcome == StepOutcome::stiff && options_.method == IntegrationMethod::automatic && !switched_ &&
-      has_stiff_solver()) {
-    // The step that raised the suspicion is good; the next ones are the other method's.
-    switched_ = true;
-  } else if (outcome == StepOutcome::stiff && options_.method == IntegrationMethod::automatic) {
-    // Nothing better to be had: go on, to the limits stated.
+  const std::optional<IntegrationMethod> next = successor(outcome);
+  if (outcome == StepOutcome::stiff && options_.method == IntegrationMethod::automatic) {
+    // The step that raised the suspicion is good. The next ones are another method's, or go on as they did, to the
+    // limits stated.
+  } else if (next) {
+    // No step was made.
+    return begin(*next, result_.time, y_);
   } else if (outcome != StepOutcome::advanced) {
     return ending_of(outcome);
   }
   ++result_.statistics.steps;
 
-  const bool watched = options_.store || options_.observer || !events_.empty();
   StepView step;
-  if (watched) step = method_->last_step();
+  if (is_watched()) step = method_->last_step();
   bool cut = false;
   if (!events_.empty()) cut = find_events(step, y_);
   if (cut) {
@@ -235,9 +216,7 @@ std::optional<Ending> Run::one_step() {
   if (options_.observer && !options_.observer(step)) return Ending::interrupted;
   if (cut) return Ending::terminal_event;
   if (result_.time == end_) return Ending::reached_end;
-  if (switched_ && outcome == StepOutcome::stiff) {
-    return begin(IntegrationMethod::stiff, result_.time, y_);
-  }
+  if (next) return begin(*next, result_.time, y_);
   return std::nullopt;
 }
 
@@ -248,7 +227,12 @@ IntegrationResult Run::go(std::span<const double> q, std::span<const double> v) 
   y_.insert(y_.end(), v.begin(), v.end());
   y_sample_ = y_;
   scale_.update(y_);
-  right_side_.project(result_.time, y_, scale_.allowed());
+  std::optional<Ending> ending;
+  try {
+    right_side_.project(result_.time, y_, scale_.allowed());
+  } catch (const SingularPose&) {
+    ending = Ending::singular_pose;
+  }
   scale_.update(y_);
   if (watches_drift()) note_drift(result_.time, y_);
   // A value that is zero at the start up to rounding of the state.
@@ -257,10 +241,16 @@ IntegrationResult Run::go(std::span<const double> q, std::span<const double> v) 
     zero_at_start_.push_back(std::fabs(value) <= options_.tolerance * event.size);
   }
 
-  std::optional<Ending> ending = begin(options_.method, result_.time, y_);
+  if (!ending) ending = begin(options_.method, result_.time, y_);
   if (!ending && result_.time == end_) ending = Ending::reached_end;
   while (!ending) {
-    ending = one_step();
+    try {
+      ending = one_step();
+    } catch (const SingularPose&) {
+      result_.time = method_->time();
+      std::ranges::copy(method_->state(), y_.begin());
+      ending = Ending::singular_pose;
+    }
     if (ending) break;
     if (result_.statistics.steps >= options_.most_steps) ending = Ending::step_limit;
     if (std::isfinite(options_.seconds) &&
@@ -269,7 +259,7 @@ IntegrationResult Run::go(std::span<const double> q, std::span<const double> v) 
   }
   if (method_) result_.statistics.rejected += method_->rejected();
   result_.ending = *ending;
-  result_.statistics.evaluations = right_side_.evaluations() + (method_ ? method_->evaluations() : 0);
+  result_.statistics.evaluations += right_side_.evaluations() + (method_ ? method_->evaluations() : 0);
   // A method that minds itself has not been asked for its state at every step; an event has given its own.
   if (method_ && method_->minds_itself() && *ending != Ending::terminal_event)
     std::ranges::copy(method_->state(), y_.begin());
@@ -334,6 +324,8 @@ std::unique_ptr<StepMethod> make_general_method(IntegrationMethod method, RightS
   switch (method) {
     case IntegrationMethod::stiff:
       return make_stiff_method(right_side, scale, options.first_step, options.largest_step);
+    case IntegrationMethod::collocation:
+      return make_packed_collocation(right_side, scale, options.first_step, options.largest_step);
     case IntegrationMethod::structure_preserving:
       return make_gauss_method(right_side, scale, options.fixed_step);
     case IntegrationMethod::automatic:
@@ -346,7 +338,7 @@ std::unique_ptr<StepMethod> make_general_method(IntegrationMethod method, RightS
 IntegrationResult integrate_by(const MethodMaker& make, const MotionEquations& equations, double start,
                                std::span<const double> q, std::span<const double> v, double end,
                                const IntegrationOptions& options, std::span<const Event> events) {
-  check(equations, start, q, v, end, options, events);
+  check_arguments(equations, start, q, v, end, options, events);
   Run run(make, equations, options, events, start, end);
   IntegrationResult result = run.go(q, v);
   if (options.estimate_error) estimate_error(make, equations, start, q, v, options, run, result);
@@ -383,6 +375,10 @@ std::string describe(const IntegrationResult& result) {
              ": accuracy asks for far longer steps than an explicit method can take";
     case Ending::no_convergence:
       return "the implicit equations of a step could not be solved" + at + ": a shorter step may do";
+    case Ending::singular_pose:
+      return "the motion came to a pose" + at +
+             " from which it can go on in more than one way, or in none: constraints that bind it elsewhere repeat or "
+             "contradict one another there";
     case Ending::no_stiff_solver:
       return "stiff equations need SUNDIALS, and this poinsot was built without it";
   }

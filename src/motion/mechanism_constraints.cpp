@@ -4,6 +4,7 @@
 #include <random>
 
 #include "motion/mechanism_parts.h"
+#include "poinsot/motion/motion_equations.h"
 
 namespace poinsot {
 namespace {
@@ -12,8 +13,11 @@ namespace {
 // the selected ones meet a singular pose.
 constexpr double selection_tolerance = 1e-8;
 constexpr double singular_tolerance = 1e-11;
-// Selected rows this close to dependence are worth another selection.
-constexpr double poor_pivot = 1e-5;
+// Of the constraints where they are most independent. Rates along a branch that crosses another one are known to the
+// rounding of gaps over the square of this.
+constexpr double lost_independence = 3e-4;
+// In natural lengths or rad: what given motions tear apart.
+constexpr double open_gap = 1e-6;
 
 }  // namespace
 
@@ -33,8 +37,8 @@ void MechanismDynamics::Parts::find_row(int constraint) {
 }
 
 // J^T = Q R for these constraints, on scaled coordinates with rows of length one. After find_row and find_mass.
-void MechanismDynamics::Parts::factor_rows(const std::vector<int>& constraints, double tolerance,
-                                           bool positions_first) {
+void MechanismDynamics::Parts::factor_rows(const std::vector<int>& constraints, double tolerance, bool positions_first,
+                                           int most) {
   factored = constraints;
   qr.resize(static_cast<int>(free.size()), static_cast<int>(constraints.size()));
   for (std::size_t c = 0; c < constraints.size(); ++c) {
@@ -54,13 +58,13 @@ void MechanismDynamics::Parts::factor_rows(const std::vector<int>& constraints, 
     for (std::size_t f = 0; f < free.size(); ++f) out[f] = empty ? 0 : out[f] / row_size[i];
     classes[c] = positions_first && binds_positions(mechanism.constraints[i]);
   }
-  qr.factor(tolerance, std::span<const char>(classes.data(), constraints.size()));
+  qr.factor(tolerance, std::span<const char>(classes.data(), constraints.size()), most);
 }
 
 // The independent ones among all that act, here: rows of positions first. After update_velocities and find_axes.
-void MechanismDynamics::Parts::choose_rows() {
+void MechanismDynamics::Parts::choose_rows(int most) {
   for (const int i : acting_rows) find_row(i);
-  factor_rows(acting_rows, selection_tolerance, true);
+  factor_rows(acting_rows, selection_tolerance, true, most);
 }
 
 // What qr has chosen becomes the selection. The multipliers of constraints that repeat others are not determined, nor
@@ -120,6 +124,8 @@ void MechanismDynamics::Parts::select_rows() {
   }
   state.q = saved_q;
   state.v = saved_v;
+  independent = static_cast<int>(selected.size());
+  chosen_pivot = 1;
 }
 
 // The selected rows at the present state. After update_velocities, find_axes and find_mass.
@@ -128,12 +134,17 @@ void MechanismDynamics::Parts::factor_selected() {
   factor_rows(selected, singular_tolerance, true);
   const int rank = qr.rank();
   const double least = qr.least_pivot();
-  if (rank == static_cast<int>(selected.size()) && least > poor_pivot) return;
-  // Others may serve better here.
-  choose_rows();
-  if (qr.rank() > rank || (qr.rank() == rank && qr.least_pivot() > 100 * least)) adopt_chosen();
+  if (rank == independent && least > 0.5 * chosen_pivot) {
+    chosen_pivot = std::max(chosen_pivot, least);
+    return;
+  }
+  // Others may serve better here, but never more: in a state a little off the constraints, those that repeat others
+  // seem to demand something of their own.
+  choose_rows(independent);
+  if (qr.rank() > rank || (qr.rank() == rank && qr.least_pivot() > 2 * least)) adopt_chosen();
   for (const int i : selected) find_row(i);
   factor_rows(selected, singular_tolerance, true);
+  chosen_pivot = qr.least_pivot();
 }
 
 double MechanismDynamics::Parts::natural_gap(int constraint) const {
@@ -199,6 +210,10 @@ double MechanismDynamics::Parts::close_positions(bool chosen_only) {
 
 // The least change of the free velocities of `state` after which the constraints hold.
 void MechanismDynamics::Parts::settle_velocities() {
+  update_accelerations<double>(mechanism.tree, workspace, state, rest_accelerations);
+  find_axes();
+  find_mass();
+  factor_selected();
   // Twice: what rounding leaves of large rates goes in the second pass.
   for (int pass = 0; pass < 2; ++pass) {
     for (int k = 0; k < qr.rank(); ++k) {
@@ -214,13 +229,16 @@ void MechanismDynamics::Parts::settle_velocities() {
   }
 }
 
+void MechanismDynamics::Parts::make_quaternions_unit() {
+  std::fill(step.begin(), step.end(), 0.0);
+  integrate_position<double>(mechanism.tree, state.q, step, 0.0);
+}
+
 double MechanismDynamics::project_positions(std::span<double> q) {
   Parts& p = *parts_;
   p.load_positions(q);
   if (p.stale && !p.acting_rows.empty()) p.select_rows();
-  // Quaternions become unit ones.
-  std::fill(p.step.begin(), p.step.end(), 0.0);
-  integrate_position<double>(p.mechanism.tree, p.state.q, p.step, 0.0);
+  p.make_quaternions_unit();
   const double gap = p.acting_rows.empty() ? 0 : p.close_positions(true);
   std::copy(p.state.q.begin(), p.state.q.end(), q.begin());
   return gap;
@@ -231,10 +249,6 @@ void MechanismDynamics::project_velocities(std::span<const double> q, std::span<
   p.load(q, v);
   if (p.acting_rows.empty()) return;
   if (p.stale) p.select_rows();
-  update_accelerations<double>(p.mechanism.tree, p.workspace, p.state, p.rest_accelerations);
-  p.find_axes();
-  p.find_mass();
-  p.factor_selected();
   p.settle_velocities();
   std::copy(p.state.v.begin(), p.state.v.end(), v.begin());
 }
@@ -280,6 +294,30 @@ double MechanismDynamics::largest_rate(std::span<const double> q, std::span<cons
     worst = std::max(worst, std::abs(gap_rate(static_cast<std::size_t>(i), q, v)));
   return worst;
 }
+
+void MechanismDynamics::hold(std::span<double> q, std::span<double> v) {
+  const double gap = project(q, v);
+  const double here = independence();
+  parts_->most_independence = std::max(parts_->most_independence, here);
+  if (!(gap < open_gap)) throw SingularPose("the constraints cannot hold here");
+  if (!(here > lost_independence * parts_->most_independence))
+    throw SingularPose("the constraints depend on one another here");
+}
+
+// After factor_selected: of the directions of the rows, and of their sizes, since one may vanish by itself.
+double MechanismDynamics::Parts::selected_independence() const {
+  if (acting_rows.empty() || selected.empty()) return 1;
+  if (qr.rank() < static_cast<int>(selected.size())) return 0;
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const int i : selected) {
+    const double size = row_size[static_cast<std::size_t>(i)] / unit_of(i);
+    least = std::min(least, size);
+    largest = std::max(largest, size);
+  }
+  return largest > 0 ? qr.least_pivot() * least / largest : 0;
+}
+
+double MechanismDynamics::independence() const { return parts_->selected_independence(); }
 
 std::vector<std::size_t> MechanismDynamics::redundant_constraints() const {
   std::vector<std::size_t> redundant;

@@ -20,6 +20,8 @@ constexpr double light = 1e-4;
 // In scaled units, where each coordinate has inertia one.
 constexpr double no_free_inertia = 1e-13;
 constexpr double dependent = 1e-11;
+// Poses whose constraints are less independent than this part of the most.
+constexpr double nearly_singular = 0.05;
 
 }  // namespace
 
@@ -84,10 +86,20 @@ void MechanismDynamics::Parts::find_known_forces() {
 void MechanismDynamics::Parts::find_accelerations(std::span<double> result) {
   if (stale && !acting_rows.empty()) select_rows();
   by_tree = acting_rows.empty() && !forces_unknown && !inertia_singular;
-  if (by_tree)
+  if (by_tree) {
     find_by_tree(result);
-  else
-    find_under_constraints(result);
+    return;
+  }
+  find_under_constraints(result);
+  // Where branches of the motion cross (a parallelogram linkage lies flat), errors across the branch are magnified
+  // without bound by the accelerations there. On the branch itself they go smoothly through.
+  const double here = selected_independence();
+  most_independence = std::max(most_independence, here);
+  if (qr.rank() == 0 || here > nearly_singular * most_independence) return;
+  make_quaternions_unit();
+  close_positions(true);
+  settle_velocities();
+  find_under_constraints(result);
 }
 
 void MechanismDynamics::Parts::find_by_tree(std::span<double> result) {

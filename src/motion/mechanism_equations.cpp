@@ -59,7 +59,7 @@ MotionEquations mechanism_equations(MechanismDynamics& dynamics, GivenInTime giv
   };
   equations.project = [memory](double t, std::span<double> q, std::span<double> v) {
     if (memory->given) memory->given(t, memory->dynamics, q, v);
-    memory->dynamics.project(q, v);
+    memory->dynamics.hold(q, v);
   };
   if (keeps_its_energy(dynamics) && !memory->given) {
     equations.conserved.push_back({"energy", [memory](double, std::span<const double> q, std::span<const double> v) {

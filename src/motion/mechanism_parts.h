@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -62,15 +63,18 @@ struct MechanismDynamics::Parts {
   void find_with_unknown_forces();
   PlacedForce<double> force_of_component(int component) const;
   double find_held_effort(int coordinate) const;
+  double selected_independence() const;
 
   // mechanism_constraints.cpp
   void find_row(int constraint);
-  void factor_rows(const std::vector<int>& constraints, double tolerance, bool positions_first);
-  void choose_rows();
+  void factor_rows(const std::vector<int>& constraints, double tolerance, bool positions_first,
+                   int most = std::numeric_limits<int>::max());
+  void choose_rows(int most = std::numeric_limits<int>::max());
   void adopt_chosen();
   void select_rows();
   void factor_selected();
   double close_positions(bool selected);
+  void make_quaternions_unit();
   void settle_velocities();
   double natural_gap(int constraint) const;
   double unit_of(int constraint) const;
@@ -110,6 +114,9 @@ struct MechanismDynamics::Parts {
   bool inertia_singular = false;    // of the tree, in every pose
   bool stale = true;                // the selection is
   std::vector<int> selected;        // independent constraints among those that act
+  int independent = 0;              // how many of these there are but in singular poses
+  double most_independence = 0;     // of the poses met
+  double chosen_pivot = 1;          // the least pivot of the selected ones since they were compared with the others
   std::vector<char> shared;         // each constraint: its multiplier is not determined
 
   // At the present state. Motions of each coordinate's body about `origin`, on ground axes.

@@ -241,6 +241,7 @@ void MechanismDynamics::Parts::find_acting() {
   }
   for (const int i : acting_rows) forces_unknown = forces_unknown || !classes[static_cast<std::size_t>(i)];
   stale = true;
+  most_independence = 0;
 }
 
 }  // namespace poinsot

@@ -15,8 +15,8 @@ void PivotedQr::reserve(int most_rows, int most_columns) {
   order_.resize(static_cast<std::size_t>(most_columns));
 }
 
-void PivotedQr::factor(double tolerance, std::span<const char> classes) {
-  const int most = std::min(rows_, columns_);
+void PivotedQr::factor(double tolerance, std::span<const char> classes, int most_rank) {
+  const int most = std::min({rows_, columns_, most_rank});
   for (int k = 0; k < columns_; ++k) order_[static_cast<std::size_t>(k)] = k;
   for (rank_ = 0; rank_ < most; ++rank_) {
     const int k = rank_;

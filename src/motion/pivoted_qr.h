@@ -3,6 +3,7 @@
 // For a handful of rows and columns, where a call must allocate nothing and cost well under a microsecond.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,8 @@ class PivotedQr {
 
   // Columns are chosen by the largest part left, those of the higher class before all others while more than tolerance
   // is left of one (classes: one number per column, 0 or 1; empty: all alike). Stops when no column has more left than
-  // tolerance, an absolute size.
-  void factor(double tolerance, std::span<const char> classes = {});
+  // tolerance, an absolute size, or most_rank are chosen.
+  void factor(double tolerance, std::span<const char> classes = {}, int most_rank = std::numeric_limits<int>::max());
 
   int rank() const { return rank_; }
   int rows() const { return rows_; }

@@ -84,6 +84,7 @@ IntegrationResult integrate_rotation(const RotatingBody& body, double start, con
                                     const IntegrationOptions& o) -> std::unique_ptr<StepMethod> {
     switch (method) {
       case IntegrationMethod::automatic:
+      case IntegrationMethod::collocation:
         return make_rotation_collocation(rotor, o);
       case IntegrationMethod::structure_preserving:
         return make_rotation_in_equal_steps(rotor, o);

@@ -189,8 +189,10 @@ class EqualSteps {
   explicit EqualSteps(const PrincipalBody& body) : body_(body), splitting_(body) {}
 
   bool splits() const { return splitting_.is_symmetric(); }
-  // False if the implicit equations could not be solved. rounds: counts the evaluations of the torque.
-  bool step(RotationState& state, double t, double h, double momentum_size, std::int64_t& evaluations) const {
+  // False if the implicit equations could not be solved, however the step is parted. evaluations: those of the torque
+  // are added.
+  bool step(RotationState& state, double t, double h, double momentum_size, std::int64_t& evaluations,
+            int partings = 8) const {
     if (splits()) {
       splitting_.step(state, t, h);
       evaluations += RotationSplitting::torques_per_step;
@@ -200,7 +202,10 @@ class EqualSteps {
     const RotationStep step = rotation_step(body_, state, t, h, momentum_size, to_rounding);
     evaluations += 8 * step.iterations;
     if (step.converged) state = step.end;
-    return step.converged;
+    if (step.converged || !step.finite || partings == 0) return step.converged;
+    // In two halves where the body is too fast for the rounds to contract.
+    return this->step(state, t, 0.5 * h, momentum_size, evaluations, partings - 1) &&
+           this->step(state, t + 0.5 * h, 0.5 * h, momentum_size, evaluations, partings - 1);
   }
 
  private:
@@ -261,17 +266,32 @@ class RotationInEqualSteps final : public RotationSteps {
   std::int64_t evaluations() const override { return evaluations_; }
 
  private:
-  // The longest step that differs by no more than the tolerance from two of half its length.
+  // The longest step that differs by no more than the tolerance from two of half its length, here and on the way of as
+  // many steps as show a swing of the motion.
   double chosen_step(double span) {
+    constexpr int looks = 32;
     double h = std::min(span, natural_step(rotor_->principal, state_, first_, span));
     const double sense = limit_ > first_ ? 1.0 : -1.0;
+    RotationState state = state_;
+    double t = first_;
+    for (int look = 0; look < looks && std::fabs(t - first_) < span; ++look) {
+      h = step_from(state, t, sense * h);
+      if (!steps_.step(state, t, sense * h, momentum_size_, evaluations_)) break;
+      t += sense * h;
+    }
+    return h;
+  }
+
+  // No longer than h.
+  double step_from(const RotationState& state, double t, double signed_h) {
+    double h = std::fabs(signed_h);
     for (int attempt = 0; attempt < 60; ++attempt) {
-      const double half = 0.5 * sense * h;
-      RotationState once = state_;
-      RotationState twice = state_;
-      const bool solved = steps_.step(once, first_, 2.0 * half, momentum_size_, evaluations_) &&
-                          steps_.step(twice, first_, half, momentum_size_, evaluations_) &&
-                          steps_.step(twice, first_ + half, half, momentum_size_, evaluations_);
+      const double half = std::copysign(0.5 * h, signed_h);
+      RotationState once = state;
+      RotationState twice = state;
+      const bool solved = steps_.step(once, t, 2.0 * half, momentum_size_, evaluations_, 0) &&
+                          steps_.step(twice, t, half, momentum_size_, evaluations_, 0) &&
+                          steps_.step(twice, t + half, half, momentum_size_, evaluations_, 0);
       if (!solved) {
         h *= 0.5;
         continue;

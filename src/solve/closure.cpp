@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "poinsot/dynamics/velocity_constraint.h"
 #include "poinsot/math/expression.h"
@@ -82,10 +83,20 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
   for (std::size_t k = 0; k < target.size(); ++k)
     if (given[k]) largest = std::max(largest, std::abs(target[k]));
   const int steps = std::clamp(static_cast<int>(std::ceil(largest / 0.05)), 4, 400);
+  std::vector<double> before = result.q;
   for (int step = 1; step <= steps; ++step) {
+    // The others go on as they went: through a pose in which the loop could part, and close to where they will be.
+    const std::vector<double> last = result.q;
+    for (const Body<double>& body : tree.bodies())
+      if (position_size(body.joint) == 1) {
+        const auto k = static_cast<std::size_t>(body.q);
+        result.q[k] += last[k] - before[k];
+      }
+    before = last;
     for (std::size_t k = 0; k < target.size(); ++k)
       if (given[k]) result.q[k] = target[k] * step / steps;
     const int most = step == steps ? 60 : 6;
+    double previous = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < most; ++iteration) {
       moment.set_positions(result.q);
       ClosingStep newton(tree, length, movable);
@@ -100,7 +111,10 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
         }
         newton.add(c.kind, constraint_coefficients(moment, c), gap);
       }
-      if (worst < 1e-14) break;
+      // Near a pose in which the loop could part gaps are the squares of what the pose is off: the last steps count.
+      const bool closed = worst < 1e-14 && (step < steps || worst > 0.25 * previous);
+      if (closed || worst < 4 * std::numeric_limits<double>::epsilon()) break;
+      previous = worst;
       integrate_position<double>(tree, result.q, newton.displacements(), 1.0);
     }
   }

@@ -10,6 +10,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// Of terms that cancel: times the tolerance for zero, some tens of units in the last place.
+constexpr double rounding_share = 1e-5;
+
 struct Determinant {
   double log = 0;
   bool negative = false;
@@ -99,6 +102,10 @@ std::optional<Remainder> remainder_of(const HeldPivots& pivots, const MatrixXd& 
     y += lu.solve(c.head(rank) - B.topLeftCorner(rank, rank) * y);
     left = A21 * y;
     terms = terms.cwiseMax((A21.cwiseAbs() * y.cwiseAbs()));
+    // Where y is nothing but what larger terms leave of each other, their rounding is what is left.
+    const VectorXd cancelling = B.topLeftCorner(rank, rank).cwiseAbs() * y.cwiseAbs() + c.head(rank).cwiseAbs();
+    if (rest > 0 && terms.maxCoeff() < 1e-9 * cancelling.maxCoeff())
+      terms = terms.cwiseMax(rounding_share * ((A21 * lu.inverse()).cwiseAbs() * cancelling));
     if (open > 0 && rest > 0) {
       // What is left of the other columns is zero, or they have a rank of their own.
       const auto A12 = B.topRightCorner(rank, open);

@@ -33,13 +33,15 @@ std::size_t LinearElimination::rank() const { return static_cast<std::size_t>(pa
 std::optional<LinearRemainder> LinearElimination::remainder(const LinearSystem& system) const {
   const Parts& parts = *parts_;
   if (system.equations() != parts.equations) return std::nullopt;
-  if (system.equations() == 0) return LinearRemainder{};
+  if (system.equations() == 0) return LinearRemainder{{}, {}, 0, std::vector<double>(system.unknowns())};
   const AssembledSystem<double> assembled(system);
   if (!assembled.bad.empty() || assembled.A.cols() != parts.column.size()) return std::nullopt;
   const auto left = remainder_of(parts.pivots, parts.row.asDiagonal() * assembled.A * parts.column.asDiagonal(),
                                  parts.row.cwiseProduct(assembled.b), parts.row.cwiseProduct(assembled.b_size));
   if (!left) return std::nullopt;
-  return LinearRemainder{{left->values.begin(), left->values.end()}, parts.left_over, left->size};
+  const Eigen::VectorXd solution = assembled.column.cwiseProduct(parts.column.cwiseProduct(left->solution));
+  return LinearRemainder{
+      {left->values.begin(), left->values.end()}, parts.left_over, left->size, {solution.begin(), solution.end()}};
 }
 
 }  // namespace poinsot::solve

@@ -19,20 +19,17 @@ constexpr double open_tolerance = 1e-9;
 
 void equilibrate(Eigen::MatrixXd& A, Eigen::VectorXd& rows, Eigen::VectorXd& columns) {
   if (A.size() == 0) return;
+  const auto scale = [](double largest) { return largest == 0 ? 1 : 1 / std::sqrt(largest); };
+  Eigen::VectorXd factors;
   for (int sweep = 0; sweep < 8; ++sweep) {
-    for (Eigen::Index i = 0; i < A.rows(); ++i) {
-      const double largest = A.row(i).cwiseAbs().maxCoeff();
-      if (largest == 0) continue;
-      const double scale = 1 / std::sqrt(largest);
-      A.row(i) *= scale;
-      rows[i] *= scale;
-    }
+    factors = A.cwiseAbs().rowwise().maxCoeff();
+    factors = factors.unaryExpr(scale).eval();
+    A.array().colwise() *= factors.array();
+    rows.array() *= factors.array();
     for (Eigen::Index j = 0; j < A.cols(); ++j) {
-      const double largest = A.col(j).cwiseAbs().maxCoeff();
-      if (largest == 0) continue;
-      const double scale = 1 / std::sqrt(largest);
-      A.col(j) *= scale;
-      columns[j] *= scale;
+      const double factor = scale(A.col(j).cwiseAbs().maxCoeff());
+      A.col(j) *= factor;
+      columns[j] *= factor;
     }
   }
 }

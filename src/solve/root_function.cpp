@@ -1,6 +1,7 @@
 #include "solve/root_function.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -13,14 +14,16 @@ using Eigen::VectorXd;
 RootFunction::RootFunction(const RootProblem& problem, double seconds)
     : problem_(problem),
       unknowns_(static_cast<Index>(problem.ranges.size())),
-      begin_(Clock::now()),
-      end_(begin_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))),
+      begin_(now()),
+      end_(begin_ + seconds),
       best_misfit_(std::numeric_limits<double>::infinity()) {}
 
-double RootFunction::time_spent() const {
-  return std::chrono::duration<double>(Clock::now() - begin_).count() /
-         std::max(1e-9, std::chrono::duration<double>(end_ - begin_).count());
+double RootFunction::now() const {
+  if (problem_.clock) return problem_.clock();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
+
+double RootFunction::time_spent() const { return (now() - begin_) / std::max(1e-9, end_ - begin_); }
 
 std::vector<double> RootFunction::unscaled(const VectorXd& u) const {
   std::vector<double> x(problem_.ranges.size());

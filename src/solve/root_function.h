@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <chrono>
 #include <limits>
 #include <optional>
 
@@ -43,18 +42,18 @@ class RootFunction {
   const Eigen::VectorXd& best() const { return best_; }
   double best_misfit() const { return best_misfit_; }  // largest misfit there; infinite when there is none
 
-  bool out_of_time() const { return Clock::now() > end_; }
+  bool out_of_time() const { return now() > end_; }
+  double seconds_left() const { return end_ - now(); }
   // The part of the allowed time that is spent, 0 to 1.
   double time_spent() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
+  double now() const;  // s
   std::optional<RootSample> keep(const Eigen::VectorXd& u, const std::optional<RootEquations>& equations);
 
   const RootProblem& problem_;
   Eigen::Index unknowns_;
-  Clock::time_point begin_, end_;
+  double begin_, end_;  // s
   std::size_t evaluations_ = 0;
   Eigen::VectorXd best_;
   double best_misfit_;

@@ -13,7 +13,23 @@ using Eigen::VectorXd;
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
-PolishedRoot judged(VectorXd u, RootSample sample, MatrixXd slopes) {
+// Where all terms vanish at a root together, as at a pose of equilibrium, their sizes close to it are what its misfit
+// is measured by: it is one if the root of the tangent is no further away than rounding leaves it.
+bool vanishes_with_its_terms(RootFunction& function, const VectorXd& u, const RootSample& sample, double least,
+                             double misfit) {
+  constexpr double aside = 1e-3;
+  if (!(misfit <= aside * zero_tolerance * least)) return false;
+  for (const double way : {aside, -aside}) {
+    const VectorXd beside = function.clamped(u + way * u.cwiseAbs().cwiseMax(1.0));
+    if ((beside - u).norm() < 0.5 * aside) continue;
+    const auto there = function.at(beside);
+    if (there && misfit <= zero_tolerance * there->size && sample.misfit <= std::max(sample.allowed, there->allowed))
+      return true;
+  }
+  return false;
+}
+
+PolishedRoot judged(RootFunction& function, VectorXd u, RootSample sample, MatrixXd slopes) {
   PolishedRoot root;
   root.size = std::max(sample.size, (slopes.cwiseAbs() * u.cwiseAbs()).norm());
   const double misfit = sample.values.norm();
@@ -23,6 +39,7 @@ PolishedRoot judged(VectorXd u, RootSample sample, MatrixXd slopes) {
   const VectorXd stretch = u.cwiseAbs().cwiseMax(1.0);
   double least = 0;
   if (slopes.rows() >= slopes.cols()) least = (slopes * stretch.asDiagonal()).jacobiSvd().singularValues().minCoeff();
+  root.zero = root.zero || vanishes_with_its_terms(function, u, sample, least, misfit);
   const double noise = misfit + 8 * rounding * root.size;
   root.radius = stretch.norm() * std::clamp(20 * noise / std::max(least, 1e-300), 1e-11, 1e-3);
   root.u = std::move(u);
@@ -31,9 +48,23 @@ PolishedRoot judged(VectorXd u, RootSample sample, MatrixXd slopes) {
   return root;
 }
 
+// Where a step leads that would leave the ranges: most of the way to their end, so that the search goes on along it.
+VectorXd stepped(const RootFunction& function, const VectorXd& u, const VectorXd& step) {
+  constexpr double rest = 0.1, at_end = 1e-6;
+  VectorXd next = u + step;
+  for (Index k = 0; k < u.size(); ++k) {
+    const RootRange& range = function.problem().ranges[static_cast<std::size_t>(k)];
+    const double lower = range.lower / range.scale, upper = range.upper / range.scale;
+    const auto toward = [&](double end) { return std::abs(u[k] - end) > at_end ? end + rest * (u[k] - end) : end; };
+    if (u[k] >= lower && next[k] < lower) next[k] = toward(lower);
+    if (u[k] <= upper && next[k] > upper) next[k] = toward(upper);
+  }
+  return next;
+}
+
 }  // namespace
 
-std::optional<PolishedRoot> polish(RootFunction& function, const VectorXd& start) {
+std::optional<PolishedRoot> polish(RootFunction& function, const VectorXd& start, double enough) {
   VectorXd u = start;
   auto r = function.at(u);
   if (!r) return std::nullopt;
@@ -45,6 +76,7 @@ std::optional<PolishedRoot> polish(RootFunction& function, const VectorXd& start
     if (!J) return std::nullopt;
     const MatrixXd A = J->transpose() * *J;
     const VectorXd g = J->transpose() * r->values;
+    if (r->values.norm() <= enough * r->size) return judged(function, std::move(u), std::move(*r), *J);
     bool moved = false;
     double ratio = 1;
     for (int attempt = 0; attempt < 12; ++attempt) {
@@ -52,10 +84,11 @@ std::optional<PolishedRoot> polish(RootFunction& function, const VectorXd& start
       damped.diagonal() += lambda * A.diagonal() + VectorXd::Constant(A.rows(), 1e-300);
       const VectorXd step = damped.ldlt().solve(-g);
       if (!step.allFinite() || step.norm() <= 2 * rounding * (1 + u.norm())) break;
-      const auto there = function.at(u + step);
+      const VectorXd next = stepped(function, u, step);
+      const auto there = function.at(next);
       if (there && there->values.size() == r->values.size() && there->values.norm() < r->values.norm()) {
         ratio = there->values.norm() / r->values.norm();
-        u += step;
+        u = next;
         r = there;
         lambda = std::max(lambda / 10, 1e-15);
         moved = true;
@@ -65,11 +98,12 @@ std::optional<PolishedRoot> polish(RootFunction& function, const VectorXd& start
     }
     // At rounding, or where the misfit only creeps: the smallest that there is.
     creeping = ratio > 0.99 ? creeping + 1 : 0;
+    if (moved && r->values.norm() <= enough * r->size) return judged(function, std::move(u), std::move(*r), *J);
     if (!moved || r->values.norm() <= std::max(rounding * first, 0.5 * rounding * r->size) || creeping > 4) break;
   }
   const auto J = function.slopes(u, *r);
   if (!J) return std::nullopt;
-  return judged(std::move(u), std::move(*r), *J);
+  return judged(function, std::move(u), std::move(*r), *J);
 }
 
 std::optional<PolishedRoot> polish_with(RootFunction& function, const VectorXd& start, const MatrixXd& slopes) {
@@ -88,7 +122,7 @@ std::optional<PolishedRoot> polish_with(RootFunction& function, const VectorXd& 
     r = there;
     if (creeping) break;
   }
-  return judged(std::move(u), std::move(*r), slopes);
+  return judged(function, std::move(u), std::move(*r), slopes);
 }
 
 std::optional<RootFamily> family_through(RootFunction& function, const PolishedRoot& root) {

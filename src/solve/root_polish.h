@@ -18,9 +18,10 @@ struct PolishedRoot {
   bool zero = false;  // whether the equations hold
 };
 
-// Levenberg and Marquardt's method, ending in plain Gauss-Newton steps: a place where the misfit is smallest, not
-// necessarily zero. Nothing where the equations or their slopes have no value.
-std::optional<PolishedRoot> polish(RootFunction& function, const Eigen::VectorXd& start);
+// Levenberg and Marquardt's method, ending in plain Gauss-Newton steps, from within the ranges without leaving them: a
+// place where the misfit is smallest, not necessarily zero. Nothing where the equations or their slopes have no value.
+// enough: the part of the size of the terms below which a misfit need not become smaller.
+std::optional<PolishedRoot> polish(RootFunction& function, const Eigen::VectorXd& start, double enough = 0);
 
 // With slopes that are known already, from close by: two or three evaluations.
 std::optional<PolishedRoot> polish_with(RootFunction& function, const Eigen::VectorXd& start,

@@ -3,10 +3,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solve/chebyshev_roots.h"
 #include "solve/few_evaluations.h"
 #include "solve/linear_roots.h"
+#include "solve/partly_linear.h"
 #include "solve/root_function.h"
 #include "solve/root_polish.h"
 #include "solve/scattered_starts.h"
@@ -16,11 +18,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr std::size_t most_random_starts = 60;
-
 class RootFinder {
  public:
-  RootFinder(const RootProblem& problem, double seconds) : function_(problem, seconds) {}
+  RootFinder(const RootProblem& problem, double seconds) : function_(problem, seconds), seconds_(seconds) {}
 
   Roots find() {
     Roots roots;
@@ -30,7 +30,7 @@ class RootFinder {
       roots = std::move(*linear);
     } else if (function_.unknowns() <= 2) {
       by_polynomials(roots);
-    } else {
+    } else if (!by_elimination(roots)) {
       roots.search = RootSearch::many_starts;
       from_random_starts(roots);
     }
@@ -39,7 +39,7 @@ class RootFinder {
       if (roots.points.empty()) roots.best_misfit = smallest_misfit();
     }
     if (roots.points.empty() && function_.best().size()) roots.best = function_.unscaled(function_.best());
-    roots.evaluations = function_.evaluations();
+    roots.evaluations = function_.evaluations() + rough_evaluations_;
     return roots;
   }
 
@@ -64,6 +64,46 @@ class RootFinder {
     }
   }
 
+  // Of more unknowns, where all but one or two enter linearly. Whether that is all there is to find; where nothing was
+  // found, a search from many starts has the last word.
+  bool by_elimination(Roots& roots) {
+    const auto found = partly_linear_roots(function_, 0.25 * function_.seconds_left());
+    if (!found) return false;
+    bool complete = found->complete && function_.best().size() > 0;
+    for (const VectorXd& place : found->places) {
+      const auto root = polish(function_, place);
+      if (!root || !root->zero) continue;
+      // What has neighbours is for the search from many starts to judge.
+      if (family_through(function_, *root))
+        complete = false;
+      else
+        found_.add(function_, *root);
+    }
+    if (!complete) return false;
+    if (found_.roots().empty()) {
+      from_random_starts(roots);
+      roots.search = RootSearch::many_starts;
+      if (roots.open || !found_.roots().empty()) return true;
+      roots.starts = 0;
+    }
+    roots.reach = found->reach;
+    roots.search = RootSearch::certified;
+    return true;
+  }
+
+  // Whether a root differs from one that is known in open unknowns only.
+  bool lies_along_a_known_one(const PolishedRoot& root, const std::vector<std::size_t>& open) const {
+    const auto differs = [&](const PolishedRoot& other, Eigen::Index k) {
+      return std::find(open.begin(), open.end(), static_cast<std::size_t>(k)) == open.end() &&
+             std::abs(other.u[k] - root.u[k]) > root.radius + 1e-6 * (1e-3 + std::abs(root.u[k]));
+    };
+    return std::any_of(found_.roots().begin(), found_.roots().end(), [&](const PolishedRoot& other) {
+      for (Eigen::Index k = 0; k < root.u.size(); ++k)
+        if (differs(other, k)) return false;
+      return true;
+    });
+  }
+
   // Curves of solutions may be several, and other unknowns be open along another.
   void look_for_other_families(Roots& roots) {
     constexpr std::size_t starts = 10;
@@ -72,6 +112,9 @@ class RootFinder {
       const auto root = polish(function_, start);
       if (!root || !root->zero || !function_.inside(root->u)) continue;
       const auto family = family_through(function_, *root);
+      std::vector<std::size_t> open = roots.open_unknowns;
+      if (family) open.insert(open.end(), family->open_unknowns.begin(), family->open_unknowns.end());
+      if (!lies_along_a_known_one(*root, open)) found_.add(function_, *root);
       if (!family) continue;
       const std::size_t before = roots.open_unknowns.size();
       for (const std::size_t k : family->open_unknowns)
@@ -84,33 +127,103 @@ class RootFinder {
 
   void from_few_evaluations(Roots& roots) {
     roots.search = RootSearch::few_evaluations;
+    for (const PolishedRoot& place : rough_roots()) {
+      if (function_.out_of_time() || roots.open) return;
+      from_rough(place, roots);
+    }
+    if (!found_.roots().empty()) return;
     for (const VectorXd& start : starts_from_few_evaluations(function_)) {
       if (function_.out_of_time() || roots.open) break;
       from_start(start, roots);
     }
   }
 
-  // When a few starts have all led to one place, inside the ranges or not, it is taken for the only one.
+  // From the most promising of many places and from any, in turn. When a few starts have all led to one place in the
+  // ranges, it is taken for the only one; where nothing is found, more are tried.
   void from_random_starts(Roots& roots) {
-    constexpr int enough = 4;
-    constexpr std::size_t most_used = 24;
-    std::vector<VectorXd> starts = starts_at_random(function_.problem(), most_random_starts);
-    starts.insert(starts.begin(), middle_of_ranges(function_.problem()));
+    constexpr int enough = 12;
+    constexpr std::size_t most_used = 24, most_in_vain = 120;
+    constexpr double most_time_in_vain = 0.6;
     std::optional<VectorXd> only;
     int led_there = 0;
-    for (const VectorXd& start : starts) {
-      if (function_.out_of_time() || led_there >= enough || roots.starts >= most_used || roots.open) break;
+    for (const VectorXd& start : promising_starts()) {
+      const bool found = !found_.roots().empty();
+      if (function_.out_of_time() || led_there >= enough || roots.open) break;
+      if (roots.starts >= (found ? most_used : most_in_vain)) break;
+      if (!found && roots.starts >= most_used && function_.time_spent() > most_time_in_vain) break;
       const auto root = from_start(start, roots);
-      if (!root) continue;
+      if (!root || !function_.inside(root->u)) continue;
       if (!only) only = root->u;
       const bool same = (root->u - *only).norm() <= root->radius + 1e-6 * (1e-3 + only->norm());
       led_there = same && led_there >= 0 ? led_there + 1 : -1;  // two places: never enough
     }
+    if (roots.open) look_for_other_families(roots);
+  }
+
+  // The middle of the ranges, then places at random: those of the smallest misfit and the others alternate.
+  std::vector<VectorXd> promising_starts() {
+    constexpr std::size_t places = 160;
+    constexpr double most_time = 0.2;
+    const std::vector<VectorXd> list = starts_at_random(function_.problem(), places);
+    std::vector<std::pair<double, std::size_t>> by_misfit;
+    for (std::size_t i = 0; i < list.size() && function_.time_spent() < most_time; ++i)
+      if (const auto sample = function_.at(list[i]))
+        by_misfit.emplace_back(sample->values.norm() / std::max(sample->size, 1e-300), i);
+    std::sort(by_misfit.begin(), by_misfit.end());
+    std::vector<VectorXd> starts{middle_of_ranges(function_.problem())};
+    std::vector<bool> taken(list.size(), false);
+    const auto take = [&](std::size_t i) {
+      if (!taken[i]) starts.push_back(list[i]);
+      taken[i] = true;
+    };
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (i < by_misfit.size()) take(by_misfit[i].second);
+      take(i);
+    }
+    return starts;
+  }
+
+  // Roots of the rough equations, each once.
+  std::vector<PolishedRoot> rough_roots() {
+    constexpr double near_zero = 1e-4, enough = 1e-6, same = 1e-5;
+    std::vector<PolishedRoot> found;
+    if (!function_.problem().rough) return found;
+    RootProblem problem = function_.problem();
+    problem.equations = std::exchange(problem.rough, nullptr);
+    problem.slopes = nullptr;
+    RootFunction rough(problem, seconds_ * (1 - function_.time_spent()));
+    for (const VectorXd& start : starts_from_few_evaluations(rough)) {
+      if (rough.out_of_time()) break;
+      auto root = polish(rough, start, enough);
+      if (!root || root->values.norm() > near_zero * root->size) continue;
+      const bool known = std::any_of(found.begin(), found.end(), [&](const PolishedRoot& other) {
+        return (other.u - root->u).norm() <= same * (1 + root->u.norm());
+      });
+      if (!known) found.push_back(std::move(*root));
+    }
+    rough_evaluations_ = rough.evaluations();
+    return found;
+  }
+
+  // One unknown needs no better slopes; those of several tell what is open.
+  void from_rough(const PolishedRoot& rough, Roots& roots) {
+    auto root = polish_with(function_, rough.u, rough.slopes);
+    if (root && root->zero && function_.unknowns() > 1) {
+      RootSample here;
+      here.values = root->values;
+      if (auto slopes = function_.slopes(root->u, here)) root->slopes = std::move(*slopes);
+    }
+    if (!root || !root->zero) root = polish(function_, rough.u);
+    ++roots.starts;
+    keep(root, roots);
   }
 
   std::optional<PolishedRoot> from_start(const VectorXd& start, Roots& roots) {
     ++roots.starts;
-    auto root = polish(function_, start);
+    return keep(polish(function_, start), roots);
+  }
+
+  std::optional<PolishedRoot> keep(std::optional<PolishedRoot> root, Roots& roots) {
     if (!root || !root->zero) return std::nullopt;
     if (found_.add(function_, *root))
       if (const auto family = family_through(function_, *root)) {
@@ -128,6 +241,8 @@ class RootFinder {
   }
 
   RootFunction function_;
+  double seconds_;
+  std::size_t rough_evaluations_ = 0;
   RootList found_;
 };
 

@@ -6,16 +6,18 @@
 #include <vector>
 
 #include "poinsot/statement/solve_statement.h"
-#include "statement/sample.h"
+#include "statement/ask_values.h"
 
 namespace poinsot::statement {
 
-// A cord that would push or a contact that would pull: what depends on forces is refused.
-void refuse_unphysical(const Statement& statement, Sample& sample, Solution& result);
+// A cord that would push or a contact that would pull: what depends on forces is refused, tables with such a row,
+// extrema at which it is so, and unknowns that follow from stated forces; not whether it touches or is taut.
+void refuse_unphysical(const Statement& statement, const AskValues& asked, Sample& sample, Solution& result);
 
 // The check on particles of every instant that was solved, the drift of energy and the error of motions; what fails it
-// is refused. extremal: instants at extrema.
-void check_answers(Sample& sample, const std::vector<std::unique_ptr<Sample>>& extremal, Solution& result);
+// is refused, and everything where a fact does not hold in what was found. extremal: instants at extrema.
+void check_answers(const Statement& statement, Sample& sample, const std::vector<std::unique_ptr<Sample>>& extremal,
+                   Solution& result);
 
 // Stability of steady motions, what happened on the way of a motion and how it was found.
 void add_notes(const Statement& statement, const Sample& sample, Solution& result);

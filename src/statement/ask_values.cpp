@@ -4,6 +4,7 @@
 
 #include "statement/extremum.h"
 #include "statement/open_words.h"
+#include "statement/watched_values.h"
 
 namespace poinsot::statement {
 namespace {
@@ -51,18 +52,23 @@ AskValues ask_values(const Statement& statement, Sample& sample, const AllSettin
       ExtremumFound found = ExtremumSearch(statement, ask, settings, choice).find();
       result.values.push_back(found.value);
       if (!found.value) result.no_extremum[ask.name] = found.reason;
+      result.watched.push_back(found.value);
       if (found.sample) result.extremal.push_back(std::move(found.sample));
       continue;
     }
     try {
-      result.values.emplace_back(sample.value(ask));
+      result.watched.emplace_back(watched_value(statement, sample, ask));
+      const Value<double>& found = *result.watched.back();
+      result.values.emplace_back(is_watched(found) ? found.items.front() : found);
     } catch (const UnansweredError& error) {
       result.values.emplace_back(std::nullopt);
+      result.watched.emplace_back(std::nullopt);
       result.unanswered[ask.name] = error.diagnostics().front();
     } catch (const StatementError&) {
       std::optional<Diagnostic> open = fails_where_open(statement, sample, ask, settings);
       if (!open) throw;
       result.values.emplace_back(std::nullopt);
+      result.watched.emplace_back(std::nullopt);
       result.unanswered[ask.name] = *std::move(open);
     }
   }

@@ -1,6 +1,7 @@
-// What a claim says, as formulas in the letters and in what the statement leaves open.
+// What claims say, as formulas in the letters and in what the statement leaves open.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,45 +19,77 @@ struct ClaimTerm {
   Dimension dimension;
 };
 
-// A problem for claims: what is given as `any`, and gravity of which nothing is said, are letters.
-Problem with_letters_for_any(const Problem& problem);
+// What formulas rest on beside the laws: see DecisionScope.
+struct Decisions {
+  std::vector<Formula> signs;  // each has everywhere the sign that it has at the base
+  bool zeros_by_digits = false;
+  void add(const Decisions& other);
+};
 
-// Whether a claim says of a rate that it is zero, or on which side of zero: then it is meant along the motion, in any
-// pose, else in the pose as drawn.
-bool is_along_motion(const Problem& problem, const Claim& claim);
+// One situation at its instant, and just before its blow, as formulas: for all claims made of it.
+class ClaimFormulas {
+ public:
+  // numbers: the same at some values of the letters, with these settings. all_poses: coordinates without name are
+  // letters too. Throws NoFormula, StatementError, std::domain_error, ExpressionTooLarge. All arguments must outlive
+  // it.
+  ClaimFormulas(const Problem& problem, const FormulaValues& values, const Settings& settings,
+                const SolvedInstant& numbers, bool all_poses);
 
-// Whether what is stated tells of accelerations or forces, so that it may leave no room for all values of the letters.
-bool states_forces(const Problem& problem);
+  struct Found {
+    Value<Formula> value;
+    Decisions decisions;  // that it took, those of the instant included
+  };
+  // On ground axes; found once for all claims.
+  const Found& value(const Expression& expression, const std::optional<Expression>& axes);
 
-// Whether it calls derivative(X by letter), which has no numbers.
-bool takes_derivatives(const Problem& problem, const Claim& claim);
+  const Problem& problem() const { return problem_; }
+  const FormulaInstant& instant() const { return *instant_; }
+  const Decisions& decisions() const { return decisions_; }
+  // What must vanish for the statement to hold.
+  const std::vector<Formula>& remainders() const { return instant_->remainders(); }
+  // Positions and velocities that are open; accelerations and forces that nothing fixes.
+  const OpenLetters& open() const { return open_; }
+  // The state, before the blow where there is one.
+  const std::vector<Formula>& positions() const { return instant_->positions(); }
+  const std::vector<Formula>& velocities() const { return velocities_; }
+
+ private:
+  Value<Formula> elsewhere(const At& at, const Mark& mark, const std::optional<Expression>& axes);
+  ClaimFormulas& before();
+
+  const Problem& problem_;
+  const FormulaValues& values_;
+  const Settings& settings_;
+  const SolvedInstant& numbers_;
+  OpenLetters open_;
+  Decisions decisions_;
+  std::unique_ptr<FormulaInstant> instant_;
+  std::vector<Formula> velocities_;
+  std::unique_ptr<SolvedInstant> before_numbers_;
+  std::unique_ptr<ClaimFormulas> before_;
+  std::map<std::string, Found> found_;
+};
 
 class ClaimInstant {
  public:
-  // Throws NoFormula, StatementError, std::domain_error, ExpressionTooLarge. All arguments must outlive it.
-  ClaimInstant(const Problem& problem, const Claim& claim, const FormulaValues& values, const SolvedInstant& numbers);
+  // Throws what ClaimFormulas does, which must outlive it.
+  ClaimInstant(ClaimFormulas& formulas, const Claim& claim);
 
   const std::vector<ClaimTerm>& terms() const { return terms_; }
   // What is assumed, what is stated and leaves no room for all values of the letters included.
   const std::vector<FormulaComparison>& assumptions() const { return assumptions_; }
-  // Positions and velocities that are open; accelerations and forces that nothing fixes, where the claim needs them.
-  const std::vector<Letter>& open() const { return open_.made; }
+  const Decisions& decisions() const { return decisions_; }
+  const std::vector<Letter>& open() const { return formulas_.open().made; }
   std::vector<std::string> unfixed() const;
-  const std::vector<Formula>& positions() const { return instant_->positions(); }
-  const std::vector<Formula>& velocities() const { return instant_->velocities(); }
+  const ClaimFormulas& formulas() const { return formulas_; }
 
  private:
-  Value<Formula> value(const Expression& expression, const std::optional<Expression>& axes);
   void add_terms(const Expression& expression, const std::optional<Expression>& axes, std::vector<ClaimTerm>& terms);
 
-  const Problem& problem_;
-  const FormulaValues& values_;
-  const SolvedInstant& numbers_;
-  OpenLetters open_;
-  std::unique_ptr<FormulaInstant> instant_, before_;
-  std::unique_ptr<SolvedInstant> before_numbers_;
+  ClaimFormulas& formulas_;
   std::vector<ClaimTerm> terms_;
   std::vector<FormulaComparison> assumptions_;
+  Decisions decisions_;
 };
 
 }  // namespace poinsot::statement

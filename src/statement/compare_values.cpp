@@ -4,11 +4,6 @@
 #include <cmath>
 
 namespace poinsot::statement {
-namespace {
-
-constexpr double noise = 1e-14;  // rounding, relative to the natural size of a quantity
-
-}  // namespace
 
 double size_of(const Value<double>& value) {
   if (value.is_number()) return std::abs(value.number);
@@ -28,19 +23,6 @@ bool same(const Value<double>& a, const Value<double>& b, double tolerance) {
   for (std::size_t i = 0; i < a.items.size(); ++i)
     if (!same(a.items[i], b.items[i], tolerance)) return false;
   return true;
-}
-
-void drop_noise(Value<double>& value, double size) {
-  const auto drop = [&](double& x) {
-    if (std::abs(x) < noise * size) x = 0;
-  };
-  if (value.is_number()) drop(value.number);
-  if (value.is_vector()) {
-    drop(value.vector.x);
-    drop(value.vector.y);
-    drop(value.vector.z);
-  }
-  for (Value<double>& item : value.items) drop_noise(item, size);
 }
 
 Dimension dimension_of(const Value<double>& value) {

@@ -11,9 +11,6 @@ double size_of(const Value<double>& value);
 // Whether two values of one kind differ by no more than the tolerance (SI), item by item.
 bool same(const Value<double>& a, const Value<double>& b, double tolerance);
 
-// Numbers that are rounding beside the size become zero.
-void drop_noise(Value<double>& value, double size);
-
 // Of a list, that of its first item.
 Dimension dimension_of(const Value<double>& value);
 

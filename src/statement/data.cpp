@@ -186,9 +186,19 @@ DataScope<Scalar>::DataScope(const Problem& problem, const Settings& settings, S
     : problem_(problem), settings_(settings), time_(std::move(time)) {}
 
 template <class Scalar>
+void DataScope<Scalar>::set_time(Scalar time) {
+  if (follows_time_) {
+    found_.clear();
+    meanings_.clear();
+  }
+  follows_time_ = false;
+  time_ = std::move(time);
+}
+
+template <class Scalar>
 bool DataScope<Scalar>::knows(const std::string& name) const {
-  return find_unknown(problem_, name) || find_choice(problem_, name) || name == "time" || name == "g" ||
-         settings_.contains(name) || find_named(problem_.given, name) || find_letter(problem_, name) ||
+  return meanings_.contains(name) || find_unknown(problem_, name) || find_choice(problem_, name) || name == "time" ||
+         name == "g" || settings_.contains(name) || find_named(problem_.given, name) || find_letter(problem_, name) ||
          find_named(problem_.points, name) || find_named(problem_.directions, name) ||
          std::find(problem_.axes.begin(), problem_.axes.end(), name) != problem_.axes.end();
 }
@@ -214,6 +224,17 @@ Value<Scalar> DataScope<Scalar>::name(const Name& name, const Mark& mark, const 
     evaluator.fail(mark,
                    "'" + name.name + std::string(name.primes, '\'') + "' is a rate and cannot stand among the data",
                    "use it in instants:, define: or ask:");
+  if (const auto known = meanings_.find(name.name); known != meanings_.end()) return known->second;
+  Value<Scalar> value = meaning(name, mark, evaluator);
+  if (name.name == "time")
+    follows_time_ = true;
+  else if (!find_named(problem_.directions, name.name))  // the root of its length may rest on a decision, noted anew
+    meanings_[name.name] = value;
+  return value;
+}
+
+template <class Scalar>
+Value<Scalar> DataScope<Scalar>::meaning(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) {
   // One name, one meaning.
   std::vector<std::string> meanings;
   const NamedExpression* datum = find_named(problem_.given, name.name);

@@ -9,6 +9,7 @@
 #include "statement/extremum.h"
 #include "statement/open_words.h"
 #include "statement/reader.h"
+#include "statement/watched_values.h"
 
 namespace poinsot::statement {
 namespace {
@@ -29,9 +30,7 @@ class Variation {
     for (const auto& [home, instant] : found_.sample.instants()) any = any || instant->uses_any();
     for (const std::unique_ptr<Sample>& sample : found_.asked.extremal)
       for (const auto& [home, instant] : sample->instants()) any = any || instant->uses_any();
-    if (any)
-      vary({.seed = 11, .any = true},
-           [](const Ask&) { return std::string("it depends on a value that is given as `any`"); });
+    if (any) vary({.seed = 11, .any = true}, [reason = reason_of_any()](const Ask&) { return reason; });
     if (gravity)
       vary({.seed = 12, .gravity = true}, [](const Ask&) {
         return std::string("it depends on gravity, of which nothing is said: write gravity: -y or gravity: none");
@@ -55,10 +54,21 @@ class Variation {
  private:
   static constexpr std::size_t most_directions = 60;
 
+  std::string reason_of_any() const {
+    std::vector<std::string> bodies;
+    for (const Body& body : found_.statement.situations.front().problem.bodies)
+      if (body.inertia && body.inertia->rest_any && body.inertia->mark == body.mark)
+        bodies.push_back("'" + body.name + "'");
+    const std::string reason = "it depends on a value that is given as `any`";
+    return bodies.empty() ? reason
+                          : reason + ", or on the inertia of " + listed(bodies, "and") + ", which is not stated";
+  }
+
   // The unknowns found anew where they may depend on what is chosen; none if they cannot be.
   std::optional<AllSettings> settings_for(const OpenChoice& choice) {
     if (found_.search.unknowns().empty() || !(choice.any || choice.gravity || choice.velocities))
       return found_.settings;
+    if (found_.search.still_holds(found_.settings, choice)) return found_.settings;
     Settings known = found_.settings.front();
     for (const Unknown& unknown : found_.search.unknowns()) known.erase(unknown.name);
     const RootsFound found = found_.search.find(known, choice);
@@ -96,7 +106,7 @@ class Variation {
 
   Values varied(const OpenChoice& choice) {
     const std::vector<Ask>& asks = found_.statement.asks;
-    const Values& base = found_.asked.values;
+    const Values& base = found_.asked.watched;
     const std::optional<AllSettings> settings = settings_for(choice);
     if (!settings) return Values(asks.size(), std::nullopt);
     note_moved_unknowns(*settings);
@@ -110,7 +120,7 @@ class Variation {
       }
       try {
         if (!asks[i].extremum)
-          values.emplace_back(sample.value(asks[i]));
+          values.emplace_back(watched_value(found_.statement, sample, asks[i]));
         else if (base[i] && ExtremumSearch(found_.statement, asks[i], *settings, choice).is_at(base[i]->number))
           values.push_back(base[i]);
         else
@@ -234,10 +244,40 @@ double same_answer_tolerance(const AnswersFound& found, std::size_t index, const
          1e-11 * found.natural_sizes[index];
 }
 
+namespace {
+
+// Beside what rounding in the whole machine may be, only the numbers themselves tell what is rounding.
+bool is_rounding(const AnswersFound& found, std::size_t index, const Value<double>& a, const Value<double>& b) {
+  const Ask& ask = found.statement.asks[index];
+  if (ask.table || ask.when || ask.extremum || !found.sample.motions().empty()) return false;
+  const double natural = found.sample.instant_of(ask).natural_size(dimension_of(a));
+  if (!same(a, b, 1e-11 * natural)) return false;
+  return same(a, b, 1e2 * found.rounded.spread(ask, a));
+}
+
+}  // namespace
+
 bool differs(const AnswersFound& found, std::size_t index, const std::optional<Value<double>>& other) {
   const std::optional<Value<double>>& base = found.asked.values[index];
   if (!base) return false;
-  return !other || !same(*base, *other, same_answer_tolerance(found, index, *base, *other));
+  if (!other) return true;
+  const std::optional<Value<double>>& watched = found.asked.watched[index];
+  if (watched && is_watched(*watched)) {
+    if (!is_watched(*other) || other->items.size() != watched->items.size()) return true;
+    for (std::size_t k = 1; k < watched->items.size(); ++k) {
+      const Value<double>&a = watched->items[k], &b = other->items[k];
+      const double natural = found.sample.instant_of(found.statement.asks[index]).natural_size(dimension_of(a));
+      if (!same(a, b, same_tolerance * std::max(size_of(a), size_of(b)) + 1e-11 * natural)) return true;
+    }
+    return !same(watched->items.front(), other->items.front(),
+                 same_answer_tolerance(found, index, watched->items.front(), other->items.front()));
+  }
+  // Alone, without unknowns and motions, the numbers tell better than sizes what is rounding.
+  const bool told = found.search.unknowns().empty() && found.sample.motions().empty();
+  if (!told) return !same(*base, *other, same_answer_tolerance(found, index, *base, *other));
+  const double tolerance =
+      same_tolerance * std::max(size_of(*base), size_of(*other)) + 1e-14 * found.natural_sizes[index];
+  return !same(*base, *other, tolerance) && !is_rounding(found, index, *base, *other);
 }
 
 std::set<std::string> mark_undetermined(const AnswersFound& found, Solution& result) {

@@ -8,6 +8,7 @@
 
 #include "poinsot/statement/solve_statement.h"
 #include "statement/ask_values.h"
+#include "statement/rounded_values.h"
 #include "statement/unknown_search.h"
 
 namespace poinsot::statement {
@@ -20,12 +21,14 @@ struct AnswersFound {
   Sample& sample;
   const AskValues& asked;
   const std::vector<double>& natural_sizes;  // of the asks, as in FinishedAsk
+  RoundedValues& rounded;                    // at the settings
 };
 
 // Up to which difference two values of an ask are the same.
 double same_answer_tolerance(const AnswersFound& found, std::size_t index, const Value<double>& a,
                              const Value<double>& b);
-// Whether an ask has another value for another choice; one that has none there depends on it.
+// Whether an ask has another value for another choice, or what decides it has; one that has none there depends on it.
+// other: with what decides it (watched_values.h).
 bool differs(const AnswersFound& found, std::size_t index, const std::optional<Value<double>>& other);
 
 // Marks the answers that values given as `any`, gravity of which nothing is said, open velocities or forces change as

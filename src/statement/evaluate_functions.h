@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "poinsot/math/expression_decision.h"
 #include "poinsot/statement/evaluate.h"
 #include "statement/evaluate_support.h"
 #include "statement/exact_numbers.h"
@@ -150,7 +151,7 @@ std::optional<Value<Scalar>> function_of_vectors(const Call& call, const Functio
     const Vector3<Scalar> v = context.direction(call, second);
     // From sine and cosine: exact near 0 and 180 degrees, where the arc cosine is not.
     const Scalar cosine = dot(u, v);
-    return Result::of_number(atan2(norm(cross(u, v)), f == "angle" || plain(cosine) >= 0 ? cosine : -cosine),
+    return Result::of_number(atan2(norm(cross(u, v)), f == "angle" || !decided_negative(cosine) ? cosine : -cosine),
                              dimensions::angle);
   }
   return std::nullopt;
@@ -190,8 +191,7 @@ std::optional<Value<Scalar>> function_of_several(const Call& call, const Functio
   Dimension dimension = best.dimension;
   bool bare = true;
   for (const Result& value : values) {
-    const bool better =
-        f == "min" ? plain(value.number) < plain(best.number) : plain(value.number) > plain(best.number);
+    const bool better = decided_negative(f == "min" ? value.number - best.number : best.number - value.number);
     if (better) best = value;
     if (!is_bare_zero(value)) dimension = value.dimension;
     bare = bare && value.bare;

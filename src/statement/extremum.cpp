@@ -60,7 +60,10 @@ ExtremumSearch::ExtremumSearch(const Statement& statement, const Ask& ask, const
 // Data are positive by nature, but for angles.
 ExtremumSearch::Span ExtremumSearch::span() const {
   const std::string& name = ask_.extremum->name;
-  Span span{0, infinite, 1};
+  const bool signed_letter = std::any_of(problem_.letters.begin(), problem_.letters.end(), [&](const Letter& letter) {
+    return letter.name == name && letter.either_sign;
+  });
+  Span span{signed_letter ? -infinite : 0, infinite, 1};
   if (dimension_ == dimensions::angle) span = {-3.141592653589793, 3.141592653589793, 1};
   for (const Letter& letter : problem_.letters)
     if (letter.name == name) span.scale = letter.unit.factor;
@@ -120,8 +123,11 @@ bool ExtremumSearch::holds(double value) {
 
 bool ExtremumSearch::is_at(double value) {
   const double side = ask_.extremum->largest ? 1 : -1;
-  const double step = 1e-6 * std::abs(value);
-  return holds(value - side * step) && !holds(value + side * step);
+  const Span range = span();
+  const double step = 1e-6 * (value != 0 ? std::abs(value) : range.scale);
+  // At the end of its range nothing is beyond.
+  const bool at_end = side > 0 ? value >= range.upper : value <= range.lower;
+  return holds(at_end ? value : value - side * step) && (at_end || !holds(value + side * step));
 }
 
 ExtremumFound ExtremumSearch::find() {
@@ -132,10 +138,17 @@ ExtremumFound ExtremumSearch::find() {
   std::vector<double> grid;
   for (int i = 0; i <= count; ++i) {
     const double t = static_cast<double>(i) / count;
-    grid.push_back(std::isfinite(range.upper) ? range.lower + t * (range.upper - range.lower)
-                                              : range.lower + range.scale * std::pow(10, 6 * t - 3));
+    const double far = range.scale * std::pow(10, 6 * t - 3);
+    if (std::isfinite(range.lower) && std::isfinite(range.upper)) {
+      grid.push_back(range.lower + t * (range.upper - range.lower));
+      continue;
+    }
+    if (!std::isfinite(range.upper)) grid.push_back(std::isfinite(range.lower) ? range.lower + far : far);
+    if (!std::isfinite(range.lower)) grid.push_back(std::isfinite(range.upper) ? range.upper - far : -far);
   }
-  if (!std::isfinite(range.upper)) grid.insert(grid.begin(), range.lower);
+  if (!std::isfinite(range.upper) || !std::isfinite(range.lower))
+    grid.push_back(std::isfinite(range.lower) ? range.lower : std::isfinite(range.upper) ? range.upper : 0);
+  std::sort(grid.begin(), grid.end());
   if (side < 0) std::reverse(grid.begin(), grid.end());
   ExtremumFound found;
   const std::string what = std::string(side > 0 ? "largest" : "smallest") + " value";
@@ -149,7 +162,7 @@ ExtremumFound ExtremumSearch::find() {
     return found;
   }
   if (at == grid.rbegin()) {
-    if (side > 0 && !std::isfinite(range.upper)) {
+    if (!std::isfinite(side > 0 ? range.upper : range.lower)) {
       found.reason = "there is no " + what + ": it holds at " + number_text(*at) + " (SI), the last that was tried";
       return found;
     }

@@ -1,7 +1,9 @@
 #include "statement/finished_ask.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "statement/asked_size.h"
 #include "statement/compare_values.h"
 #include "statement/describe.h"
 #include "statement/reader.h"
@@ -74,7 +76,16 @@ SolvedAsk finished_table(const Statement& statement, const Ask& ask, const Value
   return solved;
 }
 
-FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& sample) {
+// Whether any number is small enough to be rounding.
+bool has_small_numbers(const Value<double>& value, double size) {
+  const auto small = [&](double x) { return x != 0 && std::abs(x) < size; };
+  if (value.is_number()) return small(value.number);
+  if (value.is_vector()) return small(value.vector.x) || small(value.vector.y) || small(value.vector.z);
+  return std::any_of(value.items.begin(), value.items.end(),
+                     [&](const Value<double>& item) { return has_small_numbers(item, size); });
+}
+
+FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& sample, RoundedValues& rounded) {
   FinishedAsk result;
   SolvedAsk& solved = result.solved;
   const Problem& problem = sample.problem_of(ask);
@@ -84,8 +95,13 @@ FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& s
          "ask for a quantity, such as angular_momentum(BODY about POINT)");
   solved.value = value;
   const Dimension dimension = dimension_of(value);
-  result.natural_size = sample.instant_of(ask).natural_size(dimension);
-  drop_noise(solved.value, std::max(size_of(value), result.natural_size));
+  SolvedInstant& instant = sample.instant_of(ask);
+  result.natural_size = asked_size(instant, problem, ask, dimension);
+  const double size = std::max({size_of(value), instant.natural_size(dimension), result.natural_size});
+  if (has_small_numbers(value, 1e-14 * size)) {
+    const bool moved = !sample.motions().empty();
+    drop_noise(solved.value, size, result.natural_size, moved ? std::vector<Value<double>>{} : rounded.of(ask));
+  }
   for (const Value<double>& item : value.items)
     if (!same_kind(dimension_of(item), dimension))
       fail(problem.file, ask.mark,
@@ -112,7 +128,8 @@ FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& s
 
 }  // namespace
 
-FinishedAsk finished_ask(const Statement& statement, std::size_t index, const AskValues& asked, Sample& sample) {
+FinishedAsk finished_ask(const Statement& statement, std::size_t index, const AskValues& asked, Sample& sample,
+                         RoundedValues& rounded) {
   const Ask& ask = statement.asks[index];
   if (const auto missing = asked.unanswered.find(ask.name); missing != asked.unanswered.end()) {
     const Diagnostic& why = missing->second;
@@ -125,7 +142,7 @@ FinishedAsk finished_ask(const Statement& statement, std::size_t index, const As
   const std::optional<Value<double>>& value = asked.values[index];
   if (ask.table) return {finished_table(statement, ask, *value)};
   if (ask.extremum) return {finished_extremum(statement, ask, value, asked)};
-  return finished_value(ask, *value, sample);
+  return finished_value(ask, *value, sample, rounded);
 }
 
 }  // namespace poinsot::statement

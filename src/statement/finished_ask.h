@@ -3,16 +3,18 @@
 
 #include "poinsot/statement/solve_statement.h"
 #include "statement/ask_values.h"
+#include "statement/rounded_values.h"
 
 namespace poinsot::statement {
 
 struct FinishedAsk {
   SolvedAsk solved;
-  double natural_size = 0;  // of a quantity of this kind in the model, SI: what is far below it is noise
+  double natural_size = 0;  // asked_size() of its value, SI: what is far below it is noise
 };
 
-// asked: the values at `sample`. index: of the ask in the statement. Throws StatementError: what asks nothing of the
-// model, units that do not fit.
-FinishedAsk finished_ask(const Statement& statement, std::size_t index, const AskValues& asked, Sample& sample);
+// asked: the values at `sample`, of which `rounded` tells what is rounding. index: of the ask in the statement. Throws
+// StatementError: what asks nothing of the model, units that do not fit.
+FinishedAsk finished_ask(const Statement& statement, std::size_t index, const AskValues& asked, Sample& sample,
+                         RoundedValues& rounded);
 
 }  // namespace poinsot::statement

@@ -60,11 +60,17 @@ Value<Formula> exact_setting(const Problem& problem, const std::string& name, co
 
 FormulaInstant& FormulaAnswers::instant(const Sample::Home& home) {
   if (const auto known = instants_.find(home); known != instants_.end()) return *known->second;
+  if (const auto failed = no_instant_.find(home); failed != no_instant_.end()) throw NoFormula(failed->second);
   const Problem& problem = statement_.situations[home.situation].problem;
   if (home.time || home.ending || home.instant > (problem.has_blow() ? 1U : 0U))
     throw NoFormula("it is reached by a motion, which is followed by numbers");
-  auto found = std::make_unique<FormulaInstant>(problem, values_[home.situation], numbers_.instant(home));
-  return *(instants_[home] = std::move(found));
+  try {
+    auto found = std::make_unique<FormulaInstant>(problem, values_[home.situation], numbers_.instant(home));
+    return *(instants_[home] = std::move(found));
+  } catch (const std::exception& error) {
+    no_instant_[home] = error.what();
+    throw;
+  }
 }
 
 Value<Formula> FormulaAnswers::at_home(const Sample::Home& home, const Expression& expression,

@@ -13,7 +13,7 @@ namespace poinsot::statement {
 
 // Bounds on the search for the formulas of one file.
 inline constexpr std::size_t most_formula_terms = 20000;
-inline constexpr double most_formula_seconds = 20;
+inline constexpr double most_formula_seconds = 5;
 
 // What stands for a letter in formulas. Lengths, masses, durations and what is made of them are positive, angles real.
 Value<Formula> formula_of(const Letter& letter);
@@ -44,6 +44,7 @@ class FormulaAnswers {
   const std::vector<FormulaValues>& values_;
   Sample& numbers_;
   std::map<Sample::Home, std::unique_ptr<FormulaInstant>> instants_;
+  std::map<Sample::Home, std::string> no_instant_;  // why there are no formulas, once that was tried
 };
 
 // Whether a formula has the given value at values of the letters: to `tolerance`, relative, and `natural` times a small

@@ -4,7 +4,9 @@
 #include <array>
 
 #include "poinsot/dynamics/velocity_constraint.h"
+#include "poinsot/math/expression_decision.h"
 #include "poinsot/solve/closure.h"
+#include "statement/reader.h"
 #include "statement/scalar_value.h"
 
 namespace poinsot::statement {
@@ -103,7 +105,8 @@ void FormulaInstant::set_positions(const std::vector<const Instant*>& instants) 
 
 void FormulaInstant::solve_velocities() {
   std::vector<solve::ConditionOf<Formula>> conditions = rate_conditions(view());
-  for (auto& condition : velocity_facts(view(), facts_)) conditions.push_back(std::move(condition));
+  const FactConditions<Formula> stated = velocity_facts(view(), facts_);
+  conditions.insert(conditions.end(), stated.linear.begin(), stated.linear.end());
   if (problem_.steady) add_steady(view(), conditions, false);
   const auto equations = solve::velocity_equations(*moment_, scales_, conditions);
   const auto open = [&](std::size_t k) {
@@ -116,8 +119,24 @@ void FormulaInstant::solve_velocities() {
   };
   solve::ExactSolution solution = open_ ? solve::solve_exactly(equations, open) : solve::solve_exactly(equations);
   remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());
-  v_ = std::move(solution.value);
+  v_ = v_before_ = std::move(solution.value);
+  present_.reset();
   moment_->set_velocities(v_);
+  hold_nonlinear(stated.nonlinear);
+}
+
+// Facts that are not linear, where what they speak of is solved.
+void FormulaInstant::hold_nonlinear(const std::vector<const Fact*>& facts) {
+  const Elsewhere earlier = [this](const At& past, const Mark& mark) {
+    if (past.instant != "before" || !before_)
+      fail(problem_.file, mark, "a fact can look back to `before` a blow only, not to '" + past.instant + "'");
+    return QuantityScope<Formula>(machine_, machine_.mechanism.tree, *data_, before_->state()).value(past.expression);
+  };
+  for (const Fact* fact : facts) {
+    QuantityScope<Formula> scope = scope_for(fact->quantity, std::nullopt, earlier);
+    for (const Difference<Formula>& difference : differences(*fact, scope, problem_.file))
+      if (!difference.value.is_zero()) remainders_.push_back(difference.value);
+  }
 }
 
 solve::ExactSolution FormulaInstant::solve_with_unfixed(const solve::LinearSystemOf<Formula>& equations) {
@@ -134,39 +153,89 @@ void FormulaInstant::solve_blow() {
   std::vector<const Instant*> after;
   for (const Instant& instant : problem_.instants)
     if (instant.name == "after") after.push_back(&instant);
-  const auto conditions = velocity_facts(view(), after);
+  const FactConditions<Formula> stated = velocity_facts(view(), after, &blow_);
   solve::ExactSolution solution =
-      solve_with_unfixed(solve::impulse_equations(*before_, scales_, blow_, conditions, numbers_.blow_acting()));
+      solve_with_unfixed(solve::impulse_equations(*before_, scales_, blow_, stated.linear, numbers_.blow_acting()));
   remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());
   impulses_ = std::move(solution.value);
+  note_who_acts();
   v_.assign(impulses_.begin(),
             impulses_.begin() + static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size()));
+  present_.reset();
   moment_->set_velocities(v_);
+  hold_nonlinear(stated.nonlinear);
+}
+
+// Which cords and contacts act in the blow is decided as the numbers decide it: those that do pull or push, those that
+// do not give way.
+void FormulaInstant::note_who_acts() const {
+  const Mechanism<Formula>& mechanism = machine_.mechanism;
+  const auto n = static_cast<std::size_t>(mechanism.tree.velocity_size());
+  const std::vector<bool>& acting = numbers_.blow_acting();
+  for (std::size_t k = 0; k < mechanism.components.size(); ++k)
+    if (mechanism.components[k].one_sided && acting[static_cast<std::size_t>(mechanism.components[k].action)])
+      note_sign(impulses_[n + k]);
+  for (const VelocityConstraint<Formula>& constraint : mechanism.constraints) {
+    if (constraint.action < 0 || acting[static_cast<std::size_t>(constraint.action)]) continue;
+    const std::vector<Formula> row = solve::constraint_coefficients(*before_, constraint);
+    Formula rate;
+    for (std::size_t k = 0; k < n; ++k) rate += row[k] * impulses_[k];
+    note_sign(rate);
+  }
 }
 
 void FormulaInstant::solve_forces() {
   if (forces_solved_) return;
+  if (!no_forces_.empty()) throw NoFormula(no_forces_);
   forces_solved_ = true;
+  try {
+    find_forces();
+  } catch (const std::exception& error) {
+    forces_solved_ = false;
+    no_forces_ = error.what();
+    throw;
+  }
+}
+
+void FormulaInstant::find_forces() {
   for (const VelocityConstraint<Formula>& constraint : machine_.mechanism.constraints)
     if (constraint.shape_unknown && !constraint.carried_by)
       throw NoFormula("how a point of contact moves is not known");
-  std::vector<solve::ConditionOf<Formula>> conditions = force_facts(view(), facts_);
-  if (problem_.steady) add_steady(view(), conditions, true);
-  solve::ExactSolution solution = solve_with_unfixed(solve::motion_equations(*moment_, scales_, conditions));
+  FactConditions<Formula> stated = force_facts(view(), facts_);
+  if (problem_.steady) add_steady(view(), stated.linear, true);
+  solve::ExactSolution solution = solve_with_unfixed(solve::motion_equations(*moment_, scales_, stated.linear));
   remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());
   unknowns_ = std::move(solution.value);
   moment_->set_accelerations(std::vector<Formula>(
       unknowns_.begin(), unknowns_.begin() + static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size())));
+  hold_nonlinear(stated.nonlinear);
+}
+
+const QuantityScope<Formula>& FormulaInstant::present_scope() {
+  const bool noted = notes_decisions();
+  if (!present_ || present_->with_forces != forces_solved_ || present_->noted != noted) {
+    std::optional<DecisionScope> decisions;
+    if (noted) decisions.emplace();
+    QuantityScope<Formula> scope(machine_, machine_.mechanism.tree, *data_, State<Formula>{machine_.q, v_});
+    if (forces_solved_) {
+      scope.set_accelerations(moment_->accelerations());
+      scope.set_forces(&*moment_, &unknowns_);
+    }
+    present_.emplace(Present{forces_solved_, noted, std::move(scope), {}, false});
+    if (decisions) {
+      present_->signs = decisions->signs();
+      present_->zeros_by_digits = decisions->zeros_by_digits();
+    }
+  }
+  for (const Formula& sign : present_->signs) note_sign(sign);
+  if (present_->zeros_by_digits) note_zero_by_digits();
+  return present_->scope;
 }
 
 QuantityScope<Formula> FormulaInstant::scope_for(const Expression& expression, const std::optional<Expression>& axes,
                                                  const Elsewhere& elsewhere) {
   if (level_of(problem_, expression) >= Level::force) solve_forces();
-  QuantityScope<Formula> quantities(machine_, machine_.mechanism.tree, *data_, State<Formula>{machine_.q, v_});
-  if (forces_solved_) {
-    quantities.set_accelerations(moment_->accelerations());
-    quantities.set_forces(&*moment_, &unknowns_);
-  }
+  QuantityScope<Formula> quantities = present_scope();
   if (before_) quantities.set_blow(&*before_, &blow_, &impulses_);
   if (axes) quantities.set_axes(*axes);
   if (elsewhere) quantities.set_elsewhere(elsewhere);

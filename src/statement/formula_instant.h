@@ -44,8 +44,16 @@ class FormulaInstant {
   Value<Formula> raw(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere);
 
   void solve_forces();
+  const MachineOf<Formula>& machine() const { return machine_; }
   const std::vector<Formula>& positions() const { return machine_.q; }
   const std::vector<Formula>& velocities() const { return v_; }
+  // With accelerations once forces are solved; the unknowns of the motion, and of a blow with the motion before it.
+  const solve::MomentOf<Formula>& moment() const { return *moment_; }
+  const std::vector<Formula>& unknowns() const { return unknowns_; }
+  const std::optional<solve::MomentOf<Formula>>& before() const { return before_; }
+  const solve::BlowOf<Formula>& blow() const { return blow_; }
+  const std::vector<Formula>& impulses() const { return impulses_; }
+  const std::vector<Formula>& velocities_before_blow() const { return v_before_; }
   // What is left of the facts and equations solved so far: it vanishes if all of them hold.
   const std::vector<Formula>& remainders() const { return remainders_; }
 
@@ -54,8 +62,12 @@ class FormulaInstant {
   void open_positions();
   void solve_velocities();
   void solve_blow();
+  void note_who_acts() const;
+  void find_forces();
+  void hold_nonlinear(const std::vector<const Fact*>& facts);
   solve::ExactSolution solve_with_unfixed(const solve::LinearSystemOf<Formula>& equations);
   InstantView<Formula> view() const;
+  const QuantityScope<Formula>& present_scope();
   QuantityScope<Formula> scope_for(const Expression& expression, const std::optional<Expression>& axes,
                                    const Elsewhere& elsewhere);
 
@@ -70,8 +82,17 @@ class FormulaInstant {
   std::optional<solve::MomentOf<Formula>> moment_, before_;
   std::vector<const Instant*> facts_;
   solve::BlowOf<Formula> blow_;
-  std::vector<Formula> v_, unknowns_, impulses_;
+  std::vector<Formula> v_, v_before_, unknowns_, impulses_;
   bool forces_solved_ = false;
+  // The scope of the present state, and what was decided on the way to it.
+  struct Present {
+    bool with_forces, noted;
+    QuantityScope<Formula> scope;
+    std::vector<Formula> signs;
+    bool zeros_by_digits;
+  };
+  std::optional<Present> present_;
+  std::string no_forces_;  // why they have no formulas, once that was tried
   std::vector<Formula> remainders_;
 };
 

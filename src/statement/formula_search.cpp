@@ -7,6 +7,7 @@
 #include <set>
 
 #include "statement/formula_unknowns.h"
+#include "statement/law_search.h"
 #include "statement/unknown_search.h"
 
 namespace poinsot::statement {
@@ -32,16 +33,6 @@ struct Checkpoint {
   Sample* sample = nullptr;
   std::unique_ptr<Sample> owned;
 };
-
-bool confirmed_by_particles(Sample& sample) {
-  return std::all_of(sample.instants().begin(), sample.instants().end(), [](const auto& item) {
-    const SolvedInstant::Residuals residuals = item.second->check();
-    const solve::CheckResult& particles = residuals.particles;
-    return particles.momentum <= check_tolerance && particles.energy <= check_tolerance &&
-           (!item.second->forces_solved() || particles.newton_euler <= check_tolerance) &&
-           residuals.impulse <= check_tolerance;
-  });
-}
 
 class FormulaSearch {
  public:
@@ -269,6 +260,16 @@ class FormulaSearch {
 
 }  // namespace
 
+bool confirmed_by_particles(Sample& sample) {
+  return std::all_of(sample.instants().begin(), sample.instants().end(), [](const auto& item) {
+    const SolvedInstant::Residuals residuals = item.second->check();
+    const solve::CheckResult& particles = residuals.particles;
+    return particles.momentum <= check_tolerance && particles.energy <= check_tolerance &&
+           (!item.second->forces_solved() || particles.newton_euler <= check_tolerance) &&
+           residuals.impulse <= check_tolerance;
+  });
+}
+
 void find_formulas(const FormulaTask& task, Solution& solution) {
   const auto deadline =
       std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<int>(1000 * most_formula_seconds));
@@ -286,6 +287,7 @@ void find_formulas(const FormulaTask& task, Solution& solution) {
     }
   const PlainPointScope decisions(std::move(point));
   FormulaSearch(task, solution).run();
+  find_laws(task, solution);
 }
 
 }  // namespace poinsot::statement

@@ -21,7 +21,11 @@ struct FormulaTask {
 
 // Adds to every ask of the solution that has numbers its formula, or the reason why it has none; lists the unknowns
 // that have formulas. Every formula is compared with the numbers at `settings` and at letters drawn at random twice,
-// where the statement is solved anew and checked on particles. Never throws for a formula that cannot be had.
+// where the statement is solved anew and checked on particles. What has no exact formula may have a law
+// (law_search.h). Never throws for a formula that cannot be had.
 void find_formulas(const FormulaTask& task, Solution& solution);
+
+// Whether the check on particles confirms every instant of a sample that was solved.
+bool confirmed_by_particles(Sample& sample);
 
 }  // namespace poinsot::statement

@@ -24,6 +24,15 @@ SolvedInstant::SolvedInstant(const Problem& problem, const Settings& settings, c
 }
 
 Machine SolvedInstant::machine_at(double time, const std::optional<std::vector<std::string>>& loads) {
+  if (elsewhen_)
+    elsewhen_->set_time(time);
+  else
+    elsewhen_ = std::make_unique<DataScope<double>>(problem_, settings_, time);
+  return machine_from(*elsewhen_, time, loads);
+}
+
+Machine SolvedInstant::machine_from(DataScope<double>& data, double time,
+                                    const std::optional<std::vector<std::string>>& loads) {
   std::size_t next = 0;
   // Every building of the machine must take the same values for what is open.
   const AnyValue any = [&](const Dimension&) {
@@ -33,7 +42,6 @@ Machine SolvedInstant::machine_at(double time, const std::optional<std::vector<s
     }
     return any_values_[next++];
   };
-  DataScope<double> data(problem_, settings_, time);
   DataScope<TimeJet> timed(problem_, settings_, time_jet(time));
   MachineOptions options;
   options.time = time;
@@ -44,13 +52,25 @@ Machine SolvedInstant::machine_at(double time, const std::optional<std::vector<s
     std::uniform_real_distribution<double> size(-10, 10);
     options.open_gravity = {size(random), size(random), size(random)};
   }
-  return build_machine(problem_, data, timed, any, options);
+  if (masses_) {
+    next = any_in_masses_;
+    return build_machine(problem_, *masses_, data, timed, any, options);
+  }
+  std::vector<BodyMassOf<double>> masses = body_masses(problem_, data, any, options);
+  if (!data.follows_time()) {
+    masses_ = masses;
+    any_in_masses_ = next;
+  }
+  return build_machine(problem_, std::move(masses), data, timed, any, options);
 }
 
 void SolvedInstant::build(double time, const std::optional<std::vector<std::string>>& loads) {
   time_ = time;
-  data_ = std::make_unique<DataScope<double>>(problem_, settings_, time);
-  machine_ = machine_at(time, loads);
+  if (data_)
+    data_->set_time(time);
+  else
+    data_ = std::make_unique<DataScope<double>>(problem_, settings_, time);
+  machine_ = machine_from(*data_, time, loads);
   scales_ = choice_.scales ? *choice_.scales : solve::natural_scales(machine_.mechanism);
   moment_.emplace(machine_.mechanism);
   moment_->set_positions(machine_.q);
@@ -169,13 +189,15 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
     return;
   }
   std::vector<solve::Condition> conditions = rate_conditions(view());
-  for (solve::Condition& condition : velocity_facts(view(), instants)) conditions.push_back(std::move(condition));
+  const FactConditions<double> stated = velocity_facts(view(), instants);
+  conditions.insert(conditions.end(), stated.linear.begin(), stated.linear.end());
   if (problem_.steady) add_steady(view(), conditions, false);
   velocities_ = solve::solve_velocities(*moment_, scales_, conditions, &velocity_equations_);
   if (choice_.trial)
     take_misfits(velocities_);
   else if (!velocities_.conflict.empty())
     contradiction(velocity_equations_, velocities_, false);
+  hold_nonlinear(System::velocities, stated.nonlinear, velocities_);
   v_ = velocities_.value;
   if (choice_.velocities) {
     // As fast as what is known, so that nothing of it drowns.
@@ -208,11 +230,14 @@ void SolvedInstant::solve_forces() {
            "velocities can be asked; for forces and accelerations give the body a round shape, or its inertia by "
            "axis:, axial:, transverse:");
     }
-  solve::LinearSolution solution = solve::solve_motion(*moment_, scales_, force_conditions(), &motion_equations_);
+  FactConditions<double> stated = force_facts(view(), facts_);
+  if (problem_.steady && !moving_) add_steady(view(), stated.linear, true);
+  solve::LinearSolution solution = solve::solve_motion(*moment_, scales_, stated.linear, &motion_equations_);
   if (choice_.trial)
     take_misfits(solution);
   else if (!solution.conflict.empty())
     contradiction(motion_equations_, solution, true);
+  hold_nonlinear(System::motion, stated.nonlinear, solution);
   motion_ = std::move(solution);
   unknowns_ = motion_->value;
   if (choice_.forces) move_along(*motion_, unknowns_);
@@ -262,8 +287,15 @@ QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, con
                                                const Elsewhere& elsewhere) {
   // What is asked of the whole motion finds forces there.
   const Call* call = expression.as<Call>();
-  const bool of_motion = before_ && ((call && is_motion_feature(*call)) || !asks_forces(problem_, expression));
-  if (level_of(problem_, expression) >= Level::force && !of_motion) solve_forces();
+  const bool of_motion = (call && is_motion_feature(*call)) || !asks_forces(problem_, expression);
+  if (level_of(problem_, expression) >= Level::force && !(before_ && of_motion)) {
+    try {
+      solve_forces();
+    } catch (const StatementError&) {
+      // At the pole of Eulerian angles no forces can be found at the start; the motion tells what else is wrong.
+      if (!of_motion) throw;
+    }
+  }
   QuantityScope<double> quantities(machine_, machine_.mechanism.tree, *data_, State<double>{machine_.q, v_});
   if (motion_) {
     quantities.set_accelerations(moment_->accelerations());
@@ -324,15 +356,32 @@ std::vector<std::string> SolvedInstant::unphysical() const {
   std::vector<std::string> found;
   const Mechanism<double>& mechanism = machine_.mechanism;
   const std::size_t first = solve::force_unknowns(mechanism).accelerations;
-  const double force_unit = natural_unit(dimensions::force);
+  // A force that is small beside all others on the body that it holds is rounding.
+  const auto on_body = [&](int body, std::size_t without) {
+    if (body == ground) return 0.0;
+    double size = mechanism.tree.body(body).inertia.mass * norm(mechanism.tree.gravity());
+    for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
+      const Action& action = mechanism.actions[i];
+      if (i == without || (action.on != body && action.from != body)) continue;
+      size = std::max(size, norm(solve::action_wrench(*moment_, unknowns_, i).force));
+    }
+    return size;
+  };
   for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
     const Component<double>& component = mechanism.components[k];
     const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
     if (!component.one_sided) continue;
-    double largest = 1e-9 * force_unit;
-    for (std::size_t j = 0; j < mechanism.components.size(); ++j)
-      if (!mechanism.components[j].couple) largest = std::max(largest, 1e-9 * std::abs(unknowns_[first + j]));
-    if (unknowns_[first + k] >= -largest) continue;
+    if (unknowns_[first + k] >= 0) continue;
+    const auto own = static_cast<std::size_t>(component.action);
+    const double on = on_body(action.on, own), from = on_body(action.from, own);
+    const double beside = on > 0 && from > 0 ? std::min(on, from) : std::max(on, from);
+    // Alone on its body, it is what the motion needs; or rounding, where nothing moves.
+    double mass = scales_.mass;
+    for (const int body : {action.on, action.from})
+      if (body != ground && mechanism.tree.body(body).inertia.mass > 0)
+        mass = std::min(mass, mechanism.tree.body(body).inertia.mass);
+    const double rounding = 1e-13 * natural_unit(dimensions::force) * mass / scales_.mass;
+    if (unknowns_[first + k] >= -std::max(1e-9 * beside, rounding)) continue;
     found.push_back(action.kind == ActionKind::cord
                         ? "the cord '" + action.name + "' would have to push: it goes slack"
                         : "the contact '" + action.name + "' would have to pull: it is lost");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <random>
@@ -96,6 +97,8 @@ class SolvedInstant {
   // The size that a quantity of this dimension naturally has here.
   double natural_size(const Dimension& dimension) const;
 
+  // From the state just before the blow to just after it.
+  void strike() { solve_blow(); }
   bool after_blow() const { return before_.has_value(); }
   const solve::LinearSolution& blow() const { return blow_solution_; }
   const std::vector<bool>& blow_acting() const { return blow_acting_; }  // of each action, in the blow
@@ -109,8 +112,16 @@ class SolvedInstant {
   // In a trial: by how much the equations fail to hold, in natural units.
   const std::vector<double>& misfits() const { return misfits_; }
   std::size_t position_misfits() const { return position_misfits_; }  // the first ones: of facts about positions
+  const std::vector<std::string>& position_words() const { return position_words_; }  // of these
   const solve::Scales& scales() const { return scales_; }
   double misfit_size() const { return misfit_size_; }  // of the largest term in these equations
+  // What facts that are not linear leave open, where the unknowns of a system have these values.
+  enum class System { velocities, blow, motion };
+  struct NonlinearMisfit {
+    std::string words;
+    double value = 0, size = 0;  // in natural units; the size is that of its sides
+  };
+  std::vector<NonlinearMisfit> nonlinear_misfits(System system, const std::vector<double>& unknowns) const;
 
   // Cords that would have to push and contacts that would have to pull, in words. After solve_forces().
   std::vector<std::string> unphysical() const;
@@ -127,11 +138,20 @@ class SolvedInstant {
 
  private:
   void build(double time, const std::optional<std::vector<std::string>>& loads);
+  Machine machine_from(DataScope<double>& data, double time, const std::optional<std::vector<std::string>>& loads);
   void set_positions(const std::vector<const Instant*>& instants);
   void solve_velocities(const std::vector<const Instant*>& instants, const std::optional<std::vector<double>>& v);
   void position_facts(const std::vector<const Instant*>& instants);
   InstantView<double> view() const;
-  std::vector<solve::Condition> force_conditions();
+  // "'now': mass(bar)"
+  std::string fact_words(const Fact& fact) const;
+  // Facts that are not linear must hold of the solution.
+  void hold_nonlinear(System system, const std::vector<const Fact*>& facts, const solve::LinearSolution& solution);
+  struct FactSides {
+    std::vector<Difference<double>> differences;
+    double size = 0;  // of the larger side
+  };
+  FactSides sides_of(const Fact& fact, System system, const std::vector<double>& unknowns) const;
   void release(const std::vector<bool>& acting);
   void solve_blow();
   void take_misfits(const solve::LinearSolution& solution);
@@ -148,6 +168,9 @@ class SolvedInstant {
   std::mt19937_64 random_;
   std::vector<double> any_values_;  // chosen so far, so that every building of the machine takes the same
   std::unique_ptr<DataScope<double>> data_;
+  std::unique_ptr<DataScope<double>> elsewhen_;            // for machines at other times
+  std::optional<std::vector<BodyMassOf<double>>> masses_;  // once they are found, if they do not follow the time
+  std::size_t any_in_masses_ = 0;                          // of any_values_, those of the masses
   Machine machine_;
   solve::Scales scales_;
   std::optional<solve::Moment> moment_;
@@ -166,7 +189,9 @@ class SolvedInstant {
   std::optional<solve::Linearisation> linearisation_;
   std::vector<double> misfits_;
   std::size_t position_misfits_ = 0;
+  std::vector<std::string> position_words_;
   double misfit_size_ = 0;
+  std::map<System, std::vector<const Fact*>> nonlinear_;
   // A blow, if this is the instant after it: what was before, and velocities after with all impulses.
   std::optional<solve::Moment> before_;
   solve::Blow blow_;

@@ -50,7 +50,7 @@ void SolvedInstant::solve_blow() {
   std::vector<const Instant*> after;
   for (const Instant& instant : problem_.instants)
     if (instant.name == "after") after.push_back(&instant);
-  const std::vector<solve::Condition> conditions = velocity_facts(view(), after);
+  const FactConditions<double> stated = velocity_facts(view(), after, &blow_);
 
   // Cords and pushing contacts act, or give way, as the blow decides: the choice in which none has to push or pull and
   // none is overstretched or pressed in.
@@ -67,7 +67,7 @@ void SolvedInstant::solve_blow() {
     std::vector<bool> acting(mechanism.actions.size(), true);
     for (std::size_t k = 0; k < one_sided.size(); ++k) acting[one_sided[k]] = !(choice >> k & 1);
     solve::LinearSystem equations;
-    solve::LinearSolution solution = solve::solve_impulse(*before_, scales_, blow_, conditions, acting, &equations);
+    solve::LinearSolution solution = solve::solve_impulse(*before_, scales_, blow_, stated.linear, acting, &equations);
     const bool last = choice + 1 == (std::size_t{1} << one_sided.size());
     double largest = 0;
     for (std::size_t k = n; k < solution.value.size(); ++k) largest = std::max(largest, std::abs(solution.value[k]));
@@ -108,6 +108,7 @@ void SolvedInstant::solve_blow() {
     if (choice_.trial) take_misfits(blow_solution_);
     break;
   }
+  hold_nonlinear(System::blow, stated.nonlinear, blow_solution_);
   impulses_ = blow_solution_.value;
   if (choice_.forces) move_along(blow_solution_, impulses_);
   for (std::size_t k = 0; k < blow_.impacts.size(); ++k)

@@ -35,18 +35,25 @@ struct InstantView {
   const solve::MomentOf<Scalar>* before = nullptr;  // a blow, for facts about the instant after it
 };
 
+// What facts say of the unknowns of an instant's equations.
+template <class Scalar>
+struct FactConditions {
+  std::vector<solve::ConditionOf<Scalar>> linear;
+  std::vector<const Fact*> nonlinear;  // they fix no unknown, but must hold of the solution
+};
+
 // For the velocity coordinates: rates that joints and frames state.
 template <class Scalar>
 std::vector<solve::ConditionOf<Scalar>> rate_conditions(const InstantView<Scalar>& view);
-// For the velocity coordinates: rest, and facts about velocities and what is linear in them.
+// For the velocity coordinates: rest, and facts about velocities. blow: where the instants are those after one, for the
+// velocities and impulses in the order of solve::impulse_unknowns.
 template <class Scalar>
-std::vector<solve::ConditionOf<Scalar>> velocity_facts(const InstantView<Scalar>& view,
-                                                       const std::vector<const Instant*>& instants);
+FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants,
+                                      const solve::BlowOf<Scalar>* blow = nullptr);
 // For accelerations and forces, in the order of solve::force_unknowns: what joints state and facts say. The moment has
 // its velocities.
 template <class Scalar>
-std::vector<solve::ConditionOf<Scalar>> force_facts(const InstantView<Scalar>& view,
-                                                    const std::vector<const Instant*>& instants);
+FactConditions<Scalar> force_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants);
 // What facts about positions, mass centers and mass properties leave open, fact by fact.
 template <class Scalar>
 std::vector<std::pair<const Fact*, Difference<Scalar>>> position_differences(

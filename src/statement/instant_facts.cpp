@@ -1,7 +1,9 @@
-// What is stated about rates, velocities, accelerations and forces, as linear conditions.
+// What is stated about rates, velocities, accelerations and forces, as linear conditions where it is linear.
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
+#include <stdexcept>
 #include <type_traits>
 
 #include "statement/exact_numbers.h"
@@ -37,6 +39,83 @@ State<Scalar> at_rest(const InstantView<Scalar>& view) {
 
 std::string words_of(const Instant& instant, const Fact& fact) {
   return "'" + instant.name + "': " + to_string(fact.quantity);
+}
+
+template <class Scalar>
+using Conditions = std::vector<solve::ConditionOf<Scalar>>;
+
+// Whether conditions, which were taken elsewhere as linear, give these values.
+template <class Scalar, class Values>
+bool foretell(const Conditions<Scalar>& conditions, const std::vector<Scalar>& x, const Values& values) {
+  if (values.size() != conditions.size()) return false;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    Scalar linear = -conditions[i].value;
+    double size = std::abs(plain(linear));
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      linear += conditions[i].coefficients[k] * x[k];
+      size += std::abs(plain(conditions[i].coefficients[k]) * plain(x[k]));
+    }
+    const double value = plain(values[i].value);
+    if (!(std::abs(value - plain(linear)) <= 1e-9 * (size + std::abs(value)))) return false;
+  }
+  return true;
+}
+
+// A fact as linear conditions on n unknowns, from the differences values(x) that it demands to vanish and, around zero,
+// slopes(k, values there) in unknown k. Nothing if it is not linear: nobody knows then which of several solutions is
+// meant.
+template <class Scalar, class ValuesAt, class Slopes>
+std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales, std::size_t n,
+                                            const ValuesAt& values, const Slopes& slopes) {
+  try {
+    const std::vector<Difference<Scalar>> base = values(std::vector<Scalar>(n, Scalar(0)));
+    Conditions<Scalar> conditions;
+    for (const Difference<Scalar>& difference : base)
+      conditions.push_back(
+          {words, std::vector<Scalar>(n), -difference.value, natural_unit(scales, difference.dimension)});
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::vector<Scalar> column = slopes(k, base);
+      if (column.size() != conditions.size()) return std::nullopt;
+      for (std::size_t i = 0; i < column.size(); ++i) conditions[i].coefficients[k] = column[i];
+    }
+    // On both sides: a size may look linear on one.
+    std::mt19937_64 random(7);
+    for (const double side : {1.0, -1.0}) {
+      std::vector<Scalar> other(n);
+      for (Scalar& x : other) x = Scalar(side * std::uniform_real_distribution<double>(0.5, 1.5)(random));
+      if (!foretell(conditions, other, values(other))) return std::nullopt;
+    }
+    return conditions;
+  } catch (const StatementError&) {
+    // What has no value at rest, such as a direction, is not linear. Mistakes are reported at the solution.
+  } catch (const std::domain_error&) {
+  }
+  return std::nullopt;
+}
+
+// The same with slopes from the step to one, exact for what is linear.
+template <class Scalar, class ValuesAt>
+std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales, std::size_t n,
+                                            const ValuesAt& values) {
+  return as_linear<Scalar>(words, scales, n, values, [&](std::size_t k, const std::vector<Difference<Scalar>>& base) {
+    std::vector<Scalar> one(n, Scalar(0)), slopes;
+    one[k] = Scalar(1);
+    const std::vector<Difference<Scalar>> there = values(one);
+    for (std::size_t i = 0; i < std::min(there.size(), base.size()); ++i)
+      slopes.push_back(there[i].value - base[i].value);
+    return slopes;
+  });
+}
+
+// Whether impulses are asked for, by themselves or under a name.
+bool asks_impulses(const Problem& problem, const Expression& expression, int depth = 0) {
+  std::set<std::string> functions, names;
+  collect_functions(expression, functions, true);
+  if (functions.contains("impulse") || functions.contains("impulsive_couple")) return true;
+  collect_names(expression, names);
+  return depth < 200 && std::any_of(problem.define.begin(), problem.define.end(), [&](const NamedExpression& item) {
+           return names.contains(item.name) && asks_impulses(problem, item.value, depth + 1);
+         });
 }
 
 }  // namespace
@@ -96,29 +175,57 @@ std::vector<std::pair<const Fact*, Difference<Scalar>>> position_differences(
   return all;
 }
 
-// Facts about velocities are linear in them: their coefficients are derivatives, by dual numbers.
+// Coefficients are derivatives by dual numbers; of impulses they are differences, exact for what is linear.
 template <class Scalar>
-std::vector<solve::ConditionOf<Scalar>> velocity_facts(const InstantView<Scalar>& view,
-                                                       const std::vector<const Instant*>& instants) {
+FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants,
+                                      const solve::BlowOf<Scalar>* blow) {
   using Varied = Dual<1, Scalar>;
   const MachineOf<Scalar>& machine = view.machine;
-  std::vector<solve::ConditionOf<Scalar>> conditions;
+  FactConditions<Scalar> facts;
+  Conditions<Scalar>& conditions = facts.linear;
   const auto n = static_cast<std::size_t>(machine.mechanism.tree.velocity_size());
   const Model<Varied> model = convert<Varied>(machine.mechanism.tree);
   DataScope<Varied> data(view.problem, view.data.settings(), Varied(view.time));
   data.vary_as(view.data);
-  const auto at = [&](const std::vector<Scalar>& v, std::size_t seed, const Fact& fact) {
+  const auto earlier = [&](const At& past, const Mark& mark) {
+    if (past.instant != "before" || !view.before)
+      fail(view.problem.file, mark, "a fact can look back to `before` a blow only, not to '" + past.instant + "'");
+    QuantityScope<Scalar> scope(machine, machine.mechanism.tree, view.data, view.before->state());
+    return scope.value(past.expression);
+  };
+  const auto at_velocities = [&](const Fact& fact, const std::vector<Scalar>& v, std::size_t seed) {
     State<Varied> state;
     for (const Scalar& q : machine.q) state.q.emplace_back(q);
     for (std::size_t k = 0; k < n; ++k) state.v.push_back(k == seed ? Varied::variable(v[k], 0) : Varied(v[k]));
     QuantityScope<Varied, Scalar> scope(machine, model, data, std::move(state));
-    scope.set_elsewhere([&](const At& past, const Mark& mark) {
-      if (past.instant != "before" || !view.before)
-        fail(view.problem.file, mark, "a fact can look back to `before` a blow only, not to '" + past.instant + "'");
-      QuantityScope<Scalar> earlier(machine, machine.mechanism.tree, view.data, view.before->state());
-      return lifted<Varied>(earlier.value(past.expression));
-    });
+    scope.set_elsewhere([&](const At& past, const Mark& mark) { return lifted<Varied>(earlier(past, mark)); });
     return differences(fact, scope, view.problem.file);
+  };
+  const auto linear_in_velocities = [&](const Instant& instant, const Fact& fact) {
+    return as_linear<Scalar>(
+        words_of(instant, fact), view.scales, n,
+        [&](const std::vector<Scalar>& v) {
+          std::vector<Difference<Scalar>> values;
+          for (const Difference<Varied>& difference : at_velocities(fact, v, n))
+            values.push_back({difference.value.value, difference.dimension});
+          return values;
+        },
+        [&](std::size_t k, const std::vector<Difference<Scalar>>&) {
+          std::vector<Scalar> slopes;
+          for (const Difference<Varied>& difference : at_velocities(fact, std::vector<Scalar>(n, Scalar(0)), k))
+            slopes.push_back(difference.value.partial[0]);
+          return slopes;
+        });
+  };
+  const auto linear_in_impulses = [&](const Instant& instant, const Fact& fact) {
+    const std::size_t count = solve::impulse_unknowns(machine.mechanism, *blow).size();
+    return as_linear<Scalar>(words_of(instant, fact), view.scales, count, [&](const std::vector<Scalar>& x) {
+      const std::vector<Scalar> v(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));
+      QuantityScope<Scalar> scope(machine, machine.mechanism.tree, view.data, State<Scalar>{machine.q, v});
+      scope.set_elsewhere(earlier);
+      scope.set_blow(view.before, blow, &x);
+      return differences(fact, scope, view.problem.file);
+    });
   };
   for (const Instant* instant : instants) {
     if (instant->rest) {
@@ -139,46 +246,23 @@ std::vector<solve::ConditionOf<Scalar>> velocity_facts(const InstantView<Scalar>
     }
     for (const Fact& fact : instant->facts) {
       if (level_of(view.problem, fact.quantity) != Level::velocity) continue;
-      const std::vector<Scalar> zero(n, Scalar(0));
-      const auto base = at(zero, n, fact);
-      for (std::size_t i = 0; i < base.size(); ++i)
-        conditions.push_back({words_of(*instant, fact), std::vector<Scalar>(n), -base[i].value.value,
-                              natural_unit(view.scales, base[i].dimension)});
-      const std::size_t first = conditions.size() - base.size();
-      for (std::size_t k = 0; k < n; ++k) {
-        const auto slope = at(zero, k, fact);
-        for (std::size_t i = 0; i < slope.size(); ++i)
-          conditions[first + i].coefficients[k] = slope[i].value.partial[0];
-      }
-      // A fact that is not linear would give one of several motions, silently.
-      std::vector<Scalar> other(n);
-      std::mt19937_64 random(7);
-      for (Scalar& x : other) x = Scalar(std::uniform_real_distribution<double>(0.5, 1.5)(random));
-      const auto there = at(other, n, fact);
-      for (std::size_t i = 0; i < there.size(); ++i) {
-        const solve::ConditionOf<Scalar>& condition = conditions[first + i];
-        Scalar linear = -condition.value;
-        double size = std::abs(plain(linear));
-        for (std::size_t k = 0; k < n; ++k) {
-          linear += condition.coefficients[k] * other[k];
-          size += std::abs(plain(condition.coefficients[k]) * plain(other[k]));
-        }
-        const double value = plain(there[i].value.value);
-        if (std::abs(value - plain(linear)) > 1e-9 * (size + std::abs(value)))
-          fail(view.problem.file, fact.mark,
-               "'" + to_string(fact.quantity) + "' is not linear in the velocities: it does not fix them alone",
-               "state rates, velocities or momenta");
-      }
+      const bool impulses =
+          blow && (asks_impulses(view.problem, fact.quantity) || asks_impulses(view.problem, fact.value));
+      const auto found = impulses ? linear_in_impulses(*instant, fact) : linear_in_velocities(*instant, fact);
+      if (found)
+        conditions.insert(conditions.end(), found->begin(), found->end());
+      else
+        facts.nonlinear.push_back(&fact);
     }
   }
-  return conditions;
+  return facts;
 }
 
 template <class Scalar>
-std::vector<solve::ConditionOf<Scalar>> force_facts(const InstantView<Scalar>& view,
-                                                    const std::vector<const Instant*>& instants) {
+FactConditions<Scalar> force_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants) {
   const MachineOf<Scalar>& machine = view.machine;
-  std::vector<solve::ConditionOf<Scalar>> conditions;
+  FactConditions<Scalar> facts;
+  Conditions<Scalar>& conditions = facts.linear;
   const std::size_t n = solve::force_unknowns(machine.mechanism).size();
   for (const StatedRateOf<Scalar>& rate : machine.accelerations) {
     solve::ConditionOf<Scalar> condition{rate.words, std::vector<Scalar>(n), rate.value,
@@ -186,38 +270,35 @@ std::vector<solve::ConditionOf<Scalar>> force_facts(const InstantView<Scalar>& v
     condition.coefficients[static_cast<std::size_t>(rate.velocity)] = Scalar(1);
     conditions.push_back(std::move(condition));
   }
-  // Facts about accelerations and forces are linear in these unknowns: their values at zero and at each unit.
-  const auto at = [&](const std::vector<Scalar>& unknowns, const Fact& fact) {
-    QuantityScope<Scalar> quantities(machine, machine.mechanism.tree, view.data,
-                                     State<Scalar>{machine.q, view.moment.state().v});
-    const auto count = static_cast<std::ptrdiff_t>(machine.mechanism.tree.velocity_size());
-    quantities.set_accelerations(std::vector<Scalar>(unknowns.begin(), unknowns.begin() + count));
-    quantities.set_forces(&view.moment, &unknowns);
-    return differences(fact, quantities, view.problem.file);
-  };
-  for (const Instant* instant : instants) {
+  const auto count = static_cast<std::ptrdiff_t>(machine.mechanism.tree.velocity_size());
+  for (const Instant* instant : instants)
     for (const Fact& fact : instant->facts) {
       if (level_of(view.problem, fact.quantity) != Level::force) continue;
-      std::vector<Scalar> unknowns(n, Scalar(0));
-      const auto base = at(unknowns, fact);
-      const std::size_t first = conditions.size();
-      for (const auto& difference : base)
-        conditions.push_back({words_of(*instant, fact), std::vector<Scalar>(n), -difference.value,
-                              natural_unit(view.scales, difference.dimension)});
-      for (std::size_t k = 0; k < n; ++k) {
-        unknowns[k] = Scalar(1);
-        const auto one = at(unknowns, fact);
-        for (std::size_t i = 0; i < one.size(); ++i)
-          conditions[first + i].coefficients[k] = one[i].value - base[i].value;
-        unknowns[k] = Scalar(0);
-      }
+      const auto found =
+          as_linear<Scalar>(words_of(*instant, fact), view.scales, n, [&](const std::vector<Scalar>& unknowns) {
+            QuantityScope<Scalar> quantities(machine, machine.mechanism.tree, view.data,
+                                             State<Scalar>{machine.q, view.moment.state().v});
+            quantities.set_accelerations(std::vector<Scalar>(unknowns.begin(), unknowns.begin() + count));
+            quantities.set_forces(&view.moment, &unknowns);
+            return differences(fact, quantities, view.problem.file);
+          });
+      if (found)
+        conditions.insert(conditions.end(), found->begin(), found->end());
+      else
+        facts.nonlinear.push_back(&fact);
     }
-  }
-  return conditions;
+  return facts;
 }
 
 InstantView<double> SolvedInstant::view() const {
   return {problem_, *data_, machine_, *moment_, scales_, time_, before_ ? &*before_ : nullptr};
+}
+
+std::string SolvedInstant::fact_words(const Fact& fact) const {
+  for (const Instant& instant : problem_.instants)
+    for (const Fact& own : instant.facts)
+      if (&own == &fact) return words_of(instant, fact);
+  return to_string(fact.quantity);
 }
 
 // Facts about positions, mass centers and mass properties demand something of unknowns, or must hold as it is.
@@ -227,6 +308,7 @@ void SolvedInstant::position_facts(const std::vector<const Instant*>& instants) 
     if (choice_.trial) {
       misfits_.push_back(misfit);
       misfit_size_ = std::max(misfit_size_, 1.0);
+      position_words_.push_back(fact_words(*fact));
     } else if (!(std::abs(misfit) <= 1e-9)) {
       fail(problem_.file, fact->mark,
            "'" + to_string(fact->quantity) + "' is not what is stated: it follows from the data",
@@ -251,25 +333,19 @@ std::vector<double> SolvedInstant::fact_misfits(const std::vector<const Fact*>& 
   return misfits;
 }
 
-std::vector<solve::Condition> SolvedInstant::force_conditions() {
-  std::vector<solve::Condition> conditions = force_facts(view(), facts_);
-  if (problem_.steady && !moving_) add_steady(view(), conditions, true);
-  return conditions;
-}
-
 template std::vector<solve::ConditionOf<double>> rate_conditions(const InstantView<double>&);
-template std::vector<solve::ConditionOf<double>> velocity_facts(const InstantView<double>&,
-                                                                const std::vector<const Instant*>&);
-template std::vector<solve::ConditionOf<double>> force_facts(const InstantView<double>&,
-                                                             const std::vector<const Instant*>&);
+template FactConditions<double> velocity_facts(const InstantView<double>&, const std::vector<const Instant*>&,
+                                               const solve::BlowOf<double>*);
+template FactConditions<double> force_facts(const InstantView<double>&, const std::vector<const Instant*>&);
 template std::vector<std::pair<const Fact*, Difference<double>>> position_differences(
     const InstantView<double>&, const std::vector<const Instant*>&);
+template std::vector<Difference<double>> differences(const Fact&, QuantityScope<double>&, const std::string&);
 template std::vector<solve::ConditionOf<Formula>> rate_conditions(const InstantView<Formula>&);
-template std::vector<solve::ConditionOf<Formula>> velocity_facts(const InstantView<Formula>&,
-                                                                 const std::vector<const Instant*>&);
-template std::vector<solve::ConditionOf<Formula>> force_facts(const InstantView<Formula>&,
-                                                              const std::vector<const Instant*>&);
+template FactConditions<Formula> velocity_facts(const InstantView<Formula>&, const std::vector<const Instant*>&,
+                                                const solve::BlowOf<Formula>*);
+template FactConditions<Formula> force_facts(const InstantView<Formula>&, const std::vector<const Instant*>&);
 template std::vector<std::pair<const Fact*, Difference<Formula>>> position_differences(
     const InstantView<Formula>&, const std::vector<const Instant*>&);
+template std::vector<Difference<Formula>> differences(const Fact&, QuantityScope<Formula>&, const std::string&);
 
 }  // namespace poinsot::statement

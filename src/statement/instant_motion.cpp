@@ -74,7 +74,7 @@ void SolvedInstant::move_to(const MotionState& state) {
     built_acting_ = state.acting;
   } else {
     time_ = state.time;
-    data_ = std::make_unique<DataScope<double>>(problem_, settings_, state.time);
+    data_->set_time(state.time);
     motion_.reset();
   }
   moving_ = true;

@@ -6,6 +6,7 @@
 #include "poinsot/motion/mechanism_dynamics.h"
 #include "poinsot/solve/closure.h"
 #include "statement/instant.h"
+#include "statement/open_words.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
@@ -88,8 +89,8 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   for (const StatedRate& rate : machine_.accelerations) dynamics.set_held_acceleration(rate.velocity, rate.value);
   for (const OpenCoordinate& open : dynamics.open_coordinates(machine_.q))
     fail(problem_.file, mark,
-         "the motion near the steady one is not determined: nothing fixes the " +
-             machine_.mechanism.coordinate_names[static_cast<std::size_t>(open.coordinate)] +
+         "the motion near the steady one is not determined: nothing fixes " +
+             with_article(machine_.mechanism.coordinate_names[static_cast<std::size_t>(open.coordinate)]) +
              (open.without_inertia ? ", which moves no mass" : ""),
          "say what holds or drives it");
   motion.accelerations = [&](const std::vector<double>& q,

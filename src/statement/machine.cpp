@@ -32,13 +32,28 @@ std::vector<std::size_t> MachineOf<Scalar>::actions_of(const std::string& name, 
 }
 
 template <class Scalar>
+std::vector<BodyMassOf<Scalar>> body_masses(const Problem& problem, DataScope<Scalar>& data, const AnyValue& any,
+                                            const MachineOptions& options) {
+  std::vector<BodyMassOf<Scalar>> masses;
+  for (const Body& body : problem.bodies) masses.push_back(body_mass(body, data, any, options.lenient));
+  return masses;
+}
+
+template <class Scalar>
 MachineOf<Scalar> build_machine(const Problem& problem, DataScope<Scalar>& data, DataScope<TimeJetOf<Scalar>>& timed,
                                 const AnyValue& any, const MachineOptions& options) {
+  return build_machine(problem, body_masses(problem, data, any, options), data, timed, any, options);
+}
+
+template <class Scalar>
+MachineOf<Scalar> build_machine(const Problem& problem, std::vector<BodyMassOf<Scalar>> masses, DataScope<Scalar>& data,
+                                DataScope<TimeJetOf<Scalar>>& timed, const AnyValue& any,
+                                const MachineOptions& options) {
   MachineDraft<Scalar> draft{problem, data, timed, any, options};
+  draft.masses = std::move(masses);
   MachineOf<Scalar>& machine = draft.machine;
   machine.index["ground"] = ground;
   machine.drawn_origin[ground] = Vector3<Scalar>::zero();
-  for (const Body& body : problem.bodies) draft.masses.push_back(body_mass(body, data, any, options.lenient));
   set_gravity(draft);
   for (const Frame& frame : problem.frames) add_frame(draft, frame);
   add_tree(draft);
@@ -61,8 +76,12 @@ MachineOf<Scalar> build_machine(const Problem& problem, DataScope<Scalar>& data,
 
 template struct MachineOf<double>;
 template struct MachineOf<Dual<1>>;
+template std::vector<BodyMassOf<double>> body_masses(const Problem&, DataScope<double>&, const AnyValue&,
+                                                     const MachineOptions&);
 template Machine build_machine(const Problem&, DataScope<double>&, DataScope<TimeJet>&, const AnyValue&,
                                const MachineOptions&);
+template Machine build_machine(const Problem&, std::vector<BodyMassOf<double>>, DataScope<double>&, DataScope<TimeJet>&,
+                               const AnyValue&, const MachineOptions&);
 template MachineOf<Dual<1>> build_machine(const Problem&, DataScope<Dual<1>>&, DataScope<TimeJetOf<Dual<1>>>&,
                                           const AnyValue&, const MachineOptions&);
 template struct MachineOf<Formula>;

@@ -94,10 +94,19 @@ struct MachineOptions {
   std::optional<std::vector<std::string>> loads;  // those that act; all when left out
 };
 
+// The mass properties of the bodies, in the order of the file. Throws StatementError.
+template <class Scalar>
+std::vector<BodyMassOf<Scalar>> body_masses(const Problem& problem, DataScope<Scalar>& data, const AnyValue& any,
+                                            const MachineOptions& options);
 // data and timed must have been made for the same problem and time, and vary in the same way. Throws StatementError.
 template <class Scalar>
 MachineOf<Scalar> build_machine(const Problem& problem, DataScope<Scalar>& data, DataScope<TimeJetOf<Scalar>>& timed,
                                 const AnyValue& any, const MachineOptions& options);
+// The same with masses that are known already.
+template <class Scalar>
+MachineOf<Scalar> build_machine(const Problem& problem, std::vector<BodyMassOf<Scalar>> masses, DataScope<Scalar>& data,
+                                DataScope<TimeJetOf<Scalar>>& timed, const AnyValue& any,
+                                const MachineOptions& options);
 
 extern template struct MachineOf<double>;
 extern template struct MachineOf<Dual<1>>;

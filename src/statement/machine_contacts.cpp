@@ -47,6 +47,13 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
     fail(draft.problem.file, contact.at.mark(), "contact '" + contact.name + "' is " + text,
          "correct the point under at:");
   }
+  if (!normal_fits(surface, C, n))
+    fail(draft.problem.file, contact.normal.mark(),
+         "the normal of contact '" + contact.name + "' does not stand on the surface of '" + contact.of +
+             "' at that point",
+         norm(plain(surface.axis)) == 0
+             ? "there it goes along the radius: correct it, or the point under at:"
+             : "there it lies in the plane through the axis: correct it, or the point under at:");
   // What it touches may be curved as well.
   bool unknown = surface.shape == ContactShape::unknown;
   if (draft.machine.mechanism.takes_part.size() > static_cast<std::size_t>(std::max(from, 0)) && from != ground &&

@@ -32,6 +32,7 @@ struct MachineDraft {
   std::vector<BodyMassOf<Scalar>> masses{};                                              // in the order of the file
   std::map<std::pair<std::string, std::size_t>, std::pair<int, int>> link_of_freedom{};  // a link and its parent
   std::vector<const Joint*> loops{};                                                     // joints that close loops
+  std::map<std::string, int> cross_of_loop{};  // of those that are universal: the link that turns about the first axis
 
   int body(const std::string& name) const { return machine.index.at(name); }
   // Its place in the file.

@@ -48,6 +48,9 @@ void add_frame(MachineDraft<Scalar>& draft, const Frame& frame) {
   if (frame.turns) {
     const Vector3<Scalar> axis = draft.data.direction(*frame.turns);
     const TimedNumber<Scalar> rate = draft.timed_number(*frame.rate, dimensions::angular_velocity);
+    if (rate.derivative && frame.accel)
+      fail(draft.problem.file, frame.accel->mark(),
+           owner + " has a rate as a function of time and also accel:, which is its derivative", "remove accel:");
     const Scalar accel = frame.accel ? draft.timed_number(*frame.accel, dimensions::angular_acceleration).value
                                      : rate.derivative.value_or(Scalar(0));
     w = rate.value * axis;

@@ -45,8 +45,10 @@ Carried<Scalar> carried_by(JointKind kind, const JointAxes<Scalar>& axes, const 
   return {};
 }
 
+// Of a universal joint.
 template <class Scalar>
-int middle_link(const MachineDraft<Scalar>& draft, const Joint& joint) {
+int cross_link(const MachineDraft<Scalar>& draft, const Joint& joint) {
+  if (const auto found = draft.cross_of_loop.find(joint.name); found != draft.cross_of_loop.end()) return found->second;
   const auto& [first, first_parent] = draft.link_of_freedom.at({joint.name, 0});
   const auto& [second, second_parent] = draft.link_of_freedom.at({joint.name, 1});
   return second_parent == first ? first : second;
@@ -217,9 +219,7 @@ void add_joint_actions(MachineDraft<Scalar>& draft, const Joint& joint) {
   const Scalar pitch = joint.kind == JointKind::screw ? pitch_of(draft, joint) : Scalar(0);
   const Carried<Scalar> carried = carried_by(joint.kind, axes, pitch);
   // The couple of a universal joint stands across both axes, which the link between them carries.
-  const int couple_body = joint.kind == JointKind::universal && draft.link_of_freedom.contains({joint.name, 0})
-                              ? middle_link(draft, joint)
-                              : from;
+  const int couple_body = joint.kind == JointKind::universal ? cross_link(draft, joint) : from;
   if (!joint.supports_stated) {
     const int action = draft.add_action(ActionKind::joint, joint.name, "", to, from);
     for (const Vector3<Scalar>& d : carried.forces)
@@ -238,13 +238,16 @@ void add_joint_actions(MachineDraft<Scalar>& draft, const Joint& joint) {
   for (const Vector3<Scalar>& d : carried.forces)
     draft.add_constraint(VelocityConstraintKind::point, "joint '" + joint.name + "' along " + draft.direction_name(d),
                          to, from, at, d);
-  for (const Vector3<Scalar>& d : carried.couples)
+  std::vector<Vector3<Scalar>> fixed = carried.couples;
+  // Of the cross, `to` keeps the other axis.
+  if (joint.kind == JointKind::universal) fixed.push_back(cross(axes.freedom[1], carried.couples[0]));
+  for (const Vector3<Scalar>& d : fixed)
     draft.add_constraint(VelocityConstraintKind::angular, "joint '" + joint.name + "' about " + draft.direction_name(d),
-                         to, from, at, d);
-  if (joint.kind == JointKind::universal || joint.kind == JointKind::screw || joint.kind == JointKind::planar)
+                         to, couple_body, at, d);
+  if (joint.kind == JointKind::screw)
     fail(draft.problem.file, joint.mark,
          "joint '" + joint.name + "' closes a loop, which a joint of this kind cannot do here",
-         "let it stand first and close the loop with a revolute, ball, weld, prismatic or cylindrical joint");
+         "let it stand first and close the loop with a joint of another kind");
 }
 
 template JointAxes<double> axes_of(const MachineDraft<double>&, const Joint&);

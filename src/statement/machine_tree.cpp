@@ -66,7 +66,7 @@ void name_coordinate(MachineDraft<Scalar>& draft, const Joint& joint, const Free
     const TimedNumber<Scalar> rate =
         draft.timed_number(*freedom.rate, freedom.turning ? dimensions::angular_velocity : dimensions::velocity);
     draft.state_rate(owner + ": rate", velocity, rate.value, freedom.turning, freedom.rate->mark());
-    if (rate.derivative && !freedom.accel)
+    if (rate.derivative)
       draft.state_acceleration(owner + ": rate as a function of time", velocity, *rate.derivative, freedom.turning,
                                freedom.rate->mark());
   }
@@ -116,7 +116,8 @@ void add_joint(MachineDraft<Scalar>& draft, const Joint& joint, bool reversed) {
   draft.machine.index[child] = parent;
 }
 
-// A joint whose bodies are both placed: what it does not allow becomes constraints.
+// A joint whose bodies are both placed: what it does not allow becomes constraints. The cross of a universal joint
+// hangs on `from`, so that its other axis is one that a revolute joint leaves free.
 template <class Scalar>
 void close_loop(MachineDraft<Scalar>& draft, const Joint& joint) {
   if (states_motion(joint))
@@ -125,6 +126,16 @@ void close_loop(MachineDraft<Scalar>& draft, const Joint& joint) {
          "state angles, rates and couples at the other joints of the loop");
   draft.machine.loop_joints.push_back(joint.name);
   draft.loops.push_back(&joint);
+  if (joint.kind != JointKind::universal) return;
+  const JointAxes<Scalar> axes = axes_of(draft, joint);
+  const std::size_t velocity = draft.next_velocity();
+  const Freedom& first = joint.freedoms[0];
+  const int parent = draft.body(joint.from);
+  const int cross = draft.add_link(joint.name + "." + first.name, parent,
+                                   poinsot::Joint<Scalar>::revolute(axes.freedom[0]), axes.at, massless<Scalar>());
+  draft.cross_of_loop[joint.name] = cross;
+  draft.link_of_freedom[{joint.name, 0}] = {cross, parent};
+  draft.machine.mechanism.coordinate_names[velocity] = "the rate of joint '" + joint.name + "', " + first.name;
 }
 
 }  // namespace

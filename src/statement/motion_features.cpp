@@ -16,6 +16,7 @@ constexpr int per_step = 6;             // samples in a step of the integration
 constexpr double repeats_to = 1e-7;     // how closely what repeats must come back
 constexpr std::size_t most_rises = 40;  // in one period
 constexpr std::size_t most_samples = 2'000'000;
+constexpr double long_enough = 500;  // pace times: a disturbance takes its time to grow
 
 [[noreturn]] void unanswered(const std::string& file, const Mark& mark, const std::string& message,
                              const std::string& hint = "") {
@@ -138,37 +139,80 @@ std::optional<ExtremeFound> MotionFeatures::met_twice(const Sampled& sampled, bo
   return count >= 2 ? first : std::nullopt;
 }
 
-ExtremeFound MotionFeatures::extreme(bool largest) const {
+// The ends included.
+ExtremeFound MotionFeatures::outermost(const Sampled& sampled, bool largest) const {
   const double sign = largest ? 1 : -1;
-  if (const std::optional<double> end = motion_.end()) {
-    const Sampled sampled = samples(0, *end);
-    ExtremeFound best{sampled.value.front(), sampled.time.front()};
-    for (std::size_t i = 0; i < sampled.value.size(); ++i)
-      if (sign * sampled.value[i] > sign * best.value) best = {sampled.value[i], sampled.time[i]};
-    const double highest = sign * best.value;
-    for (const Rough& rough : rough_extremes(sampled, largest)) {
-      if (sign * rough.estimate + rough.doubt < highest) continue;
-      const ExtremeFound one = polished(rough.before, rough.middle, rough.after, largest);
-      if (sign * one.value > sign * best.value + 1e-12 * std::abs(best.value)) best = one;
-    }
-    return best;
+  ExtremeFound best{sampled.value.front(), sampled.time.front()};
+  for (std::size_t i = 0; i < sampled.value.size(); ++i)
+    if (sign * sampled.value[i] > sign * best.value) best = {sampled.value[i], sampled.time[i]};
+  const double highest = sign * best.value;
+  for (const Rough& rough : rough_extremes(sampled, largest)) {
+    if (sign * rough.estimate + rough.doubt < highest) continue;
+    const ExtremeFound one = polished(rough.before, rough.middle, rough.after, largest);
+    if (sign * one.value > sign * best.value + 1e-12 * std::abs(best.value)) best = one;
   }
+  return best;
+}
+
+std::size_t MotionFeatures::Sampled::from(double part) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(time, part * time.back()) - time.begin());
+}
+
+// Whether the motion has come to rest by its dampers, and nothing exceeds an extreme any more.
+bool MotionFeatures::has_settled(const Sampled& sampled, bool largest, const ExtremeFound& best) const {
+  if (!motion_.dissipates() || best.time > sampled.time.back() / 8) return false;
+  const auto [low, high] = std::ranges::minmax(sampled.value);
+  const auto [least, most] =
+      std::minmax_element(sampled.value.begin() + static_cast<std::ptrdiff_t>(sampled.from(0.5)), sampled.value.end());
+  const double width = *most - *least;
+  return width <= 1e-3 * (high - low) && (largest ? best.value - *most : *least - best.value) > 2 * width;
+}
+
+// Whether the number grows, or falls, for good: no arm lets anything go so far, and without springs nothing brings it
+// back.
+bool MotionFeatures::goes_away(const Sampled& sampled, bool upwards) const {
+  const double last = sampled.value.back();
+  if (!(natural_size_ > 0) || motion_.has_springs() || std::abs(last - sampled.value.front()) < 1e3 * natural_size_)
+    return false;
+  const std::size_t away = sampled.from(0.125);
+  for (std::size_t i = away; i + 1 < sampled.value.size(); ++i)
+    if (!(upwards ? sampled.value[i + 1] > sampled.value[i] : sampled.value[i + 1] < sampled.value[i])) return false;
+  // Never more slowly.
+  const double first = sampled.value[away], second = sampled.value[sampled.from(0.25)],
+               third = sampled.value[sampled.from(0.5)];
+  return std::abs(third - second) >= 1.9 * std::abs(second - first) &&
+         std::abs(last - third) >= 1.9 * std::abs(third - second);
+}
+
+ExtremeFound MotionFeatures::extreme(bool largest) const {
+  const std::string ending = "say how long the motion lasts: stages: {run: {lasts: 10 s}}";
+  if (const std::optional<double> end = motion_.end()) return outermost(samples(0, *end), largest);
   for (double until = 4 * motion_.pace_time(); !motion_.followed_enough(until); until *= 2) {
     const Sampled sampled = samples(0, until);
     const auto [low, high] = std::minmax_element(sampled.value.begin(), sampled.value.end());
     if (*high - *low <= 1e-9 * std::max(std::abs(*high), std::abs(*low))) {
       // It stays what it is, so far; a disturbance takes its time to grow.
-      if (until > 500 * motion_.pace_time()) return {sampled.value.front(), 0};
+      if (until > long_enough * motion_.pace_time()) return {sampled.value.front(), 0};
       continue;
     }
     // The same highest and lowest values must be met again.
     const std::optional<ExtremeFound> wanted = met_twice(sampled, largest, *high - *low);
     if (wanted && met_twice(sampled, !largest, *high - *low)) return *wanted;
+    if (until <= long_enough * motion_.pace_time()) continue;
+    if (goes_away(sampled, largest))
+      unanswered(file_, mark_,
+                 "'" + words_ + "' goes on " + (largest ? "growing" : "falling") + " in an endless motion: it has no " +
+                     (largest ? "largest" : "smallest") + " value",
+                 ending);
+    ExtremeFound best = outermost(sampled, largest);
+    if (!has_settled(sampled, largest, best) && !(goes_away(sampled, !largest) && best.time < until / 8)) continue;
+    best.settled = until;
+    return best;
   }
   unanswered(file_, mark_,
              "'" + words_ + "' does not come back to the same extremes, so that of an endless motion it has no " +
                  (largest ? "largest" : "smallest") + " value that could be told",
-             "say how long the motion lasts: stages: {run: {lasts: 10 s}}");
+             ending);
 }
 
 ExtremeFound MotionFeatures::largest() const { return note(extreme(true)); }
@@ -195,7 +239,10 @@ double MotionFeatures::zero_between(double a, double b, double level) const {
 }
 
 double MotionFeatures::period() const {
-  const double high = largest().value, low = smallest().value;
+  const ExtremeFound highest = largest(), lowest = smallest();
+  const double high = highest.value, low = lowest.value;
+  if (highest.settled > 0 || lowest.settled > 0)
+    unanswered(file_, mark_, "'" + words_ + "' does not repeat: it has no period");
   if (!(high > low)) unanswered(file_, mark_, "'" + words_ + "' does not change: it has no period");
   const double level = 0.5 * (high + low);
   const std::optional<double> end = motion_.end();
@@ -225,6 +272,32 @@ double MotionFeatures::period() const {
       unanswered(file_, mark_, "'" + words_ + "' does not repeat: it has no period",
                  motion_.end() ? "let the motion last for at least two periods" : "");
   }
+}
+
+// The extreme between a sample and the next one that lies nearer to zero than both, if it may come to zero.
+std::optional<ExtremeFound> MotionFeatures::nearest_to_zero(const Sampled& sampled, std::size_t at) const {
+  const double sign = sampled.value[at] > 0 ? 1 : -1;
+  const std::size_t last = sampled.value.size() - 1;
+  const auto value = [&](std::size_t i) { return sign * sampled.value[i]; };
+  const double a = value(at), b = value(at + 1);
+  // Where it falls on both sides towards the interval; at the ends of the motion, where nothing is known beyond.
+  const bool falls = at == 0 || value(at - 1) > a, rises = at + 1 == last || value(at + 2) > b;
+  if (!falls || !rises) return std::nullopt;
+  // Smooth or with a corner, it goes no farther than it has come from one sample to the next.
+  double drop = std::abs(a - b);
+  if (at > 0) drop = std::max(drop, value(at - 1) - a);
+  if (at + 1 < last) drop = std::max(drop, value(at + 2) - b);
+  if (std::min(a, b) > 2 * drop) return std::nullopt;
+  std::uintmax_t iterations = 60;
+  const auto least = boost::math::tools::brent_find_minima([&](double t) { return sign * number_(t); },
+                                                           sampled.time[at], sampled.time[at + 1], 50, iterations);
+  ExtremeFound near{sign * least.second, least.first};
+  // A zero of the slope is found more closely.
+  if (least.second > 0) {
+    const ExtremeFound smooth = smooth_extreme(sampled.time[at], sampled.time[at + 1], sign < 0);
+    if (sign * smooth.value < least.second) near = smooth;
+  }
+  return near;
 }
 
 std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to, int sense) const {
@@ -258,13 +331,17 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
       const bool rises = a < 0 && b >= 0, falls = a > 0 && b <= 0;
       if ((sense >= 0 && rises) || (sense <= 0 && falls))
         found.push_back(zero_between(sampled.time[i], sampled.time[i + 1], 0));
-      // An extreme that touches zero.
-      if (sense != 0 || i == 0) continue;
-      const double before = sampled.value[i - 1];
-      const bool above = a > 0 && before >= a && b > a, below = a < 0 && before <= a && b < a;
-      if (!above && !below) continue;
-      const ExtremeFound near = polished(sampled.time[i - 1], a, sampled.time[i + 1], below);
-      if (std::abs(near.value) <= 1e-10 * size) found.push_back(near.time);
+      // Between samples on one side of zero it may come to zero and back: seen by the extreme there.
+      if (rises || falls || a == 0 || b == 0) continue;
+      const std::optional<ExtremeFound> near = nearest_to_zero(sampled, i);
+      if (!near) continue;
+      if (std::abs(near->value) <= 1e-10 * size) {
+        if (sense == 0) found.push_back(near->time);
+      } else if (near->value * a < 0) {
+        // It leaves its side, and comes back.
+        if (sense != (a > 0 ? 1 : -1)) found.push_back(zero_between(sampled.time[i], near->time, 0));
+        if (sense != (a > 0 ? -1 : 1)) found.push_back(zero_between(near->time, sampled.time[i + 1], 0));
+      }
     }
     // What ends the motion happens at its end, whatever rounding leaves of it.
     const double at_end = sampled.value.back(), sign = sampled.value.front() > 0 ? 1 : -1;

@@ -16,11 +16,13 @@ class ProblemMotion;
 struct ExtremeFound {
   double value = 0;
   double time = 0;
+  double settled = 0;  // of an endless motion that does not repeat: when it was seen that nothing exceeds it later, s
 };
 
 // A number along a motion, and its rate where the motion itself knows that.
 struct NumberWithRate {
   std::function<double(double time)> number, rate;
+  double natural_size = 0;  // of such a number in this problem; 0 if it has none
 };
 
 // The number is taken as smooth between the steps of the integration. Throws StatementError, at the mark, where the
@@ -31,11 +33,13 @@ class MotionFeatures {
       : motion_(motion),
         number_(std::move(number.number)),
         rate_(std::move(number.rate)),
+        natural_size_(number.natural_size),
         words_(std::move(words)),
         file_(std::move(file)),
         mark_(mark) {}
 
-  // Over the whole motion if it has an end; of an endless one over as many cycles as it takes to see that it repeats.
+  // Over the whole motion if it has an end; of an endless one over as many cycles as it takes to see that it repeats,
+  // or until it has come to rest or gone away.
   ExtremeFound largest() const;
   ExtremeFound smallest() const;
   double period() const;
@@ -49,6 +53,7 @@ class MotionFeatures {
  private:
   struct Sampled {
     std::vector<double> time, value;
+    std::size_t from(double part) const;  // the first sample after this part of the time
   };
   // An extreme among samples.
   struct Rough {
@@ -61,16 +66,21 @@ class MotionFeatures {
   std::vector<ExtremeFound> extremes(const Sampled& sampled, bool largest) const;
   std::optional<ExtremeFound> met_twice(const Sampled& sampled, bool largest, double range) const;
   ExtremeFound extreme(bool largest) const;
+  ExtremeFound outermost(const Sampled& sampled, bool largest) const;
+  bool has_settled(const Sampled& sampled, bool largest, const ExtremeFound& best) const;
+  bool goes_away(const Sampled& sampled, bool upwards) const;
   ExtremeFound note(const ExtremeFound& found) const {
     latest_ = std::max(latest_, found.time);
     return found;
   }
   ExtremeFound smooth_extreme(double before, double after, bool largest) const;
   ExtremeFound polished(double before, double middle, double after, bool largest) const;
+  std::optional<ExtremeFound> nearest_to_zero(const Sampled& sampled, std::size_t at) const;
   double zero_between(double a, double b, double level) const;
 
   ProblemMotion& motion_;
   std::function<double(double time)> number_, rate_;
+  double natural_size_;
   std::string words_, file_;
   Mark mark_;
   mutable Sampled sampled_;  // from the start

@@ -2,6 +2,8 @@
 
 namespace poinsot::statement {
 
+std::string with_article(const std::string& name) { return name.starts_with("the ") ? name : "the " + name; }
+
 std::string listed(const std::vector<std::string>& names, const char* last) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -49,9 +51,11 @@ std::string open_force(const SolvedInstant& instant, std::size_t direction) {
            " one by one";
   const auto& equations = instant.motion_equations();
   const std::size_t accelerations = solve::force_unknowns(instant.machine().mechanism).accelerations;
-  const std::vector<std::string> motions = moved_names(equations, instant.motion(), direction, 0, accelerations);
+  std::vector<std::string> motions = moved_names(equations, instant.motion(), direction, 0, accelerations);
+  for (std::string& name : motions)
+    if (name != "more") name = with_article(name);
   if (!motions.empty())
-    return "nothing fixes the " + listed(motions, "and the") + ": state it, or the couple or force that causes it";
+    return "nothing fixes " + listed(motions, "and") + ": state it, or the couple or force that causes it";
   return listed(moved_names(equations, instant.motion(), direction, accelerations, equations.unknowns()), "and") +
          " share the same load: the statement does not fix them one by one";
 }

@@ -12,6 +12,9 @@ namespace poinsot::statement {
 // "a, b and c", with `last` between the last two.
 std::string listed(const std::vector<std::string>& names, const char* last);
 
+// "the rate of joint 'A'" for what is named so, or without its article.
+std::string with_article(const std::string& name);
+
 // That nothing fixes these velocities, of which `missing` would do.
 std::string open_velocities(std::vector<std::string> names, std::size_t missing);
 

@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "poinsot/motion/trajectory.h"
+#include "statement/driving.h"
 #include "statement/instant.h"
 #include "statement/motion_features.h"
 
 namespace poinsot {
-class MechanismDynamics;
+struct IntegrationResult;
 }
 
 namespace poinsot::statement {
@@ -81,8 +82,14 @@ class ProblemMotion {
   void continue_from(const MotionCheckpoint& checkpoint);
   // How long one integration may take, s of real time.
   void set_time_limit(double seconds) { most_seconds_ = seconds; }
+  // The tolerance of a step of the integration, over the natural sizes; before the motion is followed.
+  void set_tolerance(double tolerance) { tolerance_ = tolerance; }
   // The problem at a time; valid until anything else is asked.
   SolvedInstant& instant_at(double time);
+
+  // Whether the last stage has dampers and nothing that drives it.
+  bool dissipates() const;
+  bool has_springs() const;
 
   // The steps of the integration up to a time: where the motion is smooth.
   std::vector<double> nodes(double from, double to);
@@ -93,7 +100,7 @@ class ProblemMotion {
   // Whether an endless motion is not followed beyond a time.
   bool followed_enough(double until) const;
 
-  // What happened on the way: cords that went slack, contacts that were lost.
+  // What happened on the way: cords that went slack, contacts that were lost; how extremes were told.
   const std::vector<std::string>& happenings() const { return happenings_; }
   // The drift of the energy relative to its size, where it is conserved.
   std::optional<double> energy_drift() const { return energy_drift_; }
@@ -104,6 +111,9 @@ class ProblemMotion {
   double extremes_until() const { return extremes_until_; }
   // Up to a time; none where the motion is known in closed form or begins with a nudge.
   std::optional<MotionError> error(double until);
+  // The largest difference of the extremes that were asked from those of the motion followed less closely, as parts of
+  // their own sizes; infinite if the other motion does not tell them.
+  double extremes_error();
 
  private:
   struct Slip {
@@ -126,12 +136,19 @@ class ProblemMotion {
   };
   std::optional<StateEntry> state_entry(const Expression& expression) const;
   double state_number(double time, const StateEntry& entry);
+  const State<double>& state_at(double time);  // valid until the next one is asked
   const Trajectory* piece_at(double time) const;
+  class Piece;
   void begin(std::size_t stage);
   void run(std::size_t stage, double until);
-  [[noreturn]] void slips(std::size_t stage, std::size_t action, StageRun& run);
+  Driving::Span smooth_span(std::size_t stage, double until);
+  void keep(std::size_t stage, Piece& piece, const IntegrationResult& result);
+  void change_holds(std::size_t stage, std::size_t action, Piece& piece);
+  [[noreturn]] void slips(std::size_t stage, std::size_t action);
   [[noreturn]] void throw_slip(const StageRun& run) const;
-  void change_holds(std::size_t stage, std::size_t action, std::vector<bool>& acting, StageRun& run);
+  void set_pace(const MotionState& state);
+  void follow_less_closely(ProblemMotion& coarse) const;
+  void tell_how(const ExtremeFound& found, const Call& call);
   std::size_t stage_at(double time);
   const Mark& mark_of(std::size_t stage) const;
   std::string words_of(std::size_t stage) const;
@@ -151,12 +168,22 @@ class ProblemMotion {
   double tolerance_ = 1e-12;  // of a step, over the natural sizes
   std::vector<std::string> happenings_;
   std::optional<double> energy_drift_;
+  struct AskedExtreme {
+    Call call;
+    std::optional<Expression> axes;
+    Mark mark;
+    double value = 0;
+  };
+  std::vector<AskedExtreme> asked_extremes_;
   std::set<std::string> methods_;
+  std::vector<std::unique_ptr<Driving>> driving_;  // of each stage that has been followed, if it follows the time
+  std::size_t looks_ = 1000;                       // at what drives, in a part of the motion
 };
 
 // Whether something is stated of the motion after its start.
 bool has_later_facts(const Problem& problem);
-// By how much that fails to hold, in natural units.
-std::vector<double> later_misfits(const Problem& problem, const Settings& settings, const OpenChoice& choice);
+// By how much that fails to hold, in natural units. tolerance: of the integration, if it may be less close than usual.
+std::vector<double> later_misfits(const Problem& problem, const Settings& settings, const OpenChoice& choice,
+                                  std::optional<double> tolerance = {});
 
 }  // namespace poinsot::statement

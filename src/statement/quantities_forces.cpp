@@ -11,6 +11,8 @@ template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& mark,
                                                  const Evaluator<Scalar>& evaluator) {
   const bool sudden = call.function == "impulse" || call.function == "impulsive_couple";
+  if (sudden && !before_ && problem_.has_blow())
+    evaluator.fail(mark, call.function + "() is known after the blow, not before it", "state or ask it after the blow");
   if (sudden && !before_)
     evaluator.fail(mark, call.function + "() belongs to a blow, and nothing sudden happens here",
                    "state impulses:, impacts: or strikes:, and ask it after the blow");

@@ -6,6 +6,7 @@
 
 #include "poinsot/mass/composition.h"
 #include "poinsot/mass/principal_axes.h"
+#include "poinsot/math/expression_decision.h"
 #include "statement/exact_numbers.h"
 #include "statement/quantities.h"
 #include "statement/quantity_values.h"
@@ -64,14 +65,15 @@ Vector3<Formula> principal_moments(const SymmetricMatrix3<Formula>& I) {
     const Revolution<Formula> body = revolution_of(I);
     if (body.symmetry != InertiaSymmetry::axisymmetric)
       throw NoFormula("the principal moments are the roots of a cubic equation");
-    return plain(body.axial) < plain(body.transverse) ? Vector3<Formula>{body.axial, body.transverse, body.transverse}
-                                                      : Vector3<Formula>{body.transverse, body.transverse, body.axial};
+    return decided_negative(body.axial - body.transverse)
+               ? Vector3<Formula>{body.axial, body.transverse, body.transverse}
+               : Vector3<Formula>{body.transverse, body.transverse, body.axial};
   }
   const Formula &a = moments[(alone + 1) % 3], &b = moments[(alone + 2) % 3];
   const Formula mean = (a + b) / Formula(2), half = (a - b) / Formula(2);
   const Formula radius = count == 0 ? half : sqrt(half * half + products[alone] * products[alone]);
   std::array<Formula, 3> found{moments[alone], mean - radius, mean + radius};
-  std::sort(found.begin(), found.end(), [](const Formula& x, const Formula& y) { return plain(x) < plain(y); });
+  std::sort(found.begin(), found.end(), [](const Formula& x, const Formula& y) { return decided_negative(x - y); });
   return {found[0], found[1], found[2]};
 }
 
@@ -163,25 +165,25 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
     const Scalar &axial = revolution.axial, &transverse = revolution.transverse;
     // The sense of the axis: that of the angular velocity, unless the caller says.
     Vector axis = revolution.axis;
-    if (plain(dot(axis, w)) < 0) axis = -axis;
+    if (decided_negative(dot(axis, w))) axis = -axis;
     if (const Expression* about = call.argument("about")) {
       const Result sense = evaluator(*about);
       if (!sense.is_vector() || plain(norm(cross(sense.vector, axis))) > 1e-6 * plain(norm(sense.vector)))
         evaluator.fail(about->mark(),
                        "'" + to_string(*about) + "' is not the axis of revolution of '" + to_string(what) + "'");
-      if (plain(dot(sense.vector, axis)) < 0) axis = -axis;
+      if (decided_negative(dot(sense.vector, axis))) axis = -axis;
     }
     if (f == "symmetry_axis") return vector_value(axis, dimensions::none);
     if (f == "body_cone") {
       const Scalar along = dot(axis, w);
-      return number_value(Scalar(atan2(norm(cross(axis, w)), plain(along) < 0 ? Scalar(-along) : along)),
+      return number_value(Scalar(atan2(norm(cross(axis, w)), decided_negative(along) ? Scalar(-along) : along)),
                           dimensions::angle);
     }
     if (f == "precession_rate") return number_value(Scalar(norm(H) / transverse), dimensions::angular_velocity);
     if (f == "spin_rate")
       return number_value(Scalar(dot(H, axis) * (transverse - axial) / (axial * transverse)),
                           dimensions::angular_velocity);
-    return Result::of_text(plain(axial) < plain(transverse) ? "direct" : "retrograde");
+    return Result::of_text(decided_negative(axial - transverse) ? "direct" : "retrograde");
   }
 }
 

@@ -197,6 +197,12 @@ Body read_body(const std::string& name, Mark mark, const Entry& entry, const Rea
          "give it a shape, or mass, center and radii_of_gyration or inertia, or write massless");
   if (body.parts.empty() && !body.amount.mass && !body.amount.weight)
     fail(file, mark, owner + " has no mass", "write mass: or weight:");
+  // Nothing is known of an inertia that neither a shape gives nor numbers state; its mark is then that of the body.
+  if (body.parts.empty() && !body.inertia) {
+    body.inertia.emplace();
+    body.inertia->mark = mark;
+    body.inertia->rest_any = true;
+  }
   return body;
 }
 

@@ -1,4 +1,5 @@
 // Reading a file's bytes with a limit, whatever the path leads to.
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -14,17 +15,20 @@ namespace {
 constexpr Mark beginning{1, 1};
 
 std::string read_stream(std::FILE* stream, const std::string& name) {
-  // One byte more than allowed tells a file of the largest size from a larger one.
-  std::string bytes(TreeLimits::bytes + 1, '\0');
-  const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), stream);
+  std::string bytes;
+  std::array<char, 16384> piece;
+  // A piece more than allowed tells a file of the largest size from a larger one.
+  for (std::size_t count = 1; count > 0 && bytes.size() <= TreeLimits::bytes;) {
+    count = std::fread(piece.data(), 1, piece.size(), stream);
+    bytes.append(piece.data(), count);
+  }
   if (std::ferror(stream)) {
     throw StatementError(name, beginning, std::string("the file cannot be read: ") + std::strerror(errno));
   }
-  if (count > TreeLimits::bytes) {
+  if (bytes.size() > TreeLimits::bytes) {
     throw StatementError(name, beginning, "the file is larger than " + std::to_string(TreeLimits::bytes) + " bytes",
                          "a problem file is a page or two of text");
   }
-  bytes.resize(count);
   return bytes;
 }
 

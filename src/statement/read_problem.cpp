@@ -5,6 +5,7 @@
 #include "poinsot/statement/keys.h"
 #include "poinsot/statement/problem.h"
 #include "statement/definition_limits.h"
+#include "statement/misspelt_coordinates.h"
 #include "statement/read_actions.h"
 #include "statement/read_asks.h"
 #include "statement/read_bodies.h"
@@ -412,8 +413,7 @@ Statement read_statement(std::string_view text, const std::string& file) {
           statement.situations.back().own_unknowns.push_back(unknown.text);
     }
   }
-  if (statement.asks.empty() && statement.claims.empty() && !statement.record)
-    fail(file, root.mark, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
+  for (const Situation& situation : statement.situations) check_misspelt_coordinates(root, situation.problem);
   return statement;
 }
 

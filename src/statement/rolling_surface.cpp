@@ -23,7 +23,7 @@ RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data
   const auto offer = [&](const Vector& center, const Vector& axis, const Scalar& radius, double gap) {
     if (gap / plain(radius) >= nearest_gap) return;
     nearest_gap = gap / plain(radius);
-    nearest_surface = {ContactShape::round, center, axis, radius, gap};
+    nearest_surface = {ContactShape::round, center, axis, radius, gap, false};
   };
   for (const Part& part : body.parts) {
     const std::string& kind = part.shape.kind;
@@ -46,6 +46,7 @@ RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data
       const Vector center = place("center");
       const Scalar radius = length("radius");
       offer(center, Vector::zero(), radius, std::abs(norm(plain(p_OC - center)) - plain(radius)));
+      nearest_surface.edged = kind == "hemisphere" || kind == "hemisphere_shell";
     } else if (kind == "disk" || kind == "ring" || kind == "annulus") {
       const Vector center = place("center"), axis = direction("normal");
       const Scalar along = dot(p_OC - center, axis), radius = length("radius");
@@ -68,18 +69,31 @@ RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data
       const Vector foot = center_of_mass + dot(p_OC - center_of_mass, axis) * axis;
       // On the axis itself the circle is a point, and its radius has no derivative.
       const Vector r = p_OC - foot;
-      return {ContactShape::round, foot, axis, norm(plain(r)) > 0 ? norm(r) : Scalar(0), 0};
+      return {ContactShape::round, foot, axis, norm(plain(r)) > 0 ? norm(r) : Scalar(0), 0, false};
     }
-    return {ContactShape::unknown, {}, {}, Scalar(0), 0};
+    return {ContactShape::unknown, {}, {}, Scalar(0), 0, false};
   }
-  if (!other_shapes) return {ContactShape::missed, {}, {}, nearest_surface.radius, nearest_surface.gap};
+  if (!other_shapes) return {ContactShape::missed, {}, {}, nearest_surface.radius, nearest_surface.gap, false};
   const bool curved = std::any_of(body.parts.begin(), body.parts.end(), [](const Part& part) {
     return part.shape.kind == "torus" || part.shape.kind == "ellipsoid" || part.shape.kind == "mesh" ||
            part.shape.kind == "arc";
   });
-  return {curved ? ContactShape::unknown : ContactShape::corner, {}, {}, Scalar(0), 0};
+  return {curved ? ContactShape::unknown : ContactShape::corner, {}, {}, Scalar(0), 0, false};
 }
 
+template <class Scalar>
+bool normal_fits(const RollingSurface<Scalar>& surface, const Vector3<Scalar>& place, const Vector3<Scalar>& normal) {
+  constexpr double tolerance = 1e-6;
+  if (surface.shape != ContactShape::round || surface.edged || !(plain(surface.radius) > 0)) return true;
+  const Vector3<double> radius = plain(place - surface.center) / plain(surface.radius), n = plain(normal);
+  const Vector3<double> axis = plain(surface.axis);
+  if (norm(axis) == 0) return norm(cross(radius, n)) <= tolerance;
+  return std::abs(dot(cross(axis, radius), n)) <= tolerance;
+}
+
+template bool normal_fits(const RollingSurface<double>&, const Vector3<double>&, const Vector3<double>&);
+template bool normal_fits(const RollingSurface<Dual<1>>&, const Vector3<Dual<1>>&, const Vector3<Dual<1>>&);
+template bool normal_fits(const RollingSurface<Formula>&, const Vector3<Formula>&, const Vector3<Formula>&);
 template RollingSurface<double> rolling_surface(const Body&, DataScope<double>&, const Vector3<double>&,
                                                 const Vector3<double>&);
 template RollingSurface<Dual<1>> rolling_surface(const Body&, DataScope<Dual<1>>&, const Vector3<Dual<1>>&,

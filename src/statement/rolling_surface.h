@@ -19,8 +19,13 @@ struct RollingSurface {
   Vector3<Scalar> center{};
   Vector3<Scalar> axis{};  // unit vector; zero for a sphere
   Scalar radius{};
-  double gap = 0;  // from the place to the surface, m
+  double gap = 0;      // from the place to the surface, m
+  bool edged = false;  // the place may lie on an edge of a sphere that is no whole one
 };
+
+// Whether a normal may stand at the place: along the radius of a sphere, across the circle through the place.
+template <class Scalar>
+bool normal_fits(const RollingSurface<Scalar>& surface, const Vector3<Scalar>& place, const Vector3<Scalar>& normal);
 
 // From the shape of the body whose surface the place C lies on, or from its axis of symmetry. Scalar: double or
 // Dual<1>.

@@ -1,6 +1,7 @@
 #include "statement/sample.h"
 
 #include <cmath>
+#include <cstdio>
 
 #include "statement/unknown_search.h"
 
@@ -116,6 +117,21 @@ void Sample::add_row_over_datum(const Ask& ask, const AllSettings& settings, std
       fail(problem.file, column.mark, "column '" + column.name + "' is no number",
            "ask for a component such as .x, or norm(...)");
     values.push_back(std::move(value));
+  }
+  there.note_unphysical(ask, settings.front().at(ask.table->over));
+  unphysical_rows_.merge(there.unphysical_rows_);
+}
+
+void Sample::note_unphysical(const Ask& ask, const Value<double>& row) {
+  for (const auto& [home, solved] : instants_) {
+    if (!solved->forces_solved()) continue;
+    const std::vector<std::string> reasons = solved->unphysical();
+    if (reasons.empty()) continue;
+    const Unit unit = statement_.situations[home.situation].problem.habits.unit_for(row.dimension);
+    char text[60];
+    std::snprintf(text, sizeof text, "%.6g", row.number / unit.factor);
+    unphysical_rows_.emplace(ask.name, reasons.front() + ", from the row " + ask.table->over + " = " + text +
+                                           (unit.text.empty() ? "" : " " + unit.text) + " on");
   }
 }
 

@@ -157,6 +157,8 @@ class Sample {
   // Times at which something happens; the table of an ask, column by column.
   std::vector<double> times(const Ask& ask);
   std::vector<Value<double>> table(const Ask& ask);
+  // Of tables over a datum, by ask: what is unphysical in their first row that is.
+  const std::map<std::string, std::string>& unphysical_rows() const { return unphysical_rows_; }
 
  private:
   Value<double> value_at(const Home& place, const Expression& expression, const std::optional<Expression>& axes) {
@@ -174,6 +176,7 @@ class Sample {
     return {situation, statement_.situations[situation].problem.has_blow() ? 1u : 0u, std::nullopt};
   }
   void add_row_over_datum(const Ask& ask, const AllSettings& settings, std::vector<Value<double>>& values);
+  void note_unphysical(const Ask& ask, const Value<double>& row);
   std::optional<Home> resolve_in(std::size_t i, const std::string& name, const Mark& mark,
                                  std::vector<std::string>& known, const std::string& prefix);
   // Whether an expression names a quantity of the model and not only unknowns.
@@ -225,6 +228,7 @@ class Sample {
   OpenChoice choice_;
   std::map<Home, std::unique_ptr<SolvedInstant>> instants_;
   std::map<std::size_t, std::unique_ptr<ProblemMotion>> motions_;
+  std::map<std::string, std::string> unphysical_rows_;
 };
 
 }  // namespace poinsot::statement

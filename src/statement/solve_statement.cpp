@@ -1,7 +1,9 @@
 #include "poinsot/statement/solve_statement.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <random>
 #include <set>
@@ -12,20 +14,25 @@
 #include "statement/compare_values.h"
 #include "statement/determinacy.h"
 #include "statement/finished_ask.h"
+#include "statement/formula_reach.h"
 #include "statement/formula_search.h"
 #include "statement/reader.h"
+#include "statement/rounded_values.h"
 #include "statement/sample.h"
 #include "statement/unknown_search.h"
 
 namespace poinsot::statement {
 namespace {
 
-constexpr int most_first_draws = 16;  // of letters, until unknowns have a solution
+constexpr int most_first_draws = 32;  // of letters, until unknowns have a solution
+constexpr double most_draw_seconds = 8;
 
 // spread: how far from one unit later draws reach.
 double draw(const Letter& letter, std::mt19937_64& random, int spread = 0) {
+  // Beyond four decades nothing is drawn.
+  const double reach = std::min(0.7 + 0.4 * spread, 9.2);
   if (spread > 0 && letter.unit.dimension != dimensions::angle)
-    return letter.unit.factor * std::exp((0.7 + 0.4 * spread) * std::uniform_real_distribution<double>(-1, 1)(random));
+    return letter.unit.factor * std::exp(reach * std::uniform_real_distribution<double>(-1, 1)(random));
   if (letter.unit.dimension == dimensions::angle) return std::uniform_real_distribution<double>(0.2, 1.2)(random);
   return letter.unit.factor * std::uniform_real_distribution<double>(0.5, 2)(random);
 }
@@ -63,9 +70,12 @@ class StatementSolver {
     }
     // With letters open, roots are sought at drawn values, to see which answers depend on which letters.
     RootsFound found = search_.find(settings_with_letters());
-    while (!open_.empty() && !makes_sense(found) && ++first_draw_ < most_first_draws)
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(most_draw_seconds);
+    while (!open_.empty() && !makes_sense(found) && ++first_draw_ < most_first_draws &&
+           std::chrono::steady_clock::now() < end)
       found = UnknownSearch(statement_, settings_).find(settings_with_letters());
     result.warnings = found.warnings;
+    if (!open_.empty() && found.roots.empty()) tell_draws(result.warnings);
     for (const AllSettings& root : found.roots) {
       Solution solution = solve_one(root);
       list_unknowns(root, solution);
@@ -80,10 +90,29 @@ class StatementSolver {
   }
 
  private:
-  AnswersFound answers_found() { return {statement_, search_, base_, *sample_, asked_, natural_}; }
+  AnswersFound answers_found() { return {statement_, search_, base_, *sample_, asked_, natural_, *rounded_}; }
 
   void add_formulas(Solution& solution) {
-    find_formulas({statement_, open_, exact_, settings_, search_.unknowns(), base_, *sample_, natural_}, solution);
+    const FormulaTask task{statement_, open_, exact_, settings_, search_.unknowns(), base_, *sample_, natural_};
+    find_formulas(task, solution);
+    hold_far_off(task, solution);
+  }
+
+  // What holds at drawn letters only is told with them.
+  void tell_draws(std::vector<std::string>& warnings) const {
+    const int draws = std::min(first_draw_ + 1, most_first_draws);
+    std::string values;
+    const Settings drawn = settings_with_letters();
+    for (const Letter& letter : open_) {
+      char text[60];
+      std::snprintf(text, sizeof text, "%.4g", drawn.at(letter.name).number / letter.unit.factor);
+      values += (values.empty() ? "" : ", ") + letter.name + " = " + text +
+                (letter.unit.text.empty() ? "" : " " + letter.unit.text);
+    }
+    for (std::string& warning : warnings)
+      warning += "; the letters have no values: they were drawn " + std::to_string(draws) +
+                 (draws == 1 ? " time" : " times") + ", the last time " + values +
+                 "; at other values there may be solutions: give them by --set";
   }
 
   // Where unknowns were found at drawn letters: they, and all answers, follow the letters.
@@ -161,16 +190,17 @@ class StatementSolver {
     sample_.reset();
     natural_.clear();
     asked_ = with_letters(nullptr);
+    rounded_.emplace(statement_, base_);
     Solution result;
     for (std::size_t i = 0; i < statement_.asks.size(); ++i) {
-      FinishedAsk finished = finished_ask(statement_, i, asked_, *sample_);
+      FinishedAsk finished = finished_ask(statement_, i, asked_, *sample_, *rounded_);
       result.asks.push_back(std::move(finished.solved));
       natural_.push_back(finished.natural_size);
     }
     mark_letters(result);
     undetermined_ = mark_undetermined(answers_found(), result);
-    if (open_.empty()) refuse_unphysical(statement_, *sample_, result);
-    check_answers(*sample_, asked_.extremal, result);
+    if (open_.empty()) refuse_unphysical(statement_, asked_, *sample_, result);
+    check_answers(statement_, *sample_, asked_.extremal, result);
     if (open_.empty()) add_notes(statement_, *sample_, result);
     return result;
   }
@@ -180,8 +210,8 @@ class StatementSolver {
     if (!search_.unknowns().empty()) return;
     for (const Letter& letter : open_) {
       const AskValues other = with_letters(&letter.name);
-      for (std::size_t i = 0; i < other.values.size(); ++i) {
-        if (!differs(answers_found(), i, other.values[i])) continue;
+      for (std::size_t i = 0; i < other.watched.size(); ++i) {
+        if (!differs(answers_found(), i, other.watched[i])) continue;
         result.asks[i].state = AskState::needs_letters;
         result.asks[i].letters.push_back(letter.name);
       }
@@ -237,6 +267,7 @@ class StatementSolver {
   int first_draw_ = 0;  // of letters at which unknowns have a solution
   std::unique_ptr<Sample> sample_;
   AskValues asked_;  // at sample_
+  std::optional<RoundedValues> rounded_;
   std::vector<double> natural_;
   std::set<std::string> undetermined_;  // unknowns that a variation moves
 };

@@ -9,13 +9,13 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 constexpr double rounding_of_terms = 1e-12;  // slopes below this part of the terms, per natural size, are none
 constexpr double rank_tolerance = 1e-8;      // of columns of the same size
 
 struct GroupSlopes {
-  std::vector<MatrixXd> groups;  // of each group: a row for each condition, a column for each slot
+  std::vector<MatrixXd> groups;                      // of each group: a row for each condition, a column for each slot
+  std::vector<std::vector<std::string>> words = {};  // of each condition
 
   // What is rounding beside the terms of the group is zero.
   void set(std::size_t slot, const std::vector<GroupConditions>& from, const std::vector<GroupConditions>& to,
@@ -45,15 +45,17 @@ bool same_form(const std::vector<GroupConditions>& a, const std::vector<GroupCon
 
 // How the conditions of each group change with each slot, relative to their size, at some values that make sense: by
 // steps of a part of the natural size, and wider ones until the conditions notice.
-std::vector<MatrixXd> slopes_of(UnknownEquations& equations) {
+GroupSlopes slopes_of(UnknownEquations& equations) {
   constexpr double noticed = 1e-6;
   const std::size_t n = equations.slots().size();
   for (const std::vector<double>& x : equations.places(8)) {
     const auto base = equations.conditions_at(x);
     if (!base || base->size() != equations.system().groups.size()) continue;
     GroupSlopes slopes;
-    for (const GroupConditions& group : *base)
+    for (const GroupConditions& group : *base) {
       slopes.groups.push_back(MatrixXd::Zero(static_cast<Index>(group.values.size()), static_cast<Index>(n)));
+      slopes.words.push_back(equations.condition_words(group));
+    }
     bool known = true;
     for (std::size_t k = 0; k < n && known; ++k) {
       const double scale = equations.ranges()[k].scale;
@@ -68,7 +70,7 @@ std::vector<MatrixXd> slopes_of(UnknownEquations& equations) {
         if (slopes.largest(k) * step > noticed) break;
       }
     }
-    if (known) return std::move(slopes.groups);
+    if (known) return slopes;
   }
   return {};
 }
@@ -173,24 +175,115 @@ class BlockOrder {
 std::vector<UnknownSystem> blocks_of(UnknownEquations& equations) {
   const UnknownSystem& system = equations.system();
   if (system.unknowns.size() < 2 || system.groups.size() < 2) return {system};
-  std::vector<MatrixXd> slopes = slopes_of(equations);
-  if (slopes.empty()) return {system};
-  return BlockOrder(equations, std::move(slopes)).blocks();
+  GroupSlopes slopes = slopes_of(equations);
+  if (slopes.groups.empty()) return {system};
+  return BlockOrder(equations, std::move(slopes.groups)).blocks();
 }
+
+std::string counted(std::size_t count, const std::string& what) {
+  return (count == 0 ? "no" : count == 1 ? "one" : std::to_string(count)) + " " + what + (count == 1 ? "" : "s");
+}
+
+namespace {
+
+std::string joined(const std::vector<std::string>& words, const std::string& between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+std::string with_conditions(const SystemPart& part, const std::string& relation) {
+  return joined(part.unknowns, ", ") + ": " + counted(part.numbers, "unknown") + relation +
+         (part.conditions.empty() ? "" : ": ") + joined(part.conditions, "; ");
+}
+
+}  // namespace
+
+std::string shortage_in_words(const SystemPart& part) {
+  return with_conditions(part, ", but " + counted(part.independent, "independent condition") + " on " +
+                                   (part.numbers == 1 ? "it" : "them"));
+}
+
+std::string surplus_in_words(const SystemPart& part) {
+  return with_conditions(part, " in " + counted(part.equations, "condition"));
+}
+
+namespace {
+
+// Rows and columns of a part of the slopes, with their words.
+class PartOfSlopes {
+ public:
+  PartOfSlopes(const UnknownEquations& equations, const MatrixXd& slopes, const std::vector<std::string>& words)
+      : slots_(equations.slots()), slopes_(slopes), words_(words) {}
+
+  SystemPart part(const std::vector<Index>& rows, const std::vector<Index>& columns) const {
+    SystemPart part;
+    for (const Index k : columns) add_once(part.unknowns, slots_[static_cast<std::size_t>(k)].unknown.name);
+    for (const Index i : rows) add_once(part.conditions, words_[static_cast<std::size_t>(i)]);
+    part.numbers = columns.size();
+    part.equations = rows.size();
+    part.independent = static_cast<std::size_t>(rank_of(slopes_(rows, columns)));
+    return part;
+  }
+  // The rows in which one of the columns stands, and the columns that stand in one of the rows.
+  std::vector<Index> rows_with(const std::vector<Index>& columns) const {
+    std::vector<Index> rows;
+    for (Index i = 0; i < slopes_.rows(); ++i)
+      if (!slopes_(i, columns).isZero(0)) rows.push_back(i);
+    return rows;
+  }
+  std::vector<Index> columns_with(const std::vector<Index>& rows) const {
+    std::vector<Index> columns;
+    for (Index k = 0; k < slopes_.cols(); ++k)
+      if (!slopes_(rows, k).isZero(0)) columns.push_back(k);
+    return columns;
+  }
+
+ private:
+  const std::vector<UnknownSlot>& slots_;
+  const MatrixXd& slopes_;
+  const std::vector<std::string>& words_;
+};
+
+// Which columns take part in combinations that vanish.
+std::vector<Index> dependent_columns(MatrixXd matrix) {
+  std::vector<Index> columns;
+  if (matrix.rows() == 0)
+    for (Index k = 0; k < matrix.cols(); ++k) columns.push_back(k);
+  if (matrix.size() == 0) return columns;
+  for (Index k = 0; k < matrix.cols(); ++k)
+    if (const double largest = matrix.col(k).cwiseAbs().maxCoeff(); largest > 0) matrix.col(k) /= largest;
+  Eigen::FullPivLU<MatrixXd> lu(matrix);
+  lu.setThreshold(rank_tolerance);
+  if (lu.rank() == matrix.cols()) return columns;
+  const MatrixXd kernel = lu.kernel();
+  for (Index k = 0; k < matrix.cols(); ++k)
+    if (kernel.row(k).cwiseAbs().maxCoeff() > 1e-6) columns.push_back(k);
+  return columns;
+}
+
+}  // namespace
 
 Balance balance_of(UnknownEquations& equations) {
   const std::size_t n = equations.slots().size();
-  const std::vector<MatrixXd> slopes = slopes_of(equations);
-  if (slopes.empty()) return {n, n, n};
-  MatrixXd all(0, slopes.front().cols());
-  for (const MatrixXd& part : slopes) {
-    MatrixXd more(all.rows() + part.rows(), all.cols());
-    more << all, part;
-    all = std::move(more);
-  }
-  Balance balance{n, 0, 0};
-  for (Index i = 0; i < all.rows(); ++i) balance.conditions += all.row(i).isZero(0) ? 0 : 1;
-  balance.independent = static_cast<std::size_t>(rank_of(std::move(all)));
+  const GroupSlopes slopes = slopes_of(equations);
+  if (slopes.groups.empty()) return {n, n, n, {}, {}};
+  // Of all conditions those that change with the unknowns.
+  MatrixXd all(0, slopes.groups.front().cols());
+  std::vector<std::string> words;
+  for (std::size_t g = 0; g < slopes.groups.size(); ++g)
+    for (Index i = 0; i < slopes.groups[g].rows(); ++i) {
+      if (slopes.groups[g].row(i).isZero(0)) continue;
+      all.conservativeResize(all.rows() + 1, Eigen::NoChange);
+      all.row(all.rows() - 1) = slopes.groups[g].row(i);
+      words.push_back(slopes.words[g][static_cast<std::size_t>(i)]);
+    }
+  Balance balance{n, static_cast<std::size_t>(all.rows()), static_cast<std::size_t>(rank_of(all)), {}, {}};
+  const PartOfSlopes parts(equations, all, words);
+  if (const std::vector<Index> columns = dependent_columns(all); !columns.empty())
+    balance.short_of = parts.part(parts.rows_with(columns), columns);
+  if (const std::vector<Index> rows = dependent_columns(all.transpose()); !rows.empty())
+    balance.surplus = parts.part(rows, parts.columns_with(rows));
   return balance;
 }
 

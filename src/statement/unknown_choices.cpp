@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "statement/choice_clash.h"
 #include "statement/reader.h"
 #include "statement/unknown_blocks.h"
 #include "statement/unknown_search.h"
@@ -102,15 +103,30 @@ RootsFound UnknownSearch::find_chosen(const UnknownSystem& system, const AllSett
   if (left > 0)
     all.warnings.push_back(place + "the time was over when " + std::to_string(tried) + " of " +
                            std::to_string(tried + left) + " choices under '" + choice.name + "' had been tried");
-  if (all.roots.empty())
-    all.warnings.push_back(
-        place +
-        (choice.least_total
-             ? "no amounts of what stands under '" + choice.name + "' satisfy"
-             : "no choice of " + std::to_string(choice.exactly) + " of them under '" + choice.name + "' satisfies") +
-        " all conditions with values in their ranges (durations, masses and pushes are not negative): " +
-        conditions_in_words(statement_, system));
+  if (all.roots.empty() && left == 0) all.warnings.push_back(place + nothing_chosen(system, settings, choice));
   return all;
+}
+
+std::string UnknownSearch::nothing_chosen(const UnknownSystem& system, const AllSettings& settings,
+                                          const Choice& choice) const {
+  std::string text = (choice.least_total ? "no amounts of what stands under '" + choice.name + "' satisfy"
+                                         : "no choice of " + std::to_string(choice.exactly) + " of them under '" +
+                                               choice.name + "' satisfies") +
+                     " all conditions with values in their ranges (durations, masses and pushes are not negative)";
+  std::vector<std::set<std::string>> unknowns_of;
+  for (const std::string& name : choice.of) unknowns_of.push_back(unknowns_of_amount(statement_, name));
+  UnknownEquations equations = equations_of(system, settings);
+  const ChoiceClash clash = choice_clash(equations, unknowns_of);
+  // Where enough of them would do, a range or where: stands in the way.
+  const bool enough = clash.conditions.empty() &&
+                      (choice.least_total || clash.would_do.size() <= static_cast<std::size_t>(choice.exactly));
+  if (!clash.told || enough) return text + ": " + conditions_in_words(statement_, system);
+  std::string words;
+  for (const std::string& condition : clash.conditions) words += (words.empty() ? "" : "; ") + condition;
+  for (const std::size_t i : clash.would_do) words += (words.empty() ? "" : ", ") + choice.of[i];
+  if (clash.conditions.empty()) return text + ": " + std::to_string(clash.would_do.size()) + " would do: " + words;
+  return text + ": even all of them together cannot satisfy " + words +
+         (clash.by_sign ? "; negative values could" : "");
 }
 
 // With the amounts of what is not chosen zero.
@@ -136,7 +152,7 @@ RootsFound UnknownSearch::find_subset(const UnknownSystem& system, const AllSett
     }
   }
   give(choice.name, Value<double>::of_list(std::move(names)));
-  if (!others.unknowns.empty()) return find_block(others, chosen);
+  if (!others.unknowns.empty()) return find_block(others, chosen, false);
   RootsFound nothing_to_find;
   UnknownEquations equations = equations_of(others, chosen);
   const auto values = equations({});

@@ -77,6 +77,21 @@ AllSettings UnknownEquations::settings_at(const std::vector<double>& x) const {
   return settings;
 }
 
+std::vector<std::string> UnknownEquations::condition_words(const GroupConditions& group) const {
+  const std::string& situation = statement_.situations[group.group.situation].name;
+  std::vector<std::string> list;
+  for (const std::string& words : group.words) {
+    // Conditions on facts are called 'now': mass(bar).
+    const std::size_t colon = words.starts_with("'") ? words.find("': ") : std::string::npos;
+    const std::string fact = colon == std::string::npos ? "" : words.substr(colon + 3);
+    list.push_back((colon == std::string::npos ? words
+                    : fact == "rest"           ? "rest at " + words.substr(0, colon + 1)
+                                               : fact + " at " + words.substr(0, colon + 1)) +
+                   (statement_.situations.size() > 1 ? " @ " + situation : ""));
+  }
+  return list;
+}
+
 std::vector<std::vector<double>> UnknownEquations::places(std::size_t count) const {
   std::vector<std::vector<double>> list;
   std::mt19937_64 random(23);
@@ -130,13 +145,22 @@ void UnknownEquations::take_measures(const std::vector<double>& x) {
   }
 }
 
-bool UnknownEquations::add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system) const {
+bool UnknownEquations::add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system,
+                                     const SolvedInstant& instant) const {
   const auto held = measures_.eliminations.find({group.group.situation, level});
   const auto left = held == measures_.eliminations.end() ? std::nullopt : held->second.remainder(system);
   if (!left) return false;
   group.values.insert(group.values.end(), left->values.begin(), left->values.end());
   for (const std::size_t equation : left->equations) group.words.push_back(system.words(equation));
   group.size = std::max(group.size, left->size);
+  const SolvedInstant::System solved = level == Level::velocities ? SolvedInstant::System::velocities
+                                       : level == Level::blow     ? SolvedInstant::System::blow
+                                                                  : SolvedInstant::System::motion;
+  for (const SolvedInstant::NonlinearMisfit& misfit : instant.nonlinear_misfits(solved, left->solution)) {
+    group.values.push_back(misfit.value);
+    group.words.push_back(misfit.words);
+    group.size = std::max(group.size, misfit.size);
+  }
   return true;
 }
 
@@ -156,7 +180,7 @@ UnknownEquations::Evaluated UnknownEquations::evaluate(const std::vector<double>
     };
     if (wanted(Aspect::later)) {
       GroupConditions& group = group_of(Aspect::later);
-      group.values = later_misfits(problem, trial_[i], choice_);
+      group.values = later_misfits(problem, trial_[i], choice_, motion_tolerance_);
       group.size = 1;
       group.words.assign(group.values.size(), "what is stated of the motion");
       add(equations.values, group.values.begin(), group.values.end());
@@ -175,17 +199,19 @@ UnknownEquations::Evaluated UnknownEquations::evaluate(const std::vector<double>
       GroupConditions& group = group_of(Aspect::positions);
       add(group.values, values.begin(), values.begin() + positions);
       group.size = 1;
-      group.words.assign(group.values.size(), "what is stated of positions and masses");
+      group.words = instant.position_words();
       add(equations.values, values.begin(), values.begin() + positions);
     }
     if (wanted(Aspect::velocities)) {
       GroupConditions& group = group_of(Aspect::velocities);
-      complete = complete && add_left_over(group, Level::velocities, instant.velocity_equations());
-      if (instant.after_blow()) complete = complete && add_left_over(group, Level::blow, instant.blow_equations());
+      complete = complete && add_left_over(group, Level::velocities, instant.velocity_equations(), instant);
+      if (instant.after_blow())
+        complete = complete && add_left_over(group, Level::blow, instant.blow_equations(), instant);
       add(equations.values, values.begin() + positions, values.begin() + velocities);
     }
     if (wanted(Aspect::forces)) {
-      complete = complete && add_left_over(group_of(Aspect::forces), Level::forces, instant.motion_equations());
+      GroupConditions& group = group_of(Aspect::forces);
+      complete = complete && add_left_over(group, Level::forces, instant.motion_equations(), instant);
       add(equations.values, values.begin() + velocities, values.end());
     }
     equations.size = std::max(equations.size, instant.misfit_size());
@@ -226,30 +252,64 @@ std::optional<std::vector<GroupConditions>> UnknownEquations::conditions_at(cons
   }
 }
 
+std::optional<UnknownEquations::LinearPart> UnknownEquations::linear_part(const std::vector<double>& at) {
+  const auto base = exact(at);
+  if (!base) return std::nullopt;
+  LinearPart part{at, *base, {}};
+  for (std::size_t k : small_) {
+    const double h = 0.5 * ranges_[k].scale;
+    std::vector<double> beside = at;
+    beside[k] = h;
+    const auto ahead = exact(beside);
+    beside[k] = -h;
+    const auto behind = exact(beside);
+    if (!ahead || !behind) return std::nullopt;
+    const auto slope = [&](const std::vector<double>& values, const std::vector<double>& up,
+                           const std::vector<double>& down) {
+      std::vector<double> slopes;
+      if (up.size() != values.size() || down.size() != values.size()) return slopes;
+      for (std::size_t i = 0; i < values.size(); ++i) slopes.push_back((up[i] - down[i]) / (2 * h));
+      return slopes;
+    };
+    part.slopes.push_back({.values = slope(base->values, ahead->values, behind->values),
+                           .smooth = slope(base->smooth, ahead->smooth, behind->smooth)});
+  }
+  return part;
+}
+
 // Without the squares of some unknowns: the equations, linear in these around zero.
 std::optional<solve::RootEquations> UnknownEquations::operator()(const std::vector<double>& x) {
   if (small_.empty()) return exact(x);
   std::vector<double> at = x;
   for (std::size_t k : small_) at[k] = 0;
-  auto sum = exact(at);
-  if (!sum) return std::nullopt;
-  for (std::size_t k : small_) {
-    const double h = 0.5 * ranges_[k].scale;
-    at[k] = h;
-    const auto ahead = exact(at);
-    at[k] = -h;
-    const auto behind = exact(at);
-    at[k] = 0;
-    if (!ahead || !behind) return std::nullopt;
-    const auto add_slope = [&](std::vector<double>& values, const std::vector<double>& up,
-                               const std::vector<double>& down) {
-      if (up.size() != values.size() || down.size() != values.size()) return values.clear();
-      for (std::size_t i = 0; i < values.size(); ++i) values[i] += (up[i] - down[i]) / (2 * h) * x[k];
-    };
-    add_slope(sum->values, ahead->values, behind->values);
-    add_slope(sum->smooth, ahead->smooth, behind->smooth);
+  if (!linear_part_ || linear_part_->at != at) linear_part_ = linear_part(at);
+  if (!linear_part_) return std::nullopt;
+  solve::RootEquations sum = linear_part_->base;
+  const auto add = [](std::vector<double>& values, const std::vector<double>& slopes, double by) {
+    if (slopes.size() != values.size()) return values.clear();
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += slopes[i] * by;
+  };
+  for (std::size_t i = 0; i < small_.size(); ++i) {
+    add(sum.values, linear_part_->slopes[i].values, x[small_[i]]);
+    add(sum.smooth, linear_part_->slopes[i].smooth, x[small_[i]]);
   }
   return sum;
+}
+
+bool UnknownEquations::hold_as_set() {
+  const std::vector<std::size_t> reached = system_.situations();
+  if (reached.empty()) return false;
+  std::vector<double> x;
+  for (const UnknownSlot& slot : slots_) {
+    const auto known = settings_[reached.front()].find(slot.unknown.name);
+    if (known == settings_[reached.front()].end()) return false;
+    x.push_back(slot.unknown.vector ? known->second.vector[slot.component] : known->second.number);
+  }
+  const auto equations = (*this)(x);
+  const auto vanish = [](const std::vector<double>& values, double size) {
+    return std::all_of(values.begin(), values.end(), [&](double value) { return std::abs(value) <= 1e-10 * size; });
+  };
+  return equations && vanish(equations->values, equations->size) && vanish(equations->smooth, equations->smooth_size);
 }
 
 solve::RootProblem UnknownEquations::problem() {
@@ -258,6 +318,15 @@ solve::RootProblem UnknownEquations::problem() {
   problem.costly = std::any_of(system_.groups.begin(), system_.groups.end(),
                                [](const ConditionGroup& group) { return group.aspect == Aspect::later; });
   problem.equations = [this](const std::vector<double>& x) { return (*this)(x); };
+  if (problem.costly)
+    problem.rough = [this](const std::vector<double>& x) {
+      motion_tolerance_ = 1e-9;
+      linear_part_.reset();
+      auto equations = (*this)(x);
+      motion_tolerance_.reset();
+      linear_part_.reset();
+      return equations;
+    };
   return problem;
 }
 

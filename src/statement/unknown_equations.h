@@ -38,7 +38,12 @@ class UnknownEquations {
   AllSettings settings_at(const std::vector<double>& x) const;
   // Nothing where the values make no sense. Without the squares that are neglected, as stated.
   std::optional<solve::RootEquations> operator()(const std::vector<double>& x);
+  // With the values that the settings give to the unknowns: whether the conditions hold, to far less than is asked of a
+  // root that is found anew.
+  bool hold_as_set();
   std::optional<std::vector<GroupConditions>> conditions_at(const std::vector<double>& x);
+  // Its conditions as an author may know them: "mass(bar) at 'now'", with the situation where there are several.
+  std::vector<std::string> condition_words(const GroupConditions& group) const;
   // Some places in the ranges, among them their middle.
   std::vector<std::vector<double>> places(std::size_t count) const;
 
@@ -62,12 +67,21 @@ class UnknownEquations {
     std::vector<GroupConditions> groups;
   };
 
+  // The equations at zero values of the unknowns that enter without their squares, and their slopes by these.
+  struct LinearPart {
+    std::vector<double> at;
+    solve::RootEquations base;
+    std::vector<solve::RootEquations> slopes;  // empty lists where there are none
+  };
+  std::optional<LinearPart> linear_part(const std::vector<double>& at);
   void hold_measures();
   void take_measures(const std::vector<double>& x);
   Evaluated evaluate(const std::vector<double>& x);
   std::optional<solve::RootEquations> exact(const std::vector<double>& x);
   void put(const std::vector<double>& x, AllSettings& settings) const;
-  bool add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system) const;
+  // Facts in `instant` that are not linear are taken where the pivots' equations alone have brought it.
+  bool add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system,
+                     const SolvedInstant& instant) const;
 
   const Statement& statement_;
   UnknownSystem system_;
@@ -81,6 +95,8 @@ class UnknownEquations {
   bool measured_ = false;
   bool makes_sense_ = false;
   std::optional<StatementError> refusal_;
+  std::optional<LinearPart> linear_part_;  // the last one
+  std::optional<double> motion_tolerance_;
 };
 
 }  // namespace poinsot::statement

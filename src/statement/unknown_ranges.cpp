@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "statement/reader.h"
+#include "statement/sample.h"
 
 namespace poinsot::statement {
 namespace {
@@ -96,6 +97,22 @@ bool is_never_negative(const Statement& statement, const Problem& problem, const
   return is_resistance(problem, unknown.name) || is_chosen_push(statement, problem, unknown.name);
 }
 
+// Whether a quantity of the model stands in it, and not data and unknowns alone.
+bool asks_quantity(const Problem& problem, const Expression& expression) {
+  Problem bare = problem;
+  bare.find.clear();
+  bare.choose.clear();
+  return asks_model(bare, expression);
+}
+
+// At the start, or just after a blow. A root at which the statement contradicts itself is left out later.
+Value<double> quantity_at(const Problem& problem, const Settings& settings, const Expression& condition) {
+  OpenChoice choice;
+  choice.trial = true;
+  SolvedInstant instant(problem, settings, When{0, problem.has_blow()}, choice);
+  return instant.raw(condition, std::nullopt, nullptr);
+}
+
 }  // namespace
 
 void narrow_ranges(const Problem& problem, const Settings& settings, std::vector<solve::RootRange>& ranges,
@@ -104,6 +121,13 @@ void narrow_ranges(const Problem& problem, const Settings& settings, std::vector
     const Comparison* comparison = condition.as<Comparison>();
     if (!comparison)
       fail(problem.file, condition.mark(), "a condition under where: is a comparison", "write 0 deg < b < 90 deg");
+    if (std::find(comparison->relations.begin(), comparison->relations.end(), Relation::equal) !=
+        comparison->relations.end())
+      fail(problem.file, beginning(condition),
+           "'" + to_string(condition) +
+               "' fixes something: under where: stand bounds, by which solutions are told apart",
+           "state it as a fact: facts: {\"" + to_string(comparison->operands.front()) +
+               "\": " + to_string(comparison->operands.back()) + "}");
     for (std::size_t i = 0; i + 1 < comparison->operands.size(); ++i) {
       const Expression &left = comparison->operands[i], &right = comparison->operands[i + 1];
       const bool less = comparison->relations[i] == Relation::less || comparison->relations[i] == Relation::less_equal;
@@ -148,8 +172,17 @@ bool satisfies_where(const Statement& statement, const std::vector<std::size_t>&
         return sought.contains(name) && !settings[i].contains(name);
       });
       if (later) continue;
-      DataScope<double> data(statement.situations[i].problem, settings[i]);
-      const Value<double> value = data.value(condition);
+      const Problem& problem = statement.situations[i].problem;
+      Value<double> value;
+      if (asks_quantity(problem, condition)) {
+        // What is to be solved for another unknown first is judged then.
+        if (std::any_of(problem.find.begin(), problem.find.end(),
+                        [&](const Unknown& unknown) { return !settings[i].contains(unknown.name); }))
+          continue;
+        value = quantity_at(problem, settings[i], condition);
+      } else {
+        value = DataScope<double>(problem, settings[i]).value(condition);
+      }
       if (value.is_boolean() && !value.truth) return false;
     }
   return true;
@@ -166,7 +199,7 @@ std::vector<solve::RootRange> ranges_of(const Statement& statement, const Unknow
     // The unit in which an unknown is wanted is a natural size of it, unless the problem is of another order.
     range.scale = slots[k].unknown.unit.factor;
     const double ratio = natural[k] / range.scale;
-    if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e6 || ratio < 1e-6)) range.scale = natural[k];
+    if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e4 || ratio < 1e-4)) range.scale = natural[k];
     range.lower = -infinite;
     range.upper = infinite;
     ranges.push_back(range);

@@ -1,8 +1,10 @@
 #include "statement/unknown_search.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "statement/reader.h"
 #include "statement/unknown_blocks.h"
@@ -11,11 +13,63 @@
 namespace poinsot::statement {
 namespace {
 
-constexpr double most_seconds = 8;  // of all searches of a statement together
 constexpr std::size_t most_roots = 64;
 
-std::string counted(std::size_t count, const std::string& what) {
-  return (count == 0 ? "no" : count == 1 ? "one" : std::to_string(count)) + " " + what + (count == 1 ? "" : "s");
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// How far the equations are from holding.
+double misfit(UnknownEquations& equations, const std::vector<double>& x) {
+  const auto found = equations(x);
+  if (!found) return std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for (const double value : found->smooth.empty() ? found->values : found->smooth) sum += value * value;
+  return std::sqrt(sum);
+}
+
+// What is left of zero by rounding is zero: where the equations hold there as well as at the root that was found.
+void round_to_zero(UnknownEquations& equations, std::vector<double>& point) {
+  for (std::size_t k = 0; k < point.size(); ++k) {
+    if (point[k] == 0 || std::abs(point[k]) > 1e-9 * equations.ranges()[k].scale) continue;
+    std::vector<double> zero = point;
+    zero[k] = 0;
+    if (misfit(equations, zero) <= misfit(equations, point)) point = std::move(zero);
+  }
+}
+
+// Angles a whole turn apart, at both ends of their range, are one pose if the equations do not tell them apart.
+std::vector<std::vector<double>> each_pose_once(UnknownEquations& equations,
+                                                const std::vector<std::vector<double>>& points) {
+  constexpr double turn = 6.283185307179586, same = 1e-9;
+  const auto a_turn_apart = [&](const std::vector<double>& a, const std::vector<double>& b) {
+    bool turned = false;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const bool angle = equations.slots()[k].unknown.unit.dimension == dimensions::angle;
+      const bool turns = angle && std::abs(b[k] - a[k] - turn) <= same;
+      if (!turns && std::abs(b[k] - a[k]) > same * equations.ranges()[k].scale) return false;
+      turned = turned || turns;
+    }
+    if (!turned) return false;
+    // Nor anywhere else.
+    std::vector<double> here = a, there = b;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const double step = 0.1 * (equations.ranges()[k].upper - equations.ranges()[k].lower);
+      const double move = std::isfinite(step) ? step : 0.1 * equations.ranges()[k].scale;
+      here[k] += move;
+      there[k] += move;
+    }
+    const auto first = equations(here), second = equations(there);
+    if (!first || !second || first->values.size() != second->values.size()) return false;
+    for (std::size_t i = 0; i < first->values.size(); ++i)
+      if (std::abs(first->values[i] - second->values[i]) > same * (first->size + second->size)) return false;
+    return true;
+  };
+  std::vector<std::vector<double>> kept;
+  for (const std::vector<double>& point : points)
+    if (std::none_of(points.begin(), points.end(), [&](const auto& other) { return a_turn_apart(point, other); }))
+      kept.push_back(point);
+  return kept;
 }
 
 std::string values_in_words(const std::vector<UnknownSlot>& slots, const std::vector<double>& x) {
@@ -39,7 +93,9 @@ void merge(RootsFound& all, const RootsFound& more) {
   if (more.alternative) all.alternative = more.alternative;
 }
 
-UnknownSearch::UnknownSearch(const Statement& statement, const Settings& settings) : statement_(statement) {
+UnknownSearch::UnknownSearch(const Statement& statement, const Settings& settings, double seconds,
+                             std::function<double()> clock)
+    : statement_(statement), seconds_(seconds), clock_(clock ? std::move(clock) : steady_seconds) {
   for (const auto& [name, value] : settings) known_.insert(name);
   for (const Situation& situation : statement.situations)
     for (const Unknown& unknown : situation.problem.find)
@@ -48,18 +104,13 @@ UnknownSearch::UnknownSearch(const Statement& statement, const Settings& setting
         unknowns_.push_back(unknown);
 }
 
-double UnknownSearch::seconds_left() const {
-  const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
-  return std::max(0.0, most_seconds - spent);
-}
-
 UnknownEquations UnknownSearch::equations_of(const UnknownSystem& system, const AllSettings& settings) const {
   return UnknownEquations(statement_, system, settings, choice_, unknowns_);
 }
 
 RootsFound UnknownSearch::find(const Settings& settings, const OpenChoice& choice) {
   choice_ = choice;
-  begun_ = std::chrono::steady_clock::now();
+  begun_ = clock_();
   RootsFound found;
   found.roots.push_back(AllSettings(statement_.situations.size(), settings));
   const auto search = [&](const UnknownSystem& system) {
@@ -70,21 +121,33 @@ RootsFound UnknownSearch::find(const Settings& settings, const OpenChoice& choic
                              std::to_string(found.roots.size()) + " solutions are given");
     found.roots.resize(most_roots);
   };
-  UnknownSystem common;
+  for (const UnknownSystem& system : systems()) search(system);
+  leave_out_nonsense(found);
+  return found;
+}
+
+std::vector<UnknownSystem> UnknownSearch::systems() const {
+  std::vector<UnknownSystem> all(1);
+  UnknownSystem& common = all.front();
   for (const Unknown& unknown : unknowns_)
     if (is_common(unknown.name)) common.unknowns.push_back(unknown);
   for (std::size_t i = 0; i < statement_.situations.size(); ++i)
     if (statement_.situations[i].own_unknowns.empty())
       for (const ConditionGroup& group : groups_of(statement_, i)) common.groups.push_back(group);
-  search(common);
   for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
     UnknownSystem own{{}, groups_of(statement_, i)};
     for (const Unknown& unknown : statement_.situations[i].problem.find)
       if (is_own(i, unknown.name) && !known_.contains(unknown.name)) own.unknowns.push_back(unknown);
-    search(own);
+    all.push_back(std::move(own));
   }
-  leave_out_nonsense(found);
-  return found;
+  return all;
+}
+
+bool UnknownSearch::still_holds(const AllSettings& root, const OpenChoice& choice) {
+  choice_ = choice;
+  for (const UnknownSystem& system : systems())
+    if (!system.unknowns.empty() && !equations_of(system, root).hold_as_set()) return false;
+  return true;
 }
 
 // Why a statement with these values has no solution.
@@ -127,7 +190,7 @@ RootsFound UnknownSearch::find_by_blocks(const UnknownSystem& system, const AllS
   return all;
 }
 
-RootsFound UnknownSearch::find_block(const UnknownSystem& system, const AllSettings& settings) {
+RootsFound UnknownSearch::find_block(const UnknownSystem& system, const AllSettings& settings, bool explained) {
   RootsFound found;
   UnknownEquations equations = equations_of(system, settings);
   const std::vector<UnknownSlot>& slots = equations.slots();
@@ -135,17 +198,16 @@ RootsFound UnknownSearch::find_block(const UnknownSystem& system, const AllSetti
   for (std::size_t k : equations.without_squares()) small += (small.empty() ? "" : ", ") + slots[k].unknown.name + "^2";
   if (!small.empty()) found.warnings.push_back("neglected, as stated: " + small);
 
-  const solve::RootProblem problem = equations.problem();
+  solve::RootProblem problem = equations.problem();
+  problem.clock = clock_;
   const solve::Roots result = solve::find_roots(problem, seconds_left());
   for (std::size_t k : result.open_unknowns) add_once(found.open, slots[k].unknown.name);
   std::set<std::string> sought;
   for (const Unknown& unknown : unknowns_) sought.insert(unknown.name);
   bool excluded = false;
   std::vector<std::vector<double>> kept;
-  for (std::vector<double> point : result.points) {
-    // What is left of zero by rounding is zero.
-    for (std::size_t k = 0; k < point.size(); ++k)
-      if (std::abs(point[k]) <= 1e-13 * equations.ranges()[k].scale) point[k] = 0;
+  for (std::vector<double> point : each_pose_once(equations, result.points)) {
+    round_to_zero(equations, point);
     // Points that differ in what is open only are one.
     const bool again = !result.open_unknowns.empty() && std::any_of(kept.begin(), kept.end(), [&](const auto& other) {
       for (std::size_t k = 0; k < point.size(); ++k) {
@@ -167,15 +229,11 @@ RootsFound UnknownSearch::find_block(const UnknownSystem& system, const AllSetti
   if (!result.alternative.empty()) found.alternative = equations.settings_at(result.alternative);
   if (!found.roots.empty() && !found.open.empty() && !problem.costly) {
     const Balance balance = balance_of(equations);
-    const std::string conditions = conditions_in_words(statement_, system);
-    if (balance.independent < balance.unknowns)
-      found.warnings.push_back(listed(system.unknowns) + ": " + counted(balance.unknowns, "unknown") + ", but " +
-                               counted(balance.independent, "independent condition") + " on " +
-                               (balance.unknowns == 1 ? "it" : "them") + (conditions.empty() ? "" : ": " + conditions));
+    if (balance.independent < balance.unknowns) found.warnings.push_back(shortage_in_words(balance.short_of));
   }
   if (found.roots.empty()) {
     if (!equations.makes_sense() && equations.refusal()) throw *equations.refusal();
-    found.warnings.push_back(nothing_found(equations, result, excluded));
+    if (explained) found.warnings.push_back(nothing_found(equations, result, excluded));
   } else if (result.search == solve::RootSearch::few_evaluations) {
     found.warnings.push_back("found from a few motions; others are not excluded");
   } else if (result.search == solve::RootSearch::many_starts && found.open.empty()) {
@@ -208,12 +266,17 @@ std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solv
   }
   if (seconds_left() <= 0) how += "; the time for it was over";
   if (result.search != solve::RootSearch::few_evaluations)
-    if (const Balance balance = balance_of(equations); balance.conditions > balance.unknowns)
-      how += "; " + counted(balance.conditions, "condition") + " on " + counted(balance.unknowns, "unknown");
+    if (const Balance balance = balance_of(equations); !balance.surplus.conditions.empty())
+      how += "; " + surplus_in_words(balance.surplus);
   const std::string conditions = conditions_in_words(statement_, system);
   std::string text = "no values of " + listed(system.unknowns) + " in their ranges satisfy all conditions (" + how +
                      ")" + (excluded ? " with what stands under where:" : "") +
                      (conditions.empty() ? "" : ": " + conditions);
+  for (const std::size_t i : system.situations())
+    if (!statement_.situations[i].problem.gravity) {
+      text += "; gravity, of which nothing is said, was left out: write gravity: -y or gravity: none";
+      break;
+    }
   if (result.best.empty()) return text;
   // Solved as it stands there, the statement says itself what clashes; not while other unknowns have no value yet.
   const AllSettings nearest = equations.settings_at(result.best);

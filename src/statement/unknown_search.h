@@ -1,8 +1,9 @@
 // The values of what a statement asks for by `find:`, from its conditions.
 #pragma once
 
-#include <chrono>
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -20,8 +21,12 @@ struct RootsFound {
 
 class UnknownSearch {
  public:
-  // statement must outlive the search; `settings` are values from outside the file, which are not sought.
-  UnknownSearch(const Statement& statement, const Settings& settings);
+  static constexpr double most_seconds = 8;  // of one search, all its parts together
+
+  // statement must outlive the search; `settings` are values from outside the file, which are not sought. seconds: how
+  // long find() may take by the clock, which tells seconds since some time (the steady clock when left out).
+  UnknownSearch(const Statement& statement, const Settings& settings, double seconds = most_seconds,
+                std::function<double()> clock = {});
 
   const std::vector<Unknown>& unknowns() const { return unknowns_; }
   // Whether an unknown has one value for all situations.
@@ -32,10 +37,16 @@ class UnknownSearch {
 
   // All values of the unknowns that satisfy what is stated, with the given values of everything else. First the
   // unknowns common to all situations, from the situations that have none of their own, then those of each situation.
-  // Everything that the statement leaves open is taken as `choice` says. Ends within a few seconds.
+  // Everything that the statement leaves open is taken as `choice` says. What it leaves out when the time is over
+  // stands among the warnings.
   RootsFound find(const Settings& settings, const OpenChoice& choice = {});
 
+  // Whether what find() found still satisfies what is stated when `choice` is taken for what is left open.
+  bool still_holds(const AllSettings& root, const OpenChoice& choice);
+
  private:
+  // What is sought together, one after the other: the unknowns common to all situations, then those of each.
+  std::vector<UnknownSystem> systems() const;
   // Every solution so far, refined by one more search.
   template <class Find>
   void refine(RootsFound& all, const Find& find) const;
@@ -43,20 +54,25 @@ class UnknownSearch {
   RootsFound find_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice);
   RootsFound find_subset(const UnknownSystem& system, const AllSettings& settings, const Choice& choice,
                          std::size_t subset);
+  // Why no choice leads to a solution.
+  std::string nothing_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice) const;
   double total_of(const Choice& choice, const AllSettings& settings) const;
   RootsFound find_by_blocks(const UnknownSystem& system, const AllSettings& settings);
-  RootsFound find_block(const UnknownSystem& system, const AllSettings& settings);
+  // explained: where nothing is found, a warning says why.
+  RootsFound find_block(const UnknownSystem& system, const AllSettings& settings, bool explained = true);
   std::string nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded) const;
   std::optional<StatementError> objection(const AllSettings& root) const;
   void leave_out_nonsense(RootsFound& found) const;
   UnknownEquations equations_of(const UnknownSystem& system, const AllSettings& settings) const;
-  double seconds_left() const;
+  double seconds_left() const { return std::max(0.0, seconds_ - (clock_() - begun_)); }
 
   const Statement& statement_;
   std::vector<Unknown> unknowns_;
   std::set<std::string> known_;  // given from outside
   OpenChoice choice_;
-  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+  double seconds_;
+  std::function<double()> clock_;
+  double begun_ = 0;  // by the clock
 };
 
 // Adds what another search found, but for its roots.

@@ -95,7 +95,7 @@ TEST(Terminal, data_by_their_kind) {
   EXPECT_EQ(shown(Datum{false}), "false");
   EXPECT_EQ(shown(list({})), "none");
   EXPECT_EQ(shown(texts({"A"})), "A");
-  EXPECT_EQ(shown(numbers({1, 2e-12, -3}), "m"), "(1, 0, -3) m");
+  EXPECT_EQ(shown(numbers({1, 2e-12, -3}), "m"), "[1, 2e-12, -3] m");
   EXPECT_EQ(shown(numbers({1, 2e-12}), "m"), "[1, 2e-12] m");
   EXPECT_EQ(shown(list({numbers({1, 2}), numbers({3})})), "[[1, 2], [3]]");
   EXPECT_EQ(shown(list({Datum{1.0}, Datum{std::string("A")}})), "[1, A]");

@@ -172,6 +172,18 @@ class Documents(unittest.TestCase):
             self.validator.validate(document)
             self.assertEqual(document["file"], str(example))
 
+    def test_worked_solutions_are_markdown_and_a_field_of_the_document(self):
+        for example in (EXAMPLES[0], SOURCE / "examples" / "textbook" / "18.105.yaml"):
+            text = run("solve", "--explain", str(example))
+            self.assertEqual((text.returncode, text.stderr), (0, ""))
+            for heading in ("# ", "## Model", "## Principle", "## Answers"):
+                self.assertRegex(text.stdout, rf"(?m)^{heading}")
+            document = json.loads(run("solve", "--explain", "--json", str(example)).stdout)
+            self.validator.validate(document)
+            self.assertEqual(document["solutions"][0]["explanation"], text.stdout)
+            plain = json.loads(run("solve", "--json", str(example)).stdout)
+            self.assertNotIn("explanation", plain["solutions"][0])
+
     def test_text_has_no_color_where_there_is_no_terminal(self):
         result = run("solve", str(EXAMPLES[0]), env={**os.environ, "TERM": "xterm"})
         self.assertNotIn("\x1b", result.stdout)

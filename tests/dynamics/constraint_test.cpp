@@ -255,7 +255,7 @@ TEST(ConstrainedDynamics, a_cord_pulls_as_a_pendulum_does) {
 // dynamics finds them, and the constraints.
 TEST(ConstrainedDynamics, solution_satisfies_motion_and_constraints_with_given_coordinates) {
   Random random(43);
-  int constrained = 0;
+  int constrained = 0, given_only = 0;
   for (int trial = 0; trial < 500; ++trial) {
     testing::TreeOptions options;
     options.least_bodies = 3;
@@ -276,8 +276,23 @@ TEST(ConstrainedDynamics, solution_satisfies_motion_and_constraints_with_given_c
     ConstraintWorkspace<double> constraint_workspace(model, static_cast<int>(constraints.size()));
     constrained_dynamics<double>(model, workspace, constraint_workspace, state, constraints, acceleration, force,
                                  multiplier);
-    if (constraint_workspace.rank < 2) continue;  // the given coordinates leave too little freedom
-    ++constrained;
+    // What the given coordinates leave free decides how many of the constraints can be met, and none is exerted beyond.
+    std::size_t acting = 0;
+    std::vector<double> row(model.velocity_size());
+    update_poses<double>(model, workspace, state.q);
+    for (std::size_t i = 0; i < constraints.size(); ++i) {
+      constraint_jacobian<double>(model, workspace, constraints[i], row);
+      double moved = 0.0;
+      for (std::size_t k = 0; k < row.size(); ++k)
+        if (model.mode(static_cast<int>(k)) == CoordinateMode::free) moved = std::max(moved, std::fabs(row[k]));
+      acting += moved > 1e-9;
+      if (moved < 1e-12) {
+        ASSERT_EQ(multiplier[i], 0.0) << "trial " << trial;
+      }
+    }
+    ASSERT_LE(constraint_workspace.rank, static_cast<int>(acting)) << "trial " << trial;
+    const bool met = constraint_workspace.rank == 2;
+    (met ? constrained : given_only) += 1;
     std::vector<double> needed(model.velocity_size());
     inverse_dynamics<double>(model, workspace, state, acceleration, needed);
     update_accelerations<double>(model, workspace, state, acceleration);
@@ -292,6 +307,7 @@ TEST(ConstrainedDynamics, solution_satisfies_motion_and_constraints_with_given_c
     double largest = 1.0;
     for (const double a : acceleration) largest = std::max(largest, std::fabs(a));
     for (const Constraint<double>& c : constraints) {
+      if (!met) continue;
       ASSERT_NEAR(constraint_acceleration(model, workspace, c), 0.0, 1e-8 * largest) << "trial " << trial;
     }
     for (std::size_t k = 0; k < applied.size(); ++k) {
@@ -305,6 +321,76 @@ TEST(ConstrainedDynamics, solution_satisfies_motion_and_constraints_with_given_c
     }
   }
   EXPECT_GT(constrained, 250);
+  EXPECT_GT(given_only, 20);
+}
+
+// A constraint that given coordinates alone obey, or break, exerts nothing.
+TEST(ConstrainedDynamics, constraints_on_given_coordinates_get_no_multiplier) {
+  Random random(45);
+  for (int trial = 0; trial < 300; ++trial) {
+    ModelBuilder<double> builder;
+    builder.set_gravity(random.vector(10.0));
+    const Vector3<double> axis = random.direction(), at = random.vector();
+    const int carrier = builder.add_body("carrier", ground, Joint<double>::revolute(random.direction()), random.pose(),
+                                         random.mass(), CoordinateMode::prescribed);
+    const int arm = builder.add_body("arm", carrier, Joint<double>::revolute(axis),
+                                     SpatialTransform<double>::translation(at), random.mass());
+    const Model<double> model = builder.build();
+    const State<double> state = testing::random_state(random, model);
+    // A point on the arm's own axis, and the axis itself, move with the carrier.
+    const std::vector<Constraint<double>> constraints{
+        Constraint<double>::along(ground, random.vector(), random.direction(), arm, random.uniform(-2.0, 2.0) * axis),
+        Constraint<double>::parallel(ground, random.direction(), arm, axis)};
+    Workspace<double> workspace(model);
+    ConstraintWorkspace<double> constraint_workspace(model, 2);
+    std::vector<double> acceleration{random.uniform(-2.0, 2.0), 0.0}, force{0.0, random.uniform(-2.0, 2.0)};
+    std::vector<double> expected = acceleration, expected_force = force, multiplier(2);
+    hybrid_dynamics<double>(model, workspace, state, expected, expected_force);
+    constrained_dynamics<double>(model, workspace, constraint_workspace, state, constraints, acceleration, force,
+                                 multiplier);
+    EXPECT_EQ(constraint_workspace.rank, 0) << "trial " << trial;
+    EXPECT_EQ(multiplier, std::vector<double>(2, 0.0)) << "trial " << trial;
+    ASSERT_EQ(acceleration, expected) << "trial " << trial;
+    ASSERT_EQ(force, expected_force) << "trial " << trial;
+  }
+}
+
+// The plane of a linkage may stand anywhere: its hinge at the end of the loop repeats three of its constraints.
+TEST(ConstrainedDynamics, turned_planar_loops_move_as_unturned_ones) {
+  Random random(46);
+  const auto rod = [](double mass, const Vector3<double>& along) {
+    return MassProperties<double>{mass, 0.5 * along, (mass / 12.0) * unit_mass_inertia(along)};
+  };
+  for (int trial = 0; trial < 200; ++trial) {
+    const Vector3<double> end{random.uniform(1.5, 2.5), random.uniform(0.3, 0.7), 0.0};
+    const auto solved = [&](const Matrix3<double>& R, const Vector3<double>& offset) {
+      const auto place = [&](double x, double y) { return R * Vector3<double>{x, y, 0.0}; };
+      const Vector3<double> z = R * Vector3<double>{0.0, 0.0, 1.0};
+      ModelBuilder<double> builder;
+      const int crank = builder.add_body("crank", ground, Joint<double>::revolute(z),
+                                         SpatialTransform<double>::translation(offset), rod(1.0, place(0.0, 1.0)));
+      const int coupler =
+          builder.add_body("coupler", crank, Joint<double>::revolute(z),
+                           SpatialTransform<double>::translation(place(0.0, 1.0)), rod(2.0, place(end.x, end.y)));
+      const int rocker = builder.add_body("rocker", ground, Joint<double>::revolute(z),
+                                          SpatialTransform<double>::translation(offset + place(2.0, 0.0)),
+                                          rod(1.5, place(end.x - 2.0, 1.0 + end.y)));
+      builder.set_gravity(place(0.0, -9.81));
+      const Model<double> model = builder.build();
+      const auto hinge =
+          coincident_axes<double>(coupler, place(end.x, end.y), z, rocker, place(end.x - 2.0, 1.0 + end.y), z);
+      Workspace<double> workspace(model);
+      ConstraintWorkspace<double> constraint_workspace(model, static_cast<int>(hinge.size()));
+      std::vector<double> acceleration(3), force(3), multiplier(hinge.size());
+      constrained_dynamics<double>(model, workspace, constraint_workspace, neutral_state(model), hinge, acceleration,
+                                   force, multiplier);
+      EXPECT_EQ(constraint_workspace.rank, 2) << "trial " << trial;
+      return acceleration;
+    };
+    const std::vector<double> expected = solved(Matrix3<double>::identity(), Vector3<double>::zero());
+    const SpatialTransform<double> turned = random.pose();
+    ASSERT_LT(relative_difference(solved(turned.R, turned.p), expected), 1e-9) << "trial " << trial;
+  }
 }
 
 TEST(ConstrainedDynamics, without_constraints_is_hybrid_dynamics_and_wrong_sizes_are_refused) {

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <random>
 
+#include "motion/sample_mechanisms.h"
 #include "poinsot/dynamics/forward_dynamics.h"
 #include "poinsot/math/straight_line_text.h"
 #include "poinsot/model/builder.h"
@@ -202,6 +203,39 @@ TEST(EquationsOfMotion, MatricesAgreeWithRecursions) {
     forward_dynamics<double>(model, workspace, state, std::vector<double>(n, 0.0), expected);
     const std::vector<bool> none(n, false);
     expect_near(solved_accelerations(reduced_equations(equations, none, a)), expected, 1e-9);
+  }
+}
+
+// A planar loop turned in space moves as it did: of the three of its five constraints that repeat the plane, turning
+// leaves rounding, which is no constraint.
+TEST(EquationsOfMotion, TurnedPlanarLoopsMoveAsUnturnedOnes) {
+  std::mt19937_64 random(51);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const std::vector<bool> free(3, false);
+  const std::vector<double> none(3, 0.0);
+  for (int trial = 0; trial < 300; ++trial) {
+    testing::FourBar figure;
+    figure.crank_angle = 2 * number(random);
+    figure.coupler_mass = 1.5 + number(random);
+    // The rates with which the loop stays closed, of the relative angles of crank and coupler, and of the rocker.
+    const auto solved = [&](const Mechanism<double>& mechanism) {
+      State<double> state = neutral_state(mechanism.tree);
+      EquationsOfMotion<double> equations = equations_of_motion(mechanism, state);
+      const ReducedEquations<double> reduced = reduced_equations(equations, free, none);
+      EXPECT_EQ(reduced.independent.size(), 1U) << "trial " << trial;
+      for (std::size_t k = 0; k < 3; ++k) state.v[k] = reduced.basis[k].front();
+      double largest = 0;
+      for (const double v : state.v) largest = std::max(largest, std::abs(v));
+      const double factor = std::copysign(2 / largest, state.v[0]);
+      for (double& v : state.v) v *= factor;
+      equations = equations_of_motion(mechanism, state);
+      return solved_accelerations(reduced_equations(equations, free, none));
+    };
+    const std::vector<double> expected = solved(figure.mechanism());
+    figure.R = rotation_exponential(Vector3<double>{3 * number(random), 3 * number(random), 3 * number(random)});
+    ASSERT_FALSE(HasFailure());
+    expect_near(solved(figure.mechanism()), expected, 1e-9);
+    if (HasFailure()) return;
   }
 }
 

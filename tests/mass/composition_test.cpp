@@ -161,5 +161,18 @@ TEST(Composition, AxisymmetricBodies) {
   }
 }
 
+TEST(Composition, ALoneParticleGetsNoInertiaFromRounding) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> within(-3, 3);
+  for (int i = 0; i < 1000; ++i) {
+    MassProperties<double> particle = massless<double>();
+    particle.mass = std::exp(within(random));
+    particle.center = {within(random), within(random), within(random)};
+    const MassProperties<double> whole = sum<double>({particle});
+    EXPECT_EQ(norm(whole.center - particle.center), 0);
+    EXPECT_EQ(whole.inertia_center.xx + whole.inertia_center.yy + whole.inertia_center.zz, 0);
+  }
+}
+
 }  // namespace
 }  // namespace poinsot

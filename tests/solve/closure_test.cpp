@@ -52,6 +52,41 @@ TEST(Closure, ASliderCrankFollowsItsCrank) {
   }
 }
 
+// A parallelogram lies flat on its way, where it could go over into its crossed form: it goes on as it went.
+TEST(Closure, AParallelogramPassesItsFlatPose) {
+  ModelBuilder<double> builder;
+  const Vector z{0.0, 0.0, 1.0};
+  const double a = 1.0, d = 2.0;
+  const MassProperties<double> none{};
+  const int crank =
+      builder.add_body("crank", ground, Joint<double>::revolute(z), SpatialTransform<double>::identity(), none);
+  const int coupler = builder.add_body("coupler", crank, Joint<double>::revolute(z),
+                                       SpatialTransform<double>::translation({0.0, a, 0.0}), none);
+  const int rocker = builder.add_body("rocker", ground, Joint<double>::revolute(z),
+                                      SpatialTransform<double>::translation({d, 0.0, 0.0}), none);
+  Mechanism<double> mechanism;
+  mechanism.tree = builder.build();
+  mechanism.takes_part.assign(3, true);
+  mechanism.coordinate_names.assign(3, "v");
+  for (std::size_t k = 0; k < 2; ++k) {
+    VelocityConstraint<double> c;
+    c.kind = VelocityConstraintKind::point;
+    c.words = "pin";
+    c.on = rocker;
+    c.from = coupler;
+    c.at = {rocker, {0.0, a, 0.0}};
+    c.toward = {coupler, {d, 0.0, 0.0}};
+    c.along = {coupler, Vector::unit(k)};
+    mechanism.constraints.push_back(c);
+  }
+  for (const double q : {0.5, 1.5, 1.7, 2.1, 3.0, 4.0, -2.0, -3.0}) {
+    const Closure closure = close_pose(mechanism, {q, 0.0, 0.0}, {true, false, false});
+    EXPECT_LT(closure.gap, 1e-14) << q;
+    EXPECT_NEAR(closure.q[1], -q, 1e-10) << q;
+    EXPECT_NEAR(closure.q[2], q, 1e-10) << q;
+  }
+}
+
 TEST(Closure, AnImpossiblePoseKeepsItsGapAndNamesTheConstraint) {
   const Closure closure = close_pose(slider_crank(0.8, 0.3), {1.5, 0.0, 0.0}, {true, false, false});
   EXPECT_GT(closure.gap, 1e-3);

@@ -78,5 +78,55 @@ TEST(FewEvaluations, TwoUnknowns) {
   EXPECT_NEAR(roots.points[1][0], 3, 1e-8);
 }
 
+// With rough equations the close ones are asked a few times for each root.
+TEST(FewEvaluations, RootsAreLookedForRoughlyAndFoundClosely) {
+  RootProblem problem;
+  problem.ranges = {{1, 10, 1, false, false}};
+  problem.costly = true;
+  int close = 0;
+  problem.equations = [&](const std::vector<double>& x) -> std::optional<RootEquations> {
+    ++close;
+    return RootEquations{{std::sin(x[0])}, 1, {}, 0};
+  };
+  problem.rough = [](const std::vector<double>& x) -> std::optional<RootEquations> {
+    return RootEquations{{std::sin(x[0]) + 1e-8 * std::sin(1e9 * x[0])}, 1, {}, 0};
+  };
+  const Roots roots = find_roots(problem);
+  ASSERT_EQ(roots.points.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(roots.points[k][0], 3.141592653589793 * static_cast<double>(k + 1), 1e-13);
+  EXPECT_LT(close, 40);
+}
+
+TEST(FewEvaluations, WhereTheRoughEquationsHaveNoValueTheCloseOnesAreSearched) {
+  RootProblem problem;
+  problem.ranges = {{0, 4, 1, false, false}};
+  problem.costly = true;
+  problem.equations = [](const std::vector<double>& x) -> std::optional<RootEquations> {
+    return RootEquations{{x[0] * x[0] - 2}, 2, {}, 0};
+  };
+  problem.rough = [](const std::vector<double>&) -> std::optional<RootEquations> { return std::nullopt; };
+  const Roots roots = find_roots(problem);
+  ASSERT_EQ(roots.points.size(), 1U);
+  EXPECT_NEAR(roots.points[0][0], std::sqrt(2), 1e-13);
+}
+
+TEST(FewEvaluations, ACurveOfRootsIsSeenThroughRoughEquationsToo) {
+  RootProblem problem;
+  problem.ranges = {{0, 4, 1, false, false}, {0, 4, 1, false, false}};
+  problem.costly = true;
+  problem.equations = [](const std::vector<double>& x) -> std::optional<RootEquations> {
+    return RootEquations{{x[0] * x[1] - 3, 2 * x[0] * x[1] - 6}, 6, {}, 0};
+  };
+  problem.rough = [&](const std::vector<double>& x) -> std::optional<RootEquations> {
+    auto equations = problem.equations(x);
+    equations->values[1] += 1e-8 * std::sin(1e9 * x[0] + 1e8 * x[1]);
+    return equations;
+  };
+  const Roots roots = find_roots(problem);
+  EXPECT_TRUE(roots.open);
+  EXPECT_EQ(roots.open_unknowns.size(), 2U);
+}
+
 }  // namespace
 }  // namespace poinsot::solve

@@ -76,6 +76,41 @@ TEST(RootsOfManyUnknowns, RandomQuadraticSystemsAreSatisfiedAtTheRootsListed) {
   }
 }
 
+// Full steps would lead out of the ranges, where the equations have no value.
+TEST(RootsOfManyUnknowns, RangesEndWhereTheEquationsDo) {
+  RootProblem problem;
+  problem.ranges.assign(4, {0, infinity, 1});
+  problem.equations = [](const std::vector<double>& x) -> std::optional<RootEquations> {
+    for (const double value : x)
+      if (value < 0) return std::nullopt;
+    return equations_from(
+        {x[0] * x[0] + x[1] * x[1] - 1, x[1] * x[1] + x[2] * x[2] - 1, x[2] * x[3] - 0.5, x[3] * x[1] - 2.0 / 3});
+  };
+  const Roots roots = find_roots(problem);
+  ASSERT_EQ(roots.points.size(), 1u);
+  EXPECT_NEAR(roots.points[0][0], 0.6, 1e-10);
+  EXPECT_NEAR(roots.points[0][1], 0.8, 1e-10);
+  EXPECT_NEAR(roots.points[0][3], 0.5 / 0.6, 1e-10);
+}
+
+// By a clock that goes on whenever it is looked at: the search ends, with the best place that it met.
+TEST(RootsOfManyUnknowns, ASearchEndsWhenItsTimeIsOver) {
+  RootProblem problem = of_three([](double x, double y, double z) {
+    return std::vector{x * x + y * y + z * z + 1, x * y * z - 3, std::sin(x) + y * y + 2};
+  });
+  double now = 50;
+  problem.clock = [&now] { return now += 0.02; };
+  for (const double seconds : {0.2, 1.0, 3.0}) {
+    const double begin = now;
+    const Roots roots = find_roots(problem, seconds);
+    EXPECT_TRUE(roots.points.empty());
+    EXPECT_EQ(roots.search, RootSearch::many_starts);
+    EXPECT_LT(now - begin, 1.25 * seconds + 0.2);
+    EXPECT_EQ(roots.best.size(), 3U);
+    EXPECT_GT(roots.best_misfit, 0.5);
+  }
+}
+
 TEST(RootsOfManyUnknowns, ACurveOfSolutionsIsOpen) {
   const Roots roots = find_roots(of_three([](double x, double y, double z) {
     return std::vector{x * x + y * y - 4, z - x * y};

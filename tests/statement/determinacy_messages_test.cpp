@@ -44,9 +44,11 @@ std::string place_of(const std::string& text, const std::string& words) {
   return std::to_string(line) + ":" + std::to_string(at - begin + 1);
 }
 
-// Everything that is said of answers that are not given.
+// Everything that is said of answers that are not given, and where there is no solution.
 std::string complaints(const SolvedStatement& solved) {
   std::string all;
+  if (solved.solutions.empty())
+    for (const std::string& warning : solved.warnings) all += warning + "\n";
   for (const Solution& solution : solved.solutions)
     for (const SolvedAsk& ask : solution.asks)
       if (ask.state == AskState::undetermined) all += ask.reason + "\n";

@@ -147,7 +147,7 @@ TEST(Equilibria, AllAnglesOfAHingeOnATurningArm) {
   Random random(431);
   std::map<std::size_t, int> counts;
   int done = 0, failures = 0;
-  while (done < 500) {
+  while (done < 1000) {
     const Hinged hinged(random);
     const auto expected = hinged.scanned();
     if (!expected) continue;

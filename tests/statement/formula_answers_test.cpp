@@ -1,9 +1,12 @@
 // Formulas of problems whose data are letters, against the same problems solved with numbers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <sstream>
 
 #include "docs/fenced_blocks.h"
@@ -189,6 +192,145 @@ TEST(FormulaAnswers, DoNotDependOnTheFrameOrTheOrderOfTheStatement) {
       "instants: {now: {angular_velocity(disk): [any, w, any]}}\n"
       "ask: {T: kinetic_energy(disk), H: {of: angular_momentum(disk about O), axes: [y, z, x]}}\n";
   EXPECT_EQ(formulas_of(turned), formulas_of(rolling_disk));
+}
+
+// A problem in pieces that may stand in any order, on axes of any name.
+struct Pieces {
+  std::vector<std::string> bodies, joints, points, letters;  // the items of the maps
+  std::string rest;                                          // #x, #y, #z stand for the axes
+};
+
+const std::vector<Pieces> problems_in_pieces{
+    {{"axle: massless", "disk: {disk: {center: G, normal: #x, radius: r}, mass: m}"},
+     {"pivot: {ball: O, to: axle}", "spin: {revolute: #x, at: G, from: axle, to: disk}"},
+     {"O: [0, 0, 0]", "G: [L, 0, 0]", "C: [L, -r, 0]"},
+     {"m: kg", "r: m", "L: m", "w: rad/s"},
+     "contacts: {floor: {of: disk, at: C, normal: #y, no_slip: true}}\n"
+     "instants: {now: {angular_velocity(disk): [w, any, any]}}\ngravity: none\n"
+     "ask: {T: kinetic_energy(disk), H: angular_momentum(disk about O)}\n"},
+    {{"shaft: {rod: [A, B], mass: M}", "disk: {disk: {center: G, normal: n, radius: r}, mass: m}"},
+     {"bearings: {revolute: #x, at: A, to: shaft, rate: w, accel: q, supports: {A: [#x, #y, #z], B: [#y, #z]}}",
+      "weld: {weld: G, from: shaft, to: disk}"},
+     {"A: [0, 0, 0]", "G: [L/3, 0, 0]", "B: [L, 0, 0]"},
+     {"M: kg", "m: kg", "r: m", "L: m", "b: rad", "w: rad/s", "q: rad/s^2"},
+     "directions: {n: [cos(b), sin(b), 0]}\ngravity: -#z\n"
+     "ask: {A: reaction(A), B: reaction(B), M: drive(bearings).#x, H: angular_momentum(disk about A)}\n"},
+    {{"bar: {rod: [O, P], mass: m}", "bob: {particle: Q, mass: M}",
+      "plate: {rectangle: {center: S, sides: [[a, 0, 0], "
+      "[0, b*cos(c), b*sin(c)]]}, mass: M}"},
+     {"pin: {revolute: #z, at: O, to: bar, rate: w}", "tie: {weld: P, from: bar, to: bob}",
+      "hold: {weld: P, from: bar, to: plate}"},
+     {"O: [0, 0, 0]", "P: [a, b, 0]", "Q: [a, b, a]", "S: [a, b, -b]"},
+     {"m: kg", "M: kg", "a: m", "b: m", "c: rad", "w: rad/s"},
+     "gravity: none\nask: {H: angular_momentum(system about O), T: kinetic_energy(system), "
+     "I: products_of_inertia(plate about O), F: force(pin on bar)}\n"},
+};
+
+std::string stated(const Pieces& pieces, std::mt19937_64& random, const std::array<std::string, 3>& axes) {
+  const auto map = [&](const char* key, std::vector<std::string> items) {
+    std::shuffle(items.begin(), items.end(), random);
+    std::string all = std::string(key) + ":\n";
+    for (const std::string& item : items) all += "  " + item + "\n";
+    return all;
+  };
+  std::vector<std::string> parts{map("bodies", pieces.bodies),
+                                 map("joints", pieces.joints),
+                                 map("points", pieces.points),
+                                 map("letters", pieces.letters),
+                                 pieces.rest,
+                                 "axes: [" + axes[0] + ", " + axes[1] + ", " + axes[2] + "]\n"};
+  std::shuffle(parts.begin(), parts.end(), random);
+  std::string all;
+  for (const std::string& part : parts) all += part;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t at = all.find("#" + std::string(1, "xyz"[k])); at != std::string::npos;
+         at = all.find("#" + std::string(1, "xyz"[k])))
+      all.replace(at, 2, axes[k]);
+  return all;
+}
+
+TEST(FormulaAnswers, AreTheSameInAnyOrderAndByAnyNamesOfTheAxes) {
+  std::mt19937_64 random(3);
+  for (const Pieces& pieces : problems_in_pieces) {
+    const Texts first = formulas_of(stated(pieces, random, {"x", "y", "z"}));
+    for (const std::string& one : first) EXPECT_FALSE(one.starts_with("none")) << one;
+    for (int run = 0; run < 3; ++run) {
+      EXPECT_EQ(formulas_of(stated(pieces, random, {"x", "y", "z"})), first);
+      EXPECT_EQ(formulas_of(stated(pieces, random, {"X", "Y", "Z"})), first);
+      EXPECT_EQ(formulas_of(stated(pieces, random, {"east", "north", "up"})), first);
+    }
+  }
+}
+
+TEST(FormulaAnswers, AreTheSameInAnyUnits) {
+  std::mt19937_64 random(4);
+  for (const Pieces& pieces : problems_in_pieces) {
+    const Texts first = formulas_of(stated(pieces, random, {"x", "y", "z"}));
+    Pieces other = pieces;
+    for (std::string& letter : other.letters) {
+      const std::string unit = letter.substr(letter.find(' ') + 1);
+      letter = letter.substr(0, letter.find(' ') + 1) + (unit == "kg"      ? "slug"
+                                                         : unit == "m"     ? "in"
+                                                         : unit == "rad"   ? "deg"
+                                                         : unit == "rad/s" ? "rpm"
+                                                                           : "deg/s^2");
+    }
+    EXPECT_EQ(formulas_of(stated(other, random, {"x", "y", "z"})), first);
+  }
+}
+
+TEST(FormulaAnswers, FoldProductsOfSumsIntoDoubleAngles) {
+  const Texts found = formulas_of(
+      "letters: {m: kg, L: m, b: rad}\npoints: {O: [0, 0, 0], A: [L*cos(b), L*sin(b), 0]}\n"
+      "bodies: {bar: {rod: [O, A], mass: m}}\njoints: {pin: {revolute: z, at: O, to: bar, rate: 0}}\n"
+      "define: {d: moment_of_inertia(bar about y at O) - moment_of_inertia(bar about x at O)}\n"
+      "ask: {d: d, s: d*sin(b), q: d*d, r: d/cos(b)}\n");
+  EXPECT_EQ(found, (Texts{"L^2*m*cos(2*b)/3", "L^2*m*sin(b)*cos(2*b)/3", "L^4*m^2*cos(2*b)^2/9",
+                          "L^2*m*cos(2*b)/(3*cos(b))"}));
+}
+
+// What would not end is given up; what can be had is given.
+TEST(FormulaAnswers, AreGivenUpWhereTheyWouldNotEnd) {
+  const int links = 6;
+  std::string letters, points = "P0: [0, 0, 0]", bodies, joints, end = "0";
+  for (int i = 0; i < links; ++i) {
+    const std::string n = std::to_string(i), next = std::to_string(i + 1);
+    letters += (i > 0 ? ", m" : "m") + n + ": kg, L" + n + ": m, b" + n + ": rad, w" + n + ": rad/s";
+    end += " - L" + n;
+    points += ", P" + next + ": [0, 0, " + end + "]";
+    bodies += "  bar" + n + ": {rod: [P" + n + ", P" + next + "], mass: m" + n + "}\n";
+    joints += "  j" + n + ": {revolute: " + (i % 2 == 0 ? "x" : "y") + ", at: P" + n +
+              (i > 0 ? ", from: bar" + std::to_string(i - 1) : "") + ", to: bar" + n + ", angle: b" + n + ", rate: w" +
+              n + "}\n";
+  }
+  const Texts found =
+      formulas_of("letters: {" + letters + "}\npoints: {" + points + "}\nbodies:\n" + bodies + "joints:\n" + joints +
+                  "gravity: -z\nask: {a: angular_acceleration(bar0).x, F: force(j0 on bar0).z, "
+                  "again: force(j1 on bar1).z, H: angular_momentum(bar0 about P0).x}\n");
+  ASSERT_EQ(found.size(), 4U);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(found[k].starts_with("none: ")) << found[k];
+  EXPECT_EQ(found[3], "L0^2*m0*w0/3");
+}
+
+TEST(FormulaAnswers, ALetterHasOneDimension) {
+  const auto message = [](const std::string& letters, const std::string& place, const std::string& mass,
+                          const std::string& ask) -> std::string {
+    try {
+      formulas_of("letters: {" + letters + "}\npoints: {O: [0, 0, 0], A: [" + place +
+                  ", 0, 0]}\nbodies:\n  bar: {rod: [O, A], mass: " + mass + "}\nask: {a: " + ask + "}\n");
+    } catch (const StatementError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message("m: kg, L: m", "L", "L", "mass(bar)"), "test.yaml:4:28: error: expected a mass, not a length");
+  EXPECT_EQ(message("m: kg", "m", "m", "mass(bar)").substr(0, 17), "test.yaml:2:27: e");
+  EXPECT_EQ(message("m: kg, L: m", "L", "m", "mass(bar) + distance(O to A)"),
+            "test.yaml:5:20: error: a length cannot be added to a mass");
+  EXPECT_EQ(message("m: kg, L: m", "L + m", "m", "mass(bar)"),
+            "test.yaml:2:30: error: a mass cannot be added to a length");
+  EXPECT_EQ(message("m: kg, L: m", "L", "m", "'mass(bar) > L'"),
+            "test.yaml:5:21: error: a length cannot be compared with a mass");
 }
 
 TEST(FormulaAnswers, KeepExactNumbersWhateverTheUnit) {

@@ -14,9 +14,9 @@ using namespace testing;
 
 // Sanitizers slow the search down: there a part of the cases.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int cases_per_test = 100, cases_of_three = 6;
+constexpr int cases_per_test = 100, cases_of_three = 100;
 #else
-constexpr int cases_per_test = 1000, cases_of_three = 60;
+constexpr int cases_per_test = 1000, cases_of_three = 1000;
 #endif
 
 // A question and its answer's slopes in the hidden data, each in parts of the quantity's size per part of the datum.
@@ -34,7 +34,8 @@ struct Response {
   }
 };
 
-std::vector<std::string> questions_of(const ProblemData& problem) {
+// nonlinear: energies and sizes as well, of which several solutions are the rule.
+std::vector<std::string> questions_of(const ProblemData& problem, bool nonlinear) {
   std::vector<std::string> all;
   for (const BodyData& body : problem.bodies) {
     for (const char* quantity : {"momentum(", "velocity(", "velocity(P of ", "angular_velocity(", "acceleration(",
@@ -44,11 +45,16 @@ std::vector<std::string> questions_of(const ProblemData& problem) {
          {"angular_momentum(" + body.name + " about P)", "rate(angular_momentum(" + body.name + " about P))",
           "mass(" + body.name + ")", "moment_of_inertia(" + body.name + " about z at P)"})
       all.push_back(ask);
+    if (nonlinear)
+      for (const std::string& ask : {"kinetic_energy(" + body.name + ")", "norm(velocity(P of " + body.name + "))",
+                                     "norm(angular_momentum(" + body.name + " about P))"})
+        all.push_back(ask);
   }
   for (const JointData& joint : problem.joints) {
     if (joint.kind == "free") continue;
     all.push_back("force(" + joint.name + " on " + joint.to + ")");
     all.push_back("couple(" + joint.name + " on " + joint.to + " about P)");
+    if (nonlinear) all.push_back("norm(force(" + joint.name + " on " + joint.to + "))");
   }
   // What a file already says of a body cannot be said a second time.
   std::erase_if(all, [&](const std::string& ask) {
@@ -133,7 +139,7 @@ std::vector<Datum> some_of(Random& random, std::vector<Datum> data, std::size_t 
 std::optional<Hunt> random_hunt(Random& random, const ProblemData& data, const UnitSystem& units,
                                 const std::vector<Datum>& hidden, double least_fixing = 1e-2) {
   Hunt hunt{HiddenProblem(data, units, hidden), {}, {}};
-  const std::vector<Response> all = responses_of(hunt.problem, questions_of(data));
+  const std::vector<Response> all = responses_of(hunt.problem, questions_of(data, hidden.size() == 1));
   for (int attempt = 0; attempt < 30; ++attempt) {
     hunt.facts.clear();
     std::set<std::string> met;
@@ -155,6 +161,9 @@ bool says_open(const SolvedStatement& solved) {
       if (ask.state == AskState::undetermined && ask.reason.find("open") != std::string::npos) return true;
   return false;
 }
+
+// Where the answer itself says that other roots are not excluded.
+const std::string missed = "not found from many starts: ";
 
 // The hidden data are among the roots, and every root gives what is stated.
 std::string fault_of(const Hunt& hunt) {
@@ -186,8 +195,13 @@ std::string fault_of(const Hunt& hunt) {
   }
   if (met) return "";
   for (const Datum& datum : hidden) roots += fmt::format("({}: {:.10g}) ", datum.kind, datum.value);
-  for (const std::string& warning : solved.warnings) roots += "\n" + warning;
-  return fmt::format("the hidden data are none of the {} roots: {}", solved.solutions.size(), roots);
+  bool uncertain = false;
+  for (const std::string& warning : solved.warnings) {
+    roots += "\n" + warning;
+    uncertain = uncertain || warning.find(" starts") != std::string::npos;
+  }
+  return (uncertain ? missed : "") +
+         fmt::format("the hidden data are none of the {} roots: {}", solved.solutions.size(), roots);
 }
 
 const UnitSystem& random_units(Random& random) {
@@ -203,10 +217,11 @@ void give_ranges(Random& random, Hunt& hunt) {
   }
 }
 
-// So many hunts that succeed; the first three that do not are told in full, and how many there are.
+// So many hunts that succeed, but for some that a search from many starts may miss; the first three that do not are
+// told in full, and how many there are.
 void expect_finds(Random& random, int trials, std::size_t count, const RandomOptions& options, bool ranges,
-                  const std::function<bool(const Datum&)>& is_eligible) {
-  int done = 0, failures = 0;
+                  const std::function<bool(const Datum&)>& is_eligible, int most_missed = 0) {
+  int done = 0, failures = 0, misses = 0;
   for (int attempt = 0; done < trials && attempt < 5 * trials; ++attempt) {
     const ProblemData data = random_problem(random, options);
     const UnitSystem& units = random_units(random);
@@ -224,6 +239,7 @@ void expect_finds(Random& random, int trials, std::size_t count, const RandomOpt
     } catch (const std::exception& error) {
       fault = error.what();
     }
+    if (fault.starts_with(missed) && ++misses <= most_missed) continue;
     if (!fault.empty() && ++failures <= 3)
       ADD_FAILURE() << "trial " << attempt << ": " << fault << "\n" << hunt->text();
   }
@@ -278,7 +294,7 @@ TEST(HideAndFind, ThreeThatForcesAreLinearIn) {
 
 TEST(HideAndFind, ThreeOfAnyKind) {
   Random random(304);
-  expect_finds(random, cases_of_three, 3, {.least_bodies = 1, .most_bodies = 1}, true, plain);
+  expect_finds(random, cases_of_three, 3, {.least_bodies = 1, .most_bodies = 1}, true, plain, cases_of_three / 100);
 }
 
 // Facts that do not depend on what is hidden leave it open, with and without a range.
@@ -290,7 +306,7 @@ TEST(HideAndFind, WhatTheFactsDoNotTouchIsOpen) {
     const UnitSystem& units = random_units(random);
     const std::vector<Datum> hidden = some_of(random, data_of(data, units), 1);
     Hunt hunt{HiddenProblem(data, units, hidden), {}, {}};
-    const std::vector<Response> all = responses_of(hunt.problem, questions_of(data));
+    const std::vector<Response> all = responses_of(hunt.problem, questions_of(data, true));
     hunt.facts = {all[static_cast<std::size_t>(random.integer(0, static_cast<int>(all.size()) - 1))]};
     if (hunt.facts.front().slopes.cwiseAbs().maxCoeff() > 1e-11) continue;
     // Another value altogether gives the same facts: nothing is fixed.

@@ -43,6 +43,48 @@ ask: {a: angular_momentum(disk about O)}
 )",
        "test.yaml:1:1: error: unknown key 'titel' in a problem (did you mean 'title'?)",
        {}},
+      {"ADatumMisspeltAsACoordinate",
+       R"(given: {theta: 30 deg}
+bodies: {rod: {rod: [[0, 0, 0], [0, -1 m, 0]], mass: 2 kg}}
+joints: {pin: {revolute: z, at: [0, 0, 0], to: rod, angle: theata, rate: 0}}
+gravity: -y
+ask: {a: angular_acceleration(rod).z}
+)",
+       "test.yaml:3:60: error: 'theata' is no datum, and 'theta', which is one, is used nowhere (did you mean 'theta'? "
+       "If 'theata' is to name a coordinate, remove 'theta')",
+       {}},
+      {"ANormalThatIsNotThatOfTheSphere",
+       R"(points: {G: [0, 0.2 m, 0], C: [0, 0, 0]}
+bodies: {ball: {sphere: {center: G, radius: 0.2 m}, mass: 1 kg}}
+contacts: {floor: {of: ball, at: C, normal: [1, 1, 0], no_slip: true}}
+gravity: -y
+facts: rest
+ask: {a: acceleration(ball)}
+)",
+       "test.yaml:3:45: error: the normal of contact 'floor' does not stand on the surface of 'ball' at that point "
+       "(there it goes along the radius: correct it, or the point under at:)",
+       {}},
+      {"ANormalThatIsNotThatOfTheCylinder",
+       R"(points: {G: [0, 0.2 m, 0], C: [0.12 m, 0.04 m, 0]}
+bodies: {roller: {cylinder: {center: G, axis: z, radius: 0.2 m, length: 1 m}, mass: 1 kg}}
+contacts: {floor: {of: roller, at: C, normal: y, no_slip: true}}
+gravity: -y
+facts: rest
+ask: {a: acceleration(roller)}
+)",
+       "test.yaml:3:47: error: the normal of contact 'floor' does not stand on the surface of 'roller' at that point "
+       "(there it lies in the plane through the axis: correct it, or the point under at:)",
+       {}},
+      {"ARateOfTimeBesideAnotherAcceleration",
+       R"(points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {rod: {rod: [O, A], mass: 3 kg}}
+joints: {pin: {revolute: z, at: O, to: rod, rate: 2 rad/s^2 * time, accel: 3 rad/s^2}}
+gravity: none
+ask: {a: angular_acceleration(rod)}
+)",
+       "test.yaml:3:76: error: these cannot all hold together: joint 'pin': rate as a function of time; joint 'pin': "
+       "accel (correct or remove one of them)",
+       {}},
       {"DuplicateKey",
        R"(title: t
 points: {O: [0, 0, 0], A: [0, 1 m, 0]}
@@ -516,7 +558,7 @@ joints:
   j2: {revolute: z, at: [1 m, 1 m, 0], to: b1}
 ask: {a: kinetic_energy(b0)}
 )",
-       "test.yaml:7:3: error: the mechanism does not close in the stated pose: joint 'j2' along x is open by 0.308 "
+       "test.yaml:7:3: error: the mechanism does not close in the stated pose: joint 'j2' along x is open by 0.311 "
        "(the values of the coordinates do not fit together, or no position of the others closes the loop)",
        {}},
       {"LoopDoesNotCloseInAttitude",
@@ -705,6 +747,20 @@ TEST(WithoutAnswer, AMassGivenAsAny) {
 }
 
 // Any value that is taken for an open moment belongs to a possible body, whatever the size of the others.
+TEST(WithoutAnswer, AnInertiaThatIsNotStated) {
+  const auto found =
+      outcomes(head +
+               "bodies: {crank: {mass: 3 kg, center: A}}\n"
+               "joints: {shaft: {revolute: z, at: O, to: crank, rate: 2 rad/s, accel: 0}}\n"
+               "ask: {a: kinetic_energy(crank), b: momentum(crank), c: moment_of_inertia(crank about z at O)}\n");
+  for (const std::size_t i : {0u, 2u}) {
+    EXPECT_EQ(found[i].state, AskState::undetermined) << i;
+    EXPECT_EQ(found[i].reason,
+              "it depends on a value that is given as `any`, or on the inertia of 'crank', which is not stated");
+  }
+  EXPECT_EQ(found[1].state, AskState::found);
+}
+
 TEST(WithoutAnswer, MomentsGivenAsAny) {
   for (const char* unit : {"kg*m^2", "g*mm^2", "t*m^2"}) {
     const std::string u = unit;

@@ -89,5 +89,24 @@ TEST(MotionMessages, ARollingContactThatWouldSlip) {
   EXPECT_NEAR(solved.number("loose"), 0.179521, 1e-6);
 }
 
+TEST(MotionMessages, AnErrorThatIsSeenInTheDigitsIsTold) {
+  const std::string stated =
+      "title: t\ngiven: {t: 10 s}\npoints: {O: [0, 0, 0], A: [0, -1 m, 0], B: [0, -2 m, 0]}\n"
+      "bodies: {a: {rod: [O, A], mass: 1 kg}, b: {rod: [A, B], mass: 1 kg}}\n"
+      "joints: {p: {revolute: z, at: O, to: a, angle: u}, q: {revolute: z, at: A, from: a, to: b, angle: w}}\n"
+      "gravity: -y\ninstants: {start: {u: 120 deg, u': 0, w: 40 deg, w': 0}}\nask: {e: u @ t}\n";
+  const auto told = [](const SolvedText& solved) {
+    std::string words;
+    for (const std::string& note : solved.notes())
+      if (note.starts_with("the motion is sensitive: its coordinates may be off by ")) words = note;
+    return words;
+  };
+  EXPECT_EQ(told(SolvedText(stated, {{"t", "2 s"}})), "");
+  // Between what is seen and what is refused: in the unit of the file.
+  const SolvedText sensitive(stated);
+  EXPECT_GT(sensitive.number("e"), -2);
+  EXPECT_TRUE(told(sensitive).ends_with(" deg")) << told(sensitive);
+}
+
 }  // namespace
 }  // namespace poinsot::statement

@@ -1,4 +1,6 @@
 // What is said of unknowns: their roots, that they are open, or what is in the way.
+#include "statement/unknown_search.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -167,8 +169,7 @@ ask: {v0: v0}
 }
 
 // Seven unknowns and facts that no values satisfy.
-TEST(UnknownSearch, AHopelessSystemEndsWithWhatWasTried) {
-  const std::string text = R"(title: facts that no masses and springs satisfy
+const char* const hopeless = R"(title: facts that no masses and springs satisfy
 gravity: -y
 points: {O: [0, 0, 0], A: [a, b, 0], B: [c, -b, 0.3 m]}
 bodies:
@@ -185,15 +186,126 @@ instants:
     force(pin on one): [100 N, 0, 7 N]
 ask: {T: T}
 )";
+
+TEST(UnknownSearch, AHopelessSystemEndsWithWhatWasTried) {
   std::string message;
   try {
-    const SolvedStatement solution = solved(text);
+    const SolvedStatement solution = solved(hopeless);
     EXPECT_TRUE(solution.solutions.empty());
     message = all_warnings(solution);
   } catch (const StatementError& error) {
     message = error.what();
   }
   EXPECT_NE(message.find("no values of"), std::string::npos) << message;
+}
+
+// By a clock that goes a hundredth of a second whenever it is looked at.
+TEST(UnknownSearch, ASearchEndsWhenItsTimeIsOverAndSaysSo) {
+  for (const double seconds : {0.2, 0.5}) {
+    const Statement statement = read_statement(hopeless, "test.yaml");
+    double now = 100;
+    UnknownSearch search(statement, {}, seconds, [&now] { return now += 0.01; });
+    const RootsFound found = search.find({});
+    EXPECT_TRUE(found.roots.empty());
+    EXPECT_LT(now, 100.1 + 1.25 * seconds) << "ends soon after its time";
+    ASSERT_FALSE(found.warnings.empty());
+    EXPECT_NE(found.warnings.back().find("searched from "), std::string::npos) << found.warnings.back();
+    EXPECT_NE(found.warnings.back().find("the time for it was over"), std::string::npos) << found.warnings.back();
+  }
+}
+
+// The time is that of a whole search: choices that come too late are counted.
+TEST(UnknownSearch, ChoicesThatWereNotTriedInTimeAreCounted) {
+  const Statement statement = read_statement(R"(title: jets, too many to try in no time
+find: {t1: s, t2: s, t3: s, t4: s}
+gravity: none
+points: {G: [0, 0, 0], P: [1 m, 0, 0]}
+bodies: {probe: {mass: 200 kg, center: G, inertia: {axis: z, axial: 40 kg*m^2, transverse: 60 kg*m^2}}}
+impulses:
+  a: {body: probe, at: P, force: [0, 5 N, 0], lasts: t1}
+  b: {body: probe, at: P, force: [0, -5 N, 0], lasts: t2}
+  c: {body: probe, at: P, force: [5 N, 0, 0], lasts: t3}
+  d: {body: probe, at: G, force: [0, 0, 5 N], lasts: t4}
+choose: {fired: {of: [a, b, c, d], exactly: 2}}
+instants:
+  before: {angular_velocity(probe): [0, 0, 0.3 rad/s], velocity(probe): 0}
+  after: {angular_velocity(probe): 0}
+ask: {which: fired}
+)",
+                                             "test.yaml");
+  double now = 0;
+  UnknownSearch search(statement, {}, 1.0, [&now] { return now += 0.3; });
+  std::string said;
+  for (const std::string& warning : search.find({}).warnings) said += warning + "\n";
+  EXPECT_NE(said.find("test.yaml:11:10: the time was over when "), std::string::npos) << said;
+  EXPECT_NE(said.find(" of 6 choices under 'fired' had been tried"), std::string::npos) << said;
+}
+
+// Several families of solutions, in each of which other unknowns are open.
+TEST(UnknownSearch, FamiliesOfSolutionsAreAllListed) {
+  const SolvedStatement solution = solved(R"(title: two of three masses share what balances the third
+find: {mA: g, mB: g, mC: g, q: deg}
+gravity: none
+points: {O: [0, 0, 0], A: '[-0.3 m, 0.12 m * cos(q), 0.12 m * sin(q)]', B: [0.3 m, -0.12 m, 0], C: '[-0.3 m, -0.12 m * cos(q), 0.12 m * sin(q)]'}
+bodies:
+  rotor: {mass: 12 kg, center: [0, 0.4 mm, 0], inertia: {about: O, xy: 0.01 kg*m^2, zx: 0, rest: any}, added: {A: {particle: A, mass: mA}, B: {particle: B, mass: mB}, C: {particle: C, mass: mC}}}
+joints: {axle: {revolute: x, at: O, to: rotor, rate: 3000 rpm, accel: 0}}
+facts: {force(axle on rotor): 0, couple(axle on rotor about O): 0}
+ask: {mA: mA, mB: mB, q: q}
+)");
+  ASSERT_GE(solution.solutions.size(), 2U) << all_warnings(solution);
+  expect_open(solution.solutions[0].asks[0]);
+  EXPECT_NE(all_warnings(solution).find("force(axle on rotor) at 'facts'"), std::string::npos)
+      << all_warnings(solution);
+}
+
+// The part of the statement that says too much, by its unknowns and facts; what is well determined is not blamed.
+TEST(UnknownSearch, WhatIsOverdeterminedIsNamed) {
+  const SolvedStatement solution = solved(R"(title: two unknowns, three facts about them, and one that is another's
+gravity: none
+points: {A: [0, 0, 0], B: [1.2 m, 0, 0], C: [3 m, 0, 0]}
+bodies: {bar: {rod: [A, B], mass: m}, bob: {particle: C, mass: n}}
+joints:
+  pin: {revolute: z, at: A, to: bar, rate: w}
+  rail: {prismatic: y, at: C, to: bob, rate: 2 m/s}
+find: {m: kg, w: rad/s, n: kg}
+facts: {angular_momentum(bar about A).z: 5 kg*m^2/s, kinetic_energy(bar): 10 J, velocity(B of bar).y: 3 m/s, momentum(bob).y: 6 kg*m/s}
+ask: {m: m, w: w}
+)");
+  EXPECT_TRUE(solution.solutions.empty());
+  const std::string said = all_warnings(solution);
+  EXPECT_NE(said.find("m, w: 2 unknowns in 3 conditions: "), std::string::npos) << said;
+}
+
+// What a clash of a choice is made of.
+TEST(UnknownSearch, AChoiceThatCannotBeMadeNamesTheFactsThatClash) {
+  const auto said = [](const std::string& choice, const std::string& after) {
+    return all_warnings(
+        solved("title: jets\nfind: {t1: s, t2: s, t3: s, t4: s}\ngravity: none\n"
+               "points: {G: [0, 0, 0], P: [1 m, 0, 0], Q: [-1 m, 0, 0]}\n"
+               "bodies: {probe: {mass: 200 kg, center: G, inertia: {axis: z, axial: 40 kg*m^2, "
+               "transverse: 60 kg*m^2}}}\nimpulses:\n"
+               "  a: {body: probe, at: P, force: [0, 5 N, 0], lasts: t1}\n"
+               "  b: {body: probe, at: Q, force: [0, -5 N, 0], lasts: t2}\n"
+               "  c: {body: probe, at: G, force: [5 N, 0, 0], lasts: t3}\n"
+               "  d: {body: probe, at: G, force: [-5 N, 0, 0], lasts: t4}\n"
+               "choose: {fired: {of: [a, b, c, d], " +
+               choice + "}}\ninstants:\n  before: {velocity(probe): 0, angular_velocity(probe): 0}\n  after: {" +
+               after + "}\nask: {which: fired}\n"));
+  };
+  // a and b turn it one way only, c and d do not turn it.
+  const std::string wrong_way = said("exactly: 2", "angular_velocity(probe).z: -0.1 rad/s, velocity(probe).x: 0.1 m/s");
+  EXPECT_NE(wrong_way.find("even all of them together cannot satisfy angular_velocity(probe).z at 'after'; negative"),
+            std::string::npos)
+      << wrong_way;
+  EXPECT_EQ(wrong_way.find("velocity(probe).x"), std::string::npos) << wrong_way;
+  // Nothing pushes along z at all.
+  const std::string nothing = said("least: total", "velocity(probe): [0, 0, 0.1 m/s]");
+  EXPECT_NE(nothing.find("cannot satisfy velocity(probe) at 'after'"), std::string::npos) << nothing;
+  EXPECT_EQ(nothing.find("negative values could"), std::string::npos) << nothing;
+  // A turn without a push takes both a and b.
+  const std::string few = said("exactly: 1", "angular_velocity(probe).z: 0.1 rad/s, velocity(probe): 0");
+  EXPECT_NE(few.find("2 would do: a, b"), std::string::npos) << few;
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "poinsot/statement/explanation.h"
+
 namespace poinsot::answer {
 
 // A number, truth value, text, list of data (vectors and matrices are lists), or nothing.
@@ -76,10 +78,11 @@ struct Unknown {
 
 struct Solution {
   std::vector<Unknown> unknowns;
-  std::vector<Answer> answers;             // in the order of the file
-  std::map<std::string, double> checks;    // relative residuals found on the independent road, by name
-  std::vector<std::string> notes;          // what else was found: stability, what happened during a motion
-  std::vector<std::string> assumptions{};  // that the formulas rest on: "m > 0"
+  std::vector<Answer> answers;                          // in the order of the file
+  std::map<std::string, double> checks;                 // relative residuals found on the independent road, by name
+  std::vector<std::string> notes;                       // what else was found: stability, what happened during a motion
+  std::vector<std::string> assumptions{};               // that the formulas rest on: "m > 0"
+  std::optional<statement::Explanation> explanation{};  // the worked solution, where it was asked for
 };
 
 struct Letter {

@@ -13,6 +13,7 @@ struct RunOptions {
   // Names with the texts of their values, unit included ("m", "3 kg"); a later one for the same name counts. A letter
   // or a datum gets this value; an unknown becomes a datum.
   std::vector<std::pair<std::string, std::string>> sets;
+  bool explain = false;  // with worked solutions
 };
 
 // Reads and solves one problem file; "-" is standard input. Answers that cannot be given stand in the document with

@@ -45,6 +45,14 @@ SpringPull<Scalar> spring_pull(const Model<Scalar>& tree, const Workspace<Scalar
   const Vector3<Scalar> P = point_position(tree, w, spring.at.body, spring.at.point);
   const Vector3<Scalar> span = point_position(tree, w, spring.toward.body, spring.toward.point) - P;
   pull.length = norm(span);
+  if constexpr (requires { plain(spring.free_length); }) {
+    // Its pull is that of the span itself, also where the ends meet and the span has no direction.
+    if (vanishes(spring.free_length) && vanishes(spring.damping)) {
+      pull.elastic_energy = Scalar(0.5) * spring.stiffness * norm_squared(span);
+      pull.force = {P, spring.stiffness * span, Vector3<Scalar>::zero()};
+      return pull;
+    }
+  }
   const Vector3<Scalar> u = span / pull.length;
   pull.lengthening = dot(u, point_velocity(tree, w, spring.toward.body, spring.toward.point) -
                                 point_velocity(tree, w, spring.at.body, spring.at.point));

@@ -17,6 +17,7 @@
 
 #include "poinsot/dynamics/hybrid_dynamics.h"
 #include "poinsot/dynamics/kinematics.h"
+#include "poinsot/math/plain.h"
 
 namespace poinsot {
 
@@ -182,6 +183,36 @@ Scalar constraint_rate(const Model<Scalar>& model, const Workspace<Scalar>& work
   return dot(motion_a, row.on_a) + dot(motion_b, row.on_b);
 }
 
+namespace detail {
+
+// Whether a constraint moves no free coordinate: what its row J holds there is far below the terms it was computed
+// from, and so only their rounding. Places on the ground axes count, not the arms between them, which may cancel.
+template <class Scalar>
+bool moves_nothing_free(const Model<Scalar>& model, const Workspace<Scalar>& workspace, const Constraint<Scalar>& c,
+                        std::span<const Scalar> jacobian) {
+  constexpr double rounding = 1e-12;  // of the terms
+  const ConstraintRow<Scalar> row = constraint_row(model, workspace, c);
+  // Of directions side by side the vector product is nothing but rounding.
+  const double couple =
+      c.type == ConstraintType::parallel ? norm(plain(c.direction_a)) * norm(plain(c.direction_b)) : 0.0;
+  bool moves = false;
+  const auto look_at = [&](int body, const Vector3<Scalar>& at, const SpatialForce<Scalar>& on) {
+    const double place = norm(plain(row.at_a)) + norm(plain(row.at_b)) + norm(plain(workspace.motion[body + 1].p));
+    for_each_coordinate_motion(model, workspace, body, at, [&](int k, const SpatialMotion<Scalar>& S) {
+      if (model.mode(k) != CoordinateMode::free) return;
+      const double turning = norm(plain(S.angular));
+      const double terms = turning * (couple + place * norm(plain(on.force))) +
+                           (turning > 0 ? 0.0 : norm(plain(S.linear)) * norm(plain(on.force)));
+      moves = moves || std::fabs(plain(jacobian[k])) > rounding * terms;
+    });
+  };
+  look_at(c.a, row.at_a, row.on_a);
+  look_at(c.b, row.at_b, row.on_b);
+  return !moves;
+}
+
+}  // namespace detail
+
 // d2c/dt2 at the present accelerations. After update_accelerations; with accelerations of zero it is the bias.
 template <class Scalar>
 Scalar constraint_acceleration(const Model<Scalar>& model, const Workspace<Scalar>& workspace,
@@ -261,10 +292,11 @@ int solve_semidefinite(std::span<Scalar> A, std::span<Scalar> b, std::span<int> 
   int rank = n;
   for (int k = 0; k < n; ++k) {
     if constexpr (Ordered<Scalar>) {
-      // The pivot that has kept the largest part of its diagonal entry.
+      // The pivot that has kept the largest part of its diagonal entry; one that has none comes last.
       int pivot = k;
       for (int i = k + 1; i < n; ++i) {
-        if (at(pivot, pivot) * diagonal[order[i]] < at(i, i) * diagonal[order[pivot]]) pivot = i;
+        const Scalar kept = at(pivot, pivot) * diagonal[order[i]], other = at(i, i) * diagonal[order[pivot]];
+        if (kept < other || (!(diagonal[order[pivot]] > Scalar(0)) && diagonal[order[i]] > Scalar(0))) pivot = i;
       }
       std::swap(order[k], order[pivot]);
       if (!(at(k, k) > Scalar(tolerance) * diagonal[order[k]])) {
@@ -320,6 +352,10 @@ void constrained_dynamics(const Model<Scalar>& model, Workspace<Scalar>& workspa
     const std::span<Scalar> row = std::span<Scalar>(constraint_workspace.jacobian).subspan(i * n, n);
     const std::span<Scalar> response = std::span<Scalar>(constraint_workspace.response).subspan(i * n, n);
     constraint_jacobian(model, workspace, constraints[i], row);
+    if constexpr (Ordered<Scalar>) {
+      if (detail::moves_nothing_free(model, workspace, constraints[i], std::span<const Scalar>(row)))
+        for (Scalar& entry : row) entry = Scalar(0);
+    }
     for (int k = 0; k < n; ++k) constraint_workspace.force[k] = row[k];
     hybrid_response(model, workspace, response, std::span<Scalar>(constraint_workspace.force));
     for (int j = 0; j <= i; ++j) {

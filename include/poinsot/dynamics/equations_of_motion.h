@@ -28,6 +28,8 @@ struct EquationsOfMotion {
   std::vector<Scalar> right_side;             // Q - h
   std::vector<std::vector<Scalar>> jacobian;  // J, a row per constraint
   std::vector<Scalar> bias;                   // b
+  // The sizes of the terms that each entry of J is the sum of: an entry far below is what rounding has left of nothing.
+  std::vector<std::vector<double>> jacobian_terms;
 };
 
 // Adds the generalised forces of a force on body `on`, reversed on body `from`. After update_poses.
@@ -62,6 +64,16 @@ std::vector<Scalar> known_generalised_forces(const Mechanism<Scalar>& mechanism,
   return forces;
 }
 
+// The size of what a constraint's entry is computed from, where a coordinate moves a point p as S does: of places on
+// the ground axes, not of the arms between them, which may cancel.
+template <class Scalar>
+double size_of_terms(const PlacedForce<Scalar>& unit, const SpatialMotion<Scalar>& S, const Vector3<double>& p,
+                     const Vector3<double>& origin) {
+  const double turning = norm(plain(S.angular));
+  const double arm = turning > 0 ? turning * (norm(p) + norm(origin)) : norm(plain(S.linear));
+  return norm(plain(unit.force)) * arm + norm(plain(unit.couple)) * turning;
+}
+
 // J and b at a state. After update_accelerations with accelerations zero.
 template <class Scalar>
 void add_constraint_rows(const Mechanism<Scalar>& mechanism, const Workspace<Scalar>& workspace,
@@ -69,10 +81,13 @@ void add_constraint_rows(const Mechanism<Scalar>& mechanism, const Workspace<Sca
   for (const VelocityConstraint<Scalar>& c : mechanism.constraints) {
     const ConstraintLine<Scalar> line = constraint_line(mechanism.tree, workspace, c);
     std::vector<Scalar> row(static_cast<std::size_t>(mechanism.tree.velocity_size()), Scalar(0));
+    std::vector<double> terms(row.size(), 0.0);
     const auto add = [&](int body, const Vector3<Scalar>& p, int sign) {
       for_each_coordinate_motion(mechanism.tree, workspace, body, p, [&](int k, const SpatialMotion<Scalar>& S) {
         row[static_cast<std::size_t>(k)] +=
             Scalar(sign) * (dot(line.unit.force, S.linear) + dot(line.unit.couple, S.angular));
+        terms[static_cast<std::size_t>(k)] +=
+            size_of_terms(line.unit, S, plain(p), plain(workspace.motion[static_cast<std::size_t>(body + 1)].p));
       });
     };
     // A cord acts on its other end.
@@ -81,6 +96,7 @@ void add_constraint_rows(const Mechanism<Scalar>& mechanism, const Workspace<Sca
     add(c.from, cord ? point_position(mechanism.tree, workspace, c.toward.body, c.toward.point) : line.unit.point, -1);
     equations.jacobian.push_back(std::move(row));
     equations.bias.push_back(line.bias);
+    equations.jacobian_terms.push_back(std::move(terms));
   }
 }
 
@@ -134,8 +150,8 @@ struct ReducedEquations {
 };
 
 // held, acceleration: of each velocity coordinate, whether it moves as given, and how. Gauss's elimination with pivots
-// that are best at plain numbers, rows that vanish left out; preferred: for a coordinate, how gladly it is kept as
-// independent.
+// that are best at plain numbers, rows left out of which only rounding is left; preferred: for a coordinate, how gladly
+// it is kept as independent.
 template <class Scalar>
 ReducedEquations<Scalar> reduced_equations(const EquationsOfMotion<Scalar>& equations, const std::vector<bool>& held,
                                            const std::vector<Scalar>& acceleration,
@@ -151,6 +167,8 @@ ReducedEquations<Scalar> reduced_equations(const EquationsOfMotion<Scalar>& equa
       if (held[k]) value -= rows[i][k] * acceleration[k];
     right.push_back(value);
   }
+  // The terms that each entry has come from, through the elimination: its rounding is a part of them.
+  std::vector<std::vector<double>> terms = equations.jacobian_terms;
   std::vector<double> row_size(rows.size(), 0);
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t k = 0; k < n; ++k)
@@ -167,7 +185,7 @@ ReducedEquations<Scalar> reduced_equations(const EquationsOfMotion<Scalar>& equa
         if (held[k] || pivot_of[k] >= 0 || vanishes(rows[i][k])) continue;
         const double size = std::fabs(plain(rows[i][k]));
         // What rounding has left of nothing is no pivot; numbers are better than formulas, short rows than long ones.
-        if (size <= 1e-9 * row_size[i]) continue;
+        if (size <= 1e-11 * terms[i][k] || size <= 1e-9 * row_size[i]) continue;
         std::size_t entries = 0;
         for (std::size_t j = 0; j < n; ++j) entries += !held[j] && !vanishes(rows[i][j]);
         // A row that is small here may vanish near by.
@@ -188,12 +206,14 @@ ReducedEquations<Scalar> reduced_equations(const EquationsOfMotion<Scalar>& equa
     for (std::size_t k = 0; k < n; ++k)
       if (!held[k] && !vanishes(rows[r][k])) rows[r][k] = k == c ? Scalar(1) : rows[r][k] / pivot;
     right[r] = right[r] / pivot;
+    for (double& term : terms[r]) term /= std::fabs(plain(pivot));
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (i == r || vanishes(rows[i][c])) continue;
       const Scalar factor = rows[i][c];
       for (std::size_t k = 0; k < n; ++k)
         if (!held[k] && !vanishes(rows[r][k])) rows[i][k] = k == c ? Scalar(0) : rows[i][k] - factor * rows[r][k];
       right[i] = right[i] - factor * right[r];
+      for (std::size_t k = 0; k < n; ++k) terms[i][k] += std::fabs(plain(factor)) * terms[r][k];
     }
   }
 

@@ -21,6 +21,8 @@ constexpr MassProperties<Scalar> massless() {
 // must differ from zero.
 template <class Scalar>
 MassProperties<Scalar> sum(const std::vector<MassProperties<Scalar>>& parts) {
+  // One part keeps its center to the last digit: a particle must not get a moment of inertia from rounding.
+  if (parts.size() == 1) return parts.front();
   MassProperties<Scalar> whole = massless<Scalar>();
   Vector3<Scalar> first_moment = Vector3<Scalar>::zero();
   for (const auto& part : parts) {

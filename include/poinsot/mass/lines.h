@@ -5,11 +5,13 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <vector>
 
 #include "poinsot/mass/inertia_tensors.h"
 #include "poinsot/mass/pi.h"
 #include "poinsot/mass/shape_properties.h"
+#include "poinsot/math/plain.h"
 
 namespace poinsot::shapes {
 
@@ -34,22 +36,57 @@ ShapeProperties<Scalar> polyline(const std::vector<Vector3<Scalar>>& points) {
 
 namespace detail {
 
-// Arc or sector of half-angle a = angle/2 about the unit vector `middle`, seen from its circle's center, where the mean
-// of r^2 is `mean_square` and the centroid's distance `distance`:
-//   I_normal = <r^2>,  I_middle = <r^2>/2 (1 - sin(angle)/angle),  I_tangent = <r^2>/2 (1 + sin(angle)/angle).
-// The moments about the centroid lose digits as 1/angle^2 for small angles.
+// Numbers, whose size says how a difference is best formed; formulas and packs keep the closed form.
+template <class Scalar>
+inline constexpr bool is_plain_number = std::floating_point<Scalar>;
+template <int N, class Base>
+inline constexpr bool is_plain_number<Dual<N, Base>> = is_plain_number<Base>;
+
+// sum over k >= first of (-1)^k c_k t^2k with c_k = factor(k) / (2k + shift)!, for |t| up to some 2.
+template <class Scalar, class Factor>
+Scalar alternating_series(const Scalar& t, int first, int shift, Factor factor) {
+  constexpr int terms = 16;
+  Scalar sum(0);
+  for (int k = first + terms; k >= first; --k) {
+    Scalar coefficient((k % 2 == 0 ? 1 : -1) * factor(k));
+    for (int i = 2; i <= 2 * k + shift; ++i) coefficient = coefficient / Scalar(i);
+    sum = sum * (t * t) + coefficient;
+  }
+  for (int k = 0; k < first; ++k) sum = sum * (t * t);
+  return sum;
+}
+
+// 1 - sin(t)/t, which loses digits as 1/t^2 where t is small.
+template <class Scalar>
+Scalar one_less_sinc(const Scalar& t) {
+  using std::sin;
+  if constexpr (is_plain_number<Scalar>) {
+    if (std::fabs(plain(t)) < 2) return -alternating_series(t, 1, 1, [](int) { return 1; });
+  }
+  return Scalar(1) - sin(t) / t;
+}
+
+// (1 + sin(t)/t)/2 - (sin(t/2)/(t/2))^2 = t^4/720 - ..., the mean square distance of an arc's points from its centroid
+// along its middle, over r^2.
+template <class Scalar>
+Scalar arc_depth(const Scalar& t) {
+  using std::sin;
+  if constexpr (is_plain_number<Scalar>) {
+    if (std::fabs(plain(t)) < 2) return alternating_series(t, 2, 2, [](int k) { return k - 1; });
+  }
+  const Scalar half = Scalar(0.5) * t;
+  const Scalar chord = sin(half) / half;
+  return Scalar(0.5) * (Scalar(1) + sin(t) / t) - chord * chord;
+}
+
+// Arc or sector about the unit vector `middle`, seen from its circle's center: the centroid's distance from there, and
+// the mean squares of the distances from the centroid along `middle` and across it in the plane.
 template <class Scalar>
 ShapeProperties<Scalar> circular_part(const Scalar& measure, const Vector3<Scalar>& center,
-                                      const Vector3<Scalar>& normal, const Vector3<Scalar>& middle, const Scalar& angle,
-                                      const Scalar& distance, const Scalar& mean_square) {
-  using std::sin;
-  const Scalar half = Scalar(0.5) * mean_square;
-  const Scalar ripple = half * sin(angle) / angle;
-  const Vector3<Scalar> offset = distance * middle;
+                                      const Vector3<Scalar>& normal, const Vector3<Scalar>& middle,
+                                      const Scalar& distance, const Scalar& along, const Scalar& across) {
   const auto axes = Matrix3<Scalar>::from_columns(normal, middle, cross(normal, middle));
-  return {
-      measure, center + offset,
-      principal_tensor(axes, Vector3<Scalar>{mean_square, half - ripple, half + ripple}) - unit_mass_inertia(offset)};
+  return {measure, center + distance * middle, principal_tensor(axes, Vector3<Scalar>{along + across, across, along})};
 }
 
 }  // namespace detail
@@ -65,8 +102,9 @@ ShapeProperties<Scalar> arc(const Vector3<Scalar>& center, const Vector3<Scalar>
   const Vector3<Scalar> start = normalized(perpendicular_part(start_direction, n));
   const Scalar half_angle = Scalar(0.5) * angle;
   const Vector3<Scalar> middle = cos(half_angle) * start + sin(half_angle) * cross(n, start);
-  return detail::circular_part(radius * angle, center, n, middle, angle, radius * sin(half_angle) / half_angle,
-                               radius * radius);
+  const Scalar square = radius * radius;
+  return detail::circular_part(radius * angle, center, n, middle, radius * sin(half_angle) / half_angle,
+                               square * detail::arc_depth(angle), Scalar(0.5) * square * detail::one_less_sinc(angle));
 }
 
 // The same arc by the point where it starts; the radius is the point's distance from the axis of the circle.

@@ -128,7 +128,9 @@ ShapeProperties<Scalar> sector(const Vector3<Scalar>& center, const Vector3<Scal
   const Vector3<Scalar> middle = normalized(perpendicular_part(middle_direction, n));
   const Scalar square = radius * radius;
   const Scalar distance = Scalar(4) * radius * sin(Scalar(0.5) * angle) / (Scalar(3) * angle);
-  return detail::circular_part(Scalar(0.5) * square * angle, center, n, middle, angle, distance, Scalar(0.5) * square);
+  const Scalar across = Scalar(0.25) * square * detail::one_less_sinc(angle);
+  return detail::circular_part(Scalar(0.5) * square * angle, center, n, middle, distance,
+                               Scalar(0.5) * square - across - distance * distance, across);
 }
 
 }  // namespace poinsot::shapes

@@ -20,9 +20,8 @@ class JacobiFunctions {
   explicit JacobiFunctions(const EllipticParameter<double>& parameter)
       : JacobiFunctions(EllipticParameter<long double>{parameter.m, parameter.complement}) {}
 
-  // K, and K' = K(1 - m); infinite where the parameter is one, or zero.
+  // K; infinite where the parameter is one.
   long double quarter_period() const { return K_; }
-  long double imaginary_quarter_period() const { return K1_; }
 
   // For any u. Errors: some 1e-16, plus those that the rounding of u stands for. dn, and sn near its zero at u = 0,
   // keep their relative precision.

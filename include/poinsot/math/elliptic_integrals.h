@@ -209,11 +209,6 @@ Real elliptic_first(Real phi, const EllipticParameter<Real>& p) {
   const Real part = s * carlson_rf(c * c, c * c + p.complement * s * s, Real(1));
   return turns == 0 ? part : part + 2 * turns * elliptic_complete_first(p);
 }
-// The same by the sine and cosine of an amplitude of at most a right angle either way, cosine >= 0.
-template <class Real>
-Real elliptic_first_of_sine(Real sine, Real cosine, const EllipticParameter<Real>& p) {
-  return sine * carlson_rf(cosine * cosine, cosine * cosine + p.complement * sine * sine, Real(1));
-}
 // E(phi; m) = int_0^phi sqrt(1 - m sin^2 phi) dphi, as the sum of positive terms of DLMF 19.25.10.
 template <class Real>
 Real elliptic_second(Real phi, const EllipticParameter<Real>& p) {

@@ -1,6 +1,8 @@
 // The sign of a formula for all values of its letters.
 #pragma once
 
+#include <vector>
+
 #include "poinsot/math/expression.h"
 
 namespace poinsot {
@@ -11,8 +13,15 @@ struct SeenSign {
 };
 
 // For all positive values of the positive letters and all values of the others, wherever the formula has a value; 0 for
-// zero. Seen are products of polynomials whose terms have one sign, definite squares, and sums with square roots that
-// squaring decides.
+// zero. Seen are products of polynomials whose terms have one sign, or whose coefficients by a letter have; definite
+// quadratic forms, by their discriminants; and sums with square roots that squaring decides.
 SeenSign seen_sign(const Expression& x);
+
+// The irreducible factors of the numerator, each once, that are not seen to have no zero: x = 0 exactly where one of
+// them vanishes and the rest has a value.
+std::vector<Expression> vanishing_factors(const Expression& x);
+// The product of those factors of x, with its sign, on which the sign of x depends: it is positive where x is and
+// negative where x is. keep_zeros: it also keeps all factors that may vanish, and is zero where x is.
+Expression sign_part(const Expression& x, bool keep_zeros);
 
 }  // namespace poinsot

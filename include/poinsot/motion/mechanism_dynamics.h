@@ -84,6 +84,9 @@ class MechanismDynamics {
   // method), makes quaternions unit ones, then changes the free velocities least so that all constraints hold. Returns
   // the largest gap left, in natural lengths or rad. Changes are weighed by the inertia that they move.
   double project(std::span<double> q, std::span<double> v);
+  // The same after each step of a motion. Throws SingularPose (motion_equations.h) where the constraints cannot hold,
+  // or where they depend on one another as at no pose held before.
+  void hold(std::span<double> q, std::span<double> v);
   // Positions alone, and velocities alone.
   double project_positions(std::span<double> q);
   void project_velocities(std::span<const double> q, std::span<double> v);
@@ -93,6 +96,9 @@ class MechanismDynamics {
   // Of one constraint, acting or not: < 0 while a cord is slack, > 0 while a contact is open. Its rate.
   double gap(std::size_t constraint, std::span<const double> q);
   double gap_rate(std::size_t constraint, std::span<const double> q, std::span<const double> v);
+  // After accelerations or project: how far the constraints that count are from depending on one another, from 1 to 0
+  // in a singular pose, where branches of the motion cross. What they are told apart by is lost below some 1e-4.
+  double independence() const;
   // Acting constraints that the others imply, wherever the mechanism stands.
   std::vector<std::size_t> redundant_constraints() const;
   // Free coordinates that the equations leave open at q: all of them together, or in some combination.

@@ -8,12 +8,19 @@
 
 #include <functional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "poinsot/model/model.h"
 
 namespace poinsot {
+
+// In this pose constraints depend on one another that elsewhere do not, or cannot all hold: the motion can go on in
+// more than one way, or in none.
+struct SingularPose : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 // A number that the motion keeps (energy, a component of an angular momentum): its drift is reported.
 struct ConservedQuantity {
@@ -32,8 +39,17 @@ struct MotionEquations {
   // the step.
   std::function<void(double t, std::span<const double> q, std::span<const double> v, std::span<double> acceleration)>
       accelerations;
+  // The same at eight instants together, for equations to which that costs little more than one: number k at instant i
+  // stands at 8 k + i. accelerations_at_eight may be empty; else position_rate_at_eight is there if position_rate is.
+  std::function<void(std::span<const double> t, std::span<const double> q, std::span<const double> v,
+                     std::span<double> rate)>
+      position_rate_at_eight;
+  std::function<void(std::span<const double> t, std::span<const double> q, std::span<const double> v,
+                     std::span<double> acceleration)>
+      accelerations_at_eight;
   // Takes a state back onto the constraints and coordinates given in time to their values there; called once after
-  // each step, with a state off by no more than the step's error. Empty: nothing but the quaternions to mind.
+  // each step, with a state off by no more than the step's error. Empty: nothing but the quaternions to mind. Throws
+  // SingularPose, which ends the integration.
   std::function<void(double t, std::span<double> q, std::span<double> v)> project;
   // First of the four position coordinates (w, x, y, z) of each unit quaternion: normalised after each step.
   std::vector<int> quaternions;

@@ -39,7 +39,7 @@ struct RotatingBody {
 MotionEquations rotation_equations(const RotatingBody& body);
 
 // The motion from attitude and angular velocity (body axes, rad/s) at start to end. Methods: automatic and
-// explicit_runge_kutta integrate as said above and by Dormand and Prince's method; structure_preserving in
+// collocation integrate as said above, explicit_runge_kutta by Dormand and Prince's method; structure_preserving in
 // equal steps; stiff as for integrate(). The result has q = attitude, v = angular velocity on body axes.
 // Errors: as rotation_equations() and integrate().
 IntegrationResult integrate_rotation(const RotatingBody& body, double start, const Quaternion<double>& attitude,

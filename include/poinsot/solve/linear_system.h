@@ -79,6 +79,7 @@ struct LinearRemainder {
   std::vector<double> values;          // zero wherever the equations can be satisfied
   std::vector<std::size_t> equations;  // of each value: the equation that is left over
   double size = 0;                     // of the largest term in them
+  std::vector<double> solution;        // the unknowns as the other equations fix them; those they leave open are zero
 };
 
 // The scaling and the pivots of one system, held for all systems of a family, so that what is left when the unknowns

@@ -38,6 +38,7 @@ struct SteadyMotion {
 struct Mode {
   double growth_rate = 0;   // 1/s, of exp(growth_rate t); negative: it dies out
   double frequency = 0;     // rad/s; zero: no oscillation
+  double doubt = 0;         // 1/s: by how much the two may be off, as accurately as the equations are known
   std::vector<bool> moves;  // which bodies of the tree take part
 };
 
@@ -46,14 +47,15 @@ enum class Stability { stable, unstable, undecided };
 struct Linearisation {
   bool steady = true;       // whether the motion is a steady one at all
   std::vector<Mode> modes;  // one of each conjugate pair, by falling growth rate; those of the symmetries left out
-  double pace = 0;          // 1/s: rates below 1e-5 of it count as zero
+  double pace = 0;          // 1/s: of the fastest motion, or of what weights and lengths bring
 };
 
 // Throws std::runtime_error if accelerations are not determined near the motion.
 Linearisation linearise(const SteadyMotion& motion);
 
-// Of the modes in which a body of the tree takes part (all: `everything`). Undecided: no mode grows, but some vanish
-// apart from those of the symmetries, and terms of higher order decide.
+// Of the modes in which a body of the tree takes part (all: `everything`). Undecided: no mode is seen to grow, but some
+// vanish apart from those of the symmetries, so that terms of higher order decide, or are too near to growing for the
+// accuracy of their rates. What is below its doubt counts as zero.
 constexpr int everything = -2;
 Stability stability(const Linearisation& linearisation, int body = everything);
 double growth_rate(const Linearisation& linearisation, int body = everything);

@@ -7,7 +7,8 @@
 // exactly one (R. Krawczyk, Computing 4, 187, 1969), which is polished on the equations themselves. A search that
 // resolves everything this way is certified: complete as far as the polynomials stand for the equations, which is
 // tested at random points of each piece.
-// More unknowns: Levenberg and Marquardt's method from many starts.
+// More unknowns: those that enter linearly are eliminated; if one or two are left, the search is as for these.
+// Otherwise Levenberg and Marquardt's method from many starts.
 #pragma once
 
 #include <cstddef>
@@ -44,6 +45,10 @@ struct RootProblem {
   std::function<std::optional<RootEquations>(const std::vector<double>&, std::vector<std::vector<double>>* slopes)>
       slopes;
   bool costly = false;  // an evaluation takes long (a motion is followed): few are made
+  // Optional, for these: the equations sooner, to about 1e-7 of their size. Roots are looked for with them.
+  std::function<std::optional<RootEquations>(const std::vector<double>&)> rough = {};
+  // Seconds since some time, by which a search ends; the steady clock when left out.
+  std::function<double()> clock = {};
 };
 
 enum class RootSearch {

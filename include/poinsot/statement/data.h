@@ -44,6 +44,11 @@ class DataScope : public Scope<Scalar> {
   // problem and settings must outlive the scope. Every letter must have a value in settings when it is used.
   DataScope(const Problem& problem, const Settings& settings, Scalar time = Scalar(0));
 
+  // Another time; what does not follow it keeps its value.
+  void set_time(Scalar time);
+  // Whether anything evaluated since the time was set follows it.
+  bool follows_time() const { return follows_time_; }
+
   // Gives a datum, letter, unknown or choice a value that varies, in place of that in settings; before anything is
   // evaluated.
   void vary(const std::string& name, Value<Scalar> value) { varied_[name] = std::move(value); }
@@ -75,12 +80,15 @@ class DataScope : public Scope<Scalar> {
 
  private:
   Value<Scalar> lookup(const NamedExpression& item, const char* what);
+  Value<Scalar> meaning(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator);
 
   const Problem& problem_;
   const Settings& settings_;
   Scalar time_;
+  bool follows_time_ = false;
   std::map<std::string, Value<Scalar>> varied_;
-  std::map<std::string, Value<Scalar>> found_;
+  std::map<std::string, Value<Scalar>> found_;     // of names in what they stand for: "given m"
+  std::map<std::string, Value<Scalar>> meanings_;  // of names but `time` and directions
   std::vector<std::string> pending_;
 };
 

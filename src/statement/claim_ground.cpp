@@ -1,0 +1,97 @@
+#include "statement/claim_ground.h"
+
+#include <algorithm>
+
+#include "statement/claim_letters.h"
+#include "statement/formula_answers.h"
+
+namespace poinsot::statement {
+
+ClaimGround::ClaimGround(const Problem& problem, const Settings& settings, const FormulaValues& exact)
+    : problem_(problem), settings_(settings), exact_(exact) {
+  for (const Letter& letter : problem.letters)
+    if (!settings.contains(letter.name)) letters_.push_back(letter);
+}
+
+Settings ClaimGround::with_letters(const Point& point) const {
+  Settings settings = settings_;
+  for (const Letter& letter : problem_.letters)
+    if (const auto value = point.find(letter.name); value != point.end())
+      settings[letter.name] = Value<double>::of_number(value->second, letter.unit.dimension);
+  return settings;
+}
+
+// The statement solved at some point; where it holds for special values of the letters only, at one at which its
+// bodies are possible; else as a trial.
+void ClaimGround::find_base() {
+  if (base_) return;
+  std::unique_ptr<SolvedInstant> possible;
+  Point possible_point;
+  const When when{0, problem_.has_blow()};
+  for (int attempt = 0; attempt < most_solved_points && !base_; ++attempt) {
+    base_point_ = draw_point(letters_, attempt);
+    // What refers to the settings must find them at their place.
+    bases_.push_back(with_letters(base_point_));
+    std::unique_ptr<SolvedInstant> found;
+    try {
+      found = std::make_unique<SolvedInstant>(problem_, bases_.back(), when, OpenChoice{});
+      if (states_forces(problem_)) found->solve_forces();
+      base_ = std::move(found);
+    } catch (const StatementError&) {
+      if (!found || possible) continue;
+      possible = std::move(found);
+      possible_point = base_point_;
+    }
+  }
+  if (base_) return;
+  if (possible) {
+    base_ = std::move(possible);
+    base_point_ = possible_point;
+    return;
+  }
+  OpenChoice choice;
+  choice.trial = true;
+  base_ = std::make_unique<SolvedInstant>(problem_, bases_.back(), when, choice);
+}
+
+ClaimFormulas* ClaimGround::formulas(bool all_poses) {
+  Road& road = all_poses ? along_ : drawn_;
+  if (road.tried) return road.formulas.get();
+  road.tried = true;
+  // What was found by numbers has no formula.
+  if (std::any_of(settings_.begin(), settings_.end(),
+                  [&](const auto& setting) { return !exact_.contains(setting.first); }))
+    return nullptr;
+  for (const Letter& letter : letters_) values_[letter.name] = formula_of(letter);
+  for (const auto& [name, value] : exact_) values_[name] = value;
+  find_base();
+  const PlainPointScope decisions(base_point_);
+  road.formulas = std::make_unique<ClaimFormulas>(problem_, values_, bases_.back(), *base_, all_poses);
+  return road.formulas.get();
+}
+
+std::optional<Verdict> ClaimGround::verdict_at(const Claim& claim, const ClaimFormulas& formulas,
+                                               const Point& point) const {
+  try {
+    const Settings settings = with_letters(point);
+    MotionState state;
+    if (const auto time = point.find("time"); time != point.end()) state.time = time->second;
+    for (const Formula& q : formulas.positions()) state.q.push_back(value_at(q, point));
+    for (const Formula& v : formulas.velocities()) state.v.push_back(value_at(v, point));
+    SolvedInstant instant(problem_, settings, state, OpenChoice{});
+    SolvedInstant before(problem_, settings, state, OpenChoice{});
+    if (problem_.has_blow()) instant.strike();
+    Verdict verdict;
+    if (takes_derivatives(problem_, claim)) return verdict;
+    const ClaimElsewhere elsewhere = [&](const At& at, const Mark&) {
+      return (at.instant == "before" ? before : instant).raw(at.expression, claim.axes, nullptr);
+    };
+    for (const Expression& expression : claim.of)
+      judge_numbers(verdict, problem_, instant, elsewhere, expression, claim.axes);
+    return verdict;
+  } catch (const StatementError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace poinsot::statement

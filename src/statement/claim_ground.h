@@ -1,0 +1,56 @@
+// What the claims about one situation share: the statement solved at some values of the letters, and as formulas.
+#pragma once
+
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "statement/claim_instant.h"
+#include "statement/claim_points.h"
+#include "statement/claim_verdict.h"
+
+namespace poinsot::statement {
+
+inline constexpr int most_solved_points = 40;  // at which a claim is tried where each is a statement solved by numbers
+
+class ClaimGround {
+ public:
+  // settings: values of letters, data and unknowns; exact: those that have one as formulas. All must outlive it.
+  ClaimGround(const Problem& problem, const Settings& settings, const FormulaValues& exact);
+
+  const Problem& problem() const { return problem_; }
+  const std::vector<Letter>& letters() const { return letters_; }  // without value
+  const Point& base_point() const { return base_point_; }
+  Settings with_letters(const Point& point) const;
+
+  // Nothing where it has none: why not. all_poses: see ClaimFormulas.
+  ClaimFormulas* formulas(bool all_poses);
+
+  // The statement solved by numbers at the base point; after formulas().
+  SolvedInstant& base() { return *base_; }
+
+  // A claim and its assumptions in the statement solved by numbers at a point, in the state that formulas have there;
+  // nothing where it cannot be solved.
+  std::optional<Verdict> verdict_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point) const;
+
+ private:
+  void find_base();
+
+  const Problem& problem_;
+  const Settings& settings_;
+  const FormulaValues& exact_;
+  std::vector<Letter> letters_;
+  FormulaValues values_;
+  Point base_point_;
+  std::list<Settings> bases_;
+  std::unique_ptr<SolvedInstant> base_;
+  struct Road {
+    bool tried = false;
+    std::unique_ptr<ClaimFormulas> formulas;
+  };
+  Road drawn_, along_;
+};
+
+}  // namespace poinsot::statement

@@ -1,0 +1,32 @@
+// Whether a claim holds at one point.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "statement/claim_points.h"
+#include "statement/instant.h"
+
+namespace poinsot::statement {
+
+struct Verdict {
+  bool holds = true;
+  bool close = false;                              // so near the edge that rounding might decide
+  bool exact = false;                              // and it was decided without rounding
+  std::optional<std::pair<double, double>> sides;  // of what does not hold
+  Dimension dimension;
+
+  // Takes in one more comparison. natural: the size that the sides naturally have.
+  void judge(double left, double right, Relation relation, double natural, const Dimension& of);
+  // The same where it is known exactly whether it holds.
+  void refute(double left, double right, const Dimension& of);
+};
+
+// What stands before an `@ before` in claims made after a blow.
+using ClaimElsewhere = SolvedInstant::Elsewhere;
+
+// Takes in comparisons, and truth values such as stable(plate), of a solved instant.
+void judge_numbers(Verdict& verdict, const Problem& problem, SolvedInstant& instant, const ClaimElsewhere& elsewhere,
+                   const Expression& expression, const std::optional<Expression>& axes);
+
+}  // namespace poinsot::statement

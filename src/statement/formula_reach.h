@@ -1,0 +1,17 @@
+// How far formulas and answers that no letter changed reach.
+//
+// A formula found on one side of a branch, or an answer that was the same at letters of ordinary sizes, may be another
+// one where letters are far larger, negative or angles beyond a right angle.
+#pragma once
+
+#include "statement/formula_search.h"
+
+namespace poinsot::statement {
+
+// Solves the statement at letters far off: each alone up to 10^4 times larger and smaller, signs turned, angles in
+// every quadrant. A formula that does not agree there is taken back; an answer without formula that is another one
+// there depends on the letters; where a cord would push or a contact pull there, the solution assumes that it does not.
+// For statements without unknowns and motions.
+void hold_far_off(const FormulaTask& task, Solution& solution);
+
+}  // namespace poinsot::statement

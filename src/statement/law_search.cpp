@@ -1,0 +1,174 @@
+#include "statement/law_search.h"
+
+#include <algorithm>
+#include <ctime>
+#include <map>
+
+#include "statement/compare_values.h"
+#include "statement/extremum.h"
+#include "statement/scaling_law.h"
+#include "statement/unknown_search.h"
+
+namespace poinsot::statement {
+namespace {
+
+constexpr double most_seconds_each = 0.4;  // of the processor for a trial, of which there are some twenty
+
+bool has_numbers(const Value<double>& value) {
+  if (value.is_list()) return !value.items.empty() && std::ranges::all_of(value.items, has_numbers);
+  return value.is_number() || value.is_vector();
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string all;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    all += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return all;
+}
+
+std::string road_of(const ScalingLaw& law) {
+  std::string road = " by dimensional analysis";
+  if (!law.by_trial.empty()) road += " and trials of " + listed(law.by_trial);
+  return law.digits == 0 ? road : road + ", with numbers of " + std::to_string(law.digits) + " digits";
+}
+
+class LawSearch {
+ public:
+  LawSearch(const FormulaTask& task, Solution& solution) : task_(task), solution_(solution) {
+    if (!task.unknowns.empty() && solution.unknowns.empty())
+      for (std::size_t i = 0; i < task.statement.situations.size(); ++i)
+        for (const Unknown& unknown : task.unknowns)
+          if (is_common(task.statement, unknown.name) ? i == 0 : is_own(task.statement, i, unknown.name))
+            unknowns_.push_back({&unknown, i});
+  }
+
+  void run() {
+    std::vector<std::size_t> wanted;
+    for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
+      const SolvedAsk& ask = solution_.asks[i];
+      if (ask.state == AskState::needs_letters && !ask.formula && !task_.statement.asks[i].table &&
+          has_numbers(ask.value))
+        wanted.push_back(i);
+    }
+    if (wanted.empty()) return;
+    const auto error = solution_.checks.find("motion_error");
+    LetterValues base;
+    std::vector<std::string> names;
+    for (const Letter& letter : task_.open) {
+      base[letter.name] = task_.settings.front().at(letter.name).number;
+      names.push_back(letter.name);
+    }
+    ScalingTrials trials(task_.open, base, !task_.unknowns.empty(), error == solution_.checks.end() ? 0 : error->second,
+                         [this](const LetterValues& letters) { return answers_at(letters); });
+    for (const std::size_t i : wanted) add_law(trials, i);
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) add_unknown(trials, k, names);
+    for (const auto& [road, found] : found_by_) solution_.notes.push_back(listed(found) + road);
+  }
+
+ private:
+  struct Sought {
+    const Unknown* unknown;
+    std::size_t situation;
+  };
+
+  void add_law(ScalingTrials& trials, std::size_t i) {
+    SolvedAsk& ask = solution_.asks[i];
+    try {
+      const ScalingLaw law = scaling_law(trials, i, ask.letters);
+      ask.formula = law.formula;
+      ask.no_formula.clear();
+      tell(task_.statement.asks[i].name, law);
+    } catch (const NoFormula& reason) {
+      ask.no_formula = reason.what();
+    } catch (const std::domain_error& reason) {
+      ask.no_formula = reason.what();
+    } catch (const ExpressionTooLarge& reason) {
+      ask.no_formula = reason.what();
+    }
+  }
+
+  void add_unknown(ScalingTrials& trials, std::size_t k, const std::vector<std::string>& letters) {
+    const auto& [unknown, situation] = unknowns_[k];
+    try {
+      const ScalingLaw law = scaling_law(trials, solution_.asks.size() + k, letters);
+      SolvedUnknown solved{unknown->name, unknown->unit, task_.settings[situation].at(unknown->name), law.formula};
+      if (!is_common(task_.statement, unknown->name)) solved.name += " @ " + task_.statement.situations[situation].name;
+      tell(solved.name, law);
+      solution_.unknowns.push_back(std::move(solved));
+    } catch (const NoFormula&) {
+      // The asks say why.
+    }
+  }
+
+  void tell(const std::string& name, const ScalingLaw& law) {
+    std::vector<std::string>& names = found_by_[road_of(law)];
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+
+  // Asks and then unknowns.
+  ScalingTrials::Answers answers_at(const LetterValues& letters) {
+    const std::clock_t begun = std::clock();
+    ScalingTrials::Answers answers(solution_.asks.size() + unknowns_.size());
+    const std::optional<AllSettings> settings = settings_at(letters);
+    if (!settings) return answers;
+    Sample sample(task_.statement, *settings, OpenChoice{});
+    for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
+      const Ask& ask = task_.statement.asks[i];
+      if (solution_.asks[i].state != AskState::needs_letters || ask.table) continue;
+      try {
+        answers[i] = ask.extremum ? ExtremumSearch(task_.statement, ask, *settings, OpenChoice{}).find().value
+                                  : sample.value(ask);
+      } catch (const StatementError&) {
+        continue;
+      }
+    }
+    for (std::size_t k = 0; k < unknowns_.size(); ++k)
+      answers[solution_.asks.size() + k] = (*settings)[unknowns_[k].situation].at(unknowns_[k].unknown->name);
+    if (!confirmed_by_particles(sample)) throw NoFormula("the check on particles does not confirm its numbers");
+    if (static_cast<double>(std::clock() - begun) > most_seconds_each * CLOCKS_PER_SEC)
+      throw NoFormula("it takes too long to find it at other values of the letters");
+    return answers;
+  }
+
+  // With the unknowns found there; nothing where they have not as many roots as they have at the letters drawn first.
+  std::optional<AllSettings> settings_at(const LetterValues& letters) {
+    AllSettings settings = task_.settings;
+    for (AllSettings::value_type& one : settings)
+      for (const Letter& letter : task_.open)
+        one[letter.name] = Value<double>::of_number(letters.at(letter.name), letter.unit.dimension);
+    if (task_.unknowns.empty()) return settings;
+    Settings known = task_.known;
+    for (const Letter& letter : task_.open) known[letter.name] = settings.front().at(letter.name);
+    const RootsFound found = UnknownSearch(task_.statement, task_.known).find(known);
+    if (!found.open.empty()) return std::nullopt;
+    if (!root_) {
+      for (std::size_t k = 0; k < found.roots.size(); ++k)
+        if (is_root(found.roots[k])) root_ = k;
+      roots_ = found.roots.size();
+    }
+    if (!root_ || found.roots.size() != roots_) return std::nullopt;
+    return found.roots[*root_];
+  }
+  bool is_root(const AllSettings& root) const {
+    for (std::size_t i = 0; i < root.size(); ++i)
+      for (const Unknown& unknown : task_.unknowns) {
+        const auto known = task_.settings[i].find(unknown.name), here = root[i].find(unknown.name);
+        if (known == task_.settings[i].end() || here == root[i].end()) continue;
+        if (!same(known->second, here->second, 1e-6 * size_of(known->second))) return false;
+      }
+    return true;
+  }
+
+  const FormulaTask& task_;
+  Solution& solution_;
+  std::vector<Sought> unknowns_;
+  std::map<std::string, std::vector<std::string>> found_by_;  // names, by the road to their laws
+  std::optional<std::size_t> root_;                           // of the roots, ascending, the one of this solution
+  std::size_t roots_ = 0;
+};
+
+}  // namespace
+
+void find_laws(const FormulaTask& task, Solution& solution) { LawSearch(task, solution).run(); }
+
+}  // namespace poinsot::statement

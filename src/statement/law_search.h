@@ -1,0 +1,14 @@
+// The laws that answers found by numbers follow: motions followed and unknowns searched at other letters.
+#pragma once
+
+#include "poinsot/statement/solve_statement.h"
+#include "statement/formula_search.h"
+
+namespace poinsot::statement {
+
+// Gives every ask of the solution that has no formula yet, but needs letters, its law if it has one (scaling_law.h),
+// else the reason why it has none; lists unknowns with laws if none are listed. A note tells where each law comes from.
+// The trials are checked on particles. Never throws for a law that cannot be had.
+void find_laws(const FormulaTask& task, Solution& solution);
+
+}  // namespace poinsot::statement

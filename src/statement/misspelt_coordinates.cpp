@@ -1,0 +1,53 @@
+#include "statement/misspelt_coordinates.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "statement/reader.h"
+
+namespace poinsot::statement {
+namespace {
+
+void collect_words(const Entry& entry, std::set<std::string>& words) {
+  std::string word;
+  for (const char c : entry.text + " ") {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+      word += c;
+    } else if (!word.empty()) {
+      words.insert(word);
+      word.clear();
+    }
+  }
+  for (const Entry& item : entry.items) collect_words(item, words);
+  for (const auto& [key, value] : entry.members) collect_words(value, words);
+}
+
+}  // namespace
+
+void check_misspelt_coordinates(const Entry& root, const Problem& problem) {
+  std::set<std::string> known;
+  for (const NamedExpression& datum : problem.given) known.insert(datum.name);
+  for (const Letter& letter : problem.letters) known.insert(letter.name);
+  for (const Unknown& unknown : problem.find) known.insert(unknown.name);
+  std::set<std::string> used;
+  collect_words(root, used);
+  std::vector<std::string> unused;
+  std::copy_if(known.begin(), known.end(), std::back_inserter(unused),
+               [&](const std::string& name) { return !used.contains(name); });
+  if (unused.empty()) return;
+  for (const Joint& joint : problem.joints)
+    for (const Freedom& freedom : joint.freedoms) {
+      const Name* name = freedom.position ? freedom.position->as<Name>() : nullptr;
+      if (!name || known.contains(name->name)) continue;
+      const std::string near = nearest(name->name, unused);
+      if (near.empty()) continue;
+      fail(problem.file, freedom.position->mark(),
+           "'" + name->name + "' is no datum, and '" + near + "', which is one, is used nowhere",
+           "did you mean '" + near + "'? If '" + name->name + "' is to name a coordinate, remove '" + near + "'");
+    }
+}
+
+}  // namespace poinsot::statement

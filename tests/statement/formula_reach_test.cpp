@@ -1,0 +1,61 @@
+// Formulas hold for all values of their letters, or are none.
+#include "statement/formula_reach.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "poinsot/statement/solve_statement.h"
+
+namespace poinsot::statement {
+namespace {
+
+Solution solved(const std::string& text) {
+  return solve_statement(read_statement(text, "test.yaml"), {}).solutions.at(0);
+}
+
+// Struck near its end, a rod on a table turns about its mass center so fast that the other end would go down.
+TEST(FormulaReach, a_blow_depends_on_where_it_comes) {
+  const Solution solution = solved(R"(
+letters: {m: kg, L: m, J: N*s, a: mm}
+points: {A: [0, 0, 0], B: [L, 0, 0], C: [a, 0, 0]}
+bodies: {p: {rod: [A, B], mass: m}}
+contacts: {f: {of: p, at: A, normal: y}}
+impulses: {j: {body: p, at: C, value: [0, J, 0]}}
+instants: {before: rest}
+gravity: -y
+ask: {f: impulse(f on p)}
+)");
+  EXPECT_EQ(solution.asks[0].state, AskState::needs_letters);
+  EXPECT_FALSE(solution.asks[0].formula.has_value());
+}
+
+// Whatever formula is given for an angle between lines agrees with numbers in every quadrant.
+TEST(FormulaReach, angles_agree_in_every_quadrant) {
+  const std::string text = R"(
+letters: {b: deg, m: kg, L: m}
+points: {O: [0, 0, 0], A: [L*cos(b), L*sin(b), 0]}
+bodies: {p: {rod: [O, A], mass: m}}
+joints: {s: {revolute: z, at: O, to: p, rate: 2 rad/s}}
+gravity: -y
+ask: {t: angle(center(p) to x), acute: acute_angle(center(p) to x), q: atan(center(p).y/center(p).x), a: angular_acceleration(p).z}
+)";
+  const Solution solution = solved(text);
+  EXPECT_TRUE(solution.asks[3].formula.has_value());
+  constexpr double pi = 3.141592653589793;
+  for (const double b : {0.4, 1.9, -2.3, -0.7}) {
+    const LetterValues letters{{"b", b}, {"m", 2}, {"L", 1.5}};
+    const double acute = std::min(std::abs(b), pi - std::abs(b));
+    const double expected[] = {std::abs(b), acute, std::atan(std::tan(b))};
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(solution.asks[i].state, AskState::needs_letters);
+      if (solution.asks[i].formula) {
+        EXPECT_NEAR(value_at(solution.asks[i].formula->number, letters), expected[i], 1e-9) << i << " at " << b;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::statement
