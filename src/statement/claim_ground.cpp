@@ -1,6 +1,7 @@
 #include "statement/claim_ground.h"
 
 #include <algorithm>
+#include <set>
 
 #include "statement/claim_letters.h"
 #include "statement/formula_answers.h"
@@ -92,6 +93,25 @@ std::optional<Verdict> ClaimGround::verdict_at(const Claim& claim, const ClaimFo
   } catch (const StatementError&) {
     return std::nullopt;
   }
+}
+
+std::vector<std::string> assumed_holds(const Problem& problem, const Claim& claim) {
+  std::vector<std::string> holds;
+  std::set<std::string> functions;
+  for (const Expression& expression : claim.of) collect_functions(expression, functions, true);
+  const bool rests_on_them = std::any_of(
+      claim.of.begin(), claim.of.end(), [&](const Expression& expression) { return asks_forces(problem, expression); });
+  if (!rests_on_them || problem.has_blow() || functions.contains("touching") || functions.contains("taut"))
+    return holds;
+  for (const Contact& contact : problem.contacts) {
+    const bool one_sided =
+        !contact.carries || std::any_of(contact.carries->begin(), contact.carries->end(), [](const Expression& e) {
+          return e.as<Name>() && e.as<Name>()->name == "push";
+        });
+    if (one_sided) holds.push_back("the contact '" + contact.name + "' presses");
+  }
+  for (const Cord& cord : problem.cords) holds.push_back("the cord '" + cord.name + "' stays taut");
+  return holds;
 }
 
 }  // namespace poinsot::statement

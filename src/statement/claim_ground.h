@@ -53,4 +53,7 @@ class ClaimGround {
   Road drawn_, along_;
 };
 
+// Contacts and cords that a claim on forces or accelerations takes to hold, in words; none where it is about that.
+std::vector<std::string> assumed_holds(const Problem& problem, const Claim& claim);
+
 }  // namespace poinsot::statement

@@ -174,6 +174,9 @@ class ClaimSolver {
       return poinsot::substituted(drawn.of->apply(difference), numbers);
     } catch (const std::domain_error&) {
       return std::nullopt;
+    } catch (const ExpressionTooLarge&) {
+      // As the sine of a number with many digits.
+      return std::nullopt;
     }
   }
 
@@ -352,6 +355,7 @@ class ClaimSolver {
     result_.holds = true;
     result_.proved = proved_;
     list_assumptions();
+    for (std::string& hold : assumed_holds(problem_, claim_)) result_.assumptions.push_back(std::move(hold));
   }
 
   bool claims_stability() const {

@@ -89,7 +89,7 @@ Value<Formula> FormulaAnswers::value(const Ask& ask) {
       items.push_back(at_home(numbers_.home(expression, ask.mark), expression, ask.axes));
     }
     Value<Formula> value = ask.is_list ? Value<Formula>::of_list(std::move(items)) : items.front();
-    if (!has_numbers_only(value)) throw NoFormula("it is no number");
+    if (!has_numbers_only(value)) throw NoFormula("truths and words have no formula");
     return value;
   });
 }

@@ -6,6 +6,7 @@
 
 #include "statement/compare_values.h"
 #include "statement/extremum.h"
+#include "statement/open_words.h"
 #include "statement/scaling_law.h"
 #include "statement/unknown_search.h"
 
@@ -19,16 +20,9 @@ bool has_numbers(const Value<double>& value) {
   return value.is_number() || value.is_vector();
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string all;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    all += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return all;
-}
-
 std::string road_of(const ScalingLaw& law) {
   std::string road = " by dimensional analysis";
-  if (!law.by_trial.empty()) road += " and trials of " + listed(law.by_trial);
+  if (!law.by_trial.empty()) road += " and trials of " + listed(law.by_trial, "and");
   return law.digits == 0 ? road : road + ", with numbers of " + std::to_string(law.digits) + " digits";
 }
 
@@ -62,7 +56,7 @@ class LawSearch {
                          [this](const LetterValues& letters) { return answers_at(letters); });
     for (const std::size_t i : wanted) add_law(trials, i);
     for (std::size_t k = 0; k < unknowns_.size(); ++k) add_unknown(trials, k, names);
-    for (const auto& [road, found] : found_by_) solution_.notes.push_back(listed(found) + road);
+    for (const auto& [road, found] : found_by_) solution_.notes.push_back(listed(found, "and") + road);
   }
 
  private:

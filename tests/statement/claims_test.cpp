@@ -308,6 +308,30 @@ claim: {a: ')" + claim +
   EXPECT_TRUE(body("{axis: z, axial: any, transverse: any}", "couple(axle on rotor about O) == 0").holds);
 }
 
+// At the edges of such claims angles are numbers of many digits, whose sines have no exact form.
+TEST(Claims, AnglesWithManyDigits) {
+  const std::string bar =
+      "letters: {b: deg, L: m, m: kg}\npoints: {O: [0, 0, 0], B: [L*cos(b), L*sin(b), 0]}\n"
+      "bodies: {bar: {rod: [O, B], mass: m}}\ngravity: none\nclaim: {a: ";
+  EXPECT_TRUE(claim_of(bar + "angle(center(bar) to x) <= 180 deg}\n").holds);
+  EXPECT_FALSE(claim_of(bar + "angle(center(bar) to x) <= 179 deg}\n").holds);
+  EXPECT_FALSE(claim_of(bar + "angle(center(bar) to x) == b}\n").holds);
+}
+
+// A ball on a table, drawn up by less than its weight; only then the contact stays.
+TEST(Claims, OnForcesTakeContactsToHold) {
+  const std::string ball =
+      "letters: {F: N, m: kg}\ngiven: {g: 9.81 m/s^2}\npoints: {C: [0, 0, 0], G: [0, 0.1 m, 0]}\n"
+      "bodies: {ball: {sphere: {center: G, radius: 0.1 m}, mass: m}}\n"
+      "contacts: {table: {of: ball, at: C, normal: y}}\nloads: {lift: {force: [0, F, 0], at: G, body: ball}}\n"
+      "gravity: [0, -g, 0]\nfacts: rest\nclaim: {a: ";
+  const std::vector<std::string> holds{"the contact 'table' presses"};
+  EXPECT_EQ(claim_of(ball + "acceleration(ball).y == 0}\n").assumptions, holds);
+  EXPECT_EQ(claim_of(ball + "force(table on ball).y == m*g - F}\n").assumptions, holds);
+  EXPECT_TRUE(claim_of(ball + "velocity(ball).y == 0}\n").assumptions.empty());
+  EXPECT_FALSE(claim_of(ball + "touching(table)}\n").holds);
+}
+
 TEST(Claims, BeforeAndAfterABlow) {
   const auto blow = [](const std::string& claim) {
     return claim_of(R"(
