@@ -1,6 +1,8 @@
 #include "statement/ask_values.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "statement/extremum.h"
 #include "statement/open_words.h"
@@ -42,6 +44,19 @@ std::optional<Diagnostic> fails_where_open(const Statement& statement, Sample& s
   }
 }
 
+bool is_finite(const Value<double>& value) {
+  if (value.is_number()) return std::isfinite(value.number);
+  if (value.is_vector()) return std::isfinite(norm(value.vector));
+  return std::all_of(value.items.begin(), value.items.end(), is_finite);
+}
+
+Diagnostic without_value(const Statement& statement, const Ask& ask) {
+  return {statement.situations.front().problem.file, ask.mark,
+          "it has no finite value here: something is divided by zero, or it is the rate of what has none, as a norm "
+          "that is zero",
+          "ask for it at another instant, or for the vector in place of its norm"};
+}
+
 }  // namespace
 
 AskValues ask_values(const Statement& statement, Sample& sample, const AllSettings& settings,
@@ -57,7 +72,9 @@ AskValues ask_values(const Statement& statement, Sample& sample, const AllSettin
       continue;
     }
     try {
-      result.watched.emplace_back(watched_value(statement, sample, ask));
+      Value<double> value = watched_value(statement, sample, ask);
+      if (!is_finite(value)) throw UnansweredError(without_value(statement, ask));
+      result.watched.emplace_back(std::move(value));
       const Value<double>& found = *result.watched.back();
       result.values.emplace_back(is_watched(found) ? found.items.front() : found);
     } catch (const UnansweredError& error) {

@@ -747,6 +747,16 @@ TEST(WithoutAnswer, AMassGivenAsAny) {
 }
 
 // Any value that is taken for an open moment belongs to a possible body, whatever the size of the others.
+TEST(WithoutAnswer, TheRateOfANormThatIsZero) {
+  const auto found = outcomes(
+      "title: t\ngravity: -y\npoints: {O: [0, 0, 0], A: [1 m, 0, 0]}\nbodies: {bar: {rod: [O, A], mass: 1 kg}}\n"
+      "joints: {pin: {revolute: z, at: O, to: bar, angle: q, rate: 0}}\ndefine: {s: norm(velocity(A of bar))}\n"
+      "ask: {a: \"s'\", b: s}\n");
+  EXPECT_EQ(found[0].state, AskState::undetermined);
+  EXPECT_TRUE(found[0].reason.starts_with("it has no finite value here: ")) << found[0].reason;
+  EXPECT_EQ(found[1].state, AskState::found);
+}
+
 TEST(WithoutAnswer, AnInertiaThatIsNotStated) {
   const auto found =
       outcomes(head +
