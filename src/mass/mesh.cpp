@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+
+#include "mass/mesh_nesting.h"
 
 namespace poinsot {
 namespace {
@@ -163,6 +167,8 @@ std::vector<MeshFault> find_faults(const TriangleMesh<double>& mesh, const std::
   if (!faults.empty()) return faults;
 
   find_volume_fault(mesh, name, faults);
+  if (!faults.empty()) return faults;
+  if (std::optional<MeshFault> nesting = find_nesting_fault(mesh, name)) faults.push_back(*std::move(nesting));
   return faults;
 }
 

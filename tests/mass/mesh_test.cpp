@@ -107,6 +107,35 @@ TEST(Mesh, BodiesFarFromTheOriginLoseNoDigits) {
 
 std::vector<MeshFault> faults_of(const Mesh& mesh) { return find_faults(mesh, "part"); }
 
+// Boxes of random places and turns, made of the same twelve triangles each.
+TEST(MeshFaults, PartsInEachOther) {
+  Random<double> random(17);
+  const auto faults_of_pair = [](const Mesh& a, const Mesh& b) { return find_faults(testing::together(a, b), "pair"); };
+  for (int i = 0; i < 200; ++i) {
+    const Matrix3<double> turn = random.axes();
+    const auto box = [&](const Vector& corner, const Vector& sides) {
+      return box_mesh(Vector(turn * corner), Vector(sides.x * turn.column(0)), Vector(sides.y * turn.column(1)),
+                      Vector(sides.z * turn.column(2)));
+    };
+    const Mesh outer = box({0, 0, 0}, {4, 4, 4});
+    const Vector place{random.between(0.1, 1.9), random.between(0.1, 1.9), random.between(0.1, 1.9)};
+    const Mesh inner = box(place, {2, 2, 2});
+    EXPECT_TRUE(faults_of_pair(outer, testing::inside_out(inner)).empty());
+    const Mesh crossing = box(place, {5, 5, 5}), far = box({5, 0, 0}, {1, 1, 1}), beside = box({4, 0, 0}, {1, 1, 1});
+    for (const Mesh* wrong : {&inner, &crossing, &outer}) {
+      const auto faults = faults_of_pair(outer, *wrong);
+      ASSERT_EQ(faults.size(), 1u);
+      EXPECT_EQ(faults[0].rule, MeshRule::separate_parts);
+      EXPECT_NE(faults[0].message.find("would count twice"), std::string::npos) << faults[0].message;
+    }
+    EXPECT_TRUE(faults_of_pair(outer, far).empty());
+    EXPECT_TRUE(faults_of_pair(outer, beside).empty());
+    const auto turned = faults_of_pair(outer, testing::inside_out(far));
+    ASSERT_EQ(turned.size(), 1u);
+    EXPECT_NE(turned[0].message.find("is inside out and no cavity"), std::string::npos) << turned[0].message;
+  }
+}
+
 TEST(MeshFaults, MissingTrianglesLeaveOpenEdges) {
   EXPECT_EQ(faults_of(Mesh{})[0].message, "mesh 'part': it has no triangles; a body needs a closed surface");
   EXPECT_EQ(faults_of(Mesh{})[0].rule, MeshRule::has_triangles);

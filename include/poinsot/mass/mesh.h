@@ -102,6 +102,7 @@ enum class MeshRule {
   closed_surface,          // every edge belongs to two triangles
   consistent_orientation,  // which run along it in opposite directions
   outward_orientation,     // the volume is positive
+  separate_parts,          // lie apart, or as cavities in each other
 };
 
 struct MeshFault {
