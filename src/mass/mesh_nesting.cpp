@@ -17,7 +17,13 @@ using Vector = Vector3<double>;
 constexpr double most_work = 5e7;        // solid angles of triangles
 constexpr std::size_t most_points = 64;  // of one surface
 constexpr double depth = 1e-6;           // of a point below its triangle, of the triangle's size
+constexpr double near_corner = 1e-3;     // of a point, of the way to the middle of the triangle
 constexpr double clearly_whole = 0.02;   // how near a winding number must be to a whole one
+
+constexpr const char* inside_out = "is inside out and no cavity in another part: reverse the corners of its triangles";
+constexpr const char* doubled =
+    "lies in another part or overlaps it, so that space would count twice: join the two, or reverse the corners of the "
+    "inner one's triangles if it is a cavity";
 
 // Which surface each triangle belongs to, numbered from 0; their count.
 struct Surfaces {
@@ -69,34 +75,32 @@ std::optional<MeshFault> find_nesting_fault(const TriangleMesh<double>& mesh, co
     volume[own] += dot(mesh.vertices[t[0]] - apex, cross(mesh.vertices[t[1]] - apex, mesh.vertices[t[2]] - apex)) / 6;
   }
   double work = 0;
-  const double each = most_work / static_cast<double>(surfaces.count) / static_cast<double>(mesh.triangles.size());
+  const double each = most_work / (4 * static_cast<double>(surfaces.count * mesh.triangles.size()));
   const std::size_t points = std::clamp<std::size_t>(static_cast<std::size_t>(each), 1, most_points);
   for (std::size_t own = 0; own < surfaces.count; ++own) {
     const std::size_t step = std::max<std::size_t>(1, triangles[own].size() / points);
     for (std::size_t k = 0; k < triangles[own].size(); k += step) {
-      work += static_cast<double>(mesh.triangles.size());
-      if (work > 2 * most_work) return std::nullopt;
-      const auto& below = mesh.triangles[triangles[own][k]];
-      const Vector &A = mesh.vertices[below[0]], &B = mesh.vertices[below[1]], &C = mesh.vertices[below[2]];
-      const Vector across = cross(B - A, C - A);
-      const Vector p = (1.0 / 3) * (A + B + C) - (depth * std::sqrt(norm(across)) / norm(across)) * across;
-      double around = 0;  // how often the other surfaces go around the point
-      for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (surfaces.of_triangle[i] == own) continue;
-        const auto& t = mesh.triangles[i];
-        around += winding(p, mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+      const auto& corners = mesh.triangles[triangles[own][k]];
+      const Vector &A = mesh.vertices[corners[0]], &B = mesh.vertices[corners[1]], &C = mesh.vertices[corners[2]];
+      const Vector middle = (1.0 / 3) * (A + B + C), across = cross(B - A, C - A);
+      const Vector down = -depth / std::sqrt(norm(across)) * across;
+      for (const Vector& towards : {middle, A, B, C}) {
+        work += static_cast<double>(mesh.triangles.size());
+        if (work > 2 * most_work) return std::nullopt;
+        const Vector p = towards + near_corner * (middle - towards) + down;
+        double around = 0;  // how often the other surfaces go around the point
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+          if (surfaces.of_triangle[i] == own) continue;
+          const auto& t = mesh.triangles[i];
+          around += winding(p, mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+        }
+        const bool clear = std::abs(around - std::round(around)) < clearly_whole;
+        if (!clear || std::lround(around) == (volume[own] < 0 ? 1 : 0)) continue;
+        return MeshFault{MeshRule::separate_parts,
+                         fmt::format("mesh '{}': the part with the point ({:.10g}, {:.10g}, {:.10g}) {}", name, A.x,
+                                     A.y, A.z, volume[own] < 0 ? inside_out : doubled),
+                         triangles[own].size()};
       }
-      if (!(std::abs(around - std::round(around)) < clearly_whole)) continue;
-      const bool cavity = volume[own] < 0;
-      if (std::lround(around) == (cavity ? 1 : 0)) continue;
-      const char* what = cavity
-                             ? "is inside out and no cavity in another part: reverse the corners of its triangles"
-                             : "lies in another part or overlaps it, so that space would count twice: join the two, or "
-                               "reverse the corners of the inner one's triangles if it is a cavity";
-      return MeshFault{
-          MeshRule::separate_parts,
-          fmt::format("mesh '{}': the part with the point ({:.10g}, {:.10g}, {:.10g}) {}", name, A.x, A.y, A.z, what),
-          triangles[own].size()};
     }
   }
   return std::nullopt;

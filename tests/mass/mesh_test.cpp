@@ -121,7 +121,9 @@ TEST(MeshFaults, PartsInEachOther) {
     const Vector place{random.between(0.1, 1.9), random.between(0.1, 1.9), random.between(0.1, 1.9)};
     const Mesh inner = box(place, {2, 2, 2});
     EXPECT_TRUE(faults_of_pair(outer, testing::inside_out(inner)).empty());
-    const Mesh crossing = box(place, {5, 5, 5}), far = box({5, 0, 0}, {1, 1, 1}), beside = box({4, 0, 0}, {1, 1, 1});
+    // Only corners lie in each other.
+    const Mesh crossing = box({place.x + 2, place.y + 2, place.z + 2}, {5, 5, 5}), far = box({5, 0, 0}, {1, 1, 1}),
+               beside = box({4, 0, 0}, {1, 1, 1});
     for (const Mesh* wrong : {&inner, &crossing, &outer}) {
       const auto faults = faults_of_pair(outer, *wrong);
       ASSERT_EQ(faults.size(), 1u);
