@@ -5,6 +5,7 @@
 
 #include "poinsot/math/expression_decision.h"
 #include "statement/claim_letters.h"
+#include "statement/evaluate_support.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
@@ -134,7 +135,7 @@ void ClaimInstant::add_terms(const Expression& expression, const std::optional<E
     return found.value;
   };
   std::vector<Value<Formula>> sides;
-  for (const Expression& operand : comparison->operands) sides.push_back(value(operand));
+  for (const Expression& operand : comparison->operands) sides.push_back(as_vector(value(operand)));
   const Problem& problem = formulas_.problem();
   for (std::size_t i = 0; i < comparison->relations.size(); ++i) {
     Value<Formula> left = sides[i], right = sides[i + 1];

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "statement/evaluate_support.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
@@ -56,7 +57,7 @@ void judge_numbers(Verdict& verdict, const Problem& problem, SolvedInstant& inst
     return;
   }
   std::vector<Value<double>> sides;
-  for (const Expression& operand : comparison->operands) sides.push_back(value(operand));
+  for (const Expression& operand : comparison->operands) sides.push_back(as_vector(value(operand)));
   for (std::size_t i = 0; i < comparison->relations.size(); ++i) {
     const Value<double>&left = sides[i], &right = sides[i + 1];
     const bool zero = (left.is_vector() && right.is_number() && right.bare && right.number == 0) ||

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,23 @@ bool is_zero(const Value<Scalar>& value) {
 template <class Scalar>
 bool is_bare_zero(const Value<Scalar>& value) {
   return value.bare && is_zero(value);
+}
+
+// A list of three numbers of one kind, bare zeros fitting in, as the vector that it is; all else as it stands.
+template <class Scalar>
+Value<Scalar> as_vector(Value<Scalar> value) {
+  if (!value.is_list() || value.items.size() != 3) return value;
+  std::optional<Dimension> common;
+  bool bare = true;
+  for (const Value<Scalar>& item : value.items) {
+    if (!item.is_number()) return value;
+    bare = bare && item.bare;
+    if (is_bare_zero(item)) continue;
+    if (common && !same_kind(*common, item.dimension)) return value;
+    common = common ? joined_dimension(*common, item.dimension) : item.dimension;
+  }
+  return Value<Scalar>::of_vector({value.items[0].number, value.items[1].number, value.items[2].number},
+                                  common.value_or(dimensions::none), bare);
 }
 
 template <class Scalar>

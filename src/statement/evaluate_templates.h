@@ -84,19 +84,7 @@ struct Evaluation {
   Result operator()(const List& list) const {
     std::vector<Result> items;
     for (const Expression& item : list.items) items.push_back(evaluator(item));
-    const bool numbers = std::all_of(items.begin(), items.end(), [](const Result& v) { return v.is_number(); });
-    if (items.size() != 3 || !numbers) return Result::of_list(std::move(items));
-    // Three numbers of one kind, bare zeros fitting in.
-    std::optional<Dimension> common;
-    bool bare = true;
-    for (const Result& item : items) {
-      bare = bare && item.bare;
-      if (is_bare_zero(item)) continue;
-      if (common && !same_kind(*common, item.dimension)) return Result::of_list(std::move(items));
-      common = common ? joined_dimension(*common, item.dimension) : item.dimension;
-    }
-    return Result::of_vector({items[0].number, items[1].number, items[2].number}, common.value_or(dimensions::none),
-                             bare);
+    return as_vector(Result::of_list(std::move(items)));
   }
 
   Result operator()(const Range&) const {
@@ -261,8 +249,9 @@ struct Evaluation {
     }
   }
 
-  bool compare(const Comparison& comparison, std::size_t i, const Result& left, const Result& right,
+  bool compare(const Comparison& comparison, std::size_t i, const Result& one, const Result& other,
                Relation relation) const {
+    const Result left = as_vector(one), right = as_vector(other);
     if (left.is_vector() && right.is_vector() && relation == Relation::equal) {
       fitting(comparison.operands[i], left, comparison.operands[i + 1], right, "cannot be compared with");
       const Vector3<Scalar> difference = left.vector - right.vector;

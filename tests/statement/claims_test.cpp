@@ -318,6 +318,18 @@ TEST(Claims, AnglesWithManyDigits) {
   EXPECT_FALSE(claim_of(bar + "angle(center(bar) to x) == b}\n").holds);
 }
 
+TEST(Claims, OnListsOfThreeNumbers) {
+  const std::string body =
+      "letters: {m: kg, I: kg*m^2, J: kg*m^2, K: kg*m^2}\npoints: {O: [0, 0, 0]}\n"
+      "bodies: {body: {mass: m, center: O, inertia: {x: I, y: J, z: K, xy: 0, yz: 0, zx: 0}}}\nfacts: rest\n"
+      "gravity: none\nclaim: {a: \"moments_of_inertia(body about O) == ";
+  const SolvedClaim true_one = claim_of(body + "[I, J, K]\"}\n");
+  EXPECT_TRUE(true_one.holds && true_one.proved) << true_one.reason;
+  const SolvedClaim false_one = claim_of(body + "[I, K, J]\"}\n");
+  EXPECT_EQ(false_one.state, AskState::found);
+  EXPECT_FALSE(false_one.holds);
+}
+
 // A ball on a table, drawn up by less than its weight; only then the contact stays.
 TEST(Claims, OnForcesTakeContactsToHold) {
   const std::string ball =
