@@ -1,6 +1,7 @@
 #include "statement/driving.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -190,6 +191,38 @@ void Driving::refine(const Look& before, const Look& after, std::vector<double>&
   if (bends) refine(here, after, least, most, found, depth - 1);
 }
 
+// Whether the values are those of polynomials of low degree, which an integration takes in any steps.
+bool Driving::is_polynomial(const std::vector<Look>& looks, const std::vector<double>& least,
+                            const std::vector<double>& most) {
+  constexpr std::size_t nodes = 5;
+  constexpr double closely = 1e-10;  // of the range of the values
+  const double begin = looks.front().time, length = looks.back().time - begin;
+  std::vector<std::size_t> at;
+  for (std::size_t n = 0; n < nodes; ++n) at.push_back(n * (looks.size() - 1) / (nodes - 1));
+  const bool few = looks.size() < 2 * nodes;
+  for (std::size_t j = 0; j < looks.front().value.size(); ++j) {
+    const auto all_have_it = [&](const Look& look) { return j < look.value.size() && std::isfinite(look.value[j]); };
+    if (!std::all_of(looks.begin(), looks.end(), all_have_it)) return false;
+    const auto constant = [&](const Look& look) { return look.value[j] == looks.front().value[j]; };
+    if (std::all_of(looks.begin(), looks.end(), constant)) continue;
+    if (few) return false;
+    // Newton's divided differences.
+    std::array<double, nodes> place{}, c{};
+    for (std::size_t n = 0; n < nodes; ++n) {
+      place[n] = (looks[at[n]].time - begin) / length;
+      c[n] = looks[at[n]].value[j];
+    }
+    for (std::size_t k = 1; k < nodes; ++k)
+      for (std::size_t n = nodes - 1; n >= k; --n) c[n] = (c[n] - c[n - 1]) / (place[n] - place[n - k]);
+    for (const Look& look : looks) {
+      double value = c[nodes - 1];
+      for (std::size_t n = nodes - 1; n-- > 0;) value = value * ((look.time - begin) / length - place[n]) + c[n];
+      if (std::abs(value - look.value[j]) > closely * (most[j] - least[j])) return false;
+    }
+  }
+  return true;
+}
+
 std::vector<Driving::Span> Driving::spans(double from, double to) {
   std::vector<double> ends = corners(from, to);
   ends.insert(ends.begin(), from);
@@ -228,23 +261,23 @@ std::vector<Driving::Span> Driving::spans(double from, double to) {
       fine.push_back(looks[i][k + 1]);
     }
     // Looks of like density make one span.
-    Span span{kept[i], kept[i], 0};
-    double shortest = 0, longest = 0;
+    double begin = kept[i], shortest = 0, longest = 0;
+    std::size_t first = 0;
+    const auto close = [&](double end, std::size_t last) {
+      const std::vector<Look> own(fine.begin() + static_cast<std::ptrdiff_t>(first),
+                                  fine.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+      spans.push_back({begin, end, is_polynomial(own, least, most) ? 0 : steps_of_looks * longest});
+      begin = end;
+      first = last;
+      shortest = longest = 0;
+    };
     for (std::size_t k = 0; k + 1 < fine.size(); ++k) {
       const double width = fine[k + 1].time - fine[k].time;
-      if (k > 0 && (width < 0.2 * longest || width > 5 * shortest)) {
-        span.end = fine[k].time;
-        spans.push_back(span);
-        span = {fine[k].time, fine[k].time, 0};
-        shortest = longest = 0;
-      }
+      if (k > 0 && (width < 0.2 * longest || width > 5 * shortest)) close(fine[k].time, k);
       shortest = shortest > 0 ? std::min(shortest, width) : width;
       longest = std::max(longest, width);
-      for (std::size_t j = 0; j < std::min(fine[k].value.size(), fine[k + 1].value.size()); ++j)
-        if (fine[k].value[j] != fine[k + 1].value[j]) span.largest_step = steps_of_looks * longest;
     }
-    span.end = kept[i + 1];
-    spans.push_back(span);
+    close(kept[i + 1], fine.size() - 1);
   }
   return spans;
 }

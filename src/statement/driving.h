@@ -43,6 +43,8 @@ class Driving {
   double switch_value(const Expression& expression, const Expression& other, double time);
   std::vector<double> corners(double from, double to);
   std::vector<Span> spans(double from, double to);
+  static bool is_polynomial(const std::vector<Look>& looks, const std::vector<double>& least,
+                            const std::vector<double>& most);
   void refine(const Look& before, const Look& after, std::vector<double>& least, std::vector<double>& most,
               std::vector<Look>& found, int depth);
 
