@@ -191,7 +191,9 @@ class Search {
         }
       }
     }
-    for (const auto& [other, r] : pairs_) {
+    for (const auto& known : pairs_) {
+      const auto& other = known.first;
+      const auto& r = known.second;
       if (!allowed(other) || looked_up_ > most_looked_up) continue;
       if (other.product) {
         pairs_of(wanted * (inverse_[other.a.node()] * inverse_[other.b.node()]), [&](const Pair& pair, bool negative) {

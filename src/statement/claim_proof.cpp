@@ -154,7 +154,8 @@ class AssumptionWorker {
   // might be solved.
   void work_in_ranges(State& state, bool all) const {
     for (auto entry = state.ranges.begin(); entry != state.ranges.end();) {
-      const auto& [letter, range] = *entry;
+      const auto& letter = entry->first;
+      const auto& range = entry->second;
       const bool solvable = std::any_of(state.equations.begin(), state.equations.end(), [&](const Formula& equation) {
         return line_in(equation, letter, poinsot::Sign::real).has_value();
       });
