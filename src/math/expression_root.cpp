@@ -96,11 +96,24 @@ Expression root_of_irreducible(const Expression& radicand, bool dependent = fals
   return generator_expression(root_generator(radicand, dependent));
 }
 
+class IntegerFactors {
+ public:
+  IntegerFactors() { fmpz_factor_init(factors_); }
+  IntegerFactors(const IntegerFactors&) = delete;
+  IntegerFactors& operator=(const IntegerFactors&) = delete;
+  ~IntegerFactors() { fmpz_factor_clear(factors_); }
+
+  fmpz_factor_struct* get() { return factors_; }
+
+ private:
+  fmpz_factor_t factors_;
+};
+
 // The root of a positive integer.
 Expression root_of_integer(const Integer& number) {
   Expression root(1);
-  fmpz_factor_t factors;
-  fmpz_factor_init(factors);
+  IntegerFactors held;
+  fmpz_factor_struct* const factors = held.get();
   // Large numbers are only freed of small factors.
   constexpr int certain_bits = 128;
   if (fmpz_bits(number.get()) <= certain_bits) {
@@ -126,7 +139,6 @@ Expression root_of_integer(const Integer& number) {
     root *= pow(base, static_cast<int>(factors->exp[i] / 2));
     if (factors->exp[i] % 2 != 0) root *= root_of_irreducible(base);
   }
-  fmpz_factor_clear(factors);
   return root;
 }
 

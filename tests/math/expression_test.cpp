@@ -353,6 +353,18 @@ TEST(Expression, StopsAtItsBounds) {
     const ExpressionLimitScope scope({.terms = 100, .deadline = std::chrono::steady_clock::now()});
     EXPECT_THROW(read("m*(m + r)"), ExpressionTooLarge);
   }
+  // In whatever step the time is over, also with the factors at hand, one of them a prime of more than a word.
+  const Expression number = read("36*618970019642690137449562111"), m = read("m");
+  for (int steps = 1; steps < 16; ++steps) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(4);
+    const ExpressionLimitScope scope({.terms = 100, .deadline = deadline});
+    const auto late = [&] {
+      for (int i = 0; i < steps; ++i) static_cast<void>(m * m);
+      std::this_thread::sleep_until(deadline + std::chrono::milliseconds(1));
+      for (int i = 0; i < 16; ++i) static_cast<void>(sqrt(number));
+    };
+    EXPECT_THROW(late(), ExpressionTooLarge);
+  }
   EXPECT_EQ(read("(m + r)*(m - r)"), read("m^2 - r^2"));
   EXPECT_THROW(read("sin(1000*a)*cos(a)"), ExpressionTooLarge);
 }
