@@ -187,26 +187,11 @@ class Shortening {
         collect_factors(node.second, term);
         return product(term);
       }
-      case Op::divide:
-        return now(node.first) / now(node.second);
-      case Op::square_root:
-        return sqrt(now(node.first));
-      case Op::sine:
-        return sin(now(node.first));
-      case Op::cosine:
-        return cos(now(node.first));
-      case Op::arc_sine:
-        return asin(now(node.first));
-      case Op::arc_cosine:
-        return acos(now(node.first));
-      case Op::arc_tangent:
-        return atan(now(node.first));
-      case Op::arc_tangent_2:
-        return atan2(now(node.first), now(node.second));
-      case Op::absolute:
-        return abs(now(node.first));
+      default: {
+        const Traced first = now(node.first);
+        return operated(node.operation, first, now(node.second));
+      }
     }
-    return {};
   }
 
   const std::vector<Trace::Node>& nodes_;

@@ -27,6 +27,9 @@ struct Trace::State {
   std::vector<Traced> assumed_positive;
 };
 
+// An operation on its operands, recorded; `second` counts for operations on two. Not for constants and inputs.
+Traced operated(TracedOperation operation, const Traced& first, const Traced& second);
+
 // A constant of a value with its residue, in the trace that is being recorded.
 Traced traced_constant(double value, const symbolic::Residue& residue);
 // The residue of a whole number or decimal without sign, digit by digit: "12", "0.25".

@@ -346,39 +346,11 @@ class Rebuilding {
   }
   Traced computed(const Trace::Node& node) {
     if (circular_) return Traced();
-    switch (node.operation) {
-      case Op::constant:
-        return traced_constant(node.value, node.residue);
-      case Op::input:
-        return Traced();
-      case Op::add:
-        return now(node.first) + now(node.second);
-      case Op::multiply:
-        return now(node.first) * now(node.second);
-      case Op::divide: {
-        const Traced above = now(node.first), below = now(node.second);
-        return circular_ ? Traced() : above / below;
-      }
-      case Op::square_root:
-        return sqrt(now(node.first));
-      case Op::sine:
-        return sin(now(node.first));
-      case Op::cosine:
-        return cos(now(node.first));
-      case Op::arc_sine:
-        return asin(now(node.first));
-      case Op::arc_cosine:
-        return acos(now(node.first));
-      case Op::arc_tangent:
-        return atan(now(node.first));
-      case Op::arc_tangent_2: {
-        const Traced y = now(node.first), x = now(node.second);
-        return atan2(y, x);
-      }
-      case Op::absolute:
-        return abs(now(node.first));
-    }
-    return {};
+    if (node.operation == Op::constant) return traced_constant(node.value, node.residue);
+    if (node.operation == Op::input) return Traced();
+    const Traced first = now(node.first), second = now(node.second);
+    // In a circle operands are zeros, by which nothing can be divided.
+    return circular_ ? Traced() : operated(node.operation, first, second);
   }
 
   const std::vector<Trace::Node>& nodes_;

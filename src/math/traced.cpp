@@ -191,6 +191,38 @@ const std::vector<Trace::Node>& Trace::nodes() const { return state_->nodes; }
 TraceScope::TraceScope(Trace& trace) : outer_(std::exchange(TraceAccess::current, trace.state_.get())) {}
 TraceScope::~TraceScope() { TraceAccess::current = outer_; }
 
+Traced operated(TracedOperation operation, const Traced& first, const Traced& second) {
+  using Op = TracedOperation;
+  switch (operation) {
+    case Op::constant:
+    case Op::input:
+      break;
+    case Op::add:
+      return first + second;
+    case Op::multiply:
+      return first * second;
+    case Op::divide:
+      return first / second;
+    case Op::square_root:
+      return sqrt(first);
+    case Op::sine:
+      return sin(first);
+    case Op::cosine:
+      return cos(first);
+    case Op::arc_sine:
+      return asin(first);
+    case Op::arc_cosine:
+      return acos(first);
+    case Op::arc_tangent:
+      return atan(first);
+    case Op::arc_tangent_2:
+      return atan2(first, second);
+    case Op::absolute:
+      return abs(first);
+  }
+  return {};
+}
+
 Traced traced_constant(double value, const Residue& residue) {
   return residue.is_zero() ? Traced() : TraceAccess::constant(value, residue);
 }

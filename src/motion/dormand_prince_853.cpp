@@ -138,19 +138,7 @@ StepOutcome DormandPrince853::advance(double limit) {
   start_ = t_;
   bool refused_as_not_finite = false;
   for (;;) {
-    double h = std::copysign(std::min(std::fabs(h_), largest_), limit - start_);
-    // No tiny last step: two equal ones instead.
-    const double left = limit - start_;
-    bool at_limit = false;
-    if (std::fabs(h) >= std::fabs(left) * (1.0 - 1e-12)) {
-      h = left;
-      at_limit = true;
-    } else if (2.0 * std::fabs(h) > std::fabs(left)) {
-      h = 0.5 * left;
-    }
-    const double end = at_limit ? limit : start_ + h;
-    h = end - start_;
-    const double smallest = 8.0 * std::numeric_limits<double>::epsilon() * std::max(std::fabs(start_), std::fabs(end));
+    const auto [h, end, at_limit, smallest] = step_towards(limit, start_, h_, largest_);
     if (std::fabs(h) <= smallest && !at_limit) {
       return refused_as_not_finite ? StepOutcome::not_finite : StepOutcome::too_small;
     }

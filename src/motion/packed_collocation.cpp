@@ -75,18 +75,7 @@ class PackedCollocation final : public StepMethod {
   StepOutcome advance(double limit) override {
     int failures = 0;
     for (;;) {
-      double h = std::copysign(std::min(std::fabs(h_), largest_), limit - t_);
-      // No tiny last step: two equal ones instead.
-      const double left = limit - t_;
-      const bool at_limit = std::fabs(h) >= std::fabs(left) * (1.0 - 1e-12);
-      if (at_limit) {
-        h = left;
-      } else if (2.0 * std::fabs(h) > std::fabs(left)) {
-        h = 0.5 * left;
-      }
-      const double end = at_limit ? limit : t_ + h;
-      h = end - t_;
-      const double smallest = 8.0 * std::numeric_limits<double>::epsilon() * std::max(std::fabs(t_), std::fabs(end));
+      const auto [h, end, at_limit, smallest] = step_towards(limit, t_, h_, largest_);
       if (std::fabs(h) <= smallest && !at_limit) return refused_;
 
       if (series_ != Series::none) {

@@ -124,24 +124,14 @@ class RotationCollocation final : public RotationSteps {
     const PrincipalBody& body = rotor_->principal;
     begin_step();
     for (;;) {
-      const double left = limit - t_;
-      double h = std::copysign(std::min(std::fabs(h_), largest_), left);
-      const bool at_limit = std::fabs(h) >= std::fabs(left) * (1.0 - 1e-12);
-      // No tiny last step: two equal ones instead.
-      if (at_limit) {
-        h = left;
-      } else if (2.0 * std::fabs(h) > std::fabs(left)) {
-        h = 0.5 * left;
-      }
-      const double end = at_limit ? limit : t_ + h;
-      h = end - t_;
-      if (std::fabs(h) <= 1e-15 * std::max(std::fabs(t_), std::fabs(end)) && !at_limit) return StepOutcome::too_small;
+      const auto [h, end, at_limit, smallest] = step_towards(limit, t_, h_, largest_);
+      if (std::fabs(h) <= smallest && !at_limit) return StepOutcome::too_small;
 
       const RotationStep step = rotation_step(body, state_, t_, h, momentum_size_, 0.01 * tolerance_);
       rounds_ += step.iterations;
       if (!step.converged) {
         ++rejected_;
-        if (std::fabs(h) < 1e-12 * std::fabs(left) || rejected_in_a_row_ > 60)
+        if (std::fabs(h) < 1e-12 * std::fabs(limit - t_) || rejected_in_a_row_ > 60)
           return step.finite ? StepOutcome::no_convergence : StepOutcome::not_finite;
         ++rejected_in_a_row_;
         h_ = 0.5 * h;

@@ -1,7 +1,10 @@
 // What every method of integration offers to the loop that drives it (integrate.cpp).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -37,6 +40,26 @@ class StepMethod {
   // What a trajectory keeps to evaluate steps of the form `flow`.
   virtual std::shared_ptr<const StateFlow> flow() const { return nullptr; }
 };
+
+// Where a step is to end.
+struct StepEnd {
+  double h = 0, time = 0;
+  bool at_limit = false;  // the time is the limit itself
+  double smallest = 0;    // a step of this size or below does not move the time by more than rounding
+};
+// A step of size |h|, at most `largest`, from t towards the limit: no further than that, and no tiny last step, but two
+// equal ones instead.
+inline StepEnd step_towards(double limit, double t, double h, double largest) {
+  const double left = limit - t;
+  StepEnd step;
+  step.h = std::copysign(std::min(std::fabs(h), largest), left);
+  step.at_limit = std::fabs(step.h) >= std::fabs(left) * (1.0 - 1e-12);
+  if (!step.at_limit && 2.0 * std::fabs(step.h) > std::fabs(left)) step.h = 0.5 * left;
+  step.time = step.at_limit ? limit : t + step.h;
+  step.h = step.time - t;
+  step.smallest = 8.0 * std::numeric_limits<double>::epsilon() * std::max(std::fabs(t), std::fabs(step.time));
+  return step;
+}
 
 // The first step: such that the change by it is small against the change of the change (Hairer, Norsett, Wanner,
 // Section II.4). rate: dy/dt at (t, y). order: of the method. Positive.

@@ -6,7 +6,6 @@
 
 #include "statement/extremum.h"
 #include "statement/open_words.h"
-#include "statement/watched_values.h"
 
 namespace poinsot::statement {
 namespace {
@@ -65,27 +64,25 @@ AskValues ask_values(const Statement& statement, Sample& sample, const AllSettin
   for (const Ask& ask : statement.asks) {
     if (ask.extremum) {
       ExtremumFound found = ExtremumSearch(statement, ask, settings, choice).find();
-      result.values.push_back(found.value);
-      if (!found.value) result.no_extremum[ask.name] = found.reason;
-      result.watched.push_back(found.value);
+      result.values.emplace_back(std::nullopt);
+      if (found.value)
+        result.values.back() = WatchedValue{*found.value, {}};
+      else
+        result.no_extremum[ask.name] = found.reason;
       if (found.sample) result.extremal.push_back(std::move(found.sample));
       continue;
     }
     try {
-      Value<double> value = watched_value(statement, sample, ask);
-      if (!is_finite(value)) throw UnansweredError(without_value(statement, ask));
-      result.watched.emplace_back(std::move(value));
-      const Value<double>& found = *result.watched.back();
-      result.values.emplace_back(is_watched(found) ? found.items.front() : found);
+      WatchedValue value = watched_value(statement, sample, ask);
+      if (!is_finite(value.answer)) throw UnansweredError(without_value(statement, ask));
+      result.values.emplace_back(std::move(value));
     } catch (const UnansweredError& error) {
       result.values.emplace_back(std::nullopt);
-      result.watched.emplace_back(std::nullopt);
       result.unanswered[ask.name] = error.diagnostics().front();
     } catch (const StatementError&) {
       std::optional<Diagnostic> open = fails_where_open(statement, sample, ask, settings);
       if (!open) throw;
       result.values.emplace_back(std::nullopt);
-      result.watched.emplace_back(std::nullopt);
       result.unanswered[ask.name] = *std::move(open);
     }
   }

@@ -9,16 +9,15 @@
 
 #include "poinsot/statement/diagnostic.h"
 #include "statement/sample.h"
+#include "statement/watched_values.h"
 
 namespace poinsot::statement {
 
 struct AskValues {
-  std::vector<std::optional<Value<double>>> values;  // in the order of the asks; missing where there is none
-  // The same together with what decides them (watched_values.h).
-  std::vector<std::optional<Value<double>>> watched;
-  std::vector<std::unique_ptr<Sample>> extremal;   // at the extrema that are asked
-  std::map<std::string, std::string> no_extremum;  // why there is none, by ask
-  std::map<std::string, Diagnostic> unanswered;    // what a motion does not tell or a velocity leaves open, by ask
+  std::vector<std::optional<WatchedValue>> values;  // in the order of the asks; missing where there is none
+  std::vector<std::unique_ptr<Sample>> extremal;    // at the extrema that are asked
+  std::map<std::string, std::string> no_extremum;   // why there is none, by ask
+  std::map<std::string, Diagnostic> unanswered;     // what a motion does not tell or a velocity leaves open, by ask
 };
 
 // settings: those of the sample. Throws StatementError.

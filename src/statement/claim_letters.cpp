@@ -10,11 +10,6 @@
 namespace poinsot::statement {
 namespace {
 
-bool is_any(const Expression& expression) {
-  const Name* name = expression.as<Name>();
-  return name && name->name == "any" && name->primes == 0;
-}
-
 bool is_bare_zero(const Expression& expression) {
   const Number* number = expression.as<Number>();
   return number && number->value == 0;

@@ -9,7 +9,6 @@
 #include "statement/extremum.h"
 #include "statement/open_words.h"
 #include "statement/reader.h"
-#include "statement/watched_values.h"
 
 namespace poinsot::statement {
 namespace {
@@ -17,7 +16,7 @@ namespace {
 constexpr double same_tolerance = 1e-9;     // between two choices of what is open, relative
 constexpr double refound_tolerance = 1e-7;  // the same where unknowns are found anew
 
-using Values = std::vector<std::optional<Value<double>>>;
+using Values = std::vector<std::optional<WatchedValue>>;
 
 class Variation {
  public:
@@ -106,7 +105,7 @@ class Variation {
 
   Values varied(const OpenChoice& choice) {
     const std::vector<Ask>& asks = found_.statement.asks;
-    const Values& base = found_.asked.watched;
+    const Values& base = found_.asked.values;
     const std::optional<AllSettings> settings = settings_for(choice);
     if (!settings) return Values(asks.size(), std::nullopt);
     note_moved_unknowns(*settings);
@@ -121,7 +120,7 @@ class Variation {
       try {
         if (!asks[i].extremum)
           values.emplace_back(watched_value(found_.statement, sample, asks[i]));
-        else if (base[i] && ExtremumSearch(found_.statement, asks[i], *settings, choice).is_at(base[i]->number))
+        else if (base[i] && ExtremumSearch(found_.statement, asks[i], *settings, choice).is_at(base[i]->answer.number))
           values.push_back(base[i]);
         else
           values.emplace_back(std::nullopt);
@@ -210,8 +209,9 @@ class Variation {
   }
 
   // Of a vector that is not determined, the components that are.
-  void note_fixed_components(std::size_t i, const std::optional<Value<double>>& other) {
-    const Value<double>& base = *found_.asked.values[i];
+  void note_fixed_components(std::size_t i, const std::optional<WatchedValue>& varied) {
+    const Value<double>& base = found_.asked.values[i]->answer;
+    const Value<double>* other = varied ? &varied->answer : nullptr;
     for (std::size_t k = 0; k < 3; ++k)
       fixed_[i][k] = fixed_[i][k] && base.is_vector() && other && other->is_vector() &&
                      std::abs(base.vector[k] - other->vector[k]) <= same_answer_tolerance(found_, i, base, *other);
@@ -257,27 +257,22 @@ bool is_rounding(const AnswersFound& found, std::size_t index, const Value<doubl
 
 }  // namespace
 
-bool differs(const AnswersFound& found, std::size_t index, const std::optional<Value<double>>& other) {
-  const std::optional<Value<double>>& base = found.asked.values[index];
+bool differs(const AnswersFound& found, std::size_t index, const std::optional<WatchedValue>& other) {
+  const std::optional<WatchedValue>& base = found.asked.values[index];
   if (!base) return false;
-  if (!other) return true;
-  const std::optional<Value<double>>& watched = found.asked.watched[index];
-  if (watched && is_watched(*watched)) {
-    if (!is_watched(*other) || other->items.size() != watched->items.size()) return true;
-    for (std::size_t k = 1; k < watched->items.size(); ++k) {
-      const Value<double>&a = watched->items[k], &b = other->items[k];
-      const double natural = found.sample.instant_of(found.statement.asks[index]).natural_size(dimension_of(a));
-      if (!same(a, b, same_tolerance * std::max(size_of(a), size_of(b)) + 1e-11 * natural)) return true;
-    }
-    return !same(watched->items.front(), other->items.front(),
-                 same_answer_tolerance(found, index, watched->items.front(), other->items.front()));
+  if (!other || other->deciding.size() != base->deciding.size()) return true;
+  const Value<double>&answer = base->answer, &another = other->answer;
+  for (std::size_t k = 0; k < base->deciding.size(); ++k) {
+    const Value<double>&a = base->deciding[k], &b = other->deciding[k];
+    const double natural = found.sample.instant_of(found.statement.asks[index]).natural_size(dimension_of(a));
+    if (!same(a, b, same_tolerance * std::max(size_of(a), size_of(b)) + 1e-11 * natural)) return true;
   }
   // Alone, without unknowns and motions, the numbers tell better than sizes what is rounding.
-  const bool told = found.search.unknowns().empty() && found.sample.motions().empty();
-  if (!told) return !same(*base, *other, same_answer_tolerance(found, index, *base, *other));
+  const bool told = base->deciding.empty() && found.search.unknowns().empty() && found.sample.motions().empty();
+  if (!told) return !same(answer, another, same_answer_tolerance(found, index, answer, another));
   const double tolerance =
-      same_tolerance * std::max(size_of(*base), size_of(*other)) + 1e-14 * found.natural_sizes[index];
-  return !same(*base, *other, tolerance) && !is_rounding(found, index, *base, *other);
+      same_tolerance * std::max(size_of(answer), size_of(another)) + 1e-14 * found.natural_sizes[index];
+  return !same(answer, another, tolerance) && !is_rounding(found, index, answer, another);
 }
 
 std::set<std::string> mark_undetermined(const AnswersFound& found, Solution& result) {

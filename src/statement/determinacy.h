@@ -28,8 +28,7 @@ struct AnswersFound {
 double same_answer_tolerance(const AnswersFound& found, std::size_t index, const Value<double>& a,
                              const Value<double>& b);
 // Whether an ask has another value for another choice, or what decides it has; one that has none there depends on it.
-// other: with what decides it (watched_values.h).
-bool differs(const AnswersFound& found, std::size_t index, const std::optional<Value<double>>& other);
+bool differs(const AnswersFound& found, std::size_t index, const std::optional<WatchedValue>& other);
 
 // Marks the answers that values given as `any`, gravity of which nothing is said, open velocities or forces change as
 // undetermined, with the reason and the components that are fixed nevertheless. Returns the unknowns that they move.

@@ -50,6 +50,11 @@ Mark beginning(const Expression& expression) {
   return expression.mark();
 }
 
+bool is_any(const Expression& expression) {
+  const Name* name = expression.as<Name>();
+  return name && name->name == "any" && name->primes == 0;
+}
+
 const Expression* Call::argument(std::string_view preposition) const {
   for (const Argument& argument : arguments) {
     if (argument.preposition == preposition) return &argument.value;

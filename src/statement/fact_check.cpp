@@ -8,11 +8,6 @@
 namespace poinsot::statement {
 namespace {
 
-bool is_any(const Expression& expression) {
-  const Name* name = expression.as<Name>();
-  return name && name->name == "any" && name->primes == 0;
-}
-
 class FactCheck {
  public:
   // before: the instant before a blow, if this is the one after it.

@@ -26,7 +26,7 @@ bool dimension_is_text(const Value<double>& value) {
   return value.is_list() && !value.items.empty() && value.items.front().is_text();
 }
 
-SolvedAsk finished_extremum(const Statement& statement, const Ask& ask, const std::optional<Value<double>>& value,
+SolvedAsk finished_extremum(const Statement& statement, const Ask& ask, const Value<double>* value,
                             const AskValues& asked) {
   const Problem& problem = statement.situations[situation_of(statement, ask)].problem;
   SolvedAsk solved;
@@ -139,10 +139,10 @@ FinishedAsk finished_ask(const Statement& statement, std::size_t index, const As
     result.solved.words = describe(ask, statement.situations.front().problem, false);
     return result;
   }
-  const std::optional<Value<double>>& value = asked.values[index];
-  if (ask.table) return {finished_table(statement, ask, *value)};
-  if (ask.extremum) return {finished_extremum(statement, ask, value, asked)};
-  return finished_value(ask, *value, sample, rounded);
+  const std::optional<WatchedValue>& value = asked.values[index];
+  if (ask.extremum) return {finished_extremum(statement, ask, value ? &value->answer : nullptr, asked)};
+  if (ask.table) return {finished_table(statement, ask, value->answer)};
+  return finished_value(ask, value->answer, sample, rounded);
 }
 
 }  // namespace poinsot::statement

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -26,7 +27,7 @@ struct FarPoint {
 bool is_angle(const Letter& letter) { return letter.unit.dimension == dimensions::angle; }
 
 std::vector<FarPoint> far_points(const std::vector<Letter>& open, const LetterValues& base) {
-  constexpr double pi = 3.141592653589793;
+  constexpr double pi = std::numbers::pi;
   std::vector<FarPoint> points;
   std::mt19937_64 random(6100);
   const auto part = [&] { return std::uniform_real_distribution<double>(-1, 1)(random); };

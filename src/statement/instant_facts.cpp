@@ -27,11 +27,6 @@ std::vector<std::pair<std::size_t, const Expression*>> stated_components(const E
   return components;
 }
 
-bool is_any(const Expression& expression) {
-  const Name* name = expression.as<Name>();
-  return name && name->name == "any" && name->primes == 0;
-}
-
 template <class Scalar>
 State<Scalar> at_rest(const InstantView<Scalar>& view) {
   return {view.machine.q, std::vector<Scalar>(static_cast<std::size_t>(view.machine.mechanism.tree.velocity_size()))};

@@ -24,11 +24,6 @@ MassProperties<double> plain(const MassProperties<Scalar>& body) {
   return {plain(body.mass), plain(body.center), plain(body.inertia_center)};
 }
 
-bool is_any(const Expression& expression) {
-  const Name* name = expression.as<Name>();
-  return name && name->name == "any" && name->primes == 0;
-}
-
 template <class Scalar>
 class MassReader {
  public:

@@ -210,8 +210,8 @@ class StatementSolver {
     if (!search_.unknowns().empty()) return;
     for (const Letter& letter : open_) {
       const AskValues other = with_letters(&letter.name);
-      for (std::size_t i = 0; i < other.watched.size(); ++i) {
-        if (!differs(answers_found(), i, other.watched[i])) continue;
+      for (std::size_t i = 0; i < other.values.size(); ++i) {
+        if (!differs(answers_found(), i, other.values[i])) continue;
         result.asks[i].state = AskState::needs_letters;
         result.asks[i].letters.push_back(letter.name);
       }

@@ -5,8 +5,6 @@
 namespace poinsot::statement {
 namespace {
 
-constexpr const char* mark_of_watched = "watched";
-
 class Watch {
  public:
   Watch(const Problem& problem, const Ask& ask) : problem_(problem) {
@@ -91,29 +89,22 @@ class Watch {
 
 }  // namespace
 
-Value<double> watched_value(const Statement& statement, Sample& sample, const Ask& ask) {
-  Value<double> value = sample.value(ask);
-  if (ask.of.empty()) return value;
+WatchedValue watched_value(const Statement& statement, Sample& sample, const Ask& ask) {
+  WatchedValue result{sample.value(ask), {}};
   const Watch watch(statement.situations.front().problem, ask);
-  if (watch.deciding.empty()) return value;
-  std::vector<Value<double>> items{std::move(value)};
   for (const Expression& expression : watch.deciding) {
     Ask one;
     one.of = {expression};
     one.axes = ask.axes;
     one.mark = ask.mark;
     try {
-      items.push_back(sample.value(one));
+      result.deciding.push_back(sample.value(one));
     } catch (const StatementError&) {
       // Without value here: it decides by being so.
-      items.push_back(Value<double>::of_text("none"));
+      result.deciding.push_back(Value<double>::of_text("none"));
     }
   }
-  Value<double> result = Value<double>::of_list(std::move(items));
-  result.text = mark_of_watched;
   return result;
 }
-
-bool is_watched(const Value<double>& value) { return value.is_list() && value.text == mark_of_watched; }
 
 }  // namespace poinsot::statement

@@ -12,6 +12,26 @@ namespace {
 
 using Vector = Vector3<double>;
 
+// Three bodies, of which a pin holds two together in the plane.
+Mechanism<double> pinned(ModelBuilder<double>& builder, const Place<double>& at, const Place<double>& toward) {
+  Mechanism<double> mechanism;
+  mechanism.tree = builder.build();
+  mechanism.takes_part.assign(3, true);
+  mechanism.coordinate_names.assign(3, "v");
+  for (std::size_t k = 0; k < 2; ++k) {
+    VelocityConstraint<double> c;
+    c.kind = VelocityConstraintKind::point;
+    c.words = "pin";
+    c.on = at.body;
+    c.from = toward.body;
+    c.at = at;
+    c.toward = toward;
+    c.along = {toward.body, Vector::unit(k)};
+    mechanism.constraints.push_back(c);
+  }
+  return mechanism;
+}
+
 // A crank of length a on the origin, a coupler of length b, and a slider on the x axis: x = a cos q + sqrt(b^2 - a^2
 // sin^2 q).
 Mechanism<double> slider_crank(double a, double b) {
@@ -24,22 +44,7 @@ Mechanism<double> slider_crank(double a, double b) {
                                        SpatialTransform<double>::translation({a, 0.0, 0.0}), none);
   const int slider = builder.add_body("slider", ground, Joint<double>::prismatic({1.0, 0.0, 0.0}),
                                       SpatialTransform<double>::translation({a + b, 0.0, 0.0}), none);
-  Mechanism<double> mechanism;
-  mechanism.tree = builder.build();
-  mechanism.takes_part.assign(3, true);
-  mechanism.coordinate_names.assign(3, "v");
-  for (std::size_t k = 0; k < 2; ++k) {
-    VelocityConstraint<double> c;
-    c.kind = VelocityConstraintKind::point;
-    c.words = "pin";
-    c.on = slider;
-    c.from = coupler;
-    c.at = {slider, Vector::zero()};
-    c.toward = {coupler, {b, 0.0, 0.0}};
-    c.along = {coupler, Vector::unit(k)};
-    mechanism.constraints.push_back(c);
-  }
-  return mechanism;
+  return pinned(builder, {slider, Vector::zero()}, {coupler, {b, 0.0, 0.0}});
 }
 
 TEST(Closure, ASliderCrankFollowsItsCrank) {
@@ -64,21 +69,7 @@ TEST(Closure, AParallelogramPassesItsFlatPose) {
                                        SpatialTransform<double>::translation({0.0, a, 0.0}), none);
   const int rocker = builder.add_body("rocker", ground, Joint<double>::revolute(z),
                                       SpatialTransform<double>::translation({d, 0.0, 0.0}), none);
-  Mechanism<double> mechanism;
-  mechanism.tree = builder.build();
-  mechanism.takes_part.assign(3, true);
-  mechanism.coordinate_names.assign(3, "v");
-  for (std::size_t k = 0; k < 2; ++k) {
-    VelocityConstraint<double> c;
-    c.kind = VelocityConstraintKind::point;
-    c.words = "pin";
-    c.on = rocker;
-    c.from = coupler;
-    c.at = {rocker, {0.0, a, 0.0}};
-    c.toward = {coupler, {d, 0.0, 0.0}};
-    c.along = {coupler, Vector::unit(k)};
-    mechanism.constraints.push_back(c);
-  }
+  const Mechanism<double> mechanism = pinned(builder, {rocker, {0.0, a, 0.0}}, {coupler, {d, 0.0, 0.0}});
   for (const double q : {0.5, 1.5, 1.7, 2.1, 3.0, 4.0, -2.0, -3.0}) {
     const Closure closure = close_pose(mechanism, {q, 0.0, 0.0}, {true, false, false});
     EXPECT_LT(closure.gap, 1e-14) << q;

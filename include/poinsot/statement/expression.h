@@ -160,6 +160,9 @@ std::string to_string(const Expression& expression);
 // Where the expression's first letter stands; mark() of an operation is that of its operator.
 Mark beginning(const Expression& expression);
 
+// The word `any`, in place of a value that may be any.
+bool is_any(const Expression& expression);
+
 // Equal but for marks and for how numbers are written.
 bool same_tree(const Expression& a, const Expression& b);
 
