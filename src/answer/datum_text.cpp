@@ -71,25 +71,70 @@ std::string text_without_unit(const Datum& datum, int digits, bool vector) {
     return fmt::format("[{}]", fmt::join(texts, ", "));
   }
   std::vector<std::string> texts;
-  for (const Datum& item : *list) texts.push_back(text_without_unit(item, digits, vector));
+  const auto only_texts = [](const List& items) {
+    return std::ranges::all_of(items,
+                               [](const Datum& item) { return std::holds_alternative<std::string>(item.content); });
+  };
+  for (const Datum& item : *list) {
+    const auto* row = std::get_if<List>(&item.content);
+    const std::string text = text_without_unit(item, digits, vector);
+    texts.push_back(row != nullptr && !row->empty() && only_texts(*row) ? "[" + text + "]" : text);
+  }
   const std::string joined = fmt::format("{}", fmt::join(texts, ", "));
-  const bool only_texts =
-      std::ranges::all_of(*list, [](const Datum& item) { return std::holds_alternative<std::string>(item.content); });
-  return only_texts ? joined : "[" + joined + "]";
+  return only_texts(*list) ? joined : "[" + joined + "]";
+}
+
+// The rows of a matrix of texts: at least two lists of equally many, at least two.
+std::vector<std::string> text_matrix_lines(const Datum& datum) {
+  const auto* list = std::get_if<List>(&datum.content);
+  if (list == nullptr || list->size() < 2) return {};
+  std::vector<std::size_t> widths;
+  std::vector<std::vector<std::string>> rows;
+  for (const Datum& item : *list) {
+    const auto* row = std::get_if<List>(&item.content);
+    if (row == nullptr || row->size() < 2) return {};
+    rows.emplace_back();
+    for (const Datum& entry : *row) {
+      const auto* text = std::get_if<std::string>(&entry.content);
+      if (text == nullptr) return {};
+      rows.back().push_back(printable(*text));
+    }
+    widths.resize(rows.front().size());
+    if (rows.back().size() != widths.size()) return {};
+    for (std::size_t k = 0; k < widths.size(); ++k) widths[k] = std::max(widths[k], display_width(rows.back()[k]));
+  }
+  std::vector<std::string> lines;
+  for (const std::vector<std::string>& row : rows) {
+    std::string& line = lines.emplace_back("[");
+    for (std::size_t k = 0; k < row.size(); ++k) line += (k > 0 ? "  " : "") + padded_right(row[k], widths[k]);
+    line += "]";
+  }
+  return lines;
 }
 
 }  // namespace
 
 std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits, bool vector) {
   const std::optional<std::vector<std::vector<double>>> rows = rows_of(datum);
-  std::vector<std::string> lines =
-      rows ? matrix_lines(*rows, digits) : std::vector{text_without_unit(datum, digits, vector)};
+  std::vector<std::string> lines = rows ? matrix_lines(*rows, digits) : text_matrix_lines(datum);
+  if (lines.empty()) lines.push_back(text_without_unit(datum, digits, vector));
   if (!unit.empty()) lines.back() += " " + unit;
   return lines;
 }
 
 std::string datum_text(const Datum& datum, const std::string& unit, int digits) {
   return text_without_unit(datum, digits, true) + (unit.empty() ? "" : " " + unit);
+}
+
+std::vector<std::string> assumptions_in_words(const Solution& solution) {
+  std::vector<std::string> words = solution.assumptions;
+  for (std::string& one : words)
+    for (const Condition& condition : solution.conditions)
+      if (condition.words == one) {
+        one += ": " + condition.formula;
+        break;
+      }
+  return words;
 }
 
 }  // namespace poinsot::answer

@@ -15,4 +15,8 @@ std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit
 // The same on one line, rows of a matrix side by side; three numbers are a vector.
 std::string datum_text(const Datum& datum, const std::string& unit, int digits);
 
+// The assumptions of a solution, those that have conditions as formulas with these: "the cord 'c' stays taut: F - g*m >
+// 0".
+std::vector<std::string> assumptions_in_words(const Solution& solution);
+
 }  // namespace poinsot::answer

@@ -81,7 +81,8 @@ std::string answers_section(const Solution& solution) {
     text += printable(fmt::format("* *{}*, {}: {}", answer.name, answer.words.empty() ? answer.ask : answer.words,
                                   answer_value(answer))) +
             "\n";
-  if (!solution.assumptions.empty()) text += fmt::format("\nwhere {}\n", fmt::join(solution.assumptions, ", "));
+  if (!solution.assumptions.empty())
+    text += fmt::format("\nwhere {}\n", fmt::join(assumptions_in_words(solution), ", "));
   for (const std::string& note : solution.notes) text += "\n" + printable(note) + "\n";
   std::vector<std::string> checks;
   for (const auto& [name, residual] : solution.checks)

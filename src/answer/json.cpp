@@ -45,6 +45,7 @@ void add_claim(Json& json, const ClaimOutcome& claim) {
     if (claim.sides.size() == 2) {
       json["counterexample"]["left"] = claim.sides[0];
       json["counterexample"]["right"] = claim.sides[1];
+      if (claim.difference) json["counterexample"]["difference"] = *claim.difference;
       json["counterexample"]["unit"] = claim.unit;
     }
   }
@@ -106,6 +107,11 @@ Json solution_json(const Document& document, std::size_t index) {
   }
   Json json = {{"unknowns", unknowns}, {"answers", answers}, {"checks", checks}};
   if (!solution.assumptions.empty()) json["assumptions"] = solution.assumptions;
+  if (!solution.conditions.empty()) {
+    json["conditions"] = Json::array();
+    for (const Condition& one : solution.conditions)
+      json["conditions"].push_back({{"words", one.words}, {"formula", one.formula}});
+  }
   if (!solution.notes.empty()) json["notes"] = solution.notes;
   if (solution.explanation) json["explanation"] = to_markdown(document, index);
   return json;

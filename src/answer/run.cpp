@@ -55,6 +55,7 @@ Answer answer_of(const statement::Claim& stated, const statement::SolvedClaim& s
   for (const auto& letter : solved.counterexample)
     outcome.counterexample.push_back({letter.name, letter.value / letter.unit.factor, letter.unit.text, letter.value});
   if (solved.sides) outcome.sides = {solved.sides->first, solved.sides->second};
+  outcome.difference = solved.difference;
   outcome.unit = solved.unit.text;
   outcome.assumptions = solved.assumptions;
   answer.claim = std::move(outcome);
@@ -110,6 +111,8 @@ Solution solution_of(const statement::Statement& stated, const statement::Soluti
     solution.answers.push_back(answer_of(stated.claims[i], solved.claims[i]));
   solution.checks = solved.checks;
   solution.assumptions = solved.assumptions;
+  for (const statement::FormulaCondition& condition : solved.conditions)
+    solution.conditions.push_back({condition.words, text(condition.positive) + " > 0"});
   solution.notes = solved.notes;
   return solution;
 }
@@ -221,7 +224,7 @@ std::vector<std::string> check_file(const std::string& path) {
 
 Document run_file(const std::string& path, const RunOptions& options) {
   const statement::Statement stated = statement::read_statement(statement::read_file(path), path);
-  const statement::SolvedStatement solved = statement::solve_statement(stated, options.sets);
+  const statement::SolvedStatement solved = statement::solve_statement(stated, options.sets, options.explain);
   Document document = document_of(stated, solved);
   for (std::size_t i = 0; options.explain && i < document.solutions.size(); ++i)
     document.solutions[i].explanation = statement::explain(stated, options.sets, solved, i);

@@ -45,6 +45,18 @@ std::string answer_schema() {
           "description": "what the formulas rest on",
           "items": {"type": "string"}
         },
+        "conditions": {
+          "type": "array",
+          "description": "of assumptions that are words: what they are as formulas, in SI base units and the letters",
+          "items": {
+            "type": "object",
+            "required": ["words", "formula"],
+            "properties": {
+              "words": {"type": "string", "description": "as among the assumptions"},
+              "formula": {"type": "string", "description": "an inequality such as g*m - F > 0"}
+            }
+          }
+        },
         "notes": {
           "type": "array",
           "description": "what else was found: stability of a steady motion, what happened during a motion",
@@ -127,6 +139,7 @@ std::string answer_schema() {
         },
         "left": {"type": "number", "description": "the left side there, in unit"},
         "right": {"type": "number"},
+        "difference": {"type": "number", "description": "left less right, exactly, where rounding hides it"},
         "unit": {"type": "string"}
       }
     },

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
@@ -68,7 +69,9 @@ class TerminalText {
     answers(solution.answers);
     if (!solution.assumptions.empty())
       text_ +=
-          "  " + painted(Role::faint, printable(fmt::format("where {}", fmt::join(solution.assumptions, ", ")))) + "\n";
+          "  " +
+          painted(Role::faint, printable(fmt::format("where {}", fmt::join(assumptions_in_words(solution), ", ")))) +
+          "\n";
     for (const std::string& note : solution.notes) text_ += "  " + printable(note) + "\n";
     if (!solution.checks.empty()) text_ += "  " + painted(Role::faint, check_line(solution.checks)) + "\n";
   }
@@ -142,7 +145,11 @@ class TerminalText {
       lines.push_back(values.empty() ? "fails" : fmt::format("fails: for {}", fmt::join(values, ", ")));
       if (claim.sides.size() == 2)
         lines.push_back(fmt::format("the left side is {}, the right {}", number(claim.sides[0], claim.unit),
-                                    number(claim.sides[1], claim.unit)));
+                                    number(claim.sides[1], claim.unit)) +
+                        (claim.difference
+                             ? fmt::format("; the left is {} by {}", *claim.difference < 0 ? "less" : "more",
+                                           number(std::abs(*claim.difference), claim.unit))
+                             : ""));
     }
     if (!claim.assumptions.empty())
       lines.push_back(painted(Role::faint, printable(fmt::format("if {}", fmt::join(claim.assumptions, ", ")))));

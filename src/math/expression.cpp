@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "math/expression_form.h"
 #include "math/expression_fraction.h"
 #include "poinsot/math/expression_text.h"
 
@@ -14,6 +15,44 @@ namespace {
 using symbolic::Generator;
 using symbolic::GeneratorPointer;
 using symbolic::Integer;
+
+// x divided by so many squares of 1 + tan(a/2)^2 that it is a polynomial in sines and cosines: it has the sign of x.
+Expression in_whole_angles(const Expression& x) {
+  const symbolic::Fraction& f = *x.fraction();
+  const std::vector<int> halves = symbolic::half_degrees(*f.generators, f.numerator);
+  Expression result = x;
+  for (std::size_t v = 0; v < halves.size(); ++v) {
+    if (halves[v] == 0) continue;
+    const Expression tangent = symbolic::generator_expression((*f.generators)[v]);
+    result /= pow(1 + tangent * tangent, halves[v]);
+  }
+  return result;
+}
+
+// x as text with its sign, divided by the positive number among its coefficients that makes it shortest.
+std::string text_of_sign(const Expression& x) {
+  const Expression whole = in_whole_angles(x);
+  std::string shortest = text(whole);
+  const auto has_long_number = [](const std::string& words) {
+    constexpr std::ptrdiff_t many_digits = 5;
+    for (auto at = words.begin(); at != words.end();) {
+      const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+      const auto begin = std::find_if(at, words.end(), is_digit);
+      at = std::find_if_not(begin, words.end(), is_digit);
+      if (at - begin >= many_digits) return true;
+    }
+    return false;
+  };
+  if (!has_long_number(shortest)) return shortest;
+  const symbolic::Polynomial& p = x.fraction()->numerator;
+  for (std::size_t i = 0; i < p.length(); ++i) {
+    Integer size = p.coefficient(i);
+    fmpz_abs(size.get(), size.get());
+    std::string words = text(whole / symbolic::integer_expression(size));
+    if (words.size() < shortest.size()) shortest = std::move(words);
+  }
+  return shortest;
+}
 
 // The convergent p/q of the continued fraction of a number with q <= 10000 that is the same double, if there is one.
 std::optional<symbolic::Ratio> small_fraction(double number) {
@@ -123,7 +162,7 @@ std::vector<std::string> Expression::assumptions() const {
   if (fraction_ && fraction_->assumptions)
     for (const symbolic::Assumption& assumption : *fraction_->assumptions)
       words.insert(assumption.not_negative.is_zero() ? assumption.key + " > 0"
-                                                     : text(assumption.not_negative) + " >= 0");
+                                                     : text_of_sign(assumption.not_negative) + " >= 0");
   return {words.begin(), words.end()};
 }
 

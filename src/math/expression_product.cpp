@@ -55,6 +55,7 @@ class Builder {
     settle_roots();
     balance_sums();
     unite_angles();
+    unite_differences();
     std::vector<ScaledForm> sums;
     std::vector<int> exponents;
     for (const Power& power : powers_) {
@@ -145,7 +146,7 @@ class Builder {
     radicand_ = Expression(1);
     for (const GeneratorPointer& g : roots_) {
       const Power* power = place_of(g->argument);
-      if (power && power->exponent < 0 && power->exponent % 2 != 0) {
+      if (power && power->exponent < 0) {
         change(g->argument, 1);
         radicand_ /= g->argument;
       } else {
@@ -234,6 +235,25 @@ class Builder {
     powers_.insert(powers_.end(), squares.begin(), squares.end());
     if (!above.is_constant()) powers_.push_back({above, 1});
     if (!below.is_constant()) powers_.push_back({below, -1});
+  }
+
+  // Sums and differences of the same two terms together, as what their product is: a^2 - b^2.
+  void unite_differences() {
+    const auto is_binomial = [&](const Power& power) {
+      const std::vector<bool> used = power.base.used();
+      for (std::size_t v = 0; v < generators_.size(); ++v)
+        if (used[v] && (is_angle(*generators_[v]) || is_algebraic(*generators_[v]))) return false;
+      return power.exponent != 0 && power.base.length() == 2;
+    };
+    for (std::size_t i = 0; i < powers_.size(); ++i)
+      for (std::size_t k = i + 1; k < powers_.size(); ++k) {
+        if (powers_[k].exponent != powers_[i].exponent || !is_binomial(powers_[i]) || !is_binomial(powers_[k]))
+          continue;
+        Polynomial both = powers_[i].base * powers_[k].base;
+        if (both.length() != 2) continue;
+        powers_[i].base = std::move(both);
+        powers_[k].exponent = 0;
+      }
   }
 
   // Factors of angles alone together where that is shorter: (cos(a) + sin(a)) (cos(a) - sin(a)) is cos(2 a).

@@ -1,6 +1,7 @@
 // Forms of sums: polynomials in letters and other things that have forms of their own.
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "math/expression_form.h"
 
@@ -200,9 +201,20 @@ class SumWriter {
     // Before sines and cosines, as the coefficient that it is.
     const auto place =
         std::find_if(powers.begin(), powers.end(), [](const FormPower& q) { return letter_rank(q.base) == 2; });
-    powers.insert(place, {std::move(rest), 1});
+    powers.insert(place, squared_sine(rest).value_or(FormPower{rest, 1}));
     Form form = product_form(content, Integer(1), powers);
     return negative ? negative_form(std::move(form)) : form;
+  }
+
+  // sin(a)^2 of 1 - cos(a)^2, and the other way round.
+  static std::optional<FormPower> squared_sine(const Form& sum) {
+    if (sum.kind != Form::Kind::sum || sum.parts.size() != 2 || sum.parts[1].kind != Form::Kind::negative) return {};
+    const Form &one = sum.parts[0], &square = sum.parts[1].parts[0];
+    if (one.kind != Form::Kind::number || one.text != "1" || square.kind != Form::Kind::power || square.exponent != 2)
+      return {};
+    const Form& call = square.parts[0];
+    if (call.kind != Form::Kind::call || (call.text != "cos" && call.text != "sin")) return {};
+    return FormPower{call_form(call.text == "cos" ? "sin" : "cos", call.parts[0]), 2};
   }
 
   // The product of its factors.

@@ -10,8 +10,16 @@ namespace {
 
 bool is_compound(const Form& form) { return form.kind == Form::Kind::sum || form.kind == Form::Kind::negative; }
 
-// omega1 is \omega_{1}, Fdt is \mathit{Fdt}.
-std::string tex_name(const std::string& name) {
+// omega1 is \omega_{1}, Fdt is \mathit{Fdt}, theta' is \theta'; what is no name is text.
+std::string tex_name(const std::string& whole) {
+  const std::size_t end = whole.find_last_not_of('\'') + 1;
+  const std::string name = whole.substr(0, end), primes = whole.substr(end);
+  if (!std::all_of(name.begin(), name.end(),
+                   [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)); })) {
+    std::string words;
+    for (const char c : whole) words += c == '_' ? std::string("\\_") : std::string(1, c);
+    return "\\text{" + words + "}";
+  }
   static constexpr std::array<const char*, 35> greek{
       "alpha", "beta",  "gamma",  "delta", "epsilon", "zeta",  "eta",     "theta", "iota", "kappa", "lambda", "mu",
       "nu",    "xi",    "pi",     "rho",   "sigma",   "tau",   "upsilon", "phi",   "chi",  "psi",   "omega",  "Gamma",
@@ -33,7 +41,7 @@ std::string tex_name(const std::string& name) {
   } else if (base.size() > 1) {
     letter = "\\mathit{" + letter + "}";
   }
-  return index.empty() ? letter : letter + "_{" + escaped + "}";
+  return (index.empty() ? letter : letter + "_{" + escaped + "}") + primes;
 }
 
 std::string bracketed(const Form& form, bool brackets) {

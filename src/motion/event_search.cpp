@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
@@ -148,6 +149,17 @@ class Finder {
       marks.emplace_back(t, search_.value(t));
     }
     marks.emplace_back(b, at_b);
+    // Where the interpolant cannot tell whether an extreme reaches zero, the value's own extreme does.
+    for (std::size_t i = 1; i + 1 < marks.size(); ++i) {
+      const double sign = marks[i].second < 0.0 ? -1.0 : 1.0;
+      const bool nearest = sign * marks[i - 1].second > 0.0 && sign * marks[i + 1].second > 0.0 &&
+                           sign * marks[i].second > 0.0 && sign * marks[i].second <= 4.0 * tail;
+      if (!nearest) continue;
+      const auto found = least(sign, marks[i - 1].first, marks[i].first, marks[i + 1].first);
+      // Beyond zero by no more than rounding it only touches.
+      const double rounding = std::max(search_.touch, 16.0 * std::numeric_limits<double>::epsilon() * largest);
+      if (sign * found.second > 0.0 || sign * found.second < -rounding) marks[i] = found;
+    }
     for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
       const auto& [left, at_left] = marks[i];
       const auto& [right, at_right] = marks[i + 1];
@@ -169,6 +181,16 @@ class Finder {
   }
 
   static double time_of(double a, double b, double x) { return 0.5 * ((1.0 - x) * a + (1.0 + x) * b); }
+
+  // The place between two times where sign times the value is least, and the value there; near `middle`.
+  std::pair<double, double> least(double sign, double a, double middle, double b) const {
+    const double low = std::min(a, b), high = std::max(a, b), width = 0.1 * (high - low);
+    boost::uintmax_t evaluations = 60;
+    const auto [time, value] = boost::math::tools::brent_find_minima([&](double t) { return sign * search_.value(t); },
+                                                                     std::max(low, middle - width),
+                                                                     std::min(high, middle + width), 40, evaluations);
+    return {time, sign * value};
+  }
 
   double locate(double a, double at_a, double b, double at_b) const {
     if (a > b) {

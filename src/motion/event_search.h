@@ -2,7 +2,8 @@
 //
 // On pieces of the step the value is interpolated at Chebyshev points; pieces on which the interpolant does not yet
 // follow the value are halved. The extremes of the interpolant part each piece into stretches without a turn, so that
-// several zeros in one step are all found; each zero is then located on the state of the step itself.
+// several zeros in one step are all found; an extreme that comes as near to zero as the interpolant may be off is
+// sought on the value itself. Each zero is then located on the state of the step.
 #pragma once
 
 #include <functional>

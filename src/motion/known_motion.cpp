@@ -23,6 +23,7 @@ class UniformRotation final : public RotationFlow {
     pose.angular_velocity = angular_velocity_;
   }
   double natural_time() const override { return 1 / norm(angular_velocity_); }
+  std::vector<double> periods() const override { return {2 * std::numbers::pi / norm(angular_velocity_)}; }
 
  private:
   double t0_;
@@ -41,6 +42,11 @@ class TorqueFreeRotation final : public RotationFlow {
     pose.angular_velocity = state.angular_velocity;
   }
   double natural_time() const override { return 1 / motion_.polhode().speed_range().maximum; }
+  // Of the angular velocity in the body; of the axis of symmetry in space.
+  std::vector<double> periods() const override {
+    return {motion_.period(), 2 * std::numbers::pi / std::abs(motion_.mean_precession_rate()),
+            2 * std::numbers::pi / motion_.polhode().speed_range().maximum};
+  }
 
  private:
   double t0_;
@@ -72,6 +78,11 @@ class TopRotation final : public RotationFlow {
     pose.angular_velocity = rotation_matrix(to_body_) * turning.angular_velocity;
   }
   double natural_time() const override { return natural_time_; }
+  // Through the vertical the axis goes to the other side, and comes back in the next period of its nutation.
+  std::vector<double> periods() const override {
+    return {top_.nutation_period(), 2 * top_.nutation_period(),
+            2 * std::numbers::pi / std::abs(top_.mean_precession_rate())};
+  }
 
  private:
   // Eulerian angles and their rates (Eq. 18.33): exp(k phi/2) exp(j theta/2) exp(k psi/2) is q.
@@ -105,10 +116,11 @@ class TopRotation final : public RotationFlow {
 };
 
 // The planar case of the top, with the sense that theta lacks.
-class AxisFlow final : public StateFlow {
+class AxisFlow final : public WindingFlow {
  public:
-  explicit AxisFlow(const AxisMotion& motion)
+  AxisFlow(const AxisMotion& motion, double natural_time)
       : motion_(motion),
+        natural_time_(natural_time),
         sense_(motion.angle > 0 || (motion.angle == 0 && motion.rate >= 0) ? 1 : -1),
         top_({motion.moment, 0, motion.weight_moment}, {std::abs(motion.angle), sense_ * motion.rate, 0, 0, 0, 0}) {}
 
@@ -117,36 +129,87 @@ class AxisFlow final : public StateFlow {
       std::copy(start.begin(), start.end(), state.begin());
       return;
     }
+    nearest(to, start, state);
+  }
+  void nearest(double t, std::span<const double> before, std::span<double> state) const override {
     // In the plane of the swing the attitude is exp(j angle/2).
-    const auto [attitude, angular_velocity] = top_.turning(to - motion_.t0);
+    const auto [attitude, angular_velocity] = top_.turning(t - motion_.t0);
     constexpr double turn = 2 * std::numbers::pi;
     const double angle = motion_.coordinate + (sense_ * 2 * std::atan2(attitude.y, attitude.w) - motion_.angle);
-    state[0] = angle + turn * std::nearbyint((start[0] - angle) / turn);
+    state[0] = angle + turn * std::nearbyint((before[0] - angle) / turn);
     state[1] = sense_ * angular_velocity.y;
   }
+  double natural_time() const override { return natural_time_; }
+  // A swing is two nutations, a whole turn is one.
+  std::vector<double> periods() const { return {top_.nutation_period(), 2 * top_.nutation_period()}; }
 
  private:
   AxisMotion motion_;
+  double natural_time_;
   double sense_;
   SymmetricTop top_;
 };
 
-class UniformAxisFlow final : public StateFlow {
+class UniformAxisFlow final : public WindingFlow {
  public:
-  explicit UniformAxisFlow(const AxisMotion& motion) : motion_(motion) {}
-  void advance(double, std::span<const double>, double to, std::span<double> state) const override {
-    state[0] = motion_.coordinate + motion_.rate * (to - motion_.t0);
+  UniformAxisFlow(const AxisMotion& motion, double natural_time) : motion_(motion), natural_time_(natural_time) {}
+  void advance(double, std::span<const double> start, double to, std::span<double> state) const override {
+    nearest(to, start, state);
+  }
+  void nearest(double t, std::span<const double>, std::span<double> state) const override {
+    state[0] = motion_.coordinate + motion_.rate * (t - motion_.t0);
     state[1] = motion_.rate;
   }
+  double natural_time() const override { return natural_time_; }
 
  private:
   AxisMotion motion_;
+  double natural_time_;
+};
+
+class RecurrentFlow final : public StateFlow {
+ public:
+  // shift: what a period adds to a state.
+  RecurrentFlow(std::shared_ptr<const WindingFlow> flow, double period, double natural_time, std::vector<double> shift)
+      : flow_(std::move(flow)), period_(period), natural_time_(natural_time), shift_(std::move(shift)) {}
+
+  void advance(double from, std::span<const double> start, double to, std::span<double> state) const override {
+    std::vector<double> here(start.begin(), start.end());
+    const double periods = std::trunc((to - from) / period_);
+    double t = from;
+    if (periods != 0) {
+      t += periods * period_;
+      std::vector<double> before = here;
+      for (std::size_t k = 0; k < before.size(); ++k) before[k] += periods * shift_[k];
+      flow_->nearest(t, before, here);
+    }
+    follow(*flow_, natural_time_, t, to, here);
+    std::ranges::copy(here, state.begin());
+  }
+  double natural_time() const override { return natural_time_; }
+
+  // In parts no longer than natural_time.
+  static void follow(const WindingFlow& flow, double natural_time, double from, double to, std::vector<double>& state) {
+    std::vector<double> next(state.size());
+    const double parts = std::max(1.0, std::ceil(std::abs(to - from) / natural_time));
+    double t = from;
+    for (double part = 1; part <= parts; ++part) {
+      const double end = part == parts ? to : from + (to - from) * (part / parts);
+      flow.advance(t, state, end, next);
+      state.swap(next);
+      t = end;
+    }
+  }
+
+ private:
+  std::shared_ptr<const WindingFlow> flow_;
+  double period_, natural_time_;
+  std::vector<double> shift_;
 };
 
 class KnownMethod final : public StepMethod {
  public:
-  KnownMethod(std::shared_ptr<const StateFlow> flow, double step, double largest)
-      : flow_(std::move(flow)), step_(std::min(step, largest)) {}
+  KnownMethod(std::shared_ptr<const StateFlow> flow, double step) : flow_(std::move(flow)), step_(step) {}
 
   StepOutcome begin(double t, std::span<const double> y, double) override {
     t_ = first_ = start_ = t;
@@ -216,15 +279,27 @@ void BodyFlow::advance(double from, std::span<const double> start, double to, st
   reach(from, start, to, state, 0);
 }
 
+void BodyFlow::nearest(double t, std::span<const double> before, std::span<double> state) const {
+  BodyPose pose;
+  rotation_->advance(t, pose, t, pose);
+  place(pose, t, before, state);
+}
+
+void BodyFlow::place(const BodyPose& rotated, double at, std::span<const double> before,
+                     std::span<double> state) const {
+  BodyPose pose = rotated;
+  const double t = at - t0_;
+  pose.center = center_ + t * velocity_ + (0.5 * t * t) * gravity_;
+  pose.center_velocity = velocity_ + t * gravity_;
+  coordinates_->write(pose, before, state);
+}
+
 // Angles are continued in parts so short that they change by less than a radian: near the pole of Eulerian angles two
 // of them turn fast, and where the axis passes through it they jump.
 void BodyFlow::reach(double from, std::span<const double> start, double to, std::span<double> state, int depth) const {
   BodyPose pose;
   rotation_->advance(from, coordinates_->read(start), to, pose);
-  const double t = to - t0_;
-  pose.center = center_ + t * velocity_ + (0.5 * t * t) * gravity_;
-  pose.center_velocity = velocity_ + t * gravity_;
-  coordinates_->write(pose, start, state);
+  place(pose, to, start, state);
   constexpr int deepest = 30;
   if (!coordinates_->winds() || coordinates_->turned(start, state) <= 1 || depth == deepest) return;
   const std::vector<double> first(start.begin(), start.end());
@@ -234,13 +309,50 @@ void BodyFlow::reach(double from, std::span<const double> start, double to, std:
   reach(half, middle, to, state, depth + 1);
 }
 
-std::shared_ptr<const StateFlow> axis_flow(const AxisMotion& motion) {
-  if (motion.weight_moment == 0) return std::make_shared<UniformAxisFlow>(motion);
-  return std::make_shared<AxisFlow>(motion);
+AxisFlows axis_flow(const AxisMotion& motion) {
+  const double fastest = std::hypot(motion.rate, 2 * std::sqrt(motion.weight_moment / motion.moment));
+  const double natural_time = 0.5 / fastest;
+  if (motion.weight_moment == 0) return {std::make_shared<UniformAxisFlow>(motion, natural_time), {}};
+  const auto flow = std::make_shared<AxisFlow>(motion, natural_time);
+  return {flow, flow->periods()};
 }
 
-std::unique_ptr<StepMethod> make_known_method(std::shared_ptr<const StateFlow> flow, double step, double largest) {
-  return std::make_unique<KnownMethod>(std::move(flow), step, largest);
+std::shared_ptr<const StateFlow> recurrent_flow(const std::shared_ptr<const WindingFlow>& flow,
+                                                std::span<const double> periods, double natural_time, double start,
+                                                std::span<const double> q, std::span<const double> v) {
+  constexpr double most_parts = 1e4, agreement = 1e-8;
+  std::vector<double> first(q.begin(), q.end());
+  first.insert(first.end(), v.begin(), v.end());
+  for (const double period : periods) {
+    if (!(period > 0 && period < most_parts * natural_time)) continue;
+    // What a period adds, found at one phase of the motion, must be so at another, and be nothing to the rates.
+    std::vector<double> state = first;
+    std::vector<std::vector<double>> added;
+    double t = start;
+    for (const double wait : {0.0, 0.37 * period}) {
+      RecurrentFlow::follow(*flow, natural_time, t, t + wait, state);
+      t += wait;
+      const std::vector<double> before = state;
+      RecurrentFlow::follow(*flow, natural_time, t, t + period, state);
+      t += period;
+      std::vector<double>& shift = added.emplace_back(state.size());
+      for (std::size_t k = 0; k < state.size(); ++k) shift[k] = state[k] - before[k];
+    }
+    bool recurs = true;
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      const bool rate = k >= q.size();
+      const double size = rate ? 1 / natural_time : 1 + std::abs(added[0][k]);
+      recurs = recurs && std::abs(added[0][k] - added[1][k]) <= agreement * size &&
+               (!rate || std::abs(added[0][k]) <= agreement * size);
+      if (rate) added[0][k] = 0;
+    }
+    if (recurs) return std::make_shared<RecurrentFlow>(flow, period, natural_time, added[0]);
+  }
+  return nullptr;
+}
+
+std::unique_ptr<StepMethod> make_known_method(std::shared_ptr<const StateFlow> flow, double step) {
+  return std::make_unique<KnownMethod>(std::move(flow), step);
 }
 
 }  // namespace poinsot

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "motion/body_coordinates.h"
 #include "motion/step_method.h"
@@ -19,6 +20,9 @@ class RotationFlow {
   virtual void advance(double t0, const BodyPose& from, double t, BodyPose& pose) const = 0;
   // In which the body turns by about a radian, s.
   virtual double natural_time() const = 0;
+  // Times after which the motion may come back but for constant turns about the first and the last of three axes, s:
+  // which of them do so depends on the axes.
+  virtual std::vector<double> periods() const { return {}; }
 };
 
 // Constant angular velocity; attitude and angular velocity are those of the pose at t0.
@@ -29,14 +33,32 @@ std::shared_ptr<const RotationFlow> torque_free_rotation(double t0, const BodyPo
 std::shared_ptr<const RotationFlow> top_rotation(double t0, const BodyPose& pose, const TopParameters& parameters,
                                                  const Vector3<double>& axis, const Vector3<double>& up);
 
+// A motion that is known at any time, but for how often its angles have gone round.
+class WindingFlow : public StateFlow {
+ public:
+  // The state at t, its angles those nearest to the ones in `before`.
+  virtual void nearest(double t, std::span<const double> before, std::span<double> state) const = 0;
+};
+
+// The same flow over any time: whole periods in which the angles advance by known amounts, the rest in parts no longer
+// than natural_time. The first of the periods with which the motion comes back so; none if none does, or only after
+// very many parts.
+std::shared_ptr<const StateFlow> recurrent_flow(const std::shared_ptr<const WindingFlow>& flow,
+                                                std::span<const double> periods, double natural_time, double start,
+                                                std::span<const double> q, std::span<const double> v);
+
 // A body's rotation in the coordinates of its joints, with its mass center on the parabola of free fall.
-class BodyFlow final : public StateFlow {
+class BodyFlow final : public WindingFlow {
  public:
   BodyFlow(std::shared_ptr<const BodyCoordinates> coordinates, std::shared_ptr<const RotationFlow> rotation, double t0,
            const BodyPose& pose, const Vector3<double>& gravity);
   void advance(double from, std::span<const double> start, double to, std::span<double> state) const override;
+  // Of closed forms, which do not mind where they come from.
+  void nearest(double t, std::span<const double> before, std::span<double> state) const override;
+  double natural_time() const override { return rotation_->natural_time(); }
 
  private:
+  void place(const BodyPose& pose, double t, std::span<const double> before, std::span<double> state) const;
   void reach(double from, std::span<const double> start, double to, std::span<double> state, int depth) const;
 
   std::shared_ptr<const BodyCoordinates> coordinates_;
@@ -54,9 +76,13 @@ struct AxisMotion {
   double moment = 0;         // of inertia about the axis, kg m^2
   double weight_moment = 0;  // of the weight when the arm is level, N m; zero: uniform rotation
 };
-std::shared_ptr<const StateFlow> axis_flow(const AxisMotion& motion);
+struct AxisFlows {
+  std::shared_ptr<const WindingFlow> flow;
+  std::vector<double> periods;  // s; none where it turns uniformly, and any time is as near as another
+};
+AxisFlows axis_flow(const AxisMotion& motion);
 
-// A method of steps of about the natural time along a flow that needs none.
-std::unique_ptr<StepMethod> make_known_method(std::shared_ptr<const StateFlow> flow, double step, double largest);
+// A method of steps of one length along a flow that needs none.
+std::unique_ptr<StepMethod> make_known_method(std::shared_ptr<const StateFlow> flow, double step);
 
 }  // namespace poinsot

@@ -31,12 +31,13 @@ bool lacks_a_moment(const Tensor& I) {
   return !(least.x > rounding * least.z);
 }
 
-// A turning that moves nothing, beside the one that does.
-bool turns_about_massless_line(const Tensor& I, const Vector& w) {
+// The line of a body that it turns about beside the turning that moves it, as a rod about its own: a unit vector.
+std::optional<Vector> massless_line(const Tensor& I, const Vector& w) {
   const PrincipalAxes<double> principal = principal_axes(I);
   const Vector& moments = principal.moments;
-  return moments.y > 0 && !(moments.x > rounding * moments.z) &&
-         std::abs(dot(principal.axes.column(0), w)) > rounding * norm(w);
+  const bool turns = moments.y > 0 && !(moments.x > rounding * moments.z) &&
+                     std::abs(dot(principal.axes.column(0), w)) > rounding * norm(w);
+  return turns ? std::optional(principal.axes.column(0)) : std::nullopt;
 }
 
 bool loads_act(const Mechanism<double>& mechanism) {
@@ -204,6 +205,35 @@ std::optional<SymmetryAxis> symmetry_about(const Vector& arm, const Tensor& I) {
   return found;
 }
 
+// In space, of the angular momentum across the axis.
+Vector momentum_axis(const SymmetryAxis& symmetry, const BodyPose& pose) {
+  const Vector& w = pose.angular_velocity;
+  const Vector across = w - dot(w, symmetry.axis) * symmetry.axis;
+  return rotation_matrix(pose.attitude) * (norm(across) > 0 ? normalized(across) : symmetry.axis);
+}
+
+// Along a motion that is known at any time steps need not be short, unless events are looked for in each of them: only
+// how often angles have gone round must be known.
+struct KnownSteps {
+  std::shared_ptr<const StateFlow> flow;
+  double length = 0;  // s
+};
+KnownSteps known_steps(const std::shared_ptr<const WindingFlow>& flow, bool winds, std::span<const double> periods,
+                       double largest, double start, std::span<const double> q, std::span<const double> v, double end,
+                       bool no_events) {
+  constexpr double most = 1e5;
+  const double natural = flow->natural_time(), span = std::abs(end - start);
+  KnownSteps steps{flow, std::min(natural, largest)};
+  if (!no_events || span <= most * steps.length) return steps;
+  if (winds) {
+    std::shared_ptr<const StateFlow> recurrent = recurrent_flow(flow, periods, natural, start, q, v);
+    if (!recurrent) return steps;
+    steps.flow = std::move(recurrent);
+  }
+  steps.length = span / most;
+  return steps;
+}
+
 // Whether a flow is at its start where it should be.
 bool starts_right(const RotationFlow& flow, double t0, const BodyPose& pose) {
   BodyPose found;
@@ -231,13 +261,21 @@ std::optional<IntegrationResult> LoneBody::follow(const MotionEquations& equatio
   std::shared_ptr<const RotationFlow> rotation;
   if (!weight) {
     const bool plain = norm(pose.angular_velocity) == 0 || lacks_a_moment(inertia_);
-    if (turns_about_massless_line(inertia_, pose.angular_velocity)) return std::nullopt;
     method = plain ? (freedom_ == Freedom::free && g > 0 ? "closed form: free fall" : "closed form: uniform rotation")
                    : "closed form: torque-free motion";
-    rotation = plain ? uniform_rotation(start, pose) : torque_free_rotation(start, pose, inertia_);
+    if (const auto line = massless_line(inertia_, pose.angular_velocity)) {
+      const auto symmetry = symmetry_about(*line, inertia_);
+      if (!symmetry) return std::nullopt;
+      method = "closed form: torque-free motion";
+      rotation = top_rotation(start, pose, {symmetry->transverse, symmetry->axial, 0}, symmetry->axis,
+                              momentum_axis(*symmetry, pose));
+    } else {
+      rotation = plain ? uniform_rotation(start, pose) : torque_free_rotation(start, pose, inertia_);
+    }
   } else if (const auto symmetry = symmetry_about(arm_, inertia_)) {
     BodyPose top = pose;
-    if (symmetry->axial == 0)
+    // What two angles describe does not spin by itself.
+    if (symmetry->axial == 0 && !spins_)
       top.angular_velocity = top.angular_velocity - dot(top.angular_velocity, symmetry->axis) * symmetry->axis;
     method = symmetry->axial == 0 ? "closed form: spherical pendulum" : "closed form: symmetric top";
     rotation = top_rotation(start, top, {symmetry->transverse, symmetry->axial, mass_ * g * arm}, symmetry->axis,
@@ -248,11 +286,10 @@ std::optional<IntegrationResult> LoneBody::follow(const MotionEquations& equatio
     if (!starts_right(*rotation, start, pose)) return std::nullopt;
     const auto flow = std::make_shared<BodyFlow>(coordinates_, rotation, start, pose, gravity_);
     const double largest = options.largest_step > 0 ? options.largest_step : std::numeric_limits<double>::infinity();
-    double step = rotation->natural_time();
-    // Nothing but angles needs to be followed on the way.
-    if (!coordinates_->winds()) step = std::max(std::min(step, largest), 1e-5 * std::abs(end - start));
+    const KnownSteps steps =
+        known_steps(flow, coordinates_->winds(), rotation->periods(), largest, start, q, v, end, events.empty());
     const MethodMaker make = [&](IntegrationMethod, RightSide&, const ErrorScale&, const IntegrationOptions&) {
-      return make_known_method(flow, step, coordinates_->winds() ? largest : step);
+      return make_known_method(steps.flow, steps.length);
     };
     IntegrationOptions plain = options;
     plain.estimate_error = false;
@@ -288,18 +325,18 @@ std::optional<IntegrationResult> LoneBody::follow_axis(const MotionEquations& eq
   // Only what pulls across the axis turns the body.
   const Vector pull = gravity_ - dot(gravity_, axis_) * axis_;
   const double g = norm(pull), arm = norm(arm_);
-  double fastest = std::abs(motion.rate);
   if (g > rounding * norm(gravity_) && arm > 0) {
     const Vector up = -pull / g, at_zero = attitude_ * arm_;
     const double zero = std::atan2(dot(at_zero, cross(axis_, up)), dot(at_zero, up));
     motion.angle = std::remainder(zero + motion.coordinate, 2 * std::numbers::pi);
     motion.weight_moment = mass_ * g * arm;
-    fastest = std::hypot(fastest, 2 * std::sqrt(motion.weight_moment / motion.moment));
   }
   const double largest = options.largest_step > 0 ? options.largest_step : std::numeric_limits<double>::infinity();
-  const auto flow = axis_flow(motion);
+  const AxisFlows axis = axis_flow(motion);
+  const KnownSteps steps =
+      known_steps(axis.flow, !axis.periods.empty(), axis.periods, largest, start, q, v, end, events.empty());
   const MethodMaker make = [&](IntegrationMethod, RightSide&, const ErrorScale&, const IntegrationOptions&) {
-    return make_known_method(flow, 0.5 / fastest, largest);
+    return make_known_method(steps.flow, steps.length);
   };
   IntegrationOptions plain = options;
   plain.estimate_error = false;

@@ -4,8 +4,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
+#include "poinsot/math/dual.h"
 #include "poinsot/math/plain.h"
 #include "poinsot/solve/linear_system.h"
 
@@ -17,9 +19,11 @@ inline constexpr double rank_tolerance = 1e-11;
 // Sizes: m equations (at least one: without equations one that says nothing leaves every unknown open), n unknowns.
 template <class Scalar>
 struct AssembledSystem {
-  Eigen::MatrixXd A;             // coefficients that are rounding are zero
-  Eigen::VectorXd b, b_size;     // b_size: of the terms that b was made from
-  Eigen::VectorXd row, column;   // from the units of the caller to natural ones: A_ij = row_i a_ij column_j
+  Eigen::MatrixXd A;            // coefficients that are rounding are zero
+  Eigen::VectorXd b, b_size;    // b_size: of the terms that b was made from
+  Eigen::VectorXd row, column;  // from the units of the caller to natural ones: A_ij = row_i a_ij column_j
+  Eigen::MatrixXd A_rate;       // over duals: how A varies, and b; else empty
+  Eigen::VectorXd b_rate;
   std::vector<std::size_t> bad;  // equations whose numbers are not finite; then A is not cleaned of rounding
 
   explicit AssembledSystem(const LinearSystemOf<Scalar>& system);
@@ -48,6 +52,19 @@ AssembledSystem<Scalar>::AssembledSystem(const LinearSystemOf<Scalar>& system) {
     A(i, j) += plain(entry.coefficient) * row[i] * column[j];
     rounding(i, j) += entry.rounding.value_or(0) * row[i] * column[j];
     if (!entry.rounding) known_rounding[entry.equation] = false;
+  }
+  if constexpr (std::is_same_v<Scalar, Dual<1>>) {
+    A_rate = Eigen::MatrixXd::Zero(m, n);
+    b_rate = Eigen::VectorXd::Zero(m);
+    for (std::size_t i = 0; i < system.equations(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      b_rate[k] = system.right_side_[i].partial[0] * row[k];
+    }
+    for (const auto& entry : system.entries_) {
+      const auto i = static_cast<Eigen::Index>(entry.equation);
+      const auto j = static_cast<Eigen::Index>(entry.unknown);
+      A_rate(i, j) += entry.coefficient.partial[0] * row[i] * column[j];
+    }
   }
   for (Eigen::Index i = 0; i < m; ++i)
     if (!A.row(i).allFinite() || !std::isfinite(b[i])) bad.push_back(static_cast<std::size_t>(i));

@@ -7,6 +7,7 @@
 #include "poinsot/dynamics/velocity_constraint.h"
 #include "poinsot/math/expression.h"
 #include "poinsot/math/plain.h"
+#include "solve/singular_pose.h"
 
 namespace poinsot::solve {
 namespace {
@@ -118,6 +119,7 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
       integrate_position<double>(tree, result.q, newton.displacements(), 1.0);
     }
   }
+  settle_on_singular_pose(mechanism, rows, movable, length, result.q);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "poinsot/math/expression.h"
 #include "poinsot/math/plain.h"
@@ -14,6 +15,22 @@ constexpr const char* axis_names[] = {"x", "y", "z"};
 
 // What is left of a vector's vanishing components and of vanishing differences, as part of their sizes.
 constexpr double rounding = 4e-15;
+
+// The coefficients of a constraint without what rounding has left in them: no arm is that small beside the mechanism.
+template <class Scalar>
+std::vector<Scalar> without_rounding(std::vector<Scalar> coefficients, const VelocityConstraint<Scalar>& constraint,
+                                     const Model<Scalar>& tree, const Scales& scales) {
+  // Exact numbers have none.
+  if constexpr (std::is_same_v<Scalar, Expression>) return coefficients;
+  const double least = 2e-14 * (constraint.kind == VelocityConstraintKind::angular ? 1 : scales.length);
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    const double size = std::abs(plain(coefficients[k]));
+    if (size == 0 || (size > least && size * scales.length > least)) continue;
+    if (size * (coordinate_turns(tree, static_cast<int>(k)) ? 1 : scales.length) <= least)
+      coefficients[k] = coefficients[k] - lifted<Scalar>(plain(coefficients[k]));
+  }
+  return coefficients;
+}
 
 // The name of the second derivative from that of the first: "angular velocity of disk" -> "angular acceleration of
 // disk".
@@ -74,7 +91,9 @@ LinearSystemOf<Scalar> velocity_equations(const MomentOf<Scalar>& moment, const 
     system.add_unknown(mechanism.coordinate_names[static_cast<std::size_t>(k)],
                        coordinate_turns(mechanism.tree, k) ? 1 : scales.length);
   for (const VelocityConstraint<Scalar>& constraint : mechanism.constraints)
-    add_constraint(system, constraint, constraint_row(moment, constraint).coefficients, scales);
+    add_constraint(
+        system, constraint,
+        without_rounding(constraint_row(moment, constraint).coefficients, constraint, mechanism.tree, scales), scales);
   for (const ConditionOf<Scalar>& condition : conditions) add_condition(system, condition);
   return system;
 }
@@ -208,7 +227,8 @@ LinearSystemOf<Scalar> motion_equations(const MomentOf<Scalar>& given, const Sca
 
   for (const VelocityConstraint<Scalar>& constraint : mechanism.constraints) {
     const ConstraintRow<Scalar> r = constraint_row(moment, constraint);
-    const std::size_t row = add_constraint(system, constraint, r.coefficients, scales);
+    const std::size_t row =
+        add_constraint(system, constraint, without_rounding(r.coefficients, constraint, tree, scales), scales);
     system.add_right_side(row, -r.bias);
   }
   for (const ConditionOf<Scalar>& condition : conditions) add_condition(system, condition);

@@ -89,7 +89,7 @@ std::optional<Remainder> remainder_of(const HeldPivots& pivots, const MatrixXd& 
   const VectorXd c = pivots.rows * b, c_size = pivots.rows * right_size;
   Remainder result;
   result.solution = VectorXd::Zero(A.cols());
-  double ratio = 1;
+  double& ratio = result.ratio;
   VectorXd left = VectorXd::Zero(rest), terms = c_size.tail(rest).cwiseMax(c.tail(rest).cwiseAbs());
   if (rank > 0) {
     const Eigen::PartialPivLU<MatrixXd> lu(B.topLeftCorner(rank, rank));
@@ -122,6 +122,26 @@ std::optional<Remainder> remainder_of(const HeldPivots& pivots, const MatrixXd& 
   result.size = rest > 0 ? std::abs(ratio) * terms.maxCoeff() : 0;
   if (!result.values.allFinite() || !std::isfinite(result.size)) return std::nullopt;
   return result;
+}
+
+// With y = A11^-1 b1: dy = A11^-1 (db1 - dA11 y), d(det A11) = det A11 tr(A11^-1 dA11).
+RemainderRates remainder_rates(const HeldPivots& pivots, const MatrixXd& A, const Remainder& remainder,
+                               const MatrixXd& A_rate, const VectorXd& b_rate) {
+  const Index rank = pivots.rank, rest = A.rows() - rank;
+  const MatrixXd B = pivots.rows * A * pivots.columns, B_rate = pivots.rows * A_rate * pivots.columns;
+  const VectorXd c_rate = pivots.rows * b_rate;
+  RemainderRates rates{remainder.ratio * c_rate.tail(rest), VectorXd::Zero(A.cols())};
+  if (rank == 0) return rates;
+  const Eigen::PartialPivLU<MatrixXd> lu(B.topLeftCorner(rank, rank));
+  const VectorXd y = (pivots.columns.transpose() * remainder.solution).head(rank);
+  const VectorXd y_rate = lu.solve(c_rate.head(rank) - B_rate.topLeftCorner(rank, rank) * y);
+  const VectorXd left_rate = B_rate.bottomLeftCorner(rest, rank) * y + B.bottomLeftCorner(rest, rank) * y_rate;
+  const double log_ratio_rate = lu.solve(B_rate.topLeftCorner(rank, rank)).trace();
+  rates.values = log_ratio_rate * remainder.values - remainder.ratio * left_rate + rates.values;
+  VectorXd placed = VectorXd::Zero(A.cols());
+  placed.head(rank) = y_rate;
+  rates.solution = pivots.columns * placed;
+  return rates;
 }
 
 }  // namespace poinsot::solve

@@ -30,6 +30,7 @@ HeldPivots pivots_of(const Eigen::MatrixXd& A, double rank_tolerance = 1e-11, co
 struct Remainder {
   Eigen::VectorXd values;    // one for each equation that is no pivot's, relative to det A11 of the pivots' system
   double size = 0;           // of the largest term in them
+  double ratio = 1;          // of det A11 to that of the pivots' system
   Eigen::VectorXd solution;  // of the pivots' equations; unknowns without a pivot are zero
 };
 
@@ -38,5 +39,12 @@ struct Remainder {
 // numbers are not finite, or where A has a higher rank than the pivots (which then belong to a special system).
 std::optional<Remainder> remainder_of(const HeldPivots& pivots, const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
                                       const Eigen::VectorXd& right_size);
+
+// How values and solution vary when A and b do, with the pivots held. Of the remainder of the same system.
+struct RemainderRates {
+  Eigen::VectorXd values, solution;
+};
+RemainderRates remainder_rates(const HeldPivots& pivots, const Eigen::MatrixXd& A, const Remainder& remainder,
+                               const Eigen::MatrixXd& A_rate, const Eigen::VectorXd& b_rate);
 
 }  // namespace poinsot::solve

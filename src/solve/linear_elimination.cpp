@@ -30,18 +30,34 @@ LinearElimination::LinearElimination(const LinearSystem& system, const std::vect
 
 std::size_t LinearElimination::rank() const { return static_cast<std::size_t>(parts_->pivots.rank); }
 
-std::optional<LinearRemainder> LinearElimination::remainder(const LinearSystem& system) const {
+template <class Scalar>
+std::optional<LinearRemainderOf<Scalar>> LinearElimination::remainder(const LinearSystemOf<Scalar>& system) const {
   const Parts& parts = *parts_;
   if (system.equations() != parts.equations) return std::nullopt;
-  if (system.equations() == 0) return LinearRemainder{{}, {}, 0, std::vector<double>(system.unknowns())};
-  const AssembledSystem<double> assembled(system);
+  if (system.equations() == 0) return LinearRemainderOf<Scalar>{{}, {}, 0, std::vector<Scalar>(system.unknowns())};
+  const AssembledSystem<Scalar> assembled(system);
   if (!assembled.bad.empty() || assembled.A.cols() != parts.column.size()) return std::nullopt;
-  const auto left = remainder_of(parts.pivots, parts.row.asDiagonal() * assembled.A * parts.column.asDiagonal(),
-                                 parts.row.cwiseProduct(assembled.b), parts.row.cwiseProduct(assembled.b_size));
+  const Eigen::MatrixXd A = parts.row.asDiagonal() * assembled.A * parts.column.asDiagonal();
+  const auto left =
+      remainder_of(parts.pivots, A, parts.row.cwiseProduct(assembled.b), parts.row.cwiseProduct(assembled.b_size));
   if (!left) return std::nullopt;
-  const Eigen::VectorXd solution = assembled.column.cwiseProduct(parts.column.cwiseProduct(left->solution));
-  return LinearRemainder{
+  const Eigen::VectorXd unit = assembled.column.cwiseProduct(parts.column);
+  const Eigen::VectorXd solution = unit.cwiseProduct(left->solution);
+  LinearRemainderOf<Scalar> remainder{
       {left->values.begin(), left->values.end()}, parts.left_over, left->size, {solution.begin(), solution.end()}};
+  if constexpr (std::is_same_v<Scalar, Dual<1>>) {
+    const RemainderRates rates =
+        remainder_rates(parts.pivots, A, *left, parts.row.asDiagonal() * assembled.A_rate * parts.column.asDiagonal(),
+                        parts.row.cwiseProduct(assembled.b_rate));
+    for (Eigen::Index i = 0; i < rates.values.size(); ++i)
+      remainder.values[static_cast<std::size_t>(i)].partial[0] = rates.values[i];
+    for (Eigen::Index j = 0; j < rates.solution.size(); ++j)
+      remainder.solution[static_cast<std::size_t>(j)].partial[0] = unit[j] * rates.solution[j];
+  }
+  return remainder;
 }
+
+template std::optional<LinearRemainderOf<double>> LinearElimination::remainder(const LinearSystemOf<double>&) const;
+template std::optional<LinearRemainderOf<Dual<1>>> LinearElimination::remainder(const LinearSystemOf<Dual<1>>&) const;
 
 }  // namespace poinsot::solve

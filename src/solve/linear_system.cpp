@@ -14,6 +14,7 @@ namespace {
 
 constexpr double conflict_tolerance = 1e-9;
 constexpr double open_tolerance = 1e-9;
+constexpr int scaling_sweeps = 8;
 
 }  // namespace
 
@@ -21,7 +22,7 @@ void equilibrate(Eigen::MatrixXd& A, Eigen::VectorXd& rows, Eigen::VectorXd& col
   if (A.size() == 0) return;
   const auto scale = [](double largest) { return largest == 0 ? 1 : 1 / std::sqrt(largest); };
   Eigen::VectorXd factors;
-  for (int sweep = 0; sweep < 8; ++sweep) {
+  for (int sweep = 0; sweep < scaling_sweeps; ++sweep) {
     factors = A.cwiseAbs().rowwise().maxCoeff();
     factors = factors.unaryExpr(scale).eval();
     A.array().colwise() *= factors.array();
@@ -123,8 +124,7 @@ void LinearFactors::Parts::find_open_directions() {
 }
 
 template <class Scalar>
-LinearFactors::LinearFactors(const LinearSystemOf<Scalar>& system, const LinearScaling* held)
-    : parts_(std::make_unique<Parts>()) {
+LinearFactors::LinearFactors(const LinearSystemOf<Scalar>& system) : parts_(std::make_unique<Parts>()) {
   Parts& parts = *parts_;
   AssembledSystem<Scalar> assembled(system);
   Eigen::MatrixXd& A = parts.A;
@@ -143,13 +143,7 @@ LinearFactors::LinearFactors(const LinearSystemOf<Scalar>& system, const LinearS
   }
   parts.row_scale = Eigen::VectorXd::Ones(m);
   parts.column_scale = Eigen::VectorXd::Ones(n);
-  if (held) {
-    for (Eigen::Index i = 0; i < m; ++i) parts.row_scale[i] = held->equations[static_cast<std::size_t>(i)];
-    for (Eigen::Index j = 0; j < n; ++j) parts.column_scale[j] = held->unknowns[static_cast<std::size_t>(j)];
-    A = parts.row_scale.asDiagonal() * A * parts.column_scale.asDiagonal();
-  } else if (m && n) {
-    equilibrate(A, parts.row_scale, parts.column_scale);
-  }
+  if (m && n) equilibrate(A, parts.row_scale, parts.column_scale);
   parts.row = rows.cwiseProduct(parts.row_scale);
   parts.column = columns.cwiseProduct(parts.column_scale);
   b.array() *= parts.row_scale.array();
@@ -201,10 +195,31 @@ LinearFactors::~LinearFactors() = default;
 
 const LinearSolution& LinearFactors::solution() const { return parts_->solution; }
 
-LinearScaling LinearFactors::scaling() const {
-  const Eigen::VectorXd &rows = parts_->row_scale, &columns = parts_->column_scale;
-  return {{rows.begin(), rows.end()}, {columns.begin(), columns.end()}};
+namespace {
+
+// How the logarithms of the factors of equilibrate() vary with the largest entries that they come from.
+struct ScalingRates {
+  Eigen::VectorXd rows, columns;
+};
+ScalingRates scaling_rates(Eigen::MatrixXd A, Eigen::MatrixXd A_rate) {
+  ScalingRates rates{Eigen::VectorXd::Zero(A.rows()), Eigen::VectorXd::Zero(A.cols())};
+  const auto scale = [](auto&& line, auto&& line_rate, double& rate) {
+    Eigen::Index largest = 0;
+    const double size = line.cwiseAbs().maxCoeff(&largest);
+    if (size == 0) return;
+    const double factor = 1 / std::sqrt(size), change = -0.5 * line_rate[largest] / line[largest];
+    line *= factor;
+    line_rate = factor * line_rate + change * line;
+    rate += change;
+  };
+  for (int sweep = 0; sweep < scaling_sweeps && A.size() > 0; ++sweep) {
+    for (Eigen::Index i = 0; i < A.rows(); ++i) scale(A.row(i), A_rate.row(i), rates.rows[i]);
+    for (Eigen::Index j = 0; j < A.cols(); ++j) scale(A.col(j), A_rate.col(j), rates.columns[j]);
+  }
+  return rates;
 }
+
+}  // namespace
 
 LinearDerivative LinearFactors::derivative(const LinearSystemOf<Dual<1>>& varied) const {
   const Parts& parts = *parts_;
@@ -217,19 +232,15 @@ LinearDerivative LinearFactors::derivative(const LinearSystemOf<Dual<1>>& varied
     return derivative;
   }
   // h = db - dA x and g = dA^T r, scaled.
-  Eigen::VectorXd h = Eigen::VectorXd::Zero(m), g = Eigen::VectorXd::Zero(n);
-  for (std::size_t i = 0; i < varied.equations(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    h[row] = varied.right_side_[i].partial[0] * parts.row[row];
-  }
-  for (const auto& entry : varied.entries_) {
-    if (entry.coefficient.partial[0] == 0) continue;
-    const auto i = static_cast<Eigen::Index>(entry.equation);
-    const auto j = static_cast<Eigen::Index>(entry.unknown);
-    const double change = entry.coefficient.partial[0] * parts.row[i] * parts.column[j];
-    h[i] -= change * parts.x[j];
-    g[j] += change * parts.misfit[i];
-  }
+  const AssembledSystem<Dual<1>> assembled(varied);
+  const ScalingRates scaling = scaling_rates(assembled.A, assembled.A_rate);
+  const Eigen::MatrixXd A_rate =
+      Eigen::MatrixXd(parts.row_scale.asDiagonal() * assembled.A_rate * parts.column_scale.asDiagonal()) +
+      scaling.rows.asDiagonal() * parts.A + parts.A * scaling.columns.asDiagonal();
+  const Eigen::VectorXd b = parts.A * parts.x + parts.misfit;
+  const Eigen::VectorXd h =
+      parts.row_scale.cwiseProduct(assembled.b_rate) + scaling.rows.cwiseProduct(b) - A_rate * parts.x;
+  const Eigen::VectorXd g = A_rate.transpose() * parts.misfit;
   // With A P = Q [R S; 0 0]: c = Q^T h, u = R^-T of the basic part of P^T g; dy = R^-1 (c_1 + u), dr = Q [-u; c_2].
   Eigen::VectorXd dx = Eigen::VectorXd::Zero(n), dr = h;
   if (rank > 0) {
@@ -247,16 +258,18 @@ LinearDerivative LinearFactors::derivative(const LinearSystemOf<Dual<1>>& varied
     dr.head(rank) = -u;
     dr.applyOnTheLeft(Q);
   }
-  for (Eigen::Index j = 0; j < n; ++j) derivative.value.push_back(dx[j] * parts.column[j]);
-  for (Eigen::Index i = 0; i < m; ++i) derivative.misfit.push_back(dr[i] / parts.row_scale[i]);
+  for (Eigen::Index j = 0; j < n; ++j)
+    derivative.value.push_back((dx[j] + scaling.columns[j] * parts.x[j]) * parts.column[j]);
+  for (Eigen::Index i = 0; i < m; ++i)
+    derivative.misfit.push_back((dr[i] - scaling.rows[i] * parts.misfit[i]) / parts.row_scale[i]);
   return derivative;
 }
 
 template class LinearSystemOf<double>;
 template class LinearSystemOf<Dual<1>>;
 template class LinearSystemOf<Expression>;
-template LinearFactors::LinearFactors(const LinearSystemOf<double>&, const LinearScaling*);
-template LinearFactors::LinearFactors(const LinearSystemOf<Expression>&, const LinearScaling*);
-template LinearFactors::LinearFactors(const LinearSystemOf<Dual<1>>&, const LinearScaling*);
+template LinearFactors::LinearFactors(const LinearSystemOf<double>&);
+template LinearFactors::LinearFactors(const LinearSystemOf<Expression>&);
+template LinearFactors::LinearFactors(const LinearSystemOf<Dual<1>>&);
 
 }  // namespace poinsot::solve

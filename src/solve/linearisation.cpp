@@ -9,6 +9,7 @@
 
 #include "poinsot/dynamics/kinematics.h"
 #include "solve/doubted_rates.h"
+#include "solve/same_motion.h"
 
 namespace poinsot::solve {
 namespace {
@@ -34,6 +35,10 @@ Eigen::Matrix<double, 6, 6> adjoint(const SpatialMotion<double>& twist) {
 }
 
 bool vanishes(const Mode& mode) { return !(std::hypot(mode.growth_rate, mode.frequency) > mode.doubt); }
+
+bool is_doubtful(const Mode& mode) {
+  return vanishes(mode) || mode.doubt > decisive * std::hypot(mode.growth_rate, mode.frequency);
+}
 
 class Lineariser {
  public:
@@ -89,16 +94,32 @@ class Lineariser {
       *each = (scale.cwiseInverse().asDiagonal() * *each * scale.asDiagonal()).eval() / Real(result.pace);
     // As far as it does not quite rest, the entries belong to another motion near by.
     A.doubt.bottomRows(n_).array() += Real(*unrest);
-    const Matrix symmetries = symmetries_of(A, scale);
     Vector coupled = Vector::Zero(2 * n_);
-    const Matrix basis = deviations(scale, symmetries, coupled);
+    const DeviationRows rows = rows_of(scale, coupled);
+    const SameMotion same = same_motion(A, rows, displacements(scale));
+    const Matrix basis = deviations(rows, same.elsewhere, coupled);
     // What is uncertain of the basis adds to what is of the entries.
     const Matrix size = basis.cwiseAbs();
     const Matrix off = coupled * Matrix::Ones(1, basis.cols());
     const Doubted reduced{basis.transpose() * A.value * basis, size.transpose() * A.doubt * size +
                                                                    off.transpose() * A.value.cwiseAbs() * size +
                                                                    size.transpose() * A.value.cwiseAbs() * off};
+    find_modes(result, reduced, basis);
+    // A symmetry has a conserved momentum: one more rate that vanishes and says nothing of stability.
+    leave_out(result, same.momenta);
+    if (std::ranges::any_of(result.modes, is_doubtful)) look_without_momenta(result, reduced, basis, same.momenta);
+    for (const double frequency : same.going_round) result.modes.push_back({0, frequency * result.pace, 0, {}});
+    std::sort(result.modes.begin(), result.modes.end(), [](const Mode& one, const Mode& other) {
+      return one.growth_rate != other.growth_rate ? one.growth_rate > other.growth_rate
+                                                  : one.frequency < other.frequency;
+    });
+    return result;
+  }
+
+ private:
+  void find_modes(Linearisation& result, const Doubted& reduced, const Matrix& basis) const {
     const Rates rates = rates_of(reduced);
+    result.modes.clear();
     for (Index m = 0; m < rates.value.size(); ++m) {
       const std::complex<Real> rate = rates.value[m];
       if (rate.imag() < 0) continue;  // its conjugate stands for it
@@ -111,16 +132,27 @@ class Lineariser {
       for (int i = 0; i < tree_.body_count(); ++i) mode.moves.push_back(moves(i, moved));
       result.modes.push_back(std::move(mode));
     }
-    leave_out(result, symmetries.cols());
-    leave_out_drifts(result, turning_frequencies(A, scale));
-    std::sort(result.modes.begin(), result.modes.end(), [](const Mode& one, const Mode& other) {
-      return one.growth_rate != other.growth_rate ? one.growth_rate > other.growth_rate
-                                                  : one.frequency < other.frequency;
-    });
-    return result;
   }
 
- private:
+  // Beside the vanishing rates of the momenta, slow ones are known badly: the motions with other momenta, that A leads
+  // nowhere, are taken for none. With what is left of A n in the place of zero, other rates than theirs stay.
+  void look_without_momenta(Linearisation& result, const Doubted& A, const Matrix& basis, Index momenta) const {
+    const Eigen::JacobiSVD<Matrix> svd(A.value, Eigen::ComputeFullV);
+    const Matrix& all = svd.matrixV();
+    Index count = 0;
+    Matrix doubt = A.doubt;
+    for (; count < all.cols(); ++count) {
+      const Vector n = all.col(all.cols() - 1 - count), left = (A.value * n).cwiseAbs();
+      if (!((left - 10 * (A.doubt * n.cwiseAbs())).array() <= 0).all()) break;
+      doubt += left * n.cwiseAbs().transpose();
+    }
+    // More than those of the momenta: some of them are slow motions.
+    if (count == 0 || count > momenta) return;
+    const Matrix others = complement(all.rightCols(count)), size = others.cwiseAbs();
+    find_modes(result, {others.transpose() * A.value * others, size.transpose() * doubt * size}, basis * others);
+    leave_out(result, momenta - count);
+  }
+
   double unit(Index coordinate) const {
     for (const auto& body : tree_.bodies()) {
       const Index k = coordinate - body.v;
@@ -151,12 +183,25 @@ class Lineariser {
     v[static_cast<std::size_t>(k)] += h * unit(k);
     return v;
   }
-  // The derivative at zero by differences of sixth order, and by how much those with other steps differ.
+  // The derivative at zero by differences of sixth order, and by how much those with other steps differ. Where a
+  // displacement by the step h leads far away (a disk lying nearly flat passes through the floor), by shorter ones.
   struct Slope {
     VectorXd value, doubt;
   };
   template <class Function>
   static Slope slope(Function&& f, double h) {
+    constexpr double closely = 1e-8, shorter = 1.0 / 16;
+    Slope found = slope_by(f, h);
+    for (int i = 0; i < 3 && !(found.doubt.norm() <= closely * found.value.norm()); ++i) {
+      h *= shorter;
+      Slope other = slope_by(f, h);
+      if (!(other.doubt.norm() < found.doubt.norm())) break;
+      found = std::move(other);
+    }
+    return found;
+  }
+  template <class Function>
+  static Slope slope_by(Function&& f, double h) {
     const auto difference = [&](double step) -> VectorXd {
       return (45.0 * (f(step) - f(-step)) - 9.0 * (f(2 * step) - f(-2 * step)) + (f(3 * step) - f(-3 * step))) /
              (60 * step);
@@ -185,17 +230,18 @@ class Lineariser {
     return largest;
   }
 
-  // An orthonormal basis of the deviations that are possible: held coordinates do not deviate, constraints hold, and
-  // displacements by a symmetry are none. coupled: by how much the basis may be off, of those deviations that depend on
-  // others.
-  Matrix deviations(const Vector& scale, const Matrix& symmetries, Vector& coupled) const {
+  // Held coordinates do not deviate, constraints hold. coupled: by how much deviations that depend on others may be
+  // off.
+  DeviationRows rows_of(const Vector& scale, Vector& coupled) const {
     std::vector<Vector> rows;
+    std::vector<Real> doubts;
     for (Index k = 0; k < n_; ++k)
       if (motion_.held[static_cast<std::size_t>(k)])
         for (Index part : {k, n_ + k}) {
           Vector row = Vector::Zero(2 * n_);
           row[part] = 1;
           rows.push_back(row);
+          doubts.push_back(0);
         }
     const auto J = motion_.constraints(motion_.q);
     // d(J v)/dq v along each coordinate.
@@ -216,16 +262,13 @@ class Lineariser {
         bias.col(k) = found.value.cast<Real>() / unit(k);
         bias_doubt.col(k) = found.doubt.cast<Real>() / unit(k);
       }
-    const auto mark = [&](const Vector& row, Real doubt) {
-      for (Index k = 0; k < 2 * n_; ++k)
-        if (row[k] != 0) coupled[k] = std::max(coupled[k], doubt);
-    };
     const auto add = [&](const Vector& row, Real doubt) {
       const Vector scaled = row.cwiseProduct(scale);
       const Real size = scaled.norm();
       if (!(size > 0)) return;
-      mark(scaled, 8 * rounding + doubt / size);
+      mark(coupled, scaled, 8 * rounding + doubt / size);
       rows.push_back(scaled / size);
+      doubts.push_back(doubt / size);
     };
     for (std::size_t i = 0; i < J.size(); ++i) {
       const auto at = static_cast<Index>(i);
@@ -237,36 +280,23 @@ class Lineariser {
       row.tail(n_) = coefficients;
       add(row, bias_doubt.row(at).transpose().cwiseProduct(scale.head(n_)).norm());
     }
-    Matrix all(static_cast<Index>(rows.size()), 2 * n_);
-    for (std::size_t i = 0; i < rows.size(); ++i) all.row(static_cast<Index>(i)) = rows[i].transpose();
-    for (Index s = 0; s < symmetries.cols(); ++s)
-      if ((symmetries.col(s).array() != 0).count() > 1) mark(symmetries.col(s), 8 * rounding);
-    Matrix kernel = Matrix::Identity(2 * n_, 2 * n_);
-    if (all.rows() > 0) kernel = complement(all.transpose());
-    return symmetries.cols() == 0 ? kernel : Matrix(kernel * complement(kernel.transpose() * symmetries));
+    const auto count = static_cast<Index>(rows.size());
+    DeviationRows all{Matrix(count, 2 * n_), Eigen::Map<const Vector>(doubts.data(), count)};
+    for (Index i = 0; i < count; ++i) all.value.row(i) = rows[static_cast<std::size_t>(i)].transpose();
+    return all;
   }
-  // An orthonormal basis of what is at right angles to all columns.
-  static Matrix complement(const Matrix& columns) {
-    Eigen::ColPivHouseholderQR<Matrix> qr(columns);
-    qr.setThreshold(1e-9L);
-    const Matrix Q = qr.householderQ() * Matrix::Identity(columns.rows(), columns.rows());
-    return Q.rightCols(columns.rows() - qr.rank());
+  static void mark(Vector& coupled, const Vector& row, Real doubt) {
+    for (Index k = 0; k < row.size(); ++k)
+      if (row[k] != 0) coupled[k] = std::max(coupled[k], doubt);
   }
 
-  // Those displacements that do lead to the same motion again, independent of each other. What is left of A x must be
-  // no more than the uncertainty of the terms that cancel in it: a slow motion beside a fast one has small entries that
-  // are not zero.
-  Matrix symmetries_of(const Doubted& A, const Vector& scale) const {
-    Matrix found(2 * n_, 0);
-    for (const Vector& x : displacements(scale)) {
-      if (!is_rounding(A.value * x, A, x.cwiseAbs())) continue;
-      Matrix more(2 * n_, found.cols() + 1);
-      more << found, x;
-      Eigen::ColPivHouseholderQR<Matrix> qr(more);
-      qr.setThreshold(1e-9L);
-      if (qr.rank() == more.cols()) found = more;
-    }
-    return found;
+  // An orthonormal basis of the deviations that are possible, without those that lead to the same motion elsewhere.
+  Matrix deviations(const DeviationRows& rows, const Matrix& elsewhere, Vector& coupled) const {
+    for (Index s = 0; s < elsewhere.cols(); ++s)
+      if ((elsewhere.col(s).array() != 0).count() > 1) mark(coupled, elsewhere.col(s), 8 * rounding);
+    Matrix kernel = Matrix::Identity(2 * n_, 2 * n_);
+    if (rows.value.rows() > 0) kernel = complement(rows.value.transpose());
+    return elsewhere.cols() == 0 ? kernel : Matrix(kernel * complement(kernel.transpose() * elsewhere));
   }
   // The stated displacements, of length one.
   std::vector<Vector> displacements(const Vector& scale) const {
@@ -277,38 +307,6 @@ class Lineariser {
     }
     return all;
   }
-  // Whether what is left is no more than the uncertainty of A x, with the sizes of x.
-  bool is_rounding(const Vector& left, const Doubted& A, const Vector& size) const {
-    constexpr Real closely = 1e-9L;
-    const Real stiffness = n_ > 0 ? A.value.bottomLeftCorner(n_, n_).cwiseAbs().maxCoeff() : 0;
-    // A spinning body whose center is on its axis but for rounding pulls as it turns, by as little of the square of the
-    // pace. What is no small part of the stiffness there is, is taken for that of a slow motion.
-    const Real unbalance = std::min<Real>(20 * rounding, 1e-4L * stiffness);
-    const Vector allowed =
-        10 * (A.doubt * size) + closely * (A.value.cwiseAbs() * size) + Vector::Constant(2 * n_, unbalance);
-    return ((left.cwiseAbs() - allowed).array() <= 0).all();
-  }
-  // In a frame that turns, displacements across its axis that lead to the same motion go round in it: the frequencies
-  // of the pairs that go over into each other.
-  std::vector<Real> turning_frequencies(const Doubted& A, const Vector& scale) const {
-    std::vector<Real> found;
-    const std::vector<Vector> all = displacements(scale);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      for (std::size_t k = i + 1; k < all.size(); ++k) {
-        const Real common = all[i].dot(all[k]);
-        const Vector &x = all[i], y = all[k] - common * x;
-        if (!(y.norm() > 1e-6L)) continue;
-        const Vector u = y.normalized(), size = x.cwiseAbs() + u.cwiseAbs();
-        const Vector Ax = A.value * x, Au = A.value * u;
-        const Real xx = x.dot(Ax), ux = u.dot(Ax), xu = x.dot(Au), uu = u.dot(Au);
-        if (!(ux * xu < 0) || !is_rounding(Ax - xx * x - ux * u, A, size) ||
-            !is_rounding(Au - xu * x - uu * u, A, size))
-          continue;
-        found.push_back(std::sqrt(-ux * xu));
-      }
-    return found;
-  }
-  // A symmetry has a conserved momentum: one more rate that vanishes and says nothing of stability.
   static void leave_out(Linearisation& result, Index count) {
     for (; count > 0; --count) {
       const auto least = std::min_element(result.modes.begin(), result.modes.end(), [](const Mode& a, const Mode& b) {
@@ -317,18 +315,6 @@ class Lineariser {
       if (least == result.modes.end() || !vanishes(*least)) return;
       result.modes.erase(least);
     }
-  }
-
-  // Such a displacement at a steady rate goes round ever farther away: like that along the axis it is none of the
-  // motion.
-  static void leave_out_drifts(Linearisation& result, const std::vector<Real>& frequencies) {
-    std::erase_if(result.modes, [&](const Mode& mode) {
-      const bool meets_another = mode.doubt > decisive * mode.frequency && std::abs(mode.growth_rate) <= mode.doubt;
-      return meets_another && std::ranges::any_of(frequencies, [&](Real frequency) {
-               const double turning = static_cast<double>(frequency) * result.pace;
-               return std::abs(mode.frequency - turning) <= 1e-6 * turning;
-             });
-    });
   }
 
   // A body moves in a mode if a coordinate of it or of a body that it hangs on does.
@@ -347,7 +333,7 @@ class Lineariser {
 template <class Use>
 void of_body(const Linearisation& linearisation, int body, Use&& use) {
   for (const Mode& mode : linearisation.modes)
-    if (body == everything || mode.moves[static_cast<std::size_t>(body)]) use(mode);
+    if (!mode.moves.empty() && (body == everything || mode.moves[static_cast<std::size_t>(body)])) use(mode);
 }
 
 }  // namespace
@@ -357,11 +343,10 @@ Linearisation linearise(const SteadyMotion& motion) { return Lineariser(motion).
 Stability stability(const Linearisation& linearisation, int body) {
   Stability found = Stability::stable;
   of_body(linearisation, body, [&](const Mode& mode) {
-    const double size = std::hypot(mode.growth_rate, mode.frequency);
     const bool grows = mode.growth_rate > mode.doubt, dies_out = mode.growth_rate < -mode.doubt;
     if (grows)
       found = Stability::unstable;
-    else if (found == Stability::stable && !dies_out && (vanishes(mode) || mode.doubt > decisive * size))
+    else if (found == Stability::stable && !dies_out && is_doubtful(mode))
       found = Stability::undecided;
   });
   return found;

@@ -4,12 +4,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace poinsot::solve {
 namespace {
 
 using Real = long double;
 using Vector = Vector3<Real>;
+
+constexpr Real whole_turn = 2 * std::numbers::pi_v<Real>;
 
 Vector widened(const Vector3<double>& a) { return {a.x, a.y, a.z}; }
 
@@ -52,7 +55,10 @@ std::vector<Displacement> displacements(const std::vector<CheckLink>& links, con
       case JointType::prismatic:
       case JointType::screw: {
         const Vector u = normalized(widened(link.axis));
-        const Real x = Real(q[link.position]) + travelled(link.velocity);
+        // Whole turns are taken off: the digits of an angle that has gone round often are needed behind the point.
+        const Real now = link.type == JointType::revolute ? std::remainder(Real(q[link.position]), whole_turn)
+                                                          : Real(q[link.position]);
+        const Real x = now + travelled(link.velocity);
         if (link.type == JointType::prismatic) {
           own.shift = x * u;
         } else {

@@ -63,14 +63,13 @@ std::optional<MatrixXd> RootFunction::slopes(const VectorXd& u, const RootSample
   MatrixXd J(rows, unknowns_);
   if (problem_.slopes) {
     std::vector<std::vector<double>> exact;
-    if (!keep(u, problem_.slopes(unscaled(u), &exact)) || exact.size() != static_cast<std::size_t>(rows))
-      return std::nullopt;
-    for (Index i = 0; i < rows; ++i)
-      for (Index k = 0; k < unknowns_; ++k)
-        J(i, k) =
-            exact[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] * problem_.ranges[std::size_t(k)].scale;
-    if (!J.allFinite()) return std::nullopt;
-    return J;
+    if (keep(u, problem_.slopes(unscaled(u), &exact)) && exact.size() == static_cast<std::size_t>(rows)) {
+      for (Index i = 0; i < rows; ++i)
+        for (Index k = 0; k < unknowns_; ++k)
+          J(i, k) =
+              exact[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] * problem_.ranges[std::size_t(k)].scale;
+      if (J.allFinite()) return J;
+    }
   }
   const auto values = [&](const VectorXd& v) -> std::optional<VectorXd> {
     const auto sample = at(v);

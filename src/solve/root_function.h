@@ -29,7 +29,7 @@ class RootFunction {
 
   // Nothing where the equations have no value or are no numbers.
   std::optional<RootSample> at(const Eigen::VectorXd& u);
-  // d values / d u: exact where the problem gives slopes; else by differences, one-sided at the end of what has values.
+  // d values / d u: exact where the problem has slopes; else by differences, one-sided at the end of what has values.
   std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& u, const RootSample& here);
 
   // Whether u lies in the ranges, but for rounding.

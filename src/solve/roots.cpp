@@ -246,8 +246,44 @@ class RootFinder {
   RootList found_;
 };
 
+// The same with wider natural sizes for unknowns without end that the equations notice only far away, if there are
+// such.
+std::optional<RootProblem> widened(const RootProblem& problem) {
+  constexpr double noticed = 1e-6, near = 1e3, far = 1e18;
+  RootProblem wider = problem;
+  RootFunction function(problem, 1);
+  const VectorXd u = middle_of_ranges(problem);
+  const auto here = function.at(u);
+  if (!here) return std::nullopt;
+  bool any = false;
+  for (Eigen::Index k = 0; k < function.unknowns(); ++k) {
+    RootRange& range = wider.ranges[static_cast<std::size_t>(k)];
+    if (std::isfinite(range.lower) && std::isfinite(range.upper)) continue;
+    for (double step = 1; step < far; step *= near) {
+      VectorXd moved = u;
+      moved[k] += std::isinf(range.upper) ? step : -step;
+      const auto there = function.at(moved);
+      if (!there || there->values.size() != here->values.size()) break;
+      if ((there->values - here->values).norm() <= noticed * std::max(here->size, there->size)) continue;
+      any = any || step > 1;
+      range.scale *= step;
+      break;
+    }
+  }
+  if (!any) return std::nullopt;
+  return wider;
+}
+
 }  // namespace
 
-Roots find_roots(const RootProblem& problem, double seconds) { return RootFinder(problem, seconds).find(); }
+Roots find_roots(const RootProblem& problem, double seconds) {
+  const RootFunction time(problem, seconds);
+  Roots roots = RootFinder(problem, seconds).find();
+  if (!roots.points.empty() || problem.costly || time.out_of_time()) return roots;
+  // The equations may be moved only by values that are far larger than what is natural elsewhere.
+  if (const auto wider = widened(problem))
+    if (Roots far = RootFinder(*wider, time.seconds_left()).find(); !far.points.empty()) return far;
+  return roots;
+}
 
 }  // namespace poinsot::solve

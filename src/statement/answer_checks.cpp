@@ -201,7 +201,12 @@ void add_notes(const Statement& statement, const Sample& sample, Solution& resul
     }
   }
   for (const auto& [situation, motion] : sample.motions()) {
-    result.notes.insert(result.notes.end(), motion->happenings().begin(), motion->happenings().end());
+    constexpr std::size_t most_told = 12;
+    const std::vector<std::string>& happenings = motion->happenings();
+    const std::size_t told = std::min(happenings.size(), most_told);
+    result.notes.insert(result.notes.end(), happenings.begin(), happenings.begin() + static_cast<std::ptrdiff_t>(told));
+    if (told < happenings.size())
+      result.notes.push_back("and so on, " + std::to_string(happenings.size() - told) + " times more");
     const std::string& name = statement.situations[situation].name;
     for (const std::string& method : motion->methods())
       result.notes.push_back("the motion" + (name.empty() ? "" : " @ " + name) + ": " + method);

@@ -69,6 +69,7 @@ AskValues ask_values(const Statement& statement, Sample& sample, const AllSettin
         result.values.back() = WatchedValue{*found.value, {}};
       else
         result.no_extremum[ask.name] = found.reason;
+      if (!found.note.empty()) result.notes.push_back(ask.name + ": " + found.note);
       if (found.sample) result.extremal.push_back(std::move(found.sample));
       continue;
     }

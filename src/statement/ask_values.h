@@ -17,6 +17,7 @@ struct AskValues {
   std::vector<std::optional<WatchedValue>> values;  // in the order of the asks; missing where there is none
   std::vector<std::unique_ptr<Sample>> extremal;    // at the extrema that are asked
   std::map<std::string, std::string> no_extremum;   // why there is none, by ask
+  std::vector<std::string> notes;                   // what else ends where an extremum is
   std::map<std::string, Diagnostic> unanswered;     // what a motion does not tell or a velocity leaves open, by ask
 };
 

@@ -1,15 +1,18 @@
 #include "statement/claim_ground.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "statement/claim_letters.h"
 #include "statement/formula_answers.h"
+#include "statement/reader.h"
 
 namespace poinsot::statement {
 
-ClaimGround::ClaimGround(const Problem& problem, const Settings& settings, const FormulaValues& exact)
-    : problem_(problem), settings_(settings), exact_(exact) {
+ClaimGround::ClaimGround(const Problem& problem, const Settings& settings, const FormulaValues& exact,
+                         const FormulaValues& unknowns)
+    : problem_(problem), settings_(settings), exact_(exact), unknowns_(unknowns) {
   for (const Letter& letter : problem.letters)
     if (!settings.contains(letter.name)) letters_.push_back(letter);
 }
@@ -19,6 +22,16 @@ Settings ClaimGround::with_letters(const Point& point) const {
   for (const Letter& letter : problem_.letters)
     if (const auto value = point.find(letter.name); value != point.end())
       settings[letter.name] = Value<double>::of_number(value->second, letter.unit.dimension);
+  for (const auto& [name, formula] : unknowns_) {
+    Value<double>& value = settings[name];
+    value = formula.is_vector() ? Value<double>::of_vector(Vector3<double>::zero(), formula.dimension)
+                                : Value<double>::of_number(0, formula.dimension);
+    for (std::size_t k = 0; k < (formula.is_vector() ? 3U : 1U); ++k) {
+      double& number = formula.is_vector() ? value.vector[k] : value.number;
+      number = value_at(formula.is_vector() ? formula.vector[k] : formula.number, point);
+      if (!std::isfinite(number)) fail(problem_.file, {}, "the unknown '" + name + "' has no value there");
+    }
+  }
   return settings;
 }
 
@@ -31,10 +44,11 @@ void ClaimGround::find_base() {
   const When when{0, problem_.has_blow()};
   for (int attempt = 0; attempt < most_solved_points && !base_; ++attempt) {
     base_point_ = draw_point(letters_, attempt);
-    // What refers to the settings must find them at their place.
-    bases_.push_back(with_letters(base_point_));
     std::unique_ptr<SolvedInstant> found;
     try {
+      // What refers to the settings must find them at their place.
+      bases_.push_back(with_letters(base_point_));
+      if (neglects()) break;
       found = std::make_unique<SolvedInstant>(problem_, bases_.back(), when, OpenChoice{});
       if (states_forces(problem_)) found->solve_forces();
       base_ = std::move(found);
@@ -50,6 +64,7 @@ void ClaimGround::find_base() {
     base_point_ = possible_point;
     return;
   }
+  if (bases_.empty()) throw NoFormula("no letters were found at which the unknowns have values");
   OpenChoice choice;
   choice.trial = true;
   base_ = std::make_unique<SolvedInstant>(problem_, bases_.back(), when, choice);
@@ -60,37 +75,53 @@ ClaimFormulas* ClaimGround::formulas(bool all_poses) {
   if (road.tried) return road.formulas.get();
   road.tried = true;
   // What was found by numbers has no formula.
-  if (std::any_of(settings_.begin(), settings_.end(),
-                  [&](const auto& setting) { return !exact_.contains(setting.first); }))
+  // Where squares are neglected, formulas are found anew.
+  const auto is_found_anew = [&](const std::string& name) {
+    return neglects() && std::any_of(problem_.find.begin(), problem_.find.end(),
+                                     [&](const Unknown& unknown) { return unknown.name == name; });
+  };
+  if (std::any_of(settings_.begin(), settings_.end(), [&](const auto& setting) {
+        return !exact_.contains(setting.first) && !is_found_anew(setting.first);
+      }))
     return nullptr;
   for (const Letter& letter : letters_) values_[letter.name] = formula_of(letter);
+  for (const auto& [name, value] : unknowns_) values_[name] = value;
   for (const auto& [name, value] : exact_) values_[name] = value;
   find_base();
+  for (const Unknown& unknown : problem_.find) {
+    if (!is_found_anew(unknown.name) || exact_.contains(unknown.name)) continue;
+    if (unknown.vector) throw NoFormula("squares are neglected beside an unknown vector");
+    values_[unknown.name] =
+        Value<Formula>::of_number(Formula::letter(unknown.name, poinsot::Sign::real), unknown.unit.dimension);
+    base_point_[unknown.name] = bases_.back().at(unknown.name).number;
+  }
   const PlainPointScope decisions(base_point_);
   road.formulas = std::make_unique<ClaimFormulas>(problem_, values_, bases_.back(), *base_, all_poses);
   return road.formulas.get();
 }
 
-std::optional<Verdict> ClaimGround::verdict_at(const Claim& claim, const ClaimFormulas& formulas,
-                                               const Point& point) const {
+std::optional<Verdict> ClaimGround::verdict_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point) {
   try {
     const Settings settings = with_letters(point);
     MotionState state;
     if (const auto time = point.find("time"); time != point.end()) state.time = time->second;
     for (const Formula& q : formulas.positions()) state.q.push_back(value_at(q, point));
     for (const Formula& v : formulas.velocities()) state.v.push_back(value_at(v, point));
-    SolvedInstant instant(problem_, settings, state, OpenChoice{});
-    SolvedInstant before(problem_, settings, state, OpenChoice{});
+    OpenChoice choice;
+    choice.trial = neglects();
+    SolvedInstant instant(problem_, settings, state, choice);
+    SolvedInstant before(problem_, settings, state, choice);
     if (problem_.has_blow()) instant.strike();
     Verdict verdict;
-    if (takes_derivatives(problem_, claim)) return verdict;
+    if (takes_derivatives(problem_, claim) || neglects()) return verdict;
     const ClaimElsewhere elsewhere = [&](const At& at, const Mark&) {
       return (at.instant == "before" ? before : instant).raw(at.expression, claim.axes, nullptr);
     };
     for (const Expression& expression : claim.of)
       judge_numbers(verdict, problem_, instant, elsewhere, expression, claim.axes);
     return verdict;
-  } catch (const StatementError&) {
+  } catch (const StatementError& error) {
+    faults_.note(error, point);
     return std::nullopt;
   }
 }
@@ -108,9 +139,9 @@ std::vector<std::string> assumed_holds(const Problem& problem, const Claim& clai
         !contact.carries || std::any_of(contact.carries->begin(), contact.carries->end(), [](const Expression& e) {
           return e.as<Name>() && e.as<Name>()->name == "push";
         });
-    if (one_sided) holds.push_back("the contact '" + contact.name + "' presses");
+    if (one_sided) holds.push_back(holding_words(contact.name, false));
   }
-  for (const Cord& cord : problem.cords) holds.push_back("the cord '" + cord.name + "' stays taut");
+  for (const Cord& cord : problem.cords) holds.push_back(holding_words(cord.name, true));
   return holds;
 }
 

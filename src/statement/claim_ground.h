@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "statement/claim_faults.h"
 #include "statement/claim_instant.h"
 #include "statement/claim_points.h"
 #include "statement/claim_verdict.h"
@@ -17,13 +18,19 @@ inline constexpr int most_solved_points = 40;  // at which a claim is tried wher
 
 class ClaimGround {
  public:
-  // settings: values of letters, data and unknowns; exact: those that have one as formulas. All must outlive it.
-  ClaimGround(const Problem& problem, const Settings& settings, const FormulaValues& exact);
+  // settings: values of letters, data and unknowns; exact: those that have one as formulas; unknowns: those that follow
+  // letters without value. All must outlive it.
+  ClaimGround(const Problem& problem, const Settings& settings, const FormulaValues& exact,
+              const FormulaValues& unknowns);
 
   const Problem& problem() const { return problem_; }
   const std::vector<Letter>& letters() const { return letters_; }  // without value
   const Point& base_point() const { return base_point_; }
+  // With what is known at a point. Throws StatementError where an unknown has no value there.
   Settings with_letters(const Point& point) const;
+  const FormulaValues& unknowns() const { return unknowns_; }
+  // Whether squares of unknowns are left out: then a claim is one of formulas alone, as the numbers keep these squares.
+  bool neglects() const { return !problem_.neglect.empty(); }
 
   // Nothing where it has none: why not. all_poses: see ClaimFormulas.
   ClaimFormulas* formulas(bool all_poses);
@@ -33,7 +40,9 @@ class ClaimGround {
 
   // A claim and its assumptions in the statement solved by numbers at a point, in the state that formulas have there;
   // nothing where it cannot be solved.
-  std::optional<Verdict> verdict_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point) const;
+  std::optional<Verdict> verdict_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point);
+  // Why it could not, so far.
+  const ClaimFaults& faults() const { return faults_; }
 
  private:
   void find_base();
@@ -41,9 +50,11 @@ class ClaimGround {
   const Problem& problem_;
   const Settings& settings_;
   const FormulaValues& exact_;
+  const FormulaValues& unknowns_;
   std::vector<Letter> letters_;
   FormulaValues values_;
   Point base_point_;
+  ClaimFaults faults_;
   std::list<Settings> bases_;
   std::unique_ptr<SolvedInstant> base_;
   struct Road {

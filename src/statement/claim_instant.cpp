@@ -6,6 +6,8 @@
 #include "poinsot/math/expression_decision.h"
 #include "statement/claim_letters.h"
 #include "statement/evaluate_support.h"
+#include "statement/formula_answers.h"
+#include "statement/formula_unknowns.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
@@ -81,6 +83,38 @@ ClaimFormulas::ClaimFormulas(const Problem& problem, const FormulaValues& values
     return instant;
   });
   velocities_ = instant_->velocities_before_blow();
+  if (!problem.neglect.empty()) neglect_squares();
+}
+
+void ClaimFormulas::neglect_squares() {
+  small_ = neglected_letters(problem_, values_);
+  std::vector<UnknownLetter> letters;
+  for (const Unknown& unknown : problem_.find) {
+    const Value<Formula>& value = values_.at(unknown.name);
+    if (!value.number.is_number())
+      letters.push_back({unknown.name, unknown.unit.dimension == dimensions::angle, plain(value.number)});
+  }
+  with_decisions(decisions_, [&] {
+    instant_->solve_forces();
+    return true;
+  });
+  std::vector<Formula> conditions;
+  for (const Formula& remainder : instant_->remainders()) conditions.push_back(first_order(remainder, small_));
+  unknowns_ = solve_unknowns(std::move(conditions), std::move(letters));
+  for (Formula& sign : decisions_.signs) sign = reduced(sign);
+  for (Formula& velocity : velocities_) velocity = reduced(velocity);
+}
+
+Formula ClaimFormulas::reduced(const Formula& x) const {
+  return unknowns_.empty() ? x : substituted(first_order(x, small_), unknowns_);
+}
+
+Value<Formula> ClaimFormulas::reduced(Value<Formula> value) const {
+  if (value.is_number()) value.number = reduced(value.number);
+  if (value.is_vector())
+    for (std::size_t k = 0; k < 3; ++k) value.vector[k] = reduced(value.vector[k]);
+  for (Value<Formula>& item : value.items) item = reduced(std::move(item));
+  return value;
 }
 
 ClaimFormulas& ClaimFormulas::before() {
@@ -107,10 +141,11 @@ const ClaimFormulas::Found& ClaimFormulas::value(const Expression& expression, c
   const std::string key = to_string(expression) + " on " + (axes ? to_string(*axes) : "");
   if (const auto known = found_.find(key); known != found_.end()) return known->second;
   Found found;
-  found.decisions = decisions_;
-  found.value = with_decisions(found.decisions, [&] {
+  found.value = reduced(with_decisions(found.decisions, [&] {
     return instant_->raw(expression, axes, [&](const At& at, const Mark& mark) { return elsewhere(at, mark, axes); });
-  });
+  }));
+  for (Formula& sign : found.decisions.signs) sign = reduced(sign);
+  found.decisions.add(decisions_);
   return found_.emplace(key, std::move(found)).first->second;
 }
 
@@ -122,7 +157,7 @@ ClaimInstant::ClaimInstant(ClaimFormulas& formulas, const Claim& claim) : formul
   for (const Expression& expression : claim.assume) add_terms(expression, claim.axes, assumed);
   for (const ClaimTerm& term : assumed) assumptions_.push_back(term.comparison);
   for (const Formula& remainder : formulas.remainders())
-    assumptions_.push_back({remainder, Formula(0), Relation::equal});
+    assumptions_.push_back({formulas.reduced(remainder), Formula(0), Relation::equal});
 }
 
 void ClaimInstant::add_terms(const Expression& expression, const std::optional<Expression>& axes,

@@ -41,6 +41,8 @@ class ClaimFormulas {
   };
   // On ground axes; found once for all claims.
   const Found& value(const Expression& expression, const std::optional<Expression>& axes);
+  // Without squares of unknowns that are neglected, and with the unknowns as they are to this order.
+  Formula reduced(const Formula& x) const;
 
   const Problem& problem() const { return problem_; }
   const FormulaInstant& instant() const { return *instant_; }
@@ -56,6 +58,8 @@ class ClaimFormulas {
  private:
   Value<Formula> elsewhere(const At& at, const Mark& mark, const std::optional<Expression>& axes);
   ClaimFormulas& before();
+  void neglect_squares();
+  Value<Formula> reduced(Value<Formula> value) const;
 
   const Problem& problem_;
   const FormulaValues& values_;
@@ -68,6 +72,8 @@ class ClaimFormulas {
   std::unique_ptr<SolvedInstant> before_numbers_;
   std::unique_ptr<ClaimFormulas> before_;
   std::map<std::string, Found> found_;
+  std::vector<std::string> small_;           // letters of unknowns whose squares are neglected
+  std::map<std::string, Formula> unknowns_;  // all unknowns then, to first order
 };
 
 class ClaimInstant {
@@ -81,7 +87,7 @@ class ClaimInstant {
   const Decisions& decisions() const { return decisions_; }
   const std::vector<Letter>& open() const { return formulas_.open().made; }
   std::vector<std::string> unfixed() const;
-  const ClaimFormulas& formulas() const { return formulas_; }
+  ClaimFormulas& formulas() const { return formulas_; }
 
  private:
   void add_terms(const Expression& expression, const std::optional<Expression>& axes, std::vector<ClaimTerm>& terms);

@@ -65,11 +65,13 @@ bool is_positive(const Formula& x) {
   return seen.sign > 0 && seen.strict;
 }
 
-bool leading_minors_are_positive(const Matrix& A) {
+// Whether a check says so of each leading minor.
+template <class Check>
+bool leading_minors(const Matrix& A, const Check& check) {
   for (std::size_t n = 1; n <= A.size(); ++n) {
     Matrix minor;
     for (std::size_t i = 0; i < n; ++i) minor.emplace_back(A[i].begin(), A[i].begin() + static_cast<std::ptrdiff_t>(n));
-    if (!is_positive(determinant(minor))) return false;
+    if (!check(determinant(minor))) return false;
   }
   return true;
 }
@@ -227,19 +229,23 @@ std::vector<Formula> characteristic_polynomial(const Linearised& near) {
   return coefficients;
 }
 
-// Whether all roots are negative and differ: coefficients of one sign, and as many real roots as can be.
-bool has_negative_roots(const std::vector<Formula>& c) {
-  if (!std::all_of(c.begin(), c.end(), is_positive)) return false;
+// By what stability is seen; each asks that some formulas are positive, which a check tells of each.
+enum class Criterion { negative_squares, hurwitz, energy };
+
+// All roots are negative and differ: coefficients of one sign, and as many real roots as can be.
+template <class Check>
+bool negative_roots(const std::vector<Formula>& c, const Check& check) {
+  if (!std::all_of(c.begin(), c.end(), check)) return false;
   switch (c.size()) {
     case 1:
     case 2:
       return true;
     case 3:
-      return is_positive(c[1] * c[1] - Formula(4) * c[0] * c[2]);
+      return check(c[1] * c[1] - Formula(4) * c[0] * c[2]);
     case 4: {
       const Formula &d = c[0], &e = c[1], &b = c[2], &a = c[3];
-      return is_positive(Formula(18) * a * b * e * d - Formula(4) * b * b * b * d + b * b * e * e -
-                         Formula(4) * a * e * e * e - Formula(27) * a * a * d * d);
+      return check(Formula(18) * a * b * e * d - Formula(4) * b * b * b * d + b * b * e * e -
+                   Formula(4) * a * e * e * e - Formula(27) * a * a * d * d);
     }
     default:
       return false;
@@ -247,8 +253,9 @@ bool has_negative_roots(const std::vector<Formula>& c) {
 }
 
 // Hurwitz: all roots have negative real parts.
-bool has_roots_on_the_left(const std::vector<Formula>& c) {
-  if (!std::all_of(c.begin(), c.end(), is_positive) || c.size() > highest_power + 1) return false;
+template <class Check>
+bool roots_on_the_left(const std::vector<Formula>& c, const Check& check) {
+  if (!std::all_of(c.begin(), c.end(), check) || c.size() > highest_power + 1) return false;
   const std::size_t n = c.size() - 1;
   Matrix H = zeros(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -257,42 +264,98 @@ bool has_roots_on_the_left(const std::vector<Formula>& c) {
           static_cast<std::ptrdiff_t>(n) - 2 * static_cast<std::ptrdiff_t>(k + 1) + static_cast<std::ptrdiff_t>(i + 1);
       if (power >= 0 && power <= static_cast<std::ptrdiff_t>(n)) H[i][k] = c[static_cast<std::size_t>(power)];
     }
-  return leading_minors_are_positive(H);
+  return leading_minors(H, check);
 }
 
-bool is_stable(const Linearised& near, std::size_t symmetries) {
-  std::vector<Formula> c = characteristic_polynomial(near);
-  // Rates that vanish everywhere: those of the symmetries, and no others.
-  std::size_t zero = 0;
-  while (zero < c.size() && c[zero].is_zero()) ++zero;
-  if (zero != symmetries || zero == c.size()) return false;
-  c.erase(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(zero));
-  if (seen_sign(c.back()).sign < 0)
-    for (Formula& coefficient : c) coefficient = -coefficient;
-  std::vector<Formula> even;
-  bool odd = false;
-  for (std::size_t k = 0; k < c.size(); ++k) {
-    if (k % 2 == 0)
-      even.push_back(c[k]);
-    else
-      odd = odd || !c[k].is_zero();
+// The polynomial without its rates that vanish everywhere, from the lowest power on; `vanishing` counts these.
+struct Polynomial {
+  std::vector<Formula> c;
+  std::size_t vanishing = 0;
+
+  std::vector<Formula> even() const {
+    std::vector<Formula> powers;
+    for (std::size_t k = 0; k < c.size(); k += 2) powers.push_back(c[k]);
+    return powers;
   }
-  if (odd) return has_roots_on_the_left(c);
-  if (has_negative_roots(even)) return true;
+  bool is_even() const {
+    for (std::size_t k = 1; k < c.size(); k += 2)
+      if (!c[k].is_zero()) return false;
+    return true;
+  }
+};
+
+Polynomial polynomial_of(const Linearised& near) {
+  Polynomial polynomial{characteristic_polynomial(near), 0};
+  std::vector<Formula>& c = polynomial.c;
+  while (polynomial.vanishing < c.size() && c[polynomial.vanishing].is_zero()) ++polynomial.vanishing;
+  c.erase(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(polynomial.vanishing));
+  if (!c.empty() && plain(c.back()) < 0)
+    for (Formula& coefficient : c) coefficient = -coefficient;
+  return polynomial;
+}
+
+template <class Check>
+bool holds(Criterion criterion, const Linearised& near, const Polynomial& polynomial, const Check& check) {
+  switch (criterion) {
+    case Criterion::negative_squares:
+      return polynomial.is_even() && negative_roots(polynomial.even(), check);
+    case Criterion::hurwitz:
+      return !polynomial.is_even() && roots_on_the_left(polynomial.c, check);
+    case Criterion::energy:
+      break;
+  }
   // The energy x' M x' + x K x stays what it is, and bounds both.
-  if (near.follows_spin || zero > 0) return false;
+  if (!polynomial.is_even() || near.follows_spin || polynomial.vanishing > 0) return false;
   Matrix symmetric = near.C, skew = near.K;
   for (std::size_t i = 0; i < near.K.size(); ++i)
     for (std::size_t k = 0; k < near.K.size(); ++k) {
       symmetric[i][k] = near.C[i][k] + near.C[k][i];
       skew[i][k] = near.K[i][k] - near.K[k][i];
     }
-  return vanishes(symmetric) && vanishes(skew) && leading_minors_are_positive(near.K);
+  return vanishes(symmetric) && vanishes(skew) && leading_minors(near.K, check);
+}
+
+std::optional<Criterion> stable_by(const Linearised& near, std::size_t symmetries) {
+  const Polynomial polynomial = polynomial_of(near);
+  // Rates that vanish everywhere: those of the symmetries, and no others.
+  if (polynomial.vanishing != symmetries || polynomial.c.empty()) return std::nullopt;
+  for (const Criterion criterion : {Criterion::negative_squares, Criterion::hurwitz, Criterion::energy})
+    if (holds(criterion, near, polynomial, is_positive)) return criterion;
+  return std::nullopt;
+}
+
+const char* words_of(Criterion criterion) {
+  switch (criterion) {
+    case Criterion::negative_squares:
+      return "all squares of the rates are negative and differ if the coefficients and the discriminant are positive";
+    case Criterion::hurwitz:
+      return "all real parts are negative if the coefficients and Hurwitz's determinants are positive";
+    case Criterion::energy:
+      break;
+  }
+  return "the energy of a disturbance, which stays what it is, bounds it if the leading minors of its matrix are "
+         "positive";
+}
+
+StabilityShown shown_of(const Linearised& near, std::optional<Criterion> criterion) {
+  Polynomial polynomial = polynomial_of(near);
+  if (polynomial.c.empty()) return {};
+  const Formula first = polynomial.c.back();
+  for (Formula& coefficient : polynomial.c) coefficient /= first;
+  const Criterion looked = criterion.value_or(polynomial.is_even() ? Criterion::negative_squares : Criterion::hurwitz);
+  StabilityShown shown{polynomial.c, polynomial.vanishing, words_of(looked), {}};
+  holds(looked, near, polynomial, [&](const Formula& x) {
+    if (!x.is_number() && std::find(shown.positive.begin(), shown.positive.end(), x) == shown.positive.end())
+      shown.positive.push_back(x);
+    return true;
+  });
+  return shown;
 }
 
 }  // namespace
 
-bool proves_stability(const SteadyFormulas& motion, const WorkedAssumptions& assumptions) {
+bool proves_stability(const SteadyFormulas& motion, const WorkedAssumptions& assumptions,
+                      std::optional<StabilityShown>* shown) {
   const Mechanism<Formula>& mechanism = motion.machine.mechanism;
   if (!mechanism.constraints.empty() || !assumptions.complete()) return false;
   FormulaLineariser lineariser(motion);
@@ -302,15 +365,19 @@ bool proves_stability(const SteadyFormulas& motion, const WorkedAssumptions& ass
         return assumptions.proves({unrest, Formula(0), Relation::equal});
       }))
     return false;
-  return std::all_of(assumptions.cases().begin(), assumptions.cases().end(), [&](const WorkedCase& one) {
+  std::optional<Criterion> criterion;
+  const bool proved = std::all_of(assumptions.cases().begin(), assumptions.cases().end(), [&](const WorkedCase& one) {
     // Where an assumption allows equality the signs may vanish.
     if (!one.unsolved().empty() || one.is_weak()) return false;
     Linearised applied = near;
     for (Matrix* matrix : {&applied.M, &applied.C, &applied.K})
       for (auto& row : *matrix)
         for (Formula& entry : row) entry = one.apply(entry);
-    return is_stable(applied, motion.symmetries);
+    criterion = stable_by(applied, motion.symmetries);
+    return criterion.has_value();
   });
+  if (shown) *shown = shown_of(near, proved ? criterion : std::nullopt);
+  return proved;
 }
 
 }  // namespace poinsot::statement

@@ -1,8 +1,10 @@
 // Proofs that a steady motion is stable, by the signs of the coefficients of its characteristic polynomial.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "poinsot/statement/solve_statement.h"
 #include "statement/claim_proof.h"
 #include "statement/machine.h"
 
@@ -27,7 +29,10 @@ struct SteadyFormulas {
 // for the rates of growth l. If odd powers of l are missing, all l^2 are negative and differ where the coefficients
 // have one sign and the discriminant is positive (up to the third power of l^2), or where K is definite and C l takes
 // no part in the energy (Thomson and Tait). Else all real parts are negative where Hurwitz's determinants are positive.
-// Throws what operations on formulas do.
-bool proves_stability(const SteadyFormulas& motion, const WorkedAssumptions& assumptions);
+// shown: what a reader may follow it by, also where no criterion is met; nothing if it is none of this kind. Throws
+// what operations on formulas do.
+using StabilityShown = SolvedClaim::Stability;
+bool proves_stability(const SteadyFormulas& motion, const WorkedAssumptions& assumptions,
+                      std::optional<StabilityShown>* shown);
 
 }  // namespace poinsot::statement

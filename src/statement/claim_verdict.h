@@ -14,6 +14,7 @@ struct Verdict {
   bool close = false;                              // so near the edge that rounding might decide
   bool exact = false;                              // and it was decided without rounding
   std::optional<std::pair<double, double>> sides;  // of what does not hold
+  std::optional<double> difference;                // of these, where it was decided exactly and rounding hides it
   Dimension dimension;
 
   // Takes in one more comparison. natural: the size that the sides naturally have.
@@ -22,10 +23,14 @@ struct Verdict {
   void refute(double left, double right, const Dimension& of);
 };
 
+// stability(X) for stable(X).
+Expression stability_of(Call call, const Expression& expression);
+
 // What stands before an `@ before` in claims made after a blow.
 using ClaimElsewhere = SolvedInstant::Elsewhere;
 
-// Takes in comparisons, and truth values such as stable(plate), of a solved instant.
+// Takes in comparisons, and truth values such as stable(plate), of a solved instant. It is close where the linearised
+// equations do not decide stability.
 void judge_numbers(Verdict& verdict, const Problem& problem, SolvedInstant& instant, const ClaimElsewhere& elsewhere,
                    const Expression& expression, const std::optional<Expression>& axes);
 

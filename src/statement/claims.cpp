@@ -1,5 +1,6 @@
 #include "statement/claims.h"
 
+#include <algorithm>
 #include <map>
 
 #include "statement/claim_letters.h"
@@ -24,10 +25,48 @@ std::size_t situation_of_claim(const Statement& statement, const Claim& claim) {
        did_you_mean(claim.situation, names));
 }
 
+// The first unknown that is known neither as number nor as formula.
+const std::string* without_value(const Problem& problem, const Settings& settings, const FormulaValues& formulas) {
+  for (const Unknown& unknown : problem.find)
+    if (!settings.contains(unknown.name) && !formulas.contains(unknown.name)) return &unknown.name;
+  return nullptr;
+}
+
+// Whether g stands for the number of standard gravity.
+bool has_standard_gravity(const Problem& problem, const Settings& settings) {
+  const auto is_g = [](const auto& item) { return item.name == "g"; };
+  return problem.gravity && problem.find.empty() && !settings.contains("g") &&
+         std::none_of(problem.given.begin(), problem.given.end(), is_g) &&
+         std::none_of(problem.letters.begin(), problem.letters.end(), is_g);
+}
+
+// The claim made for any g: what is proved of it is proved of the number too. And formulas are easier to follow with
+// the letter in them, where the claim is decided alike.
+void decide_with_letter_for_gravity(const Statement& prepared, std::size_t k, const Claim& claim,
+                                    const Settings& settings, const FormulaValues& exact, bool tell,
+                                    SolvedClaim& solved) {
+  if (!has_standard_gravity(prepared.situations[k].problem, settings)) return;
+  Statement lettered = prepared;
+  lettered.situations[k].problem.letters.push_back({"g", si_unit(dimensions::acceleration), {}});
+  const FormulaValues no_unknowns;
+  try {
+    ClaimGround ground(lettered.situations[k].problem, settings, exact, no_unknowns);
+    SolvedClaim told = solve_claim(lettered, k, claim, ground, tell);
+    if (told.proved && told.holds && solved.holds) solved.proved = true;
+    if (told.state != solved.state || told.holds != solved.holds || told.proved != solved.proved) return;
+    solved.comparisons = std::move(told.comparisons);
+    solved.assumed = std::move(told.assumed);
+    solved.stability = std::move(told.stability);
+  } catch (const StatementError&) {
+    // The size of gravity is stated in another way.
+  }
+}
+
 }  // namespace
 
 std::vector<SolvedClaim> solve_claims(const Statement& statement, const std::vector<Settings>& settings,
-                                      const FormulaValues& exact) {
+                                      const FormulaValues& exact, const std::vector<FormulaValues>& unknowns,
+                                      bool tell) {
   if (statement.claims.empty()) return {};
   Statement prepared = statement;
   for (Situation& situation : prepared.situations) situation.problem = with_letters_for_any(situation.problem);
@@ -35,8 +74,19 @@ std::vector<SolvedClaim> solve_claims(const Statement& statement, const std::vec
   std::vector<SolvedClaim> solved;
   for (const Claim& claim : prepared.claims) {
     const std::size_t k = situation_of_claim(prepared, claim);
-    ClaimGround& ground = grounds.try_emplace(k, prepared.situations[k].problem, settings[k], exact).first->second;
-    solved.push_back(solve_claim(prepared, k, claim, ground));
+    const Problem& problem = prepared.situations[k].problem;
+    if (const std::string* unknown = without_value(problem, settings[k], unknowns[k])) {
+      solved.emplace_back();
+      solved.back().state = AskState::undetermined;
+      solved.back().reason = "it depends on the unknown '" + *unknown +
+                             "', of which no formula was found: give values to the letters by --set";
+      continue;
+    }
+    ClaimGround& ground = grounds.try_emplace(k, problem, settings[k], exact, unknowns[k]).first->second;
+    solved.push_back(solve_claim(prepared, k, claim, ground, tell));
+    const SolvedClaim& last = solved.back();
+    if (last.state == AskState::found && (tell || (last.holds && !last.proved)))
+      decide_with_letter_for_gravity(prepared, k, claim, settings[k], exact, tell, solved.back());
   }
   return solved;
 }

@@ -11,9 +11,11 @@
 namespace poinsot::statement {
 
 // settings: values of letters and data from outside and of unknowns, of each situation; exact: those that have one as
-// formulas. Throws StatementError for claims that can never be right: unknown names, wrong dimensions, formulas of the
-// data alone, assumptions that contradict each other.
+// formulas; unknowns: those that follow letters without value, of each situation; tell: also what a worked solution
+// shows of a claim. Throws StatementError for claims that can never be right: unknown names, wrong dimensions, formulas
+// of the data alone, assumptions that contradict each other.
 std::vector<SolvedClaim> solve_claims(const Statement& statement, const std::vector<Settings>& settings,
-                                      const FormulaValues& exact);
+                                      const FormulaValues& exact, const std::vector<FormulaValues>& unknowns,
+                                      bool tell);
 
 }  // namespace poinsot::statement

@@ -263,6 +263,10 @@ Value<Scalar> DataScope<Scalar>::meaning(const Name& name, const Mark& mark, con
   if (unknown) evaluator.fail(mark, "the unknown '" + name.name + "' has no value yet");
   if (point) {
     Value<Scalar> value = lookup(*point, "point");
+    if (value.is_vector() && !value.bare && !same_kind(value.dimension, dimensions::length))
+      evaluator.fail(point->value.mark(),
+                     "the coordinates of point '" + name.name + "' are " + to_string(value.dimension) + ", not lengths",
+                     "check the units of the data in them");
     if (!value.is_vector() || !(same_kind(value.dimension, dimensions::length) || value.bare))
       evaluator.fail(point->value.mark(), "point '" + name.name + "' is no place", "write three lengths: [x, y, z]");
     value.dimension = dimensions::length;

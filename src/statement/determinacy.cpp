@@ -41,7 +41,22 @@ class Variation {
       if (instant->forces_solved()) forces = std::max(forces, instant->motion().open.size());
       if (instant->after_blow()) forces = std::max(forces, instant->blow().open.size());
     }
+    std::size_t turnings = 0;
+    for (const auto& [situation, motion] : found_.sample.motions()) {
+      turnings = std::max(turnings, motion->open_turnings().size());
+      forces = std::max(forces, motion->open_impulses());
+    }
     vary_velocities(std::min(velocities, most_directions));
+    // Of a motion from its start on they are varied together: each means following it anew.
+    if (velocities == 0 && turnings > 0)
+      vary(
+          {.seed = 13, .velocities = true, .direction = OpenChoice::every},
+          [&](const Ask& ask) {
+            std::vector<std::string> names;
+            for (std::size_t d = 0; d < turnings; ++d) add_open_names(ask, d, names);
+            return open_velocities(names, turnings);
+          },
+          [&](std::size_t i, const auto& other) { return differs_beyond_following(i, other); });
     for (std::size_t d = 0; d < std::min(forces, most_directions); ++d)
       vary({.seed = 14, .forces = true, .direction = d},
            [&](const Ask& ask) { return open_force(found_.sample.instant_of(ask), d); });
@@ -149,15 +164,54 @@ class Variation {
 
   template <class Reason>
   void vary(const OpenChoice& choice, const Reason& reason) {
+    vary(choice, reason, [&](std::size_t i, const auto& other) { return differs(found_, i, other); });
+  }
+  template <class Reason, class Differs>
+  void vary(const OpenChoice& choice, const Reason& reason, const Differs& differs_here) {
     const Values other = varied(choice);
     for (std::size_t i = 0; i < other.size(); ++i) {
-      if (!differs(found_, i, other[i])) continue;
+      if (!differs_here(i, other[i])) continue;
       SolvedAsk& ask = result_.asks[i];
       ask.state = AskState::undetermined;
       if (const std::string why = reason(found_.statement.asks[i]); ask.reason.find(why) == std::string::npos)
         add_reason(ask, why);
       note_fixed_components(i, other[i]);
     }
+  }
+
+  // Whether an ask is about a state that a motion reaches. It starts only where all that moves mass is fixed.
+  bool follows_motion(const Ask& ask) {
+    if (found_.sample.motions().empty()) return false;
+    return ask.when || ask.table || found_.sample.instant_of(ask).velocities().open.empty() ||
+           std::any_of(ask.of.begin(), ask.of.end(), asks_motion_feature);
+  }
+  // What moves no mass changes a motion by nothing but the errors with which it is followed.
+  bool differs_beyond_following(std::size_t i, const std::optional<WatchedValue>& other) const {
+    constexpr double following = 1e-5;
+    const std::optional<WatchedValue>& base = found_.asked.values[i];
+    if (!base || !differs(found_, i, other)) return false;
+    if (!other) return true;
+    const double size = std::max(size_of(base->answer), size_of(other->answer));
+    return !same(base->answer, other->answer, following * size + 1e-9 * found_.natural_sizes[i]);
+  }
+
+  bool differs_by_velocities(std::size_t i, const std::optional<WatchedValue>& other) {
+    return follows_motion(found_.statement.asks[i]) ? differs_beyond_following(i, other) : differs(found_, i, other);
+  }
+
+  // The coordinates in one of the open directions, at the instant of an ask or at the start of its motion.
+  void add_open_names(const Ask& ask, std::size_t direction, std::vector<std::string>& names) {
+    const auto add = [&](const std::string& name) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    const SolvedInstant& instant = found_.sample.instant_of(ask);
+    if (direction < instant.velocities().share.size()) {
+      for (std::size_t k : instant.velocities().share[direction]) add(instant.velocity_equations().name(k));
+      return;
+    }
+    for (const auto& [situation, motion] : found_.sample.motions())
+      if (direction < motion->open_turnings().size())
+        for (const std::string& name : motion->open_turnings()[direction]) add(name);
   }
 
   void vary_velocities(std::size_t directions) {
@@ -167,15 +221,10 @@ class Variation {
     for (std::size_t d = 0; d < directions; ++d) {
       const Values other = varied({.seed = 13, .velocities = true, .direction = d});
       for (std::size_t i = 0; i < asks; ++i) {
-        if (!differs(found_, i, other[i])) continue;
+        if (!differs_by_velocities(i, other[i])) continue;
         result_.asks[i].state = AskState::undetermined;
         ++missing[i];
-        const SolvedInstant& instant = found_.sample.instant_of(found_.statement.asks[i]);
-        if (d < instant.velocities().share.size())
-          for (std::size_t k : instant.velocities().share[d])
-            if (const std::string& name = instant.velocity_equations().name(k);
-                std::find(rates[i].begin(), rates[i].end(), name) == rates[i].end())
-              rates[i].push_back(name);
+        add_open_names(found_.statement.asks[i], d, rates[i]);
         note_fixed_components(i, other[i]);
       }
     }
@@ -197,7 +246,8 @@ class Variation {
     if (velocities) open.emplace_back("velocities");
     if (forces) open.emplace_back("accelerations or forces");
     for (std::size_t i = 0; i < other.size(); ++i) {
-      if (result_.asks[i].state != AskState::found || !differs(found_, i, other[i])) continue;
+      if (result_.asks[i].state != AskState::found) continue;
+      if (!(velocities ? differs_by_velocities(i, other[i]) : differs(found_, i, other[i]))) continue;
       result_.asks[i].state = AskState::undetermined;
       result_.asks[i].reason = "it depends on several things that are left open: " + listed(open, "and");
       fixed_[i] = {false, false, false};

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "statement/explanation_claims.h"
 #include "statement/explanation_instant.h"
 #include "statement/explanation_model.h"
 #include "statement/explanation_motion.h"
@@ -48,7 +49,8 @@ class Explainer {
     if (!numbers) questions_ = {};
     explanation_.sections.push_back(principle_section(statement_, questions_));
     add_limits();
-    add_claims(first_tex);
+    if (ExplainedSection claims = claims_section(statement_, solution_, first_tex); !claims.steps.empty())
+      explanation_.sections.push_back(std::move(claims));
     if (!numbers) return std::move(explanation_);
     for (const auto& [home, questions] : questions_.instants)
       or_left_out([&, &at = home, &asked = questions] { add_instant(at, asked); });
@@ -109,40 +111,6 @@ class Explainer {
                          in_words(conditions) + " no longer holds; the place of the change is then closed in.";
       if (std::any_of(limits_.begin(), limits_.end(), [&](const auto& limit) { return limit.second == k; }))
         text += " The lines below are those of the limit.";
-      section.steps.push_back({text, {}});
-    }
-    if (!section.steps.empty()) explanation_.sections.push_back(std::move(section));
-  }
-
-  void add_claims(const ExplanationTex& tex) {
-    ExplainedSection section{"Claims", {}};
-    for (std::size_t k = 0; k < statement_.claims.size() && k < solution_.claims.size(); ++k) {
-      const SolvedClaim& solved = solution_.claims[k];
-      std::string text = "`" + statement_.claims[k].text + "`";
-      if (!solved.assumptions.empty()) {
-        std::vector<std::string> assumed;
-        for (const std::string& assumption : solved.assumptions) assumed.push_back("`" + assumption + "`");
-        text += ", where " + in_words(assumed) + ",";
-      }
-      if (solved.state != AskState::found) {
-        text += " is not decided: " + solved.reason + ".";
-      } else if (solved.holds) {
-        text += solved.proved
-                    ? " holds for all values: written in letters, the two sides are the same formula or their "
-                      "difference has one sign."
-                    : " held at every set of exact values at which it was tried; it was not proved.";
-      } else {
-        std::vector<std::string> values;
-        for (const SolvedClaim::Datum& datum : solved.counterexample)
-          values.push_back(datum.name + " $= " + tex.with_unit(datum.value, datum.unit.dimension) + "$");
-        constexpr std::size_t most_values = 8;
-        if (values.size() > most_values) values = {"the values that `poinsot solve` prints"};
-        text += " does not hold" + (values.empty() ? std::string() : ": take " + in_words(values));
-        if (solved.sides)
-          text += "; then the left side is $" + tex.with_unit(solved.sides->first, solved.unit.dimension) +
-                  "$, the right $" + tex.with_unit(solved.sides->second, solved.unit.dimension) + "$";
-        text += ".";
-      }
       section.steps.push_back({text, {}});
     }
     if (!section.steps.empty()) explanation_.sections.push_back(std::move(section));

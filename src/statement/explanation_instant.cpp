@@ -203,6 +203,7 @@ void InstantExplainer::inertia_step(ExplainedSection& section, int body, const E
       step.equations.push_back(tex_.equation("I_{" + index + "}", value, dimensions::moment_of_inertia));
   }
   if (step.equations.empty()) step.text.back() = '.';
+  parts_step(section, body, fixed ? *fixed : G);
   section.steps.push_back(std::move(step));
   if (!any_product) section.steps.push_back({"The products of inertia vanish: these axes are principal axes.", {}});
 }

@@ -91,6 +91,8 @@ class InstantExplainer {
   void motion_step(std::vector<ExplainedStep>& steps, int body, const std::string& index, bool with_velocity,
                    bool with_accelerations);
   void inertia_step(ExplainedSection& section, int body, const ExplainedPoint* fixed);
+  // explanation_parts.cpp
+  void parts_step(ExplainedSection& section, int body, const ExplainedPoint& point);
   ExplainedPoint point_of(const Expression& expression);
   ExplainedPoint mass_center(int body);
   std::optional<std::string> named_point(const Vector3<double>& position) const;

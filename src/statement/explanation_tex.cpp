@@ -183,6 +183,15 @@ std::optional<std::string> ExplanationTex::formula_tex(const Shown& value, const
   }
 }
 
+std::optional<std::string> ExplanationTex::formula(const Formula& formula) {
+  try {
+    if (text(formula).size() > longest_alone) return std::nullopt;
+    return formula_as_tex(formula);
+  } catch (const ExpressionTooLarge&) {
+    return std::nullopt;
+  }
+}
+
 ExplainedEquation ExplanationTex::equation(const std::string& symbol, const Shown& value, const Dimension& dimension,
                                            bool as_energy) const {
   ExplainedEquation equation{"", symbol, {}, std::abs(value.number)};

@@ -77,6 +77,8 @@ class ExplanationTex {
                                          const std::vector<ShownTerm>& right, const Dimension& dimension,
                                          double natural) const;
 
+  // A formula by itself; nothing where it is too long to be read.
+  static std::optional<std::string> formula(const Formula& formula);
   // A name upright, as an index.
   static std::string upright(const std::string& name);
   // A name of the statement as a symbol: omega1 is \omega_{1}; with an index.

@@ -5,16 +5,19 @@
 #include <cstdio>
 #include <limits>
 
+#include "statement/claim_verdict.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double nothing = 1e-6;  // of the scale of a datum
+constexpr double unseen = 2e-6;   // of an end: where it is decided within this it is known
 
 std::string number_text(double value) {
   char text[40];
-  std::snprintf(text, sizeof text, "%.4g", value);
+  std::snprintf(text, sizeof text, "%.8g", value);
   return text;
 }
 
@@ -94,7 +97,11 @@ std::unique_ptr<Sample> ExtremumSearch::sample_at(double value) {
         fail(problem_.file, condition.mark(), "'" + to_string(condition) + "' neither holds nor fails",
              "write stable(plate), touching(mesh), taut(wire), or a comparison");
       ever_ = true;
-      if (!truth.truth) return nullptr;
+      if (truth.truth) continue;
+      const Call* call = condition.as<Call>();
+      doubtful_ = doubtful_ || (call && call->function == "stable" &&
+                                sample->value_in(home, stability_of(*call, condition)).text != "unstable");
+      return nullptr;
     }
     return sample;
   };
@@ -111,14 +118,33 @@ std::unique_ptr<Sample> ExtremumSearch::sample_at(double value) {
   return nullptr;
 }
 
-bool ExtremumSearch::holds(double value) {
+ExtremumSearch::Truth ExtremumSearch::truth_at(double value) {
   try {
-    return sample_at(value) != nullptr;
+    doubtful_ = false;
+    if (sample_at(value)) return Truth::holds;
+    return doubtful_ ? Truth::doubtful : Truth::fails;
   } catch (const StatementError& error) {
-    // There is no such motion at this value.
     refusal_ = error;
-    return false;
+    return Truth::refused;
   }
+}
+
+// What ends at a value beyond which the conditions do not plainly fail.
+std::string ExtremumSearch::told_beyond(double inside, double outside) {
+  const Truth beyond = truth_at(outside);
+  const std::string here = number_text(inside) + " (SI)";
+  if (beyond == Truth::refused)
+    return "what is stated ends at " + here + ", not what is asked: beyond, " + refusal_->diagnostics().front().message;
+  if (beyond != Truth::doubtful) return "";
+  for (double part = unseen; part < 1; part *= 2) {
+    const double further = inside + (outside > inside ? 1 : -1) * part * std::abs(inside);
+    const Truth there = truth_at(further);
+    if (there != Truth::fails && there != Truth::refused) continue;
+    if (part == unseen) return "";
+    return "from " + number_text(inside) + " to " + number_text(further) +
+           " (SI) the linearised equations do not decide";
+  }
+  return "beyond " + here + " the linearised equations do not decide";
 }
 
 bool ExtremumSearch::is_at(double value) {
@@ -177,6 +203,14 @@ ExtremumFound ExtremumSearch::find() {
     if (std::abs(outside - inside) <= 4e-15 * std::abs(middle) || middle == inside || middle == outside) break;
     (holds(middle) ? inside : outside) = middle;
   }
+  // Data that may be as small as one likes have no least value.
+  const bool to_nothing = range.lower == 0 && side < 0 && inside < nothing * range.scale;
+  if (to_nothing && truth_at(outside) != Truth::fails) {
+    found.reason =
+        "there is no " + what + ": it holds down to " + number_text(inside) + " (SI), below which nothing can be told";
+    return found;
+  }
+  found.note = told_beyond(inside, outside);
   found.value = Value<double>::of_number(inside, dimension_);
   found.sample = sample_at(inside);
   return found;

@@ -14,6 +14,7 @@ namespace poinsot::statement {
 struct ExtremumFound {
   std::optional<Value<double>> value;
   std::string reason;              // where there is none
+  std::string note;                // where beyond the value the conditions are not seen to fail
   std::unique_ptr<Sample> sample;  // the instants at the value, where the conditions still hold
 };
 
@@ -31,7 +32,12 @@ class ExtremumSearch {
     double lower = 0, upper = 0, scale = 1;
   };
   Span span() const;
-  bool holds(double value);
+  // What becomes of the conditions at a value. Doubtful: the linearised equations do not decide stability there.
+  // Refused: there is no such motion.
+  enum class Truth { holds, fails, doubtful, refused };
+  Truth truth_at(double value);
+  bool holds(double value) { return truth_at(value) == Truth::holds; }
+  std::string told_beyond(double inside, double outside);
   std::unique_ptr<Sample> sample_at(double value);
 
   const Statement& statement_;
@@ -41,7 +47,8 @@ class ExtremumSearch {
   const Problem& problem_;
   Dimension dimension_;
   std::optional<StatementError> refusal_;
-  bool ever_ = false;  // whether the conditions had a truth at any value
+  bool doubtful_ = false;  // whether of the value looked at last
+  bool ever_ = false;      // whether the conditions had a truth at any value
 };
 
 }  // namespace poinsot::statement

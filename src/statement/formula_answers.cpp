@@ -4,7 +4,9 @@
 #include <cmath>
 #include <set>
 
+#include "poinsot/solve/equations.h"
 #include "statement/compare_values.h"
+#include "statement/formula_unknowns.h"
 
 namespace poinsot::statement {
 namespace {
@@ -94,6 +96,27 @@ Value<Formula> FormulaAnswers::value(const Ask& ask) {
   });
 }
 
+std::string holding_words(const std::string& action, bool cord) {
+  return cord ? "the cord '" + action + "' stays taut" : "the contact '" + action + "' presses";
+}
+
+std::vector<OneSidedForce> FormulaAnswers::one_sided_forces() const {
+  std::vector<OneSidedForce> forces;
+  for (const auto& [home, instant] : instants_) {
+    if (instant->unknowns().empty()) continue;
+    const Mechanism<Formula>& mechanism = instant->machine().mechanism;
+    const std::size_t first = solve::force_unknowns(mechanism).accelerations;
+    for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
+      const Component<Formula>& component = mechanism.components[k];
+      const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
+      if (component.one_sided)
+        forces.push_back({home, action.name, holding_words(action.name, action.kind == ActionKind::cord),
+                          instant->unknowns()[first + k]});
+    }
+  }
+  return forces;
+}
+
 void FormulaAnswers::solve_all() {
   or_no_formula([&] {
     for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
@@ -106,9 +129,23 @@ void FormulaAnswers::solve_all() {
 
 std::vector<Formula> FormulaAnswers::remainders() const {
   std::vector<Formula> all;
-  for (const auto& [home, instant] : instants_)
-    all.insert(all.end(), instant->remainders().begin(), instant->remainders().end());
+  for (const auto& [home, instant] : instants_) {
+    const std::vector<std::string> small =
+        neglected_letters(statement_.situations[home.situation].problem, values_[home.situation]);
+    for (const Formula& remainder : instant->remainders()) all.push_back(first_order(remainder, small));
+  }
   return all;
+}
+
+std::vector<std::string> neglected_letters(const Problem& problem, const FormulaValues& values) {
+  std::vector<std::string> letters;
+  for (const Expression& square : problem.neglect) {
+    // read_problem has seen that it is the square of an unknown.
+    const auto value = values.find(square.as<Binary>()->left.as<Name>()->name);
+    if (value == values.end() || !value->second.is_number()) continue;
+    for (const std::string& letter : value->second.number.letters()) letters.push_back(letter);
+  }
+  return letters;
 }
 
 bool agrees(const Value<Formula>& formula, const Value<double>& value, const LetterValues& letters, double tolerance,

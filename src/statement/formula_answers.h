@@ -21,6 +21,19 @@ Value<Formula> formula_of(const Letter& letter);
 // The value of `--set NAME=TEXT`, exactly; read_setting has understood it before.
 Value<Formula> exact_setting(const Problem& problem, const std::string& name, const std::string& text);
 
+// The letters of unknowns whose squares are neglected; values: of unknowns as letters.
+std::vector<std::string> neglected_letters(const Problem& problem, const FormulaValues& values);
+
+// The pull of a cord or the push of a contact at an instant, and what is assumed where it is positive, in words.
+struct OneSidedForce {
+  Sample::Home home;
+  std::string action;
+  std::string assumption;
+  Formula value;
+};
+// "the cord 'c' stays taut".
+std::string holding_words(const std::string& action, bool cord);
+
 // All formulas of one root.
 class FormulaAnswers {
  public:
@@ -31,9 +44,11 @@ class FormulaAnswers {
 
   // Throws NoFormula with the reason.
   Value<Formula> value(const Ask& ask);
+  // Those of the instants that were solved with their forces.
+  std::vector<OneSidedForce> one_sided_forces() const;
   // Solves everything that the situations state, for the remainders.
   void solve_all();
-  // What must vanish if the facts hold, of all instants that were needed.
+  // What must vanish if the facts hold, of all instants that were needed; without the squares that are neglected.
   std::vector<Formula> remainders() const;
 
  private:

@@ -130,7 +130,9 @@ void FormulaInstant::hold_nonlinear(const std::vector<const Fact*>& facts) {
   const Elsewhere earlier = [this](const At& past, const Mark& mark) {
     if (past.instant != "before" || !before_)
       fail(problem_.file, mark, "a fact can look back to `before` a blow only, not to '" + past.instant + "'");
-    return QuantityScope<Formula>(machine_, machine_.mechanism.tree, *data_, before_->state()).value(past.expression);
+    QuantityScope<Formula> scope(machine_, machine_.mechanism.tree, *data_, before_->state());
+    scope.set_flying(flying_particles<Formula>(problem_, machine_, *before_, nullptr));
+    return scope.value(past.expression);
   };
   for (const Fact* fact : facts) {
     QuantityScope<Formula> scope = scope_for(fact->quantity, std::nullopt, earlier);
@@ -216,7 +218,10 @@ const QuantityScope<Formula>& FormulaInstant::present_scope() {
   if (!present_ || present_->with_forces != forces_solved_ || present_->noted != noted) {
     std::optional<DecisionScope> decisions;
     if (noted) decisions.emplace();
-    QuantityScope<Formula> scope(machine_, machine_.mechanism.tree, *data_, State<Formula>{machine_.q, v_});
+    QuantityScope<Formula> scope(machine_, before_ ? machine_.tree_after_blow() : machine_.mechanism.tree, *data_,
+                                 State<Formula>{machine_.q, v_});
+    if (!problem_.strikes.empty())
+      scope.set_flying(flying_particles(problem_, machine_, before_ ? *before_ : *moment_, before_ ? &blow_ : nullptr));
     if (forces_solved_) {
       scope.set_accelerations(moment_->accelerations());
       scope.set_forces(&*moment_, &unknowns_);

@@ -45,6 +45,8 @@ class FormulaInstant {
 
   void solve_forces();
   const MachineOf<Formula>& machine() const { return machine_; }
+  DataScope<Formula>& data() { return *data_; }
+  const Problem& problem() const { return problem_; }
   const std::vector<Formula>& positions() const { return machine_.q; }
   const std::vector<Formula>& velocities() const { return v_; }
   // With accelerations once forces are solved; the unknowns of the motion, and of a blow with the motion before it.

@@ -10,8 +10,8 @@ namespace poinsot::statement {
 
 // Solves the statement at letters far off: each alone up to 10^4 times larger and smaller, signs turned, angles in
 // every quadrant. A formula that does not agree there is taken back; an answer without formula that is another one
-// there depends on the letters; where a cord would push or a contact pull there, the solution assumes that it does not.
-// For statements without unknowns and motions.
-void hold_far_off(const FormulaTask& task, Solution& solution);
+// there depends on the letters; where a cord would push or a contact pull there, the solution assumes that it does not,
+// with the formula of the force if it is among `forces`. For statements without unknowns and motions.
+void hold_far_off(const FormulaTask& task, const std::vector<OneSidedForce>& forces, Solution& solution);
 
 }  // namespace poinsot::statement

@@ -62,6 +62,10 @@ class FormulaSearch {
     solution_.assumptions.assign(assumptions.begin(), assumptions.end());
   }
 
+  std::vector<OneSidedForce> one_sided_forces() const {
+    return task_.unknowns.empty() ? answers_.one_sided_forces() : std::vector<OneSidedForce>{};
+  }
+
  private:
   Value<Formula> formula_of_ask(std::size_t i) {
     const Ask& ask = task_.statement.asks[i];
@@ -76,7 +80,6 @@ class FormulaSearch {
 
   void find_unknowns() {
     for (const Situation& situation : task_.statement.situations) {
-      if (!situation.problem.neglect.empty()) throw NoFormula("squares of unknowns are neglected in numbers only");
       if (!situation.problem.choose.empty()) throw NoFormula("what is to be chosen is found by numbers");
       if (situation.problem.instants.size() > 1 && !situation.problem.has_blow())
         throw NoFormula("what is stated of later instants is followed by numbers");
@@ -168,9 +171,14 @@ class FormulaSearch {
         for (Settings& one : settings) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
       }
       if (!task_.unknowns.empty()) {
-        const std::optional<AllSettings> root = root_near(settings.front());
-        if (!root) continue;
-        settings = *root;
+        try {
+          const std::optional<AllSettings> root = root_near(settings.front());
+          if (!root) continue;
+          settings = *root;
+        } catch (const StatementError&) {
+          // No statement that makes sense there.
+          continue;
+        }
       }
       auto sample = std::make_unique<Sample>(task_.statement, settings, OpenChoice{});
       bool makes_sense = true;
@@ -270,7 +278,7 @@ bool confirmed_by_particles(Sample& sample) {
   });
 }
 
-void find_formulas(const FormulaTask& task, Solution& solution) {
+std::vector<OneSidedForce> find_formulas(const FormulaTask& task, Solution& solution) {
   const auto deadline =
       std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<int>(1000 * most_formula_seconds));
   const ExpressionLimitScope limits({most_formula_terms, deadline});
@@ -286,8 +294,11 @@ void find_formulas(const FormulaTask& task, Solution& solution) {
         point[letter_of(task.statement, unknown.name, i, std::to_string(k + 1))] = value->second.vector[k];
     }
   const PlainPointScope decisions(std::move(point));
-  FormulaSearch(task, solution).run();
+  FormulaSearch search(task, solution);
+  search.run();
+  std::vector<OneSidedForce> forces = search.one_sided_forces();
   find_laws(task, solution);
+  return forces;
 }
 
 }  // namespace poinsot::statement

@@ -23,7 +23,8 @@ struct FormulaTask {
 // that have formulas. Every formula is compared with the numbers at `settings` and at letters drawn at random twice,
 // where the statement is solved anew and checked on particles. What has no exact formula may have a law
 // (law_search.h). Never throws for a formula that cannot be had.
-void find_formulas(const FormulaTask& task, Solution& solution);
+// Returns the formulas of what can only pull or push in the instants solved on the way, where there are no unknowns.
+std::vector<OneSidedForce> find_formulas(const FormulaTask& task, Solution& solution);
 
 // Whether the check on particles confirms every instant of a sample that was solved.
 bool confirmed_by_particles(Sample& sample);

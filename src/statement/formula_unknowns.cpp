@@ -109,6 +109,18 @@ std::optional<Found> solve_for(const Formula& remainder, const UnknownLetter& un
 
 }  // namespace
 
+Formula first_order(const Formula& x, const std::vector<std::string>& small) {
+  std::map<std::string, Formula> zero;
+  for (const std::string& letter : small) zero[letter] = Formula(0);
+  const std::vector<std::string> letters = x.letters();
+  Formula sum = zero.empty() ? x : substituted(x, zero);
+  for (const std::string& letter : small) {
+    if (std::find(letters.begin(), letters.end(), letter) == letters.end()) continue;
+    sum += Formula::letter(letter, poinsot::Sign::real) * substituted(derivative(x, letter), zero);
+  }
+  return sum;
+}
+
 std::map<std::string, Formula> solve_unknowns(std::vector<Formula> remainders, std::vector<UnknownLetter> unknowns) {
   std::map<std::string, Formula> found;
   while (!unknowns.empty()) {

@@ -16,6 +16,10 @@ struct UnknownLetter {
   double value = 0;  // of the root that is meant, at the point where decisions are taken (PlainPointScope)
 };
 
+// The expression up to the first power of letters that are small, without products of them. Throws std::domain_error
+// where it has no value when they are zero.
+Formula first_order(const Formula& x, const std::vector<std::string>& small);
+
 // Equations are taken one after the other: those that are linear in an unknown first, then those that are quadratic in
 // it, in its square, or of this kind in the tangent of half an angle. Of two roots that near the value is taken.
 // remainders: all must vanish. Throws NoFormula if unknowns are left, or equations that do not hold.

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "poinsot/solve/closure.h"
+#include "statement/contact_limits.h"
+#include "statement/gimbal_lock.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
@@ -31,6 +33,19 @@ Machine SolvedInstant::machine_at(double time, const std::optional<std::vector<s
   return machine_from(*elsewhen_, time, loads);
 }
 
+MachineOptions SolvedInstant::machine_options(double time, const std::optional<std::vector<std::string>>& loads) const {
+  MachineOptions options;
+  options.time = time;
+  options.lenient = choice_.trial;
+  options.loads = loads;
+  if (choice_.gravity) {
+    std::mt19937_64 random(choice_.seed + 1);
+    std::uniform_real_distribution<double> size(-10, 10);
+    options.open_gravity = {size(random), size(random), size(random)};
+  }
+  return options;
+}
+
 Machine SolvedInstant::machine_from(DataScope<double>& data, double time,
                                     const std::optional<std::vector<std::string>>& loads) {
   std::size_t next = 0;
@@ -43,15 +58,7 @@ Machine SolvedInstant::machine_from(DataScope<double>& data, double time,
     return any_values_[next++];
   };
   DataScope<TimeJet> timed(problem_, settings_, time_jet(time));
-  MachineOptions options;
-  options.time = time;
-  options.lenient = choice_.trial;
-  options.loads = loads;
-  if (choice_.gravity) {
-    std::mt19937_64 random(choice_.seed + 1);
-    std::uniform_real_distribution<double> size(-10, 10);
-    options.open_gravity = {size(random), size(random), size(random)};
-  }
+  const MachineOptions options = machine_options(time, loads);
   if (masses_) {
     next = any_in_masses_;
     return build_machine(problem_, *masses_, data, timed, any, options);
@@ -159,6 +166,11 @@ void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
   machine_.q = closure.q;
   moment_->set_positions(machine_.q);
   solve::update_contacts(machine_.mechanism, *moment_);
+  if (!choice_.trial)
+    for (const ContactLimit& limit : machine_.contact_limits)
+      if (left_of_surface(limit, *moment_).value_or(0) < -1e-9)
+        fail(problem_.file, limit.mark, "in the stated pose " + words_of_end(limit),
+             "correct the pose, or state the contact at the corner that touches there");
   position_facts(instants);
   position_misfits_ = misfits_.size();
 }
@@ -230,6 +242,14 @@ void SolvedInstant::solve_forces() {
            "velocities can be asked; for forces and accelerations give the body a round shape, or its inertia by "
            "axis:, axial:, transverse:");
     }
+  if (!choice_.trial && !moving_)
+    for (const ContactLimit& limit : machine_.contact_limits) {
+      if (goes_beyond(limit, *moment_))
+        throw UnansweredError(problem_.file, limit.mark, words_of_end(limit) + " as it moves on",
+                              "it turns about a corner there: give it a shape with that corner, such as a polygon");
+      if (leaves_plane(limit, *moment_))
+        throw UnansweredError(problem_.file, limit.mark, words_of_side(limit), hint_of_side(limit));
+    }
   FactConditions<double> stated = force_facts(view(), facts_);
   if (problem_.steady && !moving_) add_steady(view(), stated.linear, true);
   solve::LinearSolution solution = solve::solve_motion(*moment_, scales_, stated.linear, &motion_equations_);
@@ -271,6 +291,8 @@ void SolvedInstant::contradiction(const solve::LinearSystem& equations, const so
                               return name.starts_with("forces on ") || name.starts_with("moments on ");
                             });
   if (only_balance) {
+    if (const auto lock = gimbal_lock(machine_, machine_.q))
+      throw UnansweredError(problem_.file, mark, *lock + ": there they cannot follow the motion", beside_gimbal_lock);
     if (mark.line == 1 && !problem_.joints.empty()) mark = problem_.joints.front().mark;
     fail(problem_.file, mark, "nothing carries what the motion needs: " + all,
          "let a support or contact carry it, or leave a freedom for it");
@@ -296,7 +318,11 @@ QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, con
       if (!of_motion) throw;
     }
   }
-  QuantityScope<double> quantities(machine_, machine_.mechanism.tree, *data_, State<double>{machine_.q, v_});
+  QuantityScope<double> quantities(machine_, before_ ? machine_.tree_after_blow() : machine_.mechanism.tree, *data_,
+                                   State<double>{machine_.q, v_});
+  if (!problem_.strikes.empty() && !moving_)
+    quantities.set_flying(
+        flying_particles(problem_, machine_, before_ ? *before_ : *moment_, before_ ? &blow_ : nullptr));
   if (motion_) {
     quantities.set_accelerations(moment_->accelerations());
     quantities.set_forces(&*moment_, &unknowns_);

@@ -116,7 +116,7 @@ class SolvedInstant {
   const solve::Scales& scales() const { return scales_; }
   double misfit_size() const { return misfit_size_; }  // of the largest term in these equations
   // What facts that are not linear leave open, where the unknowns of a system have these values.
-  enum class System { velocities, blow, motion };
+  using System = InstantSystem;
   struct NonlinearMisfit {
     std::string words;
     double value = 0, size = 0;  // in natural units; the size is that of its sides
@@ -137,8 +137,10 @@ class SolvedInstant {
   Residuals check() const;
 
  private:
+  friend class VariedInstant;
   void build(double time, const std::optional<std::vector<std::string>>& loads);
   Machine machine_from(DataScope<double>& data, double time, const std::optional<std::vector<std::string>>& loads);
+  MachineOptions machine_options(double time, const std::optional<std::vector<std::string>>& loads) const;
   void set_positions(const std::vector<const Instant*>& instants);
   void solve_velocities(const std::vector<const Instant*>& instants, const std::optional<std::vector<double>>& v);
   void position_facts(const std::vector<const Instant*>& instants);

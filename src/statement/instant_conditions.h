@@ -69,6 +69,21 @@ template <class Scalar>
 void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<Scalar>>& conditions,
                 bool accelerations);
 
+// The linear equations of an instant.
+enum class InstantSystem { velocities, blow, motion };
+// What quantities are where the unknowns of a system have these values; blow: for that of a blow. The arguments must
+// outlive the scope.
+template <class Scalar>
+QuantityScope<Scalar> solution_scope(const InstantView<Scalar>& view, InstantSystem system,
+                                     const std::vector<Scalar>& unknowns, const solve::BlowOf<Scalar>* blow);
+
+// The particles of strikes that fly by themselves just before a blow (moment: before it), and just after it those that
+// have gone through a body. blow: nothing before it.
+template <class Scalar>
+std::vector<FlyingParticle<Scalar>> flying_particles(const Problem& problem, const MachineOf<Scalar>& machine,
+                                                     const solve::MomentOf<Scalar>& before,
+                                                     const solve::BlowOf<Scalar>* blow);
+
 // What is given of a blow; the moment is that before it.
 template <class Scalar>
 solve::BlowOf<Scalar> stated_blow(const InstantView<Scalar>& view);

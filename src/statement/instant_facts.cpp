@@ -56,6 +56,17 @@ bool foretell(const Conditions<Scalar>& conditions, const std::vector<Scalar>& x
   return true;
 }
 
+// Whether values change by more than their rounding lets one see.
+template <class Values>
+bool notice(const Values& from, const Values& to) {
+  constexpr double seen = 1e-6;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double base = plain(from[i].value), change = plain(to[i].value) - base;
+    if (!(std::abs(change) >= seen * std::abs(base))) return false;
+  }
+  return true;
+}
+
 // A fact as linear conditions on n unknowns, from the differences values(x) that it demands to vanish and, around zero,
 // slopes(k, values there) in unknown k. Nothing if it is not linear: nobody knows then which of several solutions is
 // meant.
@@ -73,13 +84,16 @@ std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solv
       if (column.size() != conditions.size()) return std::nullopt;
       for (std::size_t i = 0; i < column.size(); ++i) conditions[i].coefficients[k] = column[i];
     }
-    // On both sides: a size may look linear on one.
+    // On both sides, as a size may look linear on one; and so far that what is stated does not drown the unknowns.
     std::mt19937_64 random(7);
-    for (const double side : {1.0, -1.0}) {
-      std::vector<Scalar> other(n);
-      for (Scalar& x : other) x = Scalar(side * std::uniform_real_distribution<double>(0.5, 1.5)(random));
-      if (!foretell(conditions, other, values(other))) return std::nullopt;
-    }
+    for (const double side : {1.0, -1.0})
+      for (double reach = 1; reach < 1e13; reach *= 1e4) {
+        std::vector<Scalar> other(n);
+        for (Scalar& x : other) x = Scalar(side * reach * std::uniform_real_distribution<double>(0.5, 1.5)(random));
+        const std::vector<Difference<Scalar>> there = values(other);
+        if (!foretell(conditions, other, there)) return std::nullopt;
+        if (notice(base, there)) break;
+      }
     return conditions;
   } catch (const StatementError&) {
     // What has no value at rest, such as a direction, is not linear. Mistakes are reported at the solution.
@@ -179,13 +193,15 @@ FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std
   FactConditions<Scalar> facts;
   Conditions<Scalar>& conditions = facts.linear;
   const auto n = static_cast<std::size_t>(machine.mechanism.tree.velocity_size());
-  const Model<Varied> model = convert<Varied>(machine.mechanism.tree);
+  const Model<Scalar>& tree = blow ? machine.tree_after_blow() : machine.mechanism.tree;
+  const Model<Varied> model = convert<Varied>(tree);
   DataScope<Varied> data(view.problem, view.data.settings(), Varied(view.time));
   data.vary_as(view.data);
   const auto earlier = [&](const At& past, const Mark& mark) {
     if (past.instant != "before" || !view.before)
       fail(view.problem.file, mark, "a fact can look back to `before` a blow only, not to '" + past.instant + "'");
     QuantityScope<Scalar> scope(machine, machine.mechanism.tree, view.data, view.before->state());
+    scope.set_flying(flying_particles<Scalar>(view.problem, machine, *view.before, nullptr));
     return scope.value(past.expression);
   };
   const auto at_velocities = [&](const Fact& fact, const std::vector<Scalar>& v, std::size_t seed) {
@@ -193,6 +209,8 @@ FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std
     for (const Scalar& q : machine.q) state.q.emplace_back(q);
     for (std::size_t k = 0; k < n; ++k) state.v.push_back(k == seed ? Varied::variable(v[k], 0) : Varied(v[k]));
     QuantityScope<Varied, Scalar> scope(machine, model, data, std::move(state));
+    if (blow && !view.problem.strikes.empty())
+      scope.set_flying(flying_particles(view.problem, machine, *view.before, blow));
     scope.set_elsewhere([&](const At& past, const Mark& mark) { return lifted<Varied>(earlier(past, mark)); });
     return differences(fact, scope, view.problem.file);
   };
@@ -216,7 +234,8 @@ FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std
     const std::size_t count = solve::impulse_unknowns(machine.mechanism, *blow).size();
     return as_linear<Scalar>(words_of(instant, fact), view.scales, count, [&](const std::vector<Scalar>& x) {
       const std::vector<Scalar> v(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));
-      QuantityScope<Scalar> scope(machine, machine.mechanism.tree, view.data, State<Scalar>{machine.q, v});
+      QuantityScope<Scalar> scope(machine, tree, view.data, State<Scalar>{machine.q, v});
+      if (!view.problem.strikes.empty()) scope.set_flying(flying_particles(view.problem, machine, *view.before, blow));
       scope.set_elsewhere(earlier);
       scope.set_blow(view.before, blow, &x);
       return differences(fact, scope, view.problem.file);
@@ -335,6 +354,13 @@ template FactConditions<double> force_facts(const InstantView<double>&, const st
 template std::vector<std::pair<const Fact*, Difference<double>>> position_differences(
     const InstantView<double>&, const std::vector<const Instant*>&);
 template std::vector<Difference<double>> differences(const Fact&, QuantityScope<double>&, const std::string&);
+template std::vector<solve::ConditionOf<Dual<1>>> rate_conditions(const InstantView<Dual<1>>&);
+template FactConditions<Dual<1>> velocity_facts(const InstantView<Dual<1>>&, const std::vector<const Instant*>&,
+                                                const solve::BlowOf<Dual<1>>*);
+template FactConditions<Dual<1>> force_facts(const InstantView<Dual<1>>&, const std::vector<const Instant*>&);
+template std::vector<std::pair<const Fact*, Difference<Dual<1>>>> position_differences(
+    const InstantView<Dual<1>>&, const std::vector<const Instant*>&);
+template std::vector<Difference<Dual<1>>> differences(const Fact&, QuantityScope<Dual<1>>&, const std::string&);
 template std::vector<solve::ConditionOf<Formula>> rate_conditions(const InstantView<Formula>&);
 template FactConditions<Formula> velocity_facts(const InstantView<Formula>&, const std::vector<const Instant*>&,
                                                 const solve::BlowOf<Formula>*);

@@ -1,4 +1,5 @@
 // The motion near a steady one.
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -71,10 +72,10 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
     if (!constraint.carried_by) continue;
     const Vector normal = moment_->direction(constraint.surface_axis);
     if (constraint.shape_unknown || norm(cross(turning, normal)) > 1e-9 * norm(turning))
-      fail(problem_.file, mark,
-           "how a contact moves near the steady motion is not known: it lies on a curved surface (" + constraint.words +
-               ")",
-           "stability is told for contacts of round bodies on planes across the axis of the frame");
+      throw UnansweredError(problem_.file, mark,
+                            "how a contact moves near the steady motion is not known: it lies on a curved surface (" +
+                                constraint.words + ")",
+                            "stability is told for contacts of round bodies on planes across the axis of the frame");
     constraint.carried_by.reset();
   }
   solve::Moment moment(mechanism);
@@ -88,11 +89,12 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   MechanismDynamics dynamics(mechanism, held);
   for (const StatedRate& rate : machine_.accelerations) dynamics.set_held_acceleration(rate.velocity, rate.value);
   for (const OpenCoordinate& open : dynamics.open_coordinates(machine_.q))
-    fail(problem_.file, mark,
-         "the motion near the steady one is not determined: nothing fixes " +
-             with_article(machine_.mechanism.coordinate_names[static_cast<std::size_t>(open.coordinate)]) +
-             (open.without_inertia ? ", which moves no mass" : ""),
-         "say what holds or drives it");
+    throw UnansweredError(
+        problem_.file, mark,
+        "the motion near the steady one is not determined: nothing fixes " +
+            with_article(machine_.mechanism.coordinate_names[static_cast<std::size_t>(open.coordinate)]) +
+            (open.without_inertia ? ", which moves no mass" : ""),
+        "say what holds or drives it");
   motion.accelerations = [&](const std::vector<double>& q,
                              const std::vector<double>& v) -> std::optional<std::vector<double>> {
     std::vector<double> a(n);
@@ -144,8 +146,23 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   const std::vector<double> none(n, 0.0);
   std::vector<std::pair<Vector, Vector>> displacements;  // turning about the origin and shift, on ground axes
   std::vector<Vector> axes{Vector::unit(0), Vector::unit(1), Vector::unit(2)};
-  if (norm(turning) > 0) axes.push_back(normalized(turning));
-  if (norm(tree.gravity()) > 0) axes.push_back(normalized(tree.gravity()));
+  // And the axis of the frame and the vertical, however the axes are drawn, with directions across them.
+  const auto add_axis = [&](const Vector& axis) {
+    const bool known =
+        std::any_of(axes.begin(), axes.end(), [&](const Vector& other) { return norm(cross(axis, other)) <= 1e-12; });
+    if (!known) axes.push_back(axis);
+  };
+  for (const Vector& along : {turning, tree.gravity()}) {
+    if (!(norm(along) > 0)) continue;
+    const Vector axis = normalized(along);
+    Vector across = cross(axis, axes[0]);
+    for (std::size_t k = 1; k < 3; ++k)
+      if (norm(cross(axis, axes[k])) > norm(across)) across = cross(axis, axes[k]);
+    across = normalized(across);
+    add_axis(axis);
+    add_axis(across);
+    add_axis(cross(axis, across));
+  }
   std::vector<Vector> places{Vector::zero()};
   for (int i = 0; i < tree.body_count(); ++i)
     if (tree.body(i).parent == ground) places.push_back(w.motion[static_cast<std::size_t>(i + 1)].p);
@@ -233,11 +250,13 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   try {
     linearisation_ = solve::linearise(motion);
   } catch (const std::runtime_error& error) {
-    fail(problem_.file, mark, error.what(), "say what holds or drives every freedom");
+    throw UnansweredError(problem_.file, mark, error.what(), "say what holds or drives every freedom");
   }
-  if (!linearisation_->steady)
-    fail(problem_.file, mark, "this is no steady motion, of which alone stability is asked",
-         "state steady: {frame: F, spins: {...}}, or rest where everything is in equilibrium");
+  if (!linearisation_->steady) {
+    linearisation_.reset();
+    throw UnansweredError(problem_.file, mark, "this is no steady motion, of which alone stability is asked",
+                          "state steady: {frame: F, spins: {...}}, or rest where everything is in equilibrium");
+  }
   return *linearisation_;
 }
 

@@ -115,6 +115,7 @@ void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<
 
 template bool turns_unseen(const Model<double>&, int, double);
 template void add_steady(const InstantView<double>&, std::vector<solve::Condition>&, bool);
+template void add_steady(const InstantView<Dual<1>>&, std::vector<solve::ConditionOf<Dual<1>>>&, bool);
 template void add_steady(const InstantView<Formula>&, std::vector<solve::ConditionOf<Formula>>&, bool);
 
 }  // namespace poinsot::statement

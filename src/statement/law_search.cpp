@@ -1,11 +1,13 @@
 #include "statement/law_search.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <ctime>
 #include <map>
 
 #include "statement/compare_values.h"
 #include "statement/extremum.h"
+#include "statement/formula_answers.h"
 #include "statement/open_words.h"
 #include "statement/scaling_law.h"
 #include "statement/unknown_search.h"
@@ -21,7 +23,7 @@ bool has_numbers(const Value<double>& value) {
 }
 
 std::string road_of(const ScalingLaw& law) {
-  std::string road = " by dimensional analysis";
+  std::string road = "by dimensional analysis";
   if (!law.by_trial.empty()) road += " and trials of " + listed(law.by_trial, "and");
   return law.digits == 0 ? road : road + ", with numbers of " + std::to_string(law.digits) + " digits";
 }
@@ -56,7 +58,6 @@ class LawSearch {
                          [this](const LetterValues& letters) { return answers_at(letters); });
     for (const std::size_t i : wanted) add_law(trials, i);
     for (std::size_t k = 0; k < unknowns_.size(); ++k) add_unknown(trials, k, names);
-    for (const auto& [road, found] : found_by_) solution_.notes.push_back(listed(found, "and") + road);
   }
 
  private:
@@ -69,9 +70,10 @@ class LawSearch {
     SolvedAsk& ask = solution_.asks[i];
     try {
       const ScalingLaw law = scaling_law(trials, i, ask.letters);
+      hold_all_round(trials, i, law);
       ask.formula = law.formula;
       ask.no_formula.clear();
-      tell(task_.statement.asks[i].name, law);
+      ask.formula_road = road_of(law);
     } catch (const NoFormula& reason) {
       ask.no_formula = reason.what();
     } catch (const std::domain_error& reason) {
@@ -81,22 +83,43 @@ class LawSearch {
     }
   }
 
+  // An angle may be any: beyond a right angle another extreme may be the largest. What holds for positive angles alone
+  // says so.
+  void hold_all_round(ScalingTrials& trials, std::size_t i, const ScalingLaw& law) {
+    std::vector<std::string> positive;
+    for (const std::string& name : solution_.asks[i].letters) {
+      const auto letter = std::ranges::find(task_.open, name, &Letter::name);
+      if (letter == task_.open.end() || letter->unit.dimension != dimensions::angle) continue;
+      for (const ScalingTrials::Point& point : trials.turned(name)) {
+        const std::optional<Value<double>>& value = point.answers[i];
+        if (!value || agrees(law.formula, *value, point.letters, 1e-6, size_of(*trials.base().answers[i]))) continue;
+        const double angle = point.letters.at(name);
+        if (angle > 0) {
+          char text[40];
+          std::snprintf(text, sizeof text, "%.3g rad", angle);
+          throw NoFormula("the formula found holds for some values of the letters only, not at " + name + " = " + text);
+        }
+        if (std::ranges::find(positive, name) == positive.end()) positive.push_back(name);
+      }
+    }
+    for (const std::string& name : positive) {
+      const std::string words = name + " is not negative";
+      if (std::ranges::find(solution_.assumptions, words) == solution_.assumptions.end())
+        solution_.assumptions.push_back(words);
+    }
+  }
+
   void add_unknown(ScalingTrials& trials, std::size_t k, const std::vector<std::string>& letters) {
     const auto& [unknown, situation] = unknowns_[k];
     try {
       const ScalingLaw law = scaling_law(trials, solution_.asks.size() + k, letters);
       SolvedUnknown solved{unknown->name, unknown->unit, task_.settings[situation].at(unknown->name), law.formula};
       if (!is_common(task_.statement, unknown->name)) solved.name += " @ " + task_.statement.situations[situation].name;
-      tell(solved.name, law);
+      solved.formula_road = road_of(law);
       solution_.unknowns.push_back(std::move(solved));
     } catch (const NoFormula&) {
       // The asks say why.
     }
-  }
-
-  void tell(const std::string& name, const ScalingLaw& law) {
-    std::vector<std::string>& names = found_by_[road_of(law)];
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
 
   // Asks and then unknowns.
@@ -104,7 +127,7 @@ class LawSearch {
     const std::clock_t begun = std::clock();
     ScalingTrials::Answers answers(solution_.asks.size() + unknowns_.size());
     const std::optional<AllSettings> settings = settings_at(letters);
-    if (!settings) return answers;
+    if (!settings || !is_assumed(*settings)) return answers;
     Sample sample(task_.statement, *settings, OpenChoice{});
     for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
       const Ask& ask = task_.statement.asks[i];
@@ -124,6 +147,21 @@ class LawSearch {
     return answers;
   }
 
+  // Whether what is assumed of the letters holds.
+  bool is_assumed(const AllSettings& settings) const {
+    for (std::size_t s = 0; s < settings.size(); ++s) {
+      const Problem& problem = task_.statement.situations[s].problem;
+      DataScope<double> data(problem, settings[s]);
+      for (const Expression& expression : problem.assume) try {
+          const Value<double> truth = data.value(expression);
+          if (truth.is_boolean() && !truth.truth) return false;
+        } catch (const StatementError&) {
+          // It speaks of more than letters.
+        }
+    }
+    return true;
+  }
+
   // With the unknowns found there; nothing where they have not as many roots as they have at the letters drawn first.
   std::optional<AllSettings> settings_at(const LetterValues& letters) {
     AllSettings settings = task_.settings;
@@ -133,7 +171,12 @@ class LawSearch {
     if (task_.unknowns.empty()) return settings;
     Settings known = task_.known;
     for (const Letter& letter : task_.open) known[letter.name] = settings.front().at(letter.name);
-    const RootsFound found = UnknownSearch(task_.statement, task_.known).find(known);
+    RootsFound found;
+    try {
+      found = UnknownSearch(task_.statement, task_.known).find(known);
+    } catch (const StatementError&) {
+      return std::nullopt;
+    }
     if (!found.open.empty()) return std::nullopt;
     if (!root_) {
       for (std::size_t k = 0; k < found.roots.size(); ++k)
@@ -156,13 +199,24 @@ class LawSearch {
   const FormulaTask& task_;
   Solution& solution_;
   std::vector<Sought> unknowns_;
-  std::map<std::string, std::vector<std::string>> found_by_;  // names, by the road to their laws
-  std::optional<std::size_t> root_;                           // of the roots, ascending, the one of this solution
+  std::optional<std::size_t> root_;  // of the roots, ascending, the one of this solution
   std::size_t roots_ = 0;
 };
 
 }  // namespace
 
 void find_laws(const FormulaTask& task, Solution& solution) { LawSearch(task, solution).run(); }
+
+void tell_laws(const Statement& statement, Solution& solution) {
+  std::map<std::string, std::vector<std::string>> found_by;
+  const auto add = [&](const std::string& name, const std::string& road) {
+    if (road.empty()) return;
+    std::vector<std::string>& names = found_by[road];
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  for (std::size_t i = 0; i < solution.asks.size(); ++i) add(statement.asks[i].name, solution.asks[i].formula_road);
+  for (const SolvedUnknown& unknown : solution.unknowns) add(unknown.name, unknown.formula_road);
+  for (const auto& [road, names] : found_by) solution.notes.push_back(listed(names, "and") + " " + road);
+}
 
 }  // namespace poinsot::statement

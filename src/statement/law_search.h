@@ -7,8 +7,11 @@
 namespace poinsot::statement {
 
 // Gives every ask of the solution that has no formula yet, but needs letters, its law if it has one (scaling_law.h),
-// else the reason why it has none; lists unknowns with laws if none are listed. A note tells where each law comes from.
-// The trials are checked on particles. Never throws for a law that cannot be had.
+// else the reason why it has none; lists unknowns with laws if none are listed. The trials are checked on particles.
+// Never throws for a law that cannot be had.
 void find_laws(const FormulaTask& task, Solution& solution);
+
+// Notes how the formulas that stand were found, where they are laws.
+void tell_laws(const Statement& statement, Solution& solution);
 
 }  // namespace poinsot::statement

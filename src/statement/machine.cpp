@@ -1,5 +1,7 @@
 #include "statement/machine.h"
 
+#include "poinsot/math/plain.h"
+#include "poinsot/model/fixed_particles.h"
 #include "statement/exact_numbers.h"
 #include "statement/machine_draft.h"
 
@@ -30,6 +32,20 @@ std::vector<std::size_t> MachineOf<Scalar>::actions_of(const std::string& name, 
   }
   return found;
 }
+
+namespace {
+
+// Particles that stay after a blow belong to the bodies that they have struck.
+template <class Scalar>
+void add_struck_tree(MachineOf<Scalar>& machine) {
+  std::vector<FixedParticle<Scalar>> particles;
+  for (const StatedImpulseOf<Scalar>& impulse : machine.impulses)
+    if (plain(impulse.absorbed) > 0 && impulse.on != ground)
+      particles.push_back({impulse.on, impulse.absorbed, impulse.at.point});
+  if (!particles.empty()) machine.struck_tree.emplace(with_particles(machine.mechanism.tree, particles));
+}
+
+}  // namespace
 
 template <class Scalar>
 std::vector<BodyMassOf<Scalar>> body_masses(const Problem& problem, DataScope<Scalar>& data, const AnyValue& any,
@@ -69,6 +85,7 @@ MachineOf<Scalar> build_machine(const Problem& problem, std::vector<BodyMassOf<S
   for (const Impulse& impulse : problem.impulses) add_impulse(draft, impulse);
   for (const Impact& impact : problem.impacts) add_impact(draft, impact);
   for (const Strike& strike : problem.strikes) add_strike(draft, strike);
+  add_struck_tree(machine);
   for (std::size_t i = 0; i < problem.bodies.size(); ++i)
     machine.masses.emplace_back(machine.index.at(problem.bodies[i].name), std::move(draft.masses[i]));
   return std::move(machine);

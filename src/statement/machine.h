@@ -63,6 +63,17 @@ struct StatedImpulseOf {
 };
 using StatedImpulse = StatedImpulseOf<double>;
 
+// Where a contact is good, on the axes of its body as drawn.
+struct ContactLimit {
+  std::string contact, body, against;
+  std::string place;  // as the statement names it
+  int action = 0;
+  Mark mark;
+  Vector3<double> middle{};               // of a round surface that ends, seen from its center; zero: it has no end
+  double cosine = -1;                     // of the angle from there to where it ends
+  std::vector<Vector3<double>> straight;  // in which directions the body is straight at the contact and lies on a plane
+};
+
 template <class Scalar>
 struct MachineOf {
   Mechanism<Scalar> mechanism;
@@ -76,9 +87,14 @@ struct MachineOf {
   std::vector<StatedRateOf<Scalar>> rates, accelerations;
   std::vector<StatedImpulseOf<Scalar>> impulses;
   std::vector<solve::ImpactOf<Scalar>> impacts;
+  // The tree after a blow in which particles stay: they belong to their bodies. Its bodies and coordinates are the
+  // same.
+  std::optional<Model<Scalar>> struck_tree;
+  std::vector<ContactLimit> contact_limits;
   std::map<std::string, JointPlaceOf<Scalar>> joints;
   std::vector<std::string> loop_joints;  // joints that close loops
 
+  const Model<Scalar>& tree_after_blow() const { return struck_tree ? *struck_tree : mechanism.tree; }
   // The place that a point as drawn takes on a body.
   Place<Scalar> place(int body, const Vector3<Scalar>& drawn) const;
   const NamedCoordinate* coordinate(const std::string& name) const;

@@ -1,4 +1,6 @@
 // What happens suddenly in a machine.
+#include <cstdio>
+
 #include "poinsot/math/plain.h"
 #include "statement/exact_numbers.h"
 #include "statement/machine_draft.h"
@@ -14,6 +16,15 @@ Place<Scalar> impulse_place(const MachineDraft<Scalar>& draft, const std::string
   if (!at && draft.problem.bodies[i].massless)
     fail(draft.problem.file, mark, owner + " needs the point at which it acts: the body is massless", "write at: P");
   return draft.machine.place(draft.body(on), at ? draft.data.place(*at) : draft.masses[i].properties.center);
+}
+
+// Whether a number lies from 0 to 1, but for what rounding leaves of one that is found.
+bool is_part(double x) { return x >= -1e-9 && x <= 1 + 1e-9; }
+
+std::string number_in_words(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
 }
 
 }  // namespace
@@ -49,8 +60,11 @@ void add_impact(MachineDraft<Scalar>& draft, const Impact& impact) {
   struck.at = draft.machine.place(struck.on, draft.data.place(impact.at));
   struck.push = {struck.from, draft.data.direction(impact.pushes)};
   if (impact.restitution) struck.restitution = draft.data.number(*impact.restitution, dimensions::none);
-  if (plain(struck.restitution) < 0 || plain(struck.restitution) > 1)
-    fail(draft.problem.file, impact.restitution->mark(), "a coefficient of restitution lies between 0 and 1");
+  if (!is_part(plain(struck.restitution)))
+    fail(draft.problem.file, impact.restitution->mark(),
+         "a coefficient of restitution lies between 0 and 1, and that of impact '" + impact.name + "' is " +
+             number_in_words(plain(struck.restitution)),
+         "correct it, or the velocities from which it follows");
   draft.machine.impacts.push_back(struck);
 }
 
@@ -69,8 +83,10 @@ void add_strike(MachineDraft<Scalar>& draft, const Strike& strike) {
   stated.relative_to = draft.body(strike.relative_to);
   if (strike.loses) {
     const Scalar loss = draft.data.number(*strike.loses, dimensions::none);
-    if (plain(loss) < 0 || plain(loss) > 1)
-      fail(draft.problem.file, strike.loses->mark(), owner + ": a particle loses between 0 and 100 % of its speed");
+    if (!is_part(plain(loss)))
+      fail(draft.problem.file, strike.loses->mark(),
+           owner + ": a particle loses between 0 and 100 % of its speed, not " + number_in_words(100 * plain(loss)) +
+               " %");
     stated.kept = Scalar(1) - loss;
   }
   stated.absorbed = strike.stays && !strike.mass_neglected ? mass : Scalar(0);

@@ -7,6 +7,7 @@
 #include "statement/machine_draft.h"
 #include "statement/reader.h"
 #include "statement/rolling_surface.h"
+#include "statement/straight_sides.h"
 
 namespace poinsot::statement {
 
@@ -40,7 +41,7 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
   // The motion that it forbids.
   const Body& stated = draft.problem.bodies[draft.body_number(contact.of)];
   const RollingSurface<Scalar> surface =
-      rolling_surface(stated, draft.data, C, draft.masses[draft.body_number(contact.of)].properties.center);
+      rolling_surface(stated, draft.data, C, n, draft.masses[draft.body_number(contact.of)].properties.center);
   if (surface.shape == ContactShape::missed) {
     char text[120];
     std::snprintf(text, sizeof text, "%.3g m off the surface of '%s'", surface.gap, contact.of.c_str());
@@ -60,13 +61,22 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
       draft.machine.mechanism.takes_part[static_cast<std::size_t>(from)]) {
     const std::size_t other = draft.body_number(contact.against);
     const RollingSurface<Scalar> below =
-        rolling_surface(draft.problem.bodies[other], draft.data, C, draft.masses[other].properties.center);
+        rolling_surface(draft.problem.bodies[other], draft.data, C, n, draft.masses[other].properties.center);
     // A flat side of a round body shows its axis along the normal.
     unknown = unknown || (below.shape == ContactShape::round && norm(plain(cross(below.axis, n))) > 1e-9) ||
               below.shape == ContactShape::unknown ||
               (below.shape == ContactShape::round && norm(plain(below.axis)) == 0);
   }
   const bool round = surface.shape == ContactShape::round;
+  ContactLimit limit{contact.name, contact.of, contact.against, to_string(contact.at), action, contact.mark, {},
+                     -1,           {}};
+  if (round) {
+    limit.middle = plain(surface.middle);
+    limit.cosine = surface.cosine;
+  } else {
+    limit.straight = straight_directions(stated, draft.data, plain(C), plain(n));
+  }
+  if (norm(limit.middle) > 0 || !limit.straight.empty()) draft.machine.contact_limits.push_back(std::move(limit));
   const auto forbid = [&](const Vector3<Scalar>& d) {
     const std::string words = std::string(contact.no_slip ? "rolling" : "touching") + " at contact '" + contact.name +
                               "' along " + draft.direction_name(d);

@@ -11,6 +11,7 @@
 #include "poinsot/mass/validity.h"
 #include "poinsot/math/plain.h"
 #include "statement/exact_numbers.h"
+#include "statement/part_masses.h"
 #include "statement/reader.h"
 #include "statement/shapes.h"
 
@@ -33,6 +34,8 @@ class MassReader {
   BodyMassOf<Scalar> of_shapes();
   BodyMassOf<Scalar> of_numbers();
   void absorb(BodyMassOf<Scalar>& whole);
+  // What of_shapes, of_numbers and absorb have put together.
+  std::vector<MassProperties<Scalar>> parts() && { return std::move(parts_); }
 
  private:
   using Vector = Vector3<Scalar>;
@@ -115,8 +118,11 @@ class MassReader {
       fail(file(), inertia.mark, "the axes are not right-handed", "reverse one of them");
     return Matrix3<Scalar>::from_columns(a[0], a[1], a[2]);
   }
-  // spread: square of the distance from the mass center to the point of the moments, m^2.
-  SymmetricMatrix3<Scalar> stated_tensor(const StatedInertia& inertia, const Scalar& mass, const Scalar& spread);
+  // arm: from the point of the moments to the mass center, on the axes of the inertia, m.
+  SymmetricMatrix3<Scalar> stated_tensor(const StatedInertia& inertia, const Scalar& mass, const Vector& arm);
+  SymmetricMatrix3<Scalar> axisymmetric(const StatedInertia& inertia, const Scalar& mass, const Vector& arm);
+  SymmetricMatrix3<Scalar> of_moments(const StatedInertia& inertia, const Scalar& mass, const Vector& arm);
+  Scalar moment(const StatedInertia& inertia, const Expression& expression, const Scalar& mass);
   void append(BodyMassOf<Scalar>& whole, std::vector<MassProperties<Scalar>>& list, const ShapeValues<Scalar>& shape,
               const Scalar& mass) const;
 
@@ -124,6 +130,7 @@ class MassReader {
   DataScope<Scalar>& data_;
   const AnyValue& any_;
   bool lenient_;
+  std::vector<MassProperties<Scalar>> parts_;
 };
 
 template <class Scalar>
@@ -198,22 +205,25 @@ BodyMassOf<Scalar> MassReader<Scalar>::of_shapes() {
     append(whole, list, shape, Scalar(part.hole ? -1 : 1) * amount_of(part.amount, shape, part_owner));
   }
   whole.properties = sum(list);
+  parts_ = std::move(list);
   return whole;
 }
 
 template <class Scalar>
+Scalar MassReader<Scalar>::moment(const StatedInertia& inertia, const Expression& expression, const Scalar& mass) {
+  const Scalar value = data_.number(expression, inertia.radii ? dimensions::length : dimensions::moment_of_inertia);
+  if (!(plain(value) >= 0))
+    fail(file(), expression.mark(),
+         std::string("a ") + (inertia.radii ? "radius of gyration" : "moment of inertia") + " of body '" + body_.name +
+             "' is negative");
+  return inertia.radii ? mass * value * value : value;
+}
+
+template <class Scalar>
 SymmetricMatrix3<Scalar> MassReader<Scalar>::stated_tensor(const StatedInertia& inertia, const Scalar& mass,
-                                                           const Scalar& spread) {
-  const Dimension dimension = inertia.radii ? dimensions::length : dimensions::moment_of_inertia;
-  const auto moment = [&](const Expression& expression) {
-    const Scalar value = number(expression, dimension);
-    if (!(plain(value) >= 0))
-      fail(file(), expression.mark(),
-           std::string("a ") + (inertia.radii ? "radius of gyration" : "moment of inertia") + " of body '" +
-               body_.name + "' is negative");
-    return inertia.radii ? mass * value * value : value;
-  };
+                                                           const Vector& arm) {
   if (inertia.matrix) {
+    const Dimension dimension = dimensions::moment_of_inertia;
     const Value<Scalar> rows = data_.value(*inertia.matrix);
     if (!rows.is_list() || rows.items.size() != 3)
       fail(file(), inertia.matrix->mark(), "an inertia matrix has three rows of three");
@@ -228,44 +238,116 @@ SymmetricMatrix3<Scalar> MassReader<Scalar>::stated_tensor(const StatedInertia& 
       fail(file(), inertia.mark, report->message);
     return symmetric_part(I);
   }
-  if (inertia.axis) {
-    const Vector axis = data_.direction(*inertia.axis);
-    return axisymmetric_tensor(axis, moment(*inertia.axial), moment(*inertia.transverse));
+  return inertia.axis ? axisymmetric(inertia, mass, arm) : of_moments(inertia, mass, arm);
+}
+
+// What is left open becomes such as a body with the rest can have at its mass center, where 0 < axial < 2 transverse.
+template <class Scalar>
+SymmetricMatrix3<Scalar> MassReader<Scalar>::axisymmetric(const StatedInertia& inertia, const Scalar& mass,
+                                                          const Vector& arm) {
+  const Vector axis = data_.direction(*inertia.axis);
+  const Scalar along = dot(arm, axis);
+  // The mass center lies on the axis: about another of its points only the transverse moment differs.
+  const Scalar shift = mass * along * along;
+  const bool open_axial = is_any(*inertia.axial), open_transverse = is_any(*inertia.transverse);
+  Scalar axial = open_axial ? Scalar(0) : moment(inertia, *inertia.axial, mass);
+  Scalar transverse = open_transverse ? Scalar(0) : moment(inertia, *inertia.transverse, mass);
+  if (open_transverse) {
+    const double choice = any_(dimensions::moment_of_inertia);  // from 0.5 to 2
+    const Scalar size = open_axial || !(plain(axial) > 0) ? mass : axial;
+    transverse = Scalar(0.6 + 0.65 * choice) * size + shift;
   }
-  Vector moments = Vector::zero();
-  ProductsOfInertia<Scalar> products;
+  if (open_axial) axial = Scalar(0.3 + 0.4 * any_(dimensions::moment_of_inertia)) * (transverse - shift);
+  return axisymmetric_tensor(axis, axial, transverse);
+}
+
+template <class Scalar>
+SymmetricMatrix3<Scalar> MassReader<Scalar>::of_moments(const StatedInertia& inertia, const Scalar& mass,
+                                                        const Vector& arm) {
+  const auto open = [&](const std::optional<Expression>& stated) {
+    return stated ? is_any(*stated) : inertia.rest_any;
+  };
+  if (std::ranges::none_of(inertia.moments, [](const auto& stated) { return !stated || is_any(*stated); }) &&
+      std::ranges::none_of(inertia.products, open)) {
+    Vector moments;
+    for (int i = 0; i < 3; ++i) moments[i] = moment(inertia, *inertia.moments[i], mass);
+    const auto product = [&](std::size_t i) {
+      return inertia.products[i] ? data_.number(*inertia.products[i], dimensions::moment_of_inertia) : Scalar(0);
+    };
+    ProductsOfInertia<Scalar> products;
+    products.xy = product(0);
+    products.yz = product(1);
+    products.zx = product(2);
+    return inertia_tensor(moments, products);
+  }
+  // Everything at the mass center; what is known about another point is shifted there (parallel axes).
   const auto magnitude = [](const Scalar& x) { return plain(x) < 0 ? -x : x; };
-  Scalar size = mass * spread;
+  const Scalar spread = norm_squared(arm);
+  Vector moments = Vector::zero(), products = Vector::zero();  // the products in the order yz, zx, xy
+  Vector about_moments = Vector::zero(), about_products = Vector::zero();
+  std::array<bool, 3> open_moment{}, open_product{};
+  std::optional<Scalar> smallest;
+  Scalar size(0);
   for (int i = 0; i < 3; ++i) {
-    const Scalar product = inertia.products[i] ? number(*inertia.products[i], dimension) : Scalar(0);
-    (i == 0 ? products.xy : i == 1 ? products.yz : products.zx) = product;
-    size += magnitude(product);
+    const std::optional<Expression>& product = inertia.products[static_cast<std::size_t>((i + 1) % 3)];
+    open_product[i] = open(product);
+    if (!open_product[i]) {
+      if (product) about_products[i] = data_.number(*product, dimensions::moment_of_inertia);
+      products[i] = about_products[i] - mass * arm[(i + 1) % 3] * arm[(i + 2) % 3];
+      size += magnitude(products[i]);
+    }
+    open_moment[i] = !inertia.moments[i] || is_any(*inertia.moments[i]);
+    if (open_moment[i]) continue;
+    about_moments[i] = moment(inertia, *inertia.moments[i], mass);
+    moments[i] = about_moments[i] - mass * (spread - arm[i] * arm[i]);
+    if (!smallest || plain(moments[i]) < plain(*smallest)) smallest = moments[i];
+    size += magnitude(moments[i]);
   }
   // Moments left open become such as a body with the others can have: two open ones are large and nearly equal, one
-  // alone lies between the difference and the sum of the others.
-  std::vector<int> open;
-  std::optional<Scalar> smallest;
-  for (int i = 0; i < 3; ++i) {
-    if (inertia.moments[i] && !is_any(*inertia.moments[i])) {
-      moments[i] = moment(*inertia.moments[i]);
-      if (!smallest || plain(moments[i]) < plain(*smallest)) smallest = moments[i];
-      size += moments[i];
-    } else {
-      open.push_back(i);
-    }
-  }
-  // Where nothing gives a size, that of the mass a meter away.
+  // alone lies between the difference and the sum of the others. Where nothing gives a size, that of the mass a meter
+  // away.
   if (!(plain(size) > 0)) size = mass;
-  for (int i : open) {
+  const auto open_moments = std::count(open_moment.begin(), open_moment.end(), true);
+  for (int i = 0; i < 3; ++i) {
+    if (!open_moment[i]) continue;
     const double choice = any_(dimensions::moment_of_inertia);  // from 0.5 to 2
     const Scalar a = moments[(i + 1) % 3], b = moments[(i + 2) % 3];
     const Scalar difference = magnitude(a - b);
-    moments[i] = open.size() == 1
+    moments[i] = open_moments == 1
                      ? difference + Scalar(0.2 + 0.3 * choice) * (a + b - difference)
                      : Scalar(8) * size +
                            Scalar(0.25 * choice) * (smallest && plain(*smallest) < plain(size) ? *smallest : size);
   }
-  return inertia_tensor(moments, products);
+  // With the integrals X, Y, Z of x^2 dm, y^2 dm, z^2 dm a product P_yz beside the two others lies within the root of
+  // (Y - P_xy^2/X) (Z - P_zx^2/X) of P_xy P_zx/X; instead of that mean of two factors a smaller one, without a root.
+  Vector second;
+  for (int i = 0; i < 3; ++i) {
+    second[i] = Scalar(0.5) * (moments[(i + 1) % 3] + moments[(i + 2) % 3] - moments[i]);
+    if (!(plain(second[i]) > 0)) second[i] = Scalar(0);
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (!open_product[i]) continue;
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const bool after_both = (!open_product[j] || j < i) && (!open_product[k] || k < i) && plain(second[i]) > 0;
+    Scalar middle(0), one = second[j], other = second[k];
+    if (after_both) {
+      middle = products[j] * products[k] / second[i];
+      one -= products[k] * products[k] / second[i];
+      other -= products[j] * products[j] / second[i];
+    }
+    const double aside = 0.5 * (any_(dimensions::moment_of_inertia) - 1);  // from -0.25 to 0.5
+    const bool free = plain(one) > 0 && plain(other) > 0;
+    products[i] = free ? middle + Scalar(2 * aside) * one * other / (one + other) : middle;
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (open_moment[i]) about_moments[i] = moments[i] + mass * (spread - arm[i] * arm[i]);
+    if (open_product[i]) about_products[i] = products[i] + mass * arm[(i + 1) % 3] * arm[(i + 2) % 3];
+  }
+  ProductsOfInertia<Scalar> named;
+  named.yz = about_products[0];
+  named.zx = about_products[1];
+  named.xy = about_products[2];
+  return inertia_tensor(about_moments, named);
 }
 
 template <class Scalar>
@@ -281,8 +363,10 @@ BodyMassOf<Scalar> MassReader<Scalar>::of_numbers() {
   SymmetricMatrix3<Scalar> tensor = SymmetricMatrix3<Scalar>::zero();
   if (body_.inertia) {
     const StatedInertia& inertia = *body_.inertia;
-    const Scalar spread = inertia.about ? norm_squared(center - data_.place(*inertia.about)) : Scalar(0);
-    tensor = rotated(axes_of(inertia), stated_tensor(inertia, mass, spread));
+    const Matrix3<Scalar> axes = axes_of(inertia);
+    const Vector arm =
+        inertia.about ? transpose_times(axes, Vector(center - data_.place(*inertia.about))) : Vector::zero();
+    tensor = rotated(axes, stated_tensor(inertia, mass, arm));
     if (inertia.about) {
       const Vector about = data_.place(*inertia.about);
       whole.properties = from_inertia_about(about, mass, center, tensor);
@@ -305,6 +389,7 @@ BodyMassOf<Scalar> MassReader<Scalar>::of_numbers() {
            Scalar(part.hole ? -1 : 1) * amount_of(part.amount, shape, "the added '" + part.name + "' of " + owner));
   }
   whole.properties = sum(list);
+  parts_ = std::move(list);
   return whole;
 }
 
@@ -317,6 +402,7 @@ void MassReader<Scalar>::absorb(BodyMassOf<Scalar>& whole) {
     append(whole, list, shape, amount_of(part.amount, shape, "the particle of strike '" + part.name + "'"));
   }
   whole.properties = sum(list);
+  parts_.insert(parts_.end(), list.begin() + 1, list.end());
 }
 
 }  // namespace
@@ -334,6 +420,20 @@ BodyMassOf<Scalar> body_mass(const Body& body, DataScope<Scalar>& data, const An
   return result;
 }
 
+template <class Scalar>
+std::vector<MassProperties<Scalar>> part_masses(const Body& body, DataScope<Scalar>& data) {
+  if (body.massless) return {};
+  const AnyValue none = [&](const Dimension&) -> double {
+    fail(data.problem().file, body.mark, "a part of body '" + body.name + "' has any value");
+  };
+  MassReader<Scalar> reader(body, data, none, true);
+  BodyMassOf<Scalar> whole = body.parts.empty() ? reader.of_numbers() : reader.of_shapes();
+  reader.absorb(whole);
+  return std::move(reader).parts();
+}
+
+template std::vector<MassProperties<double>> part_masses(const Body&, DataScope<double>&);
+template std::vector<MassProperties<Formula>> part_masses(const Body&, DataScope<Formula>&);
 template BodyMassOf<double> body_mass(const Body&, DataScope<double>&, const AnyValue&, bool);
 template BodyMassOf<Dual<1>> body_mass(const Body&, DataScope<Dual<1>>&, const AnyValue&, bool);
 template BodyMassOf<Formula> body_mass(const Body&, DataScope<Formula>&, const AnyValue&, bool);

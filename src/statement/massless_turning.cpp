@@ -1,5 +1,6 @@
 #include "statement/massless_turning.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -64,6 +65,23 @@ std::optional<MasslessSpin> massless_spin(const Machine& machine, int coordinate
   return std::nullopt;
 }
 
+bool turns_particle(const Machine& machine, int coordinate) {
+  const auto& bodies = machine.mechanism.tree.bodies();
+  const auto turned = std::ranges::find_if(
+      bodies, [&](const auto& body) { return body.joint == JointType::revolute && body.v == coordinate; });
+  if (turned == bodies.end()) return false;
+  const int index = static_cast<int>(turned - bodies.begin());
+  if (std::ranges::any_of(bodies, [&](const auto& body) { return body.parent == index; })) return false;
+  // On working axes, of which z is that of the joint.
+  const SpatialInertia<double>& I = turned->inertia;
+  if (!(I.mass > 0)) return false;
+  const Vector3<double> center = I.first_moment / I.mass;
+  const SymmetricMatrix3<double> own = shifted(I, -center).inertia;
+  const double length = MechanismDynamics(machine.mechanism).natural_length();
+  return own.xx + own.yy + own.zz <= no_inertia * I.mass * length * length &&
+         std::hypot(center.x, center.y) <= no_inertia * length;
+}
+
 std::optional<int> massless_coordinate(const Machine& machine, const std::vector<OpenCoordinate>& open) {
   std::optional<int> best;
   double most = 0;
@@ -71,7 +89,7 @@ std::optional<int> massless_coordinate(const Machine& machine, const std::vector
     if (!one.without_inertia) continue;
     const std::optional<MasslessSpin> spin = massless_spin(machine, one.coordinate);
     const double part = spin ? std::abs(spin->axis[static_cast<std::size_t>(one.coordinate) - spin->first])
-                             : turns_nothing(machine, one.coordinate);
+                             : turns_nothing(machine, one.coordinate) || turns_particle(machine, one.coordinate);
     if (part <= most) continue;
     most = part;
     best = one.coordinate;

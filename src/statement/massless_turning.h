@@ -24,6 +24,8 @@ struct MasslessSpin {
 };
 // That of the body to whose ball or free joint a velocity coordinate belongs; none if about all axes or no axis.
 std::optional<MasslessSpin> massless_spin(const Machine& machine, int coordinate);
+// Whether a coordinate turns nothing but a particle about an axis through it.
+bool turns_particle(const Machine& machine, int coordinate);
 // One of the open coordinates that can be held, since a turning without inertia is what is open in it.
 std::optional<int> massless_coordinate(const Machine& machine, const std::vector<OpenCoordinate>& open);
 // Takes it out of accelerations.

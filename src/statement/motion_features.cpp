@@ -16,7 +16,8 @@ constexpr int per_step = 6;             // samples in a step of the integration
 constexpr double repeats_to = 1e-7;     // how closely what repeats must come back
 constexpr std::size_t most_rises = 40;  // in one period
 constexpr std::size_t most_samples = 2'000'000;
-constexpr double long_enough = 500;  // pace times: a disturbance takes its time to grow
+constexpr std::size_t samples_of_wait = 60'000;  // for something to happen, in a motion without end
+constexpr double long_enough = 500;              // pace times: a disturbance takes its time to grow
 
 [[noreturn]] void unanswered(const std::string& file, const Mark& mark, const std::string& message,
                              const std::string& hint = "") {
@@ -78,9 +79,12 @@ ExtremeFound MotionFeatures::smooth_extreme(double before, double after, bool la
     }
   }
   std::uintmax_t iterations = 100;
-  const auto found = boost::math::tools::brent_find_minima([&](double t) { return largest ? -number_(t) : number_(t); },
-                                                           before, after, 50, iterations);
-  return {largest ? -found.second : found.second, found.first};
+  // On the scale of the bracket: a corner far from time zero is met no less closely than one near it.
+  const double half = 0.5 * (after - before), center = 0.5 * (after + before);
+  const auto found = boost::math::tools::brent_find_minima(
+      [&](double x) { return largest ? -number_(center + half * x) : number_(center + half * x); }, -1.0, 1.0, 50,
+      iterations);
+  return {largest ? -found.second : found.second, center + half * found.first};
 }
 
 std::vector<MotionFeatures::Rough> MotionFeatures::rough_extremes(const Sampled& sampled, bool largest) const {
@@ -186,8 +190,9 @@ bool MotionFeatures::goes_away(const Sampled& sampled, bool upwards) const {
 
 ExtremeFound MotionFeatures::extreme(bool largest) const {
   const std::string ending = "say how long the motion lasts: stages: {run: {lasts: 10 s}}";
-  if (const std::optional<double> end = motion_.end()) return outermost(samples(0, *end), largest);
-  for (double until = 4 * motion_.pace_time(); !motion_.followed_enough(until); until *= 2) {
+  const std::optional<double> end = motion_.end();
+  if (end && motion_.nodes(0, *end).size() * per_step <= most_samples) return outermost(samples(0, *end), largest);
+  for (double until = 4 * motion_.pace_time(); !motion_.followed_enough(until) && !(end && until > *end); until *= 2) {
     const Sampled sampled = samples(0, until);
     const auto [low, high] = std::minmax_element(sampled.value.begin(), sampled.value.end());
     if (*high - *low <= 1e-9 * std::max(std::abs(*high), std::abs(*low))) {
@@ -210,9 +215,10 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
     return best;
   }
   unanswered(file_, mark_,
-             "'" + words_ + "' does not come back to the same extremes, so that of an endless motion it has no " +
-                 (largest ? "largest" : "smallest") + " value that could be told",
-             ending);
+             "'" + words_ + "' does not come back to the same extremes, so that of " +
+                 (end ? "so long a" : "an endless") + " motion it has no " + (largest ? "largest" : "smallest") +
+                 " value that could be told",
+             end ? "let it last shorter" : ending);
 }
 
 ExtremeFound MotionFeatures::largest() const { return note(extreme(true)); }
@@ -304,6 +310,7 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
   std::vector<double> found;
   const std::optional<double> last = to ? to : motion_.end();
   double begun = from, until = to ? *to : from + 4 * motion_.pace_time();
+  std::size_t waited = 0;
   for (;; until = from + 2 * (until - from)) {
     if (last) until = std::min(until, *last);
     // Where a motion cannot be followed any farther, what happens before is known all the same.
@@ -352,7 +359,8 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
     if (to) return found;
     if (!found.empty()) return {found.front()};
     if (stopped) throw UnansweredError(*stopped);
-    if ((last && until >= *last) || motion_.followed_enough(until)) break;
+    waited += sampled.value.size();
+    if ((last && until >= *last) || motion_.followed_enough(until) || (!last && waited > samples_of_wait)) break;
     begun = until;
   }
   char text[60];

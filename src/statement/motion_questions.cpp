@@ -94,7 +94,15 @@ std::vector<double> ProblemMotion::nodes(double from, double to) {
     for (const Trajectory& piece : stage.pieces)
       for (std::size_t i = 0; i < piece.step_count(); ++i) {
         const StepView step = piece.step(i);
-        if (step.start > from && step.start < to && step.start > nodes.back()) nodes.push_back(step.start);
+        if (step.end <= from || step.start >= to) continue;
+        // Along a closed form steps may be long.
+        const double span = step.end - step.start, natural = step.flow ? step.flow->natural_time() : INFINITY;
+        const double parts = std::max(1.0, std::ceil(span / natural * (1 - 1e-9)));
+        for (double part = std::max(0.0, std::floor((from - step.start) / span * parts)); part < parts; ++part) {
+          const double time = step.start + span * (part / parts);
+          if (time >= to || nodes.size() > most_nodes) break;
+          if (time > nodes.back()) nodes.push_back(time);
+        }
       }
   if (to > nodes.back()) nodes.push_back(to);
   return nodes;

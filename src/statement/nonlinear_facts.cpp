@@ -16,23 +16,36 @@ double size_of(const Value<double>& value) { return std::max(std::abs(value.numb
 
 }  // namespace
 
-SolvedInstant::FactSides SolvedInstant::sides_of(const Fact& fact, System system,
-                                                 const std::vector<double>& unknowns) const {
-  const bool motion = system == System::motion;
-  const std::vector<double> first(unknowns.begin(), unknowns.begin() + machine_.mechanism.tree.velocity_size());
-  QuantityScope<double> scope(machine_, machine_.mechanism.tree, *data_,
-                              State<double>{machine_.q, motion ? v_ : first});
+template <class Scalar>
+QuantityScope<Scalar> solution_scope(const InstantView<Scalar>& view, InstantSystem system,
+                                     const std::vector<Scalar>& unknowns, const solve::BlowOf<Scalar>* blow) {
+  const MachineOf<Scalar>& machine = view.machine;
+  const bool struck = system == InstantSystem::blow;
+  const Model<Scalar>& tree = struck ? machine.tree_after_blow() : machine.mechanism.tree;
+  const bool motion = system == InstantSystem::motion;
+  const std::vector<Scalar> first(unknowns.begin(), unknowns.begin() + tree.velocity_size());
+  QuantityScope<Scalar> scope(machine, tree, view.data,
+                              State<Scalar>{machine.q, motion ? view.moment.state().v : first});
   if (motion) {
     scope.set_accelerations(first);
-    scope.set_forces(&*moment_, &unknowns);
-  } else if (system == System::blow) {
-    scope.set_blow(&*before_, &blow_, &unknowns);
-    scope.set_elsewhere([this](const At& past, const Mark& mark) {
+    scope.set_forces(&view.moment, &unknowns);
+  } else if (system == InstantSystem::blow) {
+    scope.set_blow(view.before, blow, &unknowns);
+    if (!view.problem.strikes.empty()) scope.set_flying(flying_particles(view.problem, machine, *view.before, blow));
+    scope.set_elsewhere([view](const At& past, const Mark& mark) {
       if (past.instant != "before")
-        fail(problem_.file, mark, "a fact can look back to `before` a blow only, not to '" + past.instant + "'");
-      return QuantityScope<double>(machine_, machine_.mechanism.tree, *data_, before_->state()).value(past.expression);
+        fail(view.problem.file, mark, "a fact can look back to `before` a blow only, not to '" + past.instant + "'");
+      QuantityScope<Scalar> past_scope(view.machine, view.machine.mechanism.tree, view.data, view.before->state());
+      past_scope.set_flying(flying_particles<Scalar>(view.problem, view.machine, *view.before, nullptr));
+      return past_scope.value(past.expression);
     });
   }
+  return scope;
+}
+
+SolvedInstant::FactSides SolvedInstant::sides_of(const Fact& fact, System system,
+                                                 const std::vector<double>& unknowns) const {
+  QuantityScope<double> scope = solution_scope(view(), system, unknowns, &blow_);
   FactSides sides;
   sides.differences = differences(fact, scope, problem_.file);
   sides.size = size_of(scope.value(fact.quantity));
@@ -88,5 +101,8 @@ void SolvedInstant::hold_nonlinear(System system, const std::vector<const Fact*>
     misfit_size_ = std::max(misfit_size_, misfit.size);
   }
 }
+
+template QuantityScope<Dual<1>> solution_scope(const InstantView<Dual<1>>&, InstantSystem, const std::vector<Dual<1>>&,
+                                               const solve::BlowOf<Dual<1>>*);
 
 }  // namespace poinsot::statement

@@ -1,5 +1,7 @@
 #include "statement/open_words.h"
 
+#include "statement/gimbal_lock.h"
+
 namespace poinsot::statement {
 
 std::string with_article(const std::string& name) { return name.starts_with("the ") ? name : "the " + name; }
@@ -27,6 +29,11 @@ std::vector<std::string> moved_names(const solve::LinearSystem& equations, const
   return names;
 }
 
+std::string remedy_of(const SolvedInstant& instant) {
+  if (const auto lock = gimbal_lock(instant.machine(), instant.machine().q)) return *lock + ": " + beside_gimbal_lock;
+  return "state it, or the couple or force that causes it";
+}
+
 }  // namespace
 
 std::string open_velocities(std::vector<std::string> names, std::size_t missing) {
@@ -49,13 +56,14 @@ std::string open_force(const SolvedInstant& instant, std::size_t direction) {
                moved_names(instant.blow_equations(), instant.blow(), direction, 0, instant.blow_equations().unknowns()),
                "and") +
            " one by one";
+  // A motion after a blow, which does not fix how it starts.
+  if (!instant.forces_solved()) return "the blow does not fix all velocities after it";
   const auto& equations = instant.motion_equations();
   const std::size_t accelerations = solve::force_unknowns(instant.machine().mechanism).accelerations;
   std::vector<std::string> motions = moved_names(equations, instant.motion(), direction, 0, accelerations);
   for (std::string& name : motions)
     if (name != "more") name = with_article(name);
-  if (!motions.empty())
-    return "nothing fixes " + listed(motions, "and") + ": state it, or the couple or force that causes it";
+  if (!motions.empty()) return "nothing fixes " + listed(motions, "and") + ": " + remedy_of(instant);
   return listed(moved_names(equations, instant.motion(), direction, accelerations, equations.unknowns()), "and") +
          " share the same load: the statement does not fix them one by one";
 }

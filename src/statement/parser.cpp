@@ -52,7 +52,7 @@ class Parser {
     if (now().kind == Token::Kind::end)
       source_.fail(0, "an expression is missing", "write a number, a name or a formula");
     Expression expression = range();
-    if (now().kind != Token::Kind::end) fail_left_over();
+    if (now().kind != Token::Kind::end) fail_left_over(false);
     return expression;
   }
 
@@ -363,7 +363,7 @@ class Parser {
       }
       source_.fail(opening.begin, "'" + opening.text + "' is never closed", hint);
     }
-    fail_left_over();
+    fail_left_over(true);
   }
 
   static std::string form_of(const std::string& function, const char* otherwise) {
@@ -396,7 +396,7 @@ class Parser {
   }
 
   // A whole expression was read, but the present token does not go on with it.
-  [[noreturn]] void fail_left_over() const {
+  [[noreturn]] void fail_left_over(bool in_call) const {
     const Token& token = now();
     const std::string here = quoted(token);
     if (token.is_sign(")") || token.is_sign("]")) {
@@ -413,6 +413,11 @@ class Parser {
     }
     if (token.is_sign(".."))
       source_.fail(token.begin, "a range cannot stand in a range", "write it as 0 s .. 2 s by 0.1 s");
+    if (in_call && token.kind == Token::Kind::name) {
+      static const std::vector<std::string> joining{"about", "along", "to", "with", "from", "of", "on", "by", "at"};
+      if (const std::string hint = did_you_mean(std::string(token.text), joining); !hint.empty())
+        source_.fail(token.begin, here + " is no word that joins the arguments of a call", hint);
+    }
     const bool simple = before().kind != Token::Kind::sign && token.kind != Token::Kind::sign;
     if (before().kind == Token::Kind::name && token.kind == Token::Kind::name && is_unit_name(token.text))
       source_.fail(token.begin, here + " is a unit, which stands behind a number",

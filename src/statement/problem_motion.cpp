@@ -26,10 +26,15 @@ ProblemMotion::ProblemMotion(const Problem& problem, const Settings& settings, c
                               start_->velocity_equations().name(start_->velocities().share.front().front()) +
                               " is unknown",
                           "state it under instants: {start: {...}}");
+  for (const std::vector<std::size_t>& share : start_->velocities().share) {
+    std::vector<std::string>& names = open_turnings_.emplace_back();
+    for (const std::size_t k : share) names.push_back(start_->velocity_equations().name(k));
+  }
+  if (start_->after_blow()) open_impulses_ = start_->blow().open.size();
   stages_.resize(std::max<std::size_t>(1, problem.stages.size()));
   StageRun& first = stages_.front();
   MotionState state = start_->state();
-  remove_components(moving_nothing, state.v);
+  if (!choice.velocities) remove_components(moving_nothing, state.v);
   if (start_->after_blow()) state.acting = start_->blow_acting();
   if (changed_) start_ = std::make_unique<SolvedInstant>(problem_, settings, state, choice);
   if (!state.acting.empty()) state.acting.resize(start_->machine().mechanism.actions.size());

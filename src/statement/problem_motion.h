@@ -91,7 +91,14 @@ class ProblemMotion {
   bool dissipates() const;
   bool has_springs() const;
 
-  // The steps of the integration up to a time: where the motion is smooth.
+  // What is open at its start and moves no mass, so that it is taken for zero: of each direction, the names of the
+  // coordinates in it. How many directions the impulses of a blow leave open.
+  const std::vector<std::vector<std::string>>& open_turnings() const { return open_turnings_; }
+  std::size_t open_impulses() const { return open_impulses_; }
+
+  // The steps of the integration up to a time: where the motion is smooth. Along a closed form they are parts in which
+  // it changes noticeably. No more than most_nodes, then the last.
+  static constexpr std::size_t most_nodes = 500'000;
   std::vector<double> nodes(double from, double to);
   // How far it has been followed, s.
   double reached() const;
@@ -145,6 +152,7 @@ class ProblemMotion {
   void keep(std::size_t stage, Piece& piece, const IntegrationResult& result);
   void change_holds(std::size_t stage, std::size_t action, Piece& piece);
   [[noreturn]] void slips(std::size_t stage, std::size_t action);
+  [[noreturn]] void comes_to_end(std::size_t stage, const ContactLimit& limit);
   [[noreturn]] void throw_slip(const StageRun& run) const;
   void set_pace(const MotionState& state);
   void follow_less_closely(ProblemMotion& coarse) const;
@@ -161,6 +169,8 @@ class ProblemMotion {
   bool timed_ = false;  // loads or given motions follow the time
   std::unique_ptr<SolvedInstant> start_, probe_;
   std::vector<StageRun> stages_;
+  std::vector<std::vector<std::string>> open_turnings_;
+  std::size_t open_impulses_ = 0;
   State<double> state_;  // the last one looked at
   double pace_time_ = 1;
   double most_seconds_ = 60;

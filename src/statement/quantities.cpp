@@ -104,7 +104,15 @@ int QuantityScope<Scalar, Base>::body_of(const Expression& expression, const Eva
 template <class Scalar, class Base>
 Vector3<Scalar> QuantityScope<Scalar, Base>::mass_center_of(int body, const Expression& expression,
                                                             const Evaluator<Scalar>& evaluator) {
-  if (body == whole_system) return mass_center(model_, workspace_);
+  if (body == whole_system) {
+    Scalar mass = total_mass(model_);
+    Vector first = mass * mass_center(model_, workspace_);
+    for (const FlyingParticle<Base>& particle : flying_) {
+      mass = mass + lifted<Scalar>(particle.mass);
+      first = first + lifted<Scalar>(particle.mass) * lifted<Scalar>(particle.position);
+    }
+    return flying_.empty() ? mass_center(model_, workspace_) : Vector(first / mass);
+  }
   if (is_frame(body)) return point_position(model_, workspace_, body, Vector::zero());
   if (!(plain(model_.body(body).inertia.mass) > 0))
     evaluator.fail(expression.mark(), "'" + to_string(expression) + "' is massless: it has no mass center",
@@ -355,6 +363,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::rate(const Call& call, const Mark& ma
 
 template class QuantityScope<double>;
 template class QuantityScope<Dual<1>, double>;
+template class QuantityScope<Dual<1>>;
+template class QuantityScope<Dual<1, Dual<1>>, Dual<1>>;
 template class QuantityScope<Formula>;
 template class QuantityScope<Dual<1, Formula>, Formula>;
 

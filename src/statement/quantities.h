@@ -20,6 +20,13 @@ namespace poinsot::statement {
 // Stands for all bodies together where a body is asked.
 constexpr int whole_system = -2;
 
+// A particle that belongs to no body.
+template <class Scalar>
+struct FlyingParticle {
+  Scalar mass{};
+  Vector3<Scalar> position{}, velocity{};  // m, m/s, on ground axes
+};
+
 // A mechanism in motion as the scope of expressions.
 //
 // Base: the scalar of the machine. Scalar: the same, or Dual<1, Base>, which differentiates by time or by a velocity.
@@ -33,6 +40,8 @@ class QuantityScope : public Scope<Scalar> {
   // Accelerations of the coordinates, and (for forces) the solution of solve_motion that they come from.
   void set_accelerations(const std::vector<Base>& accelerations);
   void set_forces(const solve::MomentOf<Base>* moment, const std::vector<Base>* unknowns);
+  // Particles of strikes that fly by themselves now: they belong to the system.
+  void set_flying(std::vector<FlyingParticle<Base>> particles) { flying_ = std::move(particles); }
   void set_blow(const solve::MomentOf<Base>* before, const solve::BlowOf<Base>* blow,
                 const std::vector<Base>* impulses) {
     before_ = before;
@@ -122,6 +131,7 @@ class QuantityScope : public Scope<Scalar> {
   std::function<const solve::Linearisation&(const Mark&)> linearisation_;
   bool has_accelerations_ = false;
   std::vector<Base> accelerations_;
+  std::vector<FlyingParticle<Base>> flying_;
   const solve::MomentOf<Base>* moment_ = nullptr;
   const std::vector<Base>* unknowns_ = nullptr;
   const solve::MomentOf<Base>* before_ = nullptr;

@@ -146,6 +146,9 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
 
 template Value<double> QuantityScope<double>::force(const Call&, const Mark&, const Evaluator<double>&);
 template Value<Dual<1>> QuantityScope<Dual<1>, double>::force(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::force(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::force(const Call&, const Mark&,
+                                                                                 const Evaluator<Dual<1, Dual<1>>>&);
 template Value<Formula> QuantityScope<Formula>::force(const Call&, const Mark&, const Evaluator<Formula>&);
 template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::force(const Call&, const Mark&,
                                                                                  const Evaluator<Dual<1, Formula>>&);

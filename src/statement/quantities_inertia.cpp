@@ -29,6 +29,18 @@ Revolution<double> revolution_of(const SymmetricMatrix3<double>& I) {
           principal.axes.column(axis)};
 }
 
+// To first order: dA = u . dI u, du = (1 - u u^T) dI u / (A - B).
+Revolution<Dual<1>> revolution_of(const SymmetricMatrix3<Dual<1>>& I) {
+  const Revolution<double> now = revolution_of(plain(I));
+  if (now.symmetry != InertiaSymmetry::axisymmetric) return {now.symmetry, {}, {}, {}};
+  const Vector3<Dual<1>> Iu = I * lifted<Dual<1>>(now.axis);
+  const Dual<1> axial = dot(lifted<Dual<1>>(now.axis), Iu);
+  Vector3<Dual<1>> axis;
+  for (std::size_t k = 0; k < 3; ++k)
+    axis[k] = {now.axis[k], {(Iu[k].partial[0] - axial.partial[0] * now.axis[k]) / (now.axial - now.transverse)}};
+  return {now.symmetry, axial, (I.xx + I.yy + I.zz - axial) / Dual<1>(2), axis};
+}
+
 // I = B 1 + (A - B) u u^T, where B is the double root of the characteristic polynomial x^3 - c x^2 + d x - e.
 Revolution<Formula> revolution_of(const SymmetricMatrix3<Formula>& I) {
   const Formula c = I.xx + I.yy + I.zz;
@@ -231,6 +243,12 @@ template Value<double> QuantityScope<double>::poinsot_construction(const Call&, 
 template Value<double> QuantityScope<double>::free_motion(const Call&, const Mark&, const Evaluator<double>&);
 template Value<Dual<1>> QuantityScope<Dual<1>, double>::free_motion(const Call&, const Mark&,
                                                                     const Evaluator<Dual<1>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::inertia(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::inertia(const Call&, const Mark&,
+                                                                                   const Evaluator<Dual<1, Dual<1>>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::free_motion(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::free_motion(
+    const Call&, const Mark&, const Evaluator<Dual<1, Dual<1>>>&);
 template Value<Formula> QuantityScope<Formula>::inertia(const Call&, const Mark&, const Evaluator<Formula>&);
 template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::inertia(const Call&, const Mark&,
                                                                                    const Evaluator<Dual<1, Formula>>&);

@@ -113,6 +113,16 @@ Value<Scalar> QuantityScope<Scalar, Base>::geometry(const Call& call, const Eval
 
 template Value<double> QuantityScope<double>::kinematic(const Call&, const Evaluator<double>&);
 template Value<Dual<1>> QuantityScope<Dual<1>, double>::kinematic(const Call&, const Evaluator<Dual<1>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::kinematic(const Call&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::kinematic(
+    const Call&, const Evaluator<Dual<1, Dual<1>>>&);
+template std::pair<Vector3<Dual<1>>, Vector3<Dual<1>>> QuantityScope<Dual<1>>::line(const Call&,
+                                                                                    const Evaluator<Dual<1>>&);
+template std::pair<Vector3<Dual<1, Dual<1>>>, Vector3<Dual<1, Dual<1>>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::line(
+    const Call&, const Evaluator<Dual<1, Dual<1>>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::geometry(const Call&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::geometry(const Call&,
+                                                                                    const Evaluator<Dual<1, Dual<1>>>&);
 template Value<Formula> QuantityScope<Formula>::kinematic(const Call&, const Evaluator<Formula>&);
 template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::kinematic(
     const Call&, const Evaluator<Dual<1, Formula>>&);

@@ -49,6 +49,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::stability(const Call& call, const Mar
                                                      const Evaluator<Scalar>& evaluator) {
   const Expression& what = call.arguments[0].value;
   const int asked = body_of(what, evaluator, true);
+  if constexpr (std::is_same_v<Base, Formula>)
+    if (!linearisation_) throw NoFormula("no formula is known for " + call.function + "()");
   if (!linearisation_) evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known");
   const solve::Linearisation& near = linearisation_(mark);
   const int body = asked == whole_system ? solve::everything : asked;
@@ -72,6 +74,12 @@ template Value<double> QuantityScope<double>::holding(const Call&, const Evaluat
 template Value<Dual<1>> QuantityScope<Dual<1>, double>::holding(const Call&, const Evaluator<Dual<1>>&);
 template Value<double> QuantityScope<double>::stability(const Call&, const Mark&, const Evaluator<double>&);
 template Value<Dual<1>> QuantityScope<Dual<1>, double>::stability(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::holding(const Call&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::holding(const Call&,
+                                                                                   const Evaluator<Dual<1, Dual<1>>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::stability(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::stability(
+    const Call&, const Mark&, const Evaluator<Dual<1, Dual<1>>>&);
 template Value<Formula> QuantityScope<Formula>::holding(const Call&, const Evaluator<Formula>&);
 template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::holding(const Call&,
                                                                                    const Evaluator<Dual<1, Formula>>&);

@@ -114,7 +114,7 @@ Ask read_ask(const Key& name, const Entry& entry, const std::string& file) {
                "ask '" + name.text + "' asks for " + kind + ": no " + other + " stands beside it");
     };
     if (members.find("table")) {
-      refuse("a table", {"of", "first_time", "times", "from", "to"});
+      refuse("a table", {"of", "first_time", "times", "from", "to", "while", "situation"});
       ask.table = read_table(members, file);
       ask.axes = members.expression("axes");
       ask.text = "table over " + ask.table->over + ":";
@@ -122,7 +122,7 @@ Ask read_ask(const Key& name, const Entry& entry, const std::string& file) {
       return ask;
     }
     if (members.find("first_time") || members.find("times")) {
-      refuse("a time", {"of", "table", "over"});
+      refuse("a time", {"of", "table", "over", "while", "situation"});
       ask.when = read_when(members, file);
       ask.axes = members.expression("axes");
       if (const Entry* unit = members.find("unit")) ask.unit = read_unit(*unit, file);

@@ -186,6 +186,7 @@ Body read_body(const std::string& name, Mark mark, const Entry& entry, const Rea
   for (const char* key : {"radii_of_gyration", "inertia", "inertia_matrix"}) {
     const Entry* found = members.find(key);
     if (!found) continue;
+    if (found->kind == Entry::Kind::scalar && found->text == "any") continue;  // as if nothing were said of it
     if (body.inertia) fail(file, found->mark, owner + " states its inertia twice");
     body.inertia = read_inertia(key, *found, context);
   }

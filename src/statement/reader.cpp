@@ -24,11 +24,11 @@ std::string joined(const std::vector<std::string>& words) {
 Members::Members(const Entry& entry, const std::string& file, std::vector<std::string_view> objects,
                  std::vector<std::string> extra)
     : entry_(&entry), file_(&file), object_(objects.front()) {
-  if (entry.kind != Entry::Kind::map)
-    fail(file, entry.mark, "expected a map of keys for a " + object_, "its keys are " + joined(keys_of(object_)));
   std::vector<std::string> known = std::move(extra);
   for (std::string_view object : objects)
     for (std::string& key : keys_of(object)) known.push_back(std::move(key));
+  if (entry.kind != Entry::Kind::map)
+    fail(file, entry.mark, "expected a map of keys for '" + object_ + "'", "its keys are " + joined(known));
   for (const auto& [key, value] : entry.members) {
     if (std::find(known.begin(), known.end(), key.text) != known.end()) continue;
     const std::string near = nearest(key.text, known);

@@ -19,18 +19,22 @@ struct RollingSurface {
   Vector3<Scalar> center{};
   Vector3<Scalar> axis{};  // unit vector; zero for a sphere
   Scalar radius{};
-  double gap = 0;      // from the place to the surface, m
-  bool edged = false;  // the place may lie on an edge of a sphere that is no whole one
+  double gap = 0;  // from the place to the surface, m
+  // Of an arc or a part of a sphere: the unit vector from the center to its middle, and the cosine of the angle from
+  // there to its end. Zero where the surface goes all round.
+  Vector3<Scalar> middle{};
+  double cosine = -1;
 };
 
 // Whether a normal may stand at the place: along the radius of a sphere, across the circle through the place.
 template <class Scalar>
 bool normal_fits(const RollingSurface<Scalar>& surface, const Vector3<Scalar>& place, const Vector3<Scalar>& normal);
 
-// From the shape of the body whose surface the place C lies on, or from its axis of symmetry. Scalar: double or
-// Dual<1>.
+// From the shape of the body whose surface the place C lies on, or from its axis of symmetry. The normal n tells, at
+// the end of an arc and on the rim of a half sphere, whether the round surface or its edge touches. Scalar: double,
+// Dual<1> or a formula.
 template <class Scalar>
 RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data, const Vector3<Scalar>& p_OC,
-                                       const Vector3<Scalar>& center_of_mass);
+                                       const Vector3<Scalar>& n, const Vector3<Scalar>& center_of_mass);
 
 }  // namespace poinsot::statement

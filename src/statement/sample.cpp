@@ -74,22 +74,41 @@ std::optional<Sample::Home> Sample::resolve_in(std::size_t i, const std::string&
   return std::nullopt;
 }
 
+// What asks nothing of the model is the same in all situations.
+Situated Sample::situated_in(const Expression& expression, std::size_t otherwise) const {
+  if (!asks_model(statement_.situations[otherwise].problem, expression)) return {otherwise, expression};
+  return situated(statement_, expression);
+}
+
+Sample::Home Sample::home_of(const Ask& ask) {
+  if (ask.when) return start_of(situated(statement_, ask.when->condition).situation);
+  if (ask.table) {
+    const std::vector<std::string> data = settable_names(statement_.situations.front().problem);
+    const NamedExpression& front = ask.table->columns.front();
+    if (std::ranges::find(data, ask.table->over) != data.end())
+      return start_of(home(front.value, front.mark).situation);
+    for (const NamedExpression& column : ask.table->columns)
+      if (const std::size_t situation = situated_in(column.value, 0).situation; situation > 0)
+        return start_of(situation);
+    return start_of(0);
+  }
+  if (ask.extremum) return start_of(situation_of(statement_, ask));
+  return home(ask.of.front(), ask.mark);
+}
+
 std::vector<double> Sample::times(const Ask& ask) {
-  const Problem& problem = statement_.situations.front().problem;
-  if (statement_.situations.size() > 1)
-    fail(problem.file, ask.mark, "times are asked of a file with one situation",
-         "state the situations in files of their own");
-  DataScope<double> data(problem, settings_.front());
+  const auto [situation, condition] = situated(statement_, ask.when->condition);
+  const Problem& problem = statement_.situations[situation].problem;
+  DataScope<double> data(problem, settings_[situation]);
   const double from = ask.when->from ? data.number(*ask.when->from, dimensions::time) : 0;
   const std::optional<double> to =
       ask.when->to ? std::optional(data.number(*ask.when->to, dimensions::time)) : std::nullopt;
   if (to && !(*to > from))
     fail(problem.file, ask.when->to->mark(), "the span ends before it begins", "write from: 0 s, to: 4 s");
-  std::vector<double> found = motion(0).times(ask.when->condition, ask.axes, from, to);
+  std::vector<double> found = motion(situation).times(condition, ask.axes, from, to);
   if (ask.when->first && found.size() > 1) found = {found.front()};
   if (ask.when->first && found.empty())
-    fail(problem.file, ask.when->condition.mark(),
-         "'" + to_string(ask.when->condition) + "' does not happen in this span");
+    fail(problem.file, condition.mark(), "'" + to_string(condition) + "' does not happen in this span");
   return found;
 }
 
@@ -137,12 +156,10 @@ void Sample::note_unphysical(const Ask& ask, const Value<double>& row) {
 
 // One row after the other: the values that the table runs over, then every column there.
 std::vector<Value<double>> Sample::table(const Ask& ask) {
-  const Problem& problem = statement_.situations.front().problem;
-  if (statement_.situations.size() > 1)
-    fail(problem.file, ask.mark, "a table is asked of a file with one situation",
-         "state the situations in files of their own");
   const Table& table = *ask.table;
-  SolvedInstant& start = instant(start_of(0));
+  const Home first = home_of(ask);
+  const Problem& problem = statement_.situations[first.situation].problem;
+  SolvedInstant& start = instant(first);
   const NamedCoordinate* coordinate = start.machine().coordinate(table.over);
   const bool over_time = table.over == "time";
   const std::vector<std::string> data_names = settable_names(problem);
@@ -160,7 +177,8 @@ std::vector<Value<double>> Sample::table(const Ask& ask) {
   constexpr std::size_t most_rows = 10'000;
   Dimension dimension = dimensions::time;
   const auto number = [&](const Expression& expression) {
-    const Value<double> value = start.ask(expression, std::nullopt, nullptr);
+    const Situated asked = situated_in(expression, first.situation);
+    const Value<double> value = instant(start_of(asked.situation)).ask(asked.expression, std::nullopt, nullptr);
     if (!value.is_number()) fail(problem.file, expression.mark(), "expected a number");
     if (value.number != 0 || !value.bare) dimension = value.dimension;
     return value.number;
@@ -183,23 +201,22 @@ std::vector<Value<double>> Sample::table(const Ask& ask) {
 
   std::vector<Value<double>> values;
   for (double row : rows) {
-    const auto add = [&](auto&& value_of) {
+    if (over_time || coordinate) {
       for (const NamedExpression& column : table.columns) {
-        Value<double> value = value_of(column.value);
+        const auto [situation, expression] = situated_in(column.value, first.situation);
+        const double time = over_time
+                                ? row
+                                : motion(situation).time_of(parse_expression(table.over, problem.file, table.over_mark),
+                                                            row, table.over_mark);
+        Value<double> value = motion(situation).value(time, expression, ask.axes);
         if (!value.is_number())
           fail(problem.file, column.mark, "column '" + column.name + "' is no number",
                "ask for a component such as .x, or norm(...)");
         values.push_back(std::move(value));
       }
-    };
-    if (over_time || coordinate) {
-      const double time = over_time ? row
-                                    : motion(0).time_of(parse_expression(table.over, problem.file, table.over_mark),
-                                                        row, table.over_mark);
-      add([&](const Expression& expression) { return motion(0).value(time, expression, ask.axes); });
     } else {
       AllSettings settings = settings_;
-      settings.front()[table.over] = Value<double>::of_number(row, dimension);
+      for (Settings& one : settings) one[table.over] = Value<double>::of_number(row, dimension);
       add_row_over_datum(ask, settings, values);
     }
   }

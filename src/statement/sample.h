@@ -14,6 +14,7 @@
 #include "statement/instant.h"
 #include "statement/problem_motion.h"
 #include "statement/reader.h"
+#include "statement/situated.h"
 
 namespace poinsot::statement {
 
@@ -166,11 +167,9 @@ class Sample {
       return instant(resolve(at.instant, mark)).raw(at.expression, axes, nullptr);
     });
   }
-  Home home_of(const Ask& ask) {
-    if (ask.table || ask.when) return start_of(0);
-    if (!ask.extremum) return home(ask.of.front(), ask.mark);
-    return start_of(situation_of(statement_, ask));
-  }
+  // Of a table the first situation that it asks about.
+  Home home_of(const Ask& ask);
+  Situated situated_in(const Expression& expression, std::size_t otherwise) const;
   // The only instant, or that just after a blow.
   Home start_of(std::size_t situation) const {
     return {situation, statement_.situations[situation].problem.has_blow() ? 1u : 0u, std::nullopt};

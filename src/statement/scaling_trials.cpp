@@ -86,6 +86,18 @@ const std::vector<ScalingTrials::Point>& ScalingTrials::moved(const std::string&
   return points;
 }
 
+const std::vector<ScalingTrials::Point>& ScalingTrials::turned(const std::string& angle) {
+  if (const auto known = turned_.find(angle); known != turned_.end()) return known->second;
+  std::vector<Point>& points = turned_[angle];
+  if (near_) return points;
+  for (const double value : {1.45, 1.75, 2.3, 2.9, -0.6, -2.0}) {
+    LetterValues letters = base_letters_;
+    letters[angle] = value;
+    if (std::optional<Point> point = tried(letters)) points.push_back(std::move(*point));
+  }
+  return points;
+}
+
 const std::vector<ScalingTrials::Point>& ScalingTrials::drawn() {
   std::mt19937_64 random(7000);
   for (int attempt = 0; attempt < most_attempts && drawn_.size() < draws; ++attempt) {

@@ -46,6 +46,8 @@ class ScalingTrials {
   const std::pair<double, Point>& scaled(Units units);
   // One letter alone at other values.
   const std::vector<Point>& moved(const std::string& letter);
+  // An angle alone beyond those values: up to a half turn, and negative. Empty where others stay near the base.
+  const std::vector<Point>& turned(const std::string& angle);
   // All letters drawn at random, three times.
   const std::vector<Point>& drawn();
 
@@ -60,7 +62,7 @@ class ScalingTrials {
   Solve solve_;
   std::optional<Point> base_;
   std::map<Units, std::pair<double, Point>> scaled_;
-  std::map<std::string, std::vector<Point>> moved_;
+  std::map<std::string, std::vector<Point>> moved_, turned_;
   std::vector<Point> drawn_;
 };
 

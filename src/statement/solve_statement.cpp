@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <random>
 #include <set>
 
@@ -16,6 +17,7 @@
 #include "statement/finished_ask.h"
 #include "statement/formula_reach.h"
 #include "statement/formula_search.h"
+#include "statement/law_search.h"
 #include "statement/reader.h"
 #include "statement/rounded_values.h"
 #include "statement/sample.h"
@@ -69,11 +71,15 @@ class StatementSolver {
       return result;
     }
     // With letters open, roots are sought at drawn values, to see which answers depend on which letters.
-    RootsFound found = search_.find(settings_with_letters());
+    std::optional<StatementError> refusal;
+    RootsFound found = roots_at_draw(search_, refusal);
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(most_draw_seconds);
     while (!open_.empty() && !makes_sense(found) && ++first_draw_ < most_first_draws &&
-           std::chrono::steady_clock::now() < end)
-      found = UnknownSearch(statement_, settings_).find(settings_with_letters());
+           std::chrono::steady_clock::now() < end) {
+      UnknownSearch anew(statement_, settings_);
+      found = roots_at_draw(anew, refusal);
+    }
+    if (found.roots.empty() && refusal) throw StatementError(*refusal);
     result.warnings = found.warnings;
     if (!open_.empty() && found.roots.empty()) tell_draws(result.warnings);
     for (const AllSettings& root : found.roots) {
@@ -94,8 +100,19 @@ class StatementSolver {
 
   void add_formulas(Solution& solution) {
     const FormulaTask task{statement_, open_, exact_, settings_, search_.unknowns(), base_, *sample_, natural_};
-    find_formulas(task, solution);
-    hold_far_off(task, solution);
+    hold_far_off(task, find_formulas(task, solution), solution);
+    tell_laws(statement_, solution);
+  }
+
+  // None at letters for which the statement makes no sense (a body that cannot be); the first reason is kept.
+  RootsFound roots_at_draw(UnknownSearch& search, std::optional<StatementError>& refusal) const {
+    try {
+      return search.find(settings_with_letters());
+    } catch (const StatementError& error) {
+      if (open_.empty()) throw;
+      if (!refusal) refusal = error;
+      return {};
+    }
   }
 
   // What holds at drawn letters only is told with them.
@@ -202,6 +219,7 @@ class StatementSolver {
     if (open_.empty()) refuse_unphysical(statement_, asked_, *sample_, result);
     check_answers(statement_, *sample_, asked_.extremal, result);
     if (open_.empty()) add_notes(statement_, *sample_, result);
+    result.notes.insert(result.notes.end(), asked_.notes.begin(), asked_.notes.end());
     return result;
   }
 
@@ -328,10 +346,22 @@ AllSettings settings_of_root(const Statement& statement, const Settings& setting
   return all;
 }
 
+// The unknowns that follow open letters, in each situation.
+std::vector<FormulaValues> formulas_of_root(const Statement& statement, const Solution& solution) {
+  std::vector<FormulaValues> all(statement.situations.size());
+  for (const SolvedUnknown& unknown : solution.unknowns)
+    for (std::size_t i = 0; i < all.size() && unknown.formula; ++i) {
+      const std::string name = unknown.name.substr(0, unknown.name.find(" @ "));
+      if (unknown.name == name || unknown.name == name + " @ " + statement.situations[i].name)
+        all[i][name] = *unknown.formula;
+    }
+  return all;
+}
+
 }  // namespace
 
 SolvedStatement solve_statement(const Statement& statement,
-                                const std::vector<std::pair<std::string, std::string>>& sets) {
+                                const std::vector<std::pair<std::string, std::string>>& sets, bool tell_claims) {
   if (statement.asks.empty() && statement.claims.empty())
     fail(statement.file, Mark{1, 1}, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
   Settings settings = read_settings(statement, sets);
@@ -355,7 +385,8 @@ SolvedStatement solve_statement(const Statement& statement,
     solved = StatementSolver(questions, settings, exact).solve();
   }
   for (Solution& solution : solved.solutions)
-    solution.claims = solve_claims(statement, settings_of_root(statement, settings, solution), exact);
+    solution.claims = solve_claims(statement, settings_of_root(statement, settings, solution), exact,
+                                   formulas_of_root(statement, solution), tell_claims);
   return solved;
 }
 

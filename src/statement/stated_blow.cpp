@@ -4,6 +4,37 @@
 
 namespace poinsot::statement {
 
+namespace {
+
+template <class Scalar>
+Vector3<Scalar> center_velocity(const solve::MomentOf<Scalar>& moment, int body) {
+  if (body == ground) return Vector3<Scalar>::zero();
+  const Model<Scalar>& tree = moment.mechanism().tree;
+  const Scalar& mass = tree.body(body).inertia.mass;
+  if (!(plain(mass) > 0)) return Vector3<Scalar>::zero();
+  return body_momentum(tree, moment.workspace(), body, Vector3<Scalar>::zero()).linear / mass;
+}
+
+}  // namespace
+
+template <class Scalar>
+std::vector<FlyingParticle<Scalar>> flying_particles(const Problem& problem, const MachineOf<Scalar>& machine,
+                                                     const solve::MomentOf<Scalar>& before,
+                                                     const solve::BlowOf<Scalar>* blow) {
+  std::vector<FlyingParticle<Scalar>> particles;
+  const std::size_t first = machine.impulses.size() - problem.strikes.size();
+  for (std::size_t i = 0; i < problem.strikes.size(); ++i) {
+    const StatedImpulseOf<Scalar>& strike = machine.impulses[first + i];
+    const Scalar& mass = strike.particle_mass;
+    if (!(plain(mass) > 0) || (blow && problem.strikes[i].stays)) continue;
+    Vector3<Scalar> momentum =
+        before.on_ground_axes(strike.axes, strike.vector) + mass * center_velocity(before, *strike.relative_to);
+    if (blow) momentum = momentum - blow->impulses[first + i].wrench.force;
+    particles.push_back({mass, before.position(strike.at), momentum / mass});
+  }
+  return particles;
+}
+
 template <class Scalar>
 solve::BlowOf<Scalar> stated_blow(const InstantView<Scalar>& view) {
   using Vector = Vector3<Scalar>;
@@ -16,14 +47,8 @@ solve::BlowOf<Scalar> stated_blow(const InstantView<Scalar>& view) {
     Vector vector = moment.on_ground_axes(stated.axes, stated.vector);
     if (stated.relative_to) {
       // The particle's momentum, less what it keeps of it relative to the body.
-      const auto center_velocity = [&](int body) {
-        if (body == ground) return Vector::zero();
-        const Scalar& mass = tree.body(body).inertia.mass;
-        if (!(plain(mass) > 0)) return Vector::zero();
-        return Vector(body_momentum(tree, moment.workspace(), body, Vector::zero()).linear / mass);
-      };
-      const Vector absolute = vector + stated.particle_mass * center_velocity(*stated.relative_to);
-      const Vector relative = absolute - stated.particle_mass * center_velocity(stated.on);
+      const Vector absolute = vector + stated.particle_mass * center_velocity(moment, *stated.relative_to);
+      const Vector relative = absolute - stated.particle_mass * center_velocity(moment, stated.on);
       vector = plain(stated.absorbed) > 0 ? absolute : (Scalar(1) - stated.kept) * relative;
     }
     impulse.wrench = stated.couple ? SpatialForce<Scalar>{vector, Vector::zero()}
@@ -38,7 +63,16 @@ solve::BlowOf<Scalar> stated_blow(const InstantView<Scalar>& view) {
   return blow;
 }
 
+template std::vector<FlyingParticle<double>> flying_particles(const Problem&, const Machine&, const solve::Moment&,
+                                                              const solve::Blow*);
+template std::vector<FlyingParticle<Dual<1>>> flying_particles(const Problem&, const MachineOf<Dual<1>>&,
+                                                               const solve::MomentOf<Dual<1>>&,
+                                                               const solve::BlowOf<Dual<1>>*);
+template std::vector<FlyingParticle<Formula>> flying_particles(const Problem&, const MachineOf<Formula>&,
+                                                               const solve::MomentOf<Formula>&,
+                                                               const solve::BlowOf<Formula>*);
 template solve::Blow stated_blow(const InstantView<double>&);
+template solve::BlowOf<Dual<1>> stated_blow(const InstantView<Dual<1>>&);
 template solve::BlowOf<Formula> stated_blow(const InstantView<Formula>&);
 
 }  // namespace poinsot::statement

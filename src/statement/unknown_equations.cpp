@@ -110,6 +110,11 @@ std::vector<std::vector<double>> UnknownEquations::places(std::size_t count) con
   return list;
 }
 
+bool UnknownEquations::follows_motion() const {
+  return std::any_of(system_.groups.begin(), system_.groups.end(),
+                     [](const ConditionGroup& group) { return group.aspect == Aspect::later; });
+}
+
 // Places of less than the highest rank are rare, but zero and the ends of ranges are among them.
 void UnknownEquations::hold_measures() {
   if (measured_) return;
@@ -141,7 +146,7 @@ void UnknownEquations::take_measures(const std::vector<double>& x) {
     };
     if (velocities) hold(Level::velocities, instant.velocity_equations());
     if (velocities && instant.after_blow()) hold(Level::blow, instant.blow_equations());
-    if (forces) hold(Level::forces, instant.motion_equations());
+    if (forces) hold(Level::motion, instant.motion_equations());
   }
 }
 
@@ -153,10 +158,7 @@ bool UnknownEquations::add_left_over(GroupConditions& group, Level level, const 
   group.values.insert(group.values.end(), left->values.begin(), left->values.end());
   for (const std::size_t equation : left->equations) group.words.push_back(system.words(equation));
   group.size = std::max(group.size, left->size);
-  const SolvedInstant::System solved = level == Level::velocities ? SolvedInstant::System::velocities
-                                       : level == Level::blow     ? SolvedInstant::System::blow
-                                                                  : SolvedInstant::System::motion;
-  for (const SolvedInstant::NonlinearMisfit& misfit : instant.nonlinear_misfits(solved, left->solution)) {
+  for (const SolvedInstant::NonlinearMisfit& misfit : instant.nonlinear_misfits(level, left->solution)) {
     group.values.push_back(misfit.value);
     group.words.push_back(misfit.words);
     group.size = std::max(group.size, misfit.size);
@@ -164,10 +166,11 @@ bool UnknownEquations::add_left_over(GroupConditions& group, Level level, const 
   return true;
 }
 
-UnknownEquations::Evaluated UnknownEquations::evaluate(const std::vector<double>& x) {
+const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<double>& x) {
   hold_measures();
+  evaluated_.reset();
   put(x, trial_);
-  Evaluated all;
+  Evaluated all{x, {}, {}};
   bool smooth = true, complete = true;
   const auto add = [](std::vector<double>& list, auto first, auto last) { list.insert(list.end(), first, last); };
   solve::RootEquations& equations = all.equations;
@@ -190,7 +193,9 @@ UnknownEquations::Evaluated UnknownEquations::evaluate(const std::vector<double>
     if (!wanted(Aspect::positions) && !wanted(Aspect::velocities) && !wanted(Aspect::forces)) continue;
     OpenChoice choice = choice_;
     if (const auto held = measures_.scales.find(i); held != measures_.scales.end()) choice.scales = held->second;
-    SolvedInstant instant(problem, trial_[i], When{0, problem.has_blow()}, choice);
+    auto& solved = all.instants[i];
+    solved = std::make_unique<SolvedInstant>(problem, trial_[i], When{0, problem.has_blow()}, choice);
+    SolvedInstant& instant = *solved;
     const auto positions = static_cast<std::ptrdiff_t>(instant.position_misfits());
     const auto velocities = static_cast<std::ptrdiff_t>(instant.misfits().size());
     if (wanted(Aspect::forces)) instant.solve_forces();
@@ -211,7 +216,7 @@ UnknownEquations::Evaluated UnknownEquations::evaluate(const std::vector<double>
     }
     if (wanted(Aspect::forces)) {
       GroupConditions& group = group_of(Aspect::forces);
-      complete = complete && add_left_over(group, Level::forces, instant.motion_equations(), instant);
+      complete = complete && add_left_over(group, Level::motion, instant.motion_equations(), instant);
       add(equations.values, values.begin() + velocities, values.end());
     }
     equations.size = std::max(equations.size, instant.misfit_size());
@@ -228,7 +233,7 @@ UnknownEquations::Evaluated UnknownEquations::evaluate(const std::vector<double>
       add(equations.smooth, group.values.begin(), group.values.end());
       equations.smooth_size = std::max(equations.smooth_size, group.size);
     }
-  return all;
+  return evaluated_.emplace(std::move(all));
 }
 
 std::optional<solve::RootEquations> UnknownEquations::exact(const std::vector<double>& x) {
@@ -252,31 +257,6 @@ std::optional<std::vector<GroupConditions>> UnknownEquations::conditions_at(cons
   }
 }
 
-std::optional<UnknownEquations::LinearPart> UnknownEquations::linear_part(const std::vector<double>& at) {
-  const auto base = exact(at);
-  if (!base) return std::nullopt;
-  LinearPart part{at, *base, {}};
-  for (std::size_t k : small_) {
-    const double h = 0.5 * ranges_[k].scale;
-    std::vector<double> beside = at;
-    beside[k] = h;
-    const auto ahead = exact(beside);
-    beside[k] = -h;
-    const auto behind = exact(beside);
-    if (!ahead || !behind) return std::nullopt;
-    const auto slope = [&](const std::vector<double>& values, const std::vector<double>& up,
-                           const std::vector<double>& down) {
-      std::vector<double> slopes;
-      if (up.size() != values.size() || down.size() != values.size()) return slopes;
-      for (std::size_t i = 0; i < values.size(); ++i) slopes.push_back((up[i] - down[i]) / (2 * h));
-      return slopes;
-    };
-    part.slopes.push_back({.values = slope(base->values, ahead->values, behind->values),
-                           .smooth = slope(base->smooth, ahead->smooth, behind->smooth)});
-  }
-  return part;
-}
-
 // Without the squares of some unknowns: the equations, linear in these around zero.
 std::optional<solve::RootEquations> UnknownEquations::operator()(const std::vector<double>& x) {
   if (small_.empty()) return exact(x);
@@ -284,15 +264,13 @@ std::optional<solve::RootEquations> UnknownEquations::operator()(const std::vect
   for (std::size_t k : small_) at[k] = 0;
   if (!linear_part_ || linear_part_->at != at) linear_part_ = linear_part(at);
   if (!linear_part_) return std::nullopt;
-  solve::RootEquations sum = linear_part_->base;
-  const auto add = [](std::vector<double>& values, const std::vector<double>& slopes, double by) {
-    if (slopes.size() != values.size()) return values.clear();
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] += slopes[i] * by;
-  };
-  for (std::size_t i = 0; i < small_.size(); ++i) {
-    add(sum.values, linear_part_->slopes[i].values, x[small_[i]]);
-    add(sum.smooth, linear_part_->slopes[i].smooth, x[small_[i]]);
-  }
+  solve::RootEquations sum{linear_part_->values, linear_part_->size};
+  for (std::size_t row = 0; row < sum.values.size(); ++row)
+    for (std::size_t i = 0; i < small_.size(); ++i) {
+      const double term = linear_part_->slopes[row][i] * x[small_[i]];
+      sum.values[row] += term;
+      sum.size = std::max(sum.size, std::abs(term));
+    }
   return sum;
 }
 
@@ -315,9 +293,12 @@ bool UnknownEquations::hold_as_set() {
 solve::RootProblem UnknownEquations::problem() {
   solve::RootProblem problem;
   problem.ranges = ranges_;
-  problem.costly = std::any_of(system_.groups.begin(), system_.groups.end(),
-                               [](const ConditionGroup& group) { return group.aspect == Aspect::later; });
+  problem.costly = follows_motion();
   problem.equations = [this](const std::vector<double>& x) { return (*this)(x); };
+  if (!problem.costly && small_.empty())
+    problem.slopes = [this](const std::vector<double>& x, std::vector<std::vector<double>>* slopes) {
+      return with_slopes(x, slopes);
+    };
   if (problem.costly)
     problem.rough = [this](const std::vector<double>& x) {
       motion_tolerance_ = 1e-9;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "poinsot/solve/roots.h"
 #include "statement/unknown_system.h"
+#include "statement/varied_instant.h"
 
 namespace poinsot::statement {
 
@@ -16,8 +18,9 @@ namespace poinsot::statement {
 struct GroupConditions {
   ConditionGroup group;
   std::vector<double> values;
-  double size = 0;                 // of the largest term in them
-  std::vector<std::string> words;  // of each
+  double size = 0;                               // of the largest term in them
+  std::vector<std::string> words;                // of each
+  std::vector<std::vector<double>> slopes = {};  // of each by each unknown, where they are asked for
 };
 
 // Units, scaling and pivots are taken once and held, so that misfits at different values of the unknowns compare, and
@@ -38,6 +41,10 @@ class UnknownEquations {
   AllSettings settings_at(const std::vector<double>& x) const;
   // Nothing where the values make no sense. Without the squares that are neglected, as stated.
   std::optional<solve::RootEquations> operator()(const std::vector<double>& x);
+  // The same with exact slopes of the smooth equations by each unknown: by dual numbers. Nothing where a motion is
+  // followed, where squares are neglected or where something has no derivatives.
+  std::optional<solve::RootEquations> with_slopes(const std::vector<double>& x,
+                                                  std::vector<std::vector<double>>* slopes);
   // With the values that the settings give to the unknowns: whether the conditions hold, to far less than is asked of a
   // root that is found anew.
   bool hold_as_set();
@@ -57,31 +64,43 @@ class UnknownEquations {
   const std::optional<StatementError>& refusal() const { return refusal_; }
 
  private:
-  enum class Level { velocities, blow, forces };
+  using Level = InstantSystem;
   struct Measures {
     std::map<std::size_t, solve::Scales> scales;  // of each situation
     std::map<std::pair<std::size_t, Level>, solve::LinearElimination> eliminations;
   };
   struct Evaluated {
+    std::vector<double> at;
     solve::RootEquations equations;
     std::vector<GroupConditions> groups;
+    std::map<std::size_t, std::unique_ptr<SolvedInstant>> instants = {};  // of situations
   };
 
-  // The equations at zero values of the unknowns that enter without their squares, and their slopes by these.
+  // The equations at zero values of the unknowns that enter without their squares, and their slopes by these: those of
+  // the smooth equations, if there are such, as these are linear where the others are divided by what varies.
   struct LinearPart {
-    std::vector<double> at;
-    solve::RootEquations base;
-    std::vector<solve::RootEquations> slopes;  // empty lists where there are none
+    std::vector<double> at, values;
+    double size = 0;
+    std::vector<std::vector<double>> slopes;  // of each value by each of the unknowns
   };
   std::optional<LinearPart> linear_part(const std::vector<double>& at);
+  std::optional<LinearPart> linear_part_by_differences(const std::vector<double>& at);
+  bool follows_motion() const;
   void hold_measures();
   void take_measures(const std::vector<double>& x);
-  Evaluated evaluate(const std::vector<double>& x);
+  // Kept for the slopes at the same place.
+  const Evaluated& evaluate(const std::vector<double>& x);
+  // The groups there with their slopes by some unknowns.
+  std::optional<std::vector<GroupConditions>> sloped_groups(const std::vector<double>& x,
+                                                            const std::vector<std::size_t>& unknowns);
   std::optional<solve::RootEquations> exact(const std::vector<double>& x);
   void put(const std::vector<double>& x, AllSettings& settings) const;
   // Facts in `instant` that are not linear are taken where the pivots' equations alone have brought it.
   bool add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system,
                      const SolvedInstant& instant) const;
+  void add_slopes(std::vector<GroupConditions>& groups, std::size_t situation, const SolvedInstant& instant,
+                  const std::vector<std::size_t>& unknowns) const;
+  std::vector<Dual<1>> varied_left_over(std::size_t situation, Level level, VariedInstant& instant) const;
 
   const Statement& statement_;
   UnknownSystem system_;
@@ -95,7 +114,8 @@ class UnknownEquations {
   bool measured_ = false;
   bool makes_sense_ = false;
   std::optional<StatementError> refusal_;
-  std::optional<LinearPart> linear_part_;  // the last one
+  std::optional<Evaluated> evaluated_;     // the last one
+  std::optional<LinearPart> linear_part_;  // likewise
   std::optional<double> motion_tolerance_;
 };
 

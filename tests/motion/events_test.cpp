@@ -207,6 +207,31 @@ TEST(ZeroSearchTest, finds_every_crossing_that_a_dense_scan_finds) {
   }
 }
 
+// A value that dips below zero for a moment between two samples: both crossings, however short the dip.
+TEST(ZeroSearchTest, finds_both_crossings_of_a_short_dip) {
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (const double width : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+    for (int i = 0; i < 200; ++i) {
+      const double at = 0.1 + 0.8 * unit(random), fast = 1.0 + 5.0 * unit(random), bend = unit(random) - 0.5;
+      // Least at `at`, and there as far below zero as it then rises within half the width.
+      const auto bowl = [&](double t) {
+        const double s = std::sin(0.5 * fast * (t - at));
+        return s * s * (1.0 + bend * std::sin(fast * (t - at)));
+      };
+      const double depth = bowl(at + 0.5 * width);
+      const std::vector<Zero> zeros =
+          find_zeros({[&](double t) { return bowl(t) - depth; }, 0.0, 1.0, 0.0, false, 1e-12});
+      std::vector<Zero> near;
+      for (const Zero& zero : zeros)
+        if (std::fabs(zero.time - at) < width) near.push_back(zero);
+      ASSERT_EQ(near.size(), 2U) << width << " " << at << " " << fast;
+      EXPECT_EQ(near[0].direction, -1);
+      EXPECT_EQ(near[1].direction, 1);
+      EXPECT_NEAR(near[1].time, at + 0.5 * width, 1e-3 * width);
+    }
+}
+
 TEST(ZeroSearchTest, a_zero_at_the_end_counts_and_one_at_the_start_does_not) {
   const auto line = [](double t) { return t - 1.0; };
   EXPECT_EQ(find_zeros({line, 0.0, 1.0, 0.0, false, 1e-9}).size(), 1U);

@@ -12,6 +12,7 @@
 #include "poinsot/math/rotation.h"
 #include "poinsot/model/builder.h"
 #include "poinsot/motion/mechanism_equations.h"
+#include "poinsot/motion/symmetric_top.h"
 
 namespace poinsot {
 namespace {
@@ -272,6 +273,87 @@ TEST(LoneBody, goes_to_late_times_in_few_steps) {
   ASSERT_TRUE(result && result->complete());
   EXPECT_LT(result->statistics.steps, 200'000);
   EXPECT_LT(result->drift[0].largest, 1e-12 * result->drift[0].start);
+}
+
+// Eulerian angles of a top after many turns, against its own formulas for them.
+TEST(LoneBody, counts_the_turns_of_angles_up_to_late_times) {
+  const double mass = 2, arm = 0.3, at_center = 0.32, axial = 0.2, g = 9.81, late = 3e6;
+  const double transverse = at_center + mass * arm * arm;
+  ModelBuilder<double> builder;
+  add_angles(builder, {{0, 0, 1}, {0, 1, 0}, {0, 0, 1}}, SpatialTransform<double>::identity(),
+             Mass{mass, {0, 0, arm}, Tensor::diagonal(at_center, at_center, axial)});
+  const auto mechanism = mechanism_of(builder, {0, 0, -g});
+  MechanismDynamics dynamics(mechanism);
+  const MotionEquations equations = mechanism_equations(dynamics);
+  const double rates[][3] = {{0.3, 0.1, 25}, {-1.5, 0.4, 8}, {2, 0, -3}};
+  for (const auto& [phi_rate, theta_rate, psi_rate] : rates) {
+    const std::vector<double> q{0.2, 0.7, -0.4}, v{phi_rate, theta_rate, psi_rate};
+    const auto result = LoneBody::find(mechanism)->follow(equations, 0, q, v, late, {});
+    ASSERT_TRUE(result && result->complete());
+    EXPECT_LT(result->statistics.steps, 200'000);
+    const SymmetricTop top({transverse, axial, mass * g * arm},
+                           {q[1], v[1], q[0], v[0], q[2], v[2] + v[0] * std::cos(q[1])});
+    for (const double part : {0.137, 0.5, 1.0}) {
+      const State<double> found = result->trajectory.state(part * late);
+      const TopState expected = top.at(part * late);
+      EXPECT_NEAR(found.q[0], expected.precession, 1e-6);
+      EXPECT_NEAR(found.q[1], expected.nutation, 1e-6);
+      EXPECT_NEAR(found.q[2], expected.spin, 1e-6);
+    }
+  }
+}
+
+TEST(LoneBody, counts_the_turns_of_a_pendulum_up_to_late_times) {
+  ModelBuilder<double> builder;
+  builder.add_body("bar", ground, Joint::revolute({0, 1, 0}), SpatialTransform<double>::identity(),
+                   Mass{1, {0, 0, -0.5}, Tensor::diagonal(1.0 / 12, 1.0 / 12, 0)});
+  const auto mechanism = mechanism_of(builder, {0, 0, -9.81});
+  MechanismDynamics dynamics(mechanism);
+  const double late = 2e6;
+  for (const double rate : {1.0, 9.0, -13.0}) {
+    const auto result = LoneBody::find(mechanism)->follow(mechanism_equations(dynamics), 0, std::vector<double>{0.3},
+                                                          std::vector<double>{rate}, late, {});
+    ASSERT_TRUE(result && result->complete());
+    EXPECT_LT(result->statistics.steps, 200'000);
+    EXPECT_LT(result->drift[0].largest, 1e-8 * std::abs(result->drift[0].start));
+    // The period by the mean of 1/rate over a turn, from the energy; a swing stays where it is.
+    if (std::abs(rate) < 7) {
+      EXPECT_LT(std::abs(result->q[0]), 3.2);
+      continue;
+    }
+    constexpr int samples = 2000;
+    double period = 0;
+    for (int k = 0; k < samples; ++k) {
+      const double angle = 2 * std::numbers::pi * k / samples;
+      period += 2 * std::numbers::pi / samples / std::sqrt(rate * rate + 3 * 9.81 * (std::cos(angle) - std::cos(0.3)));
+    }
+    EXPECT_NEAR(result->q[0] * (rate > 0 ? 1 : -1) / (2 * std::numbers::pi), late / period, 1);
+  }
+}
+
+// A rod's turning about its own line moves nothing and stays what it was.
+TEST(LoneBody, a_rod_keeps_the_spin_that_it_was_given) {
+  for (const double g : {0.0, 9.81})
+    for (const double axial : {0.0, 1e-9}) {
+      ModelBuilder<double> builder;
+      add_angles(builder, {{0, 0, 1}, {0, 1, 0}, {0, 0, 1}}, SpatialTransform<double>::identity(),
+                 Mass{1, {0, 0, 0.5}, Tensor::diagonal(1.0 / 12, 1.0 / 12, axial)});
+      const auto mechanism = mechanism_of(builder, {0, 0, -g});
+      MechanismDynamics dynamics(mechanism);
+      const std::vector<double> q{0.1, 0.6, 0.2}, v{2, 1, 5};
+      const double spin = v[2] + v[0] * std::cos(q[1]);
+      const auto result = LoneBody::find(mechanism)->follow(mechanism_equations(dynamics), 0, q, v, 1.5, {});
+      ASSERT_TRUE(result && result->complete());
+      EXPECT_NEAR(result->v[2] + result->v[0] * std::cos(result->q[1]), spin, 1e-12 * spin);
+      // As of a body with next to no such inertia, which the general equations move.
+      ModelBuilder<double> thin;
+      add_angles(thin, {{0, 0, 1}, {0, 1, 0}, {0, 0, 1}}, SpatialTransform<double>::identity(),
+                 Mass{1, {0, 0, 0.5}, Tensor::diagonal(1.0 / 12, 1.0 / 12, 1e-9)});
+      const auto body = mechanism_of(thin, {0, 0, -g});
+      MechanismDynamics general(body);
+      const IntegrationResult other = integrate(mechanism_equations(general), 0, q, v, 1.5);
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(result->q[k], other.q[k], 1e-6);
+    }
 }
 
 TEST(LoneBody, is_none_under_loads_with_others_or_with_axes_that_do_not_meet) {

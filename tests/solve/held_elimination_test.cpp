@@ -71,6 +71,42 @@ TEST(HeldElimination, WhereAPivotVanishesTheRemainderPassesSmoothly) {
     EXPECT_NEAR(remainder_of(pivots, A(x), b(x))->values[0], (x * (x - 1) - 2) / 10, 1e-12) << x;
 }
 
+// Polynomials of the second degree in t: differences of the fourth order are exact for A, b, and far better than the
+// tolerance for what is made of them.
+TEST(HeldElimination, RatesAreThoseOfValuesAndSolution) {
+  std::mt19937_64 random(5);
+  int tried = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Index n = 1 + trial % 5, m = n + trial % 4, rank = std::max(Index{1}, n - trial % 2);
+    const MatrixXd mixing = random_matrix(random, rank, n);
+    std::vector<MatrixXd> A;
+    std::vector<VectorXd> b;
+    for (int k = 0; k < 3; ++k) {
+      A.push_back(random_matrix(random, m, rank) * mixing);
+      b.push_back(random_matrix(random, m, 1));
+    }
+    const auto A_at = [&](double t) { return MatrixXd(A[0] + t * A[1] + t * t * A[2]); };
+    const auto b_at = [&](double t) { return VectorXd(b[0] + t * b[1] + t * t * b[2]); };
+    const HeldPivots pivots = pivots_of(random_matrix(random, m, rank) * mixing);
+    const auto here = remainder_of(pivots, A_at(0), b_at(0));
+    ASSERT_TRUE(here);
+    if (here->solution.norm() > 30) continue;  // a pivot of other systems that is small here
+    ++tried;
+    const RemainderRates rates = remainder_rates(pivots, A[0], *here, A[1], b[1]);
+    VectorXd values = VectorXd::Zero(m - rank), solution = VectorXd::Zero(n);
+    constexpr double h = 1e-4;
+    for (const auto& [step, weight] : {std::pair{1, 8.0}, {-1, -8.0}, {2, -1.0}, {-2, 1.0}}) {
+      const auto there = remainder_of(pivots, A_at(step * h), b_at(step * h));
+      ASSERT_TRUE(there);
+      values += weight / (12 * h) * there->values;
+      solution += weight / (12 * h) * there->solution;
+    }
+    EXPECT_LE((rates.values - values).norm(), 1e-8 * (here->size + values.norm())) << trial;
+    EXPECT_LT((rates.solution - solution).norm(), 1e-6 * (1 + solution.norm())) << trial;
+  }
+  EXPECT_GT(tried, 500);
+}
+
 TEST(HeldElimination, AHigherRankThanThatOfThePivotsHasNoRemainder) {
   const HeldPivots pivots = pivots_of(MatrixXd{{1, 1}, {1, 1}, {2, 2}});
   EXPECT_EQ(pivots.rank, 1);

@@ -77,14 +77,20 @@ Vector vector_of(const std::vector<double>& x) {
 }
 
 // By differences of the eighth order.
-Vector slope_of(const std::function<Vector(double)>& f) {
-  constexpr double h = 5e-4, weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+Vector slope_of(const std::function<Vector(double)>& f, double h = 5e-4) {
+  constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
   Vector slope = Vector::Zero(f(0).size());
   for (int k = 1; k <= 4; ++k) slope += weights[k - 1] / h * (f(k * h) - f(-k * h));
   return slope;
 }
 
 double size_of(const Vector& x) { return x.size() ? x.cwiseAbs().maxCoeff() : 0; }
+
+// Whether there is no corner nearby, as where another entry of a row becomes the largest, which sets its weight.
+bool is_smooth(const std::function<Vector(double)>& f) {
+  const Vector wide = slope_of(f), narrow = slope_of(f, 5e-5);
+  return size_of(wide - narrow) <= 1e-8 * (1 + size_of(wide));
+}
 
 void expect_near(const Vector& a, const Vector& b, std::size_t seed) {
   ASSERT_EQ(a.size(), b.size());
@@ -103,10 +109,10 @@ Family random_family(Random& random, Eigen::Index m, Eigen::Index n) {
 // Far from a change of rank.
 bool well_conditioned(const Matrix& A) { return A.jacobiSvd().singularValues().minCoeff() > 0.2; }
 
-// Contradicting equations: with the scaling held, solution and misfit vary as the compromise of least squares does.
+// Contradicting equations: solution and misfit vary as the compromise of least squares does, whose weights vary too.
 TEST(LinearFactors, DerivativesAreThoseOfTheSolutionAndOfTheMisfit) {
   Random random(1);
-  std::size_t tried = 0;
+  std::size_t tried = 0, smooth = 0;
   for (std::size_t seed = 0; seed < 1000; ++seed) {
     const Eigen::Index n = random.integer(1, 6), m = n + random.integer(0, 4);
     Family family = random_family(random, m, n);
@@ -115,8 +121,10 @@ TEST(LinearFactors, DerivativesAreThoseOfTheSolutionAndOfTheMisfit) {
     for (Eigen::Index i = 0; i < m; ++i) family.equation_scale.push_back(std::pow(10, random.uniform(-2, 2)));
     ++tried;
     const LinearFactors factors(family.system<double>(0));
-    const LinearScaling scaling = factors.scaling();
-    const auto solved = [&](double t) { return LinearFactors(family.system<double>(t), &scaling).solution(); };
+    const auto solved = [&](double t) { return family.system<double>(t).solve(); };
+    const auto misfit = [&](double t) { return vector_of(solved(t).misfit); };
+    if (!is_smooth(misfit)) continue;
+    ++smooth;
     const LinearDerivative derivative = factors.derivative(family.system<Dual<1>>(0));
     Vector natural = vector_of(derivative.value),
            slope = slope_of([&](double t) { return vector_of(solved(t).value); });
@@ -125,8 +133,9 @@ TEST(LinearFactors, DerivativesAreThoseOfTheSolutionAndOfTheMisfit) {
       slope[j] /= family.unit_of_unknown(j);
     }
     expect_near(natural, slope, seed);
-    expect_near(vector_of(derivative.misfit), slope_of([&](double t) { return vector_of(solved(t).misfit); }), seed);
+    expect_near(vector_of(derivative.misfit), slope_of(misfit), seed);
   }
+  EXPECT_GT(smooth, tried / 2);
   EXPECT_GT(tried, 100u);
 }
 
@@ -134,7 +143,7 @@ TEST(LinearFactors, DerivativesAreThoseOfTheSolutionAndOfTheMisfit) {
 // fixed varies as it must.
 TEST(LinearFactors, RedundantUnknownsDoNotDisturb) {
   Random random(2);
-  std::size_t tried = 0;
+  std::size_t tried = 0, smooth = 0;
   for (std::size_t seed = 0; seed < 1000; ++seed) {
     const Eigen::Index rank = random.integer(1, 4), n = rank + random.integer(1, 3), m = rank + random.integer(0, 3);
     Family family = random_family(random, m, rank);
@@ -146,15 +155,18 @@ TEST(LinearFactors, RedundantUnknownsDoNotDisturb) {
     ++tried;
     const LinearFactors factors(family.system<double>(0));
     ASSERT_EQ(factors.solution().open.size(), static_cast<std::size_t>(n - rank)) << seed;
-    const LinearScaling scaling = factors.scaling();
     const LinearDerivative derivative = factors.derivative(family.system<Dual<1>>(0));
-    const auto solved = [&](double t) { return LinearFactors(family.system<double>(t), &scaling).solution(); };
-    expect_near(vector_of(derivative.misfit), slope_of([&](double t) { return vector_of(solved(t).misfit); }), seed);
+    const auto solved = [&](double t) { return family.system<double>(t).solve(); };
+    const auto misfit = [&](double t) { return vector_of(solved(t).misfit); };
+    if (!is_smooth(misfit)) continue;
+    ++smooth;
+    expect_near(vector_of(derivative.misfit), slope_of(misfit), seed);
     // A x is fixed whatever is open.
     const auto sides = [&](double t) { return Vector(Family::at(family.A, t) * vector_of(solved(t).value)); };
     expect_near(family.A[0] * vector_of(derivative.value) + family.A[1] * vector_of(factors.solution().value),
                 slope_of(sides), seed);
   }
+  EXPECT_GT(smooth, tried / 2);
   EXPECT_GT(tried, 100u);
 }
 

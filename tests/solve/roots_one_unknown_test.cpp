@@ -262,5 +262,16 @@ TEST(RootsOfOneUnknown, GivenSlopesAreUsed) {
   EXPECT_GT(calls, 0);
 }
 
+TEST(RootsOfOneUnknown, WhereNoSlopesAreGivenDifferencesAreTaken) {
+  RootProblem touching = of_one(-3, 4, [](double x) { return x * x; });
+  int calls = 0;
+  touching.slopes = [&](const std::vector<double>&, std::vector<std::vector<double>>*) {
+    ++calls;
+    return std::nullopt;
+  };
+  expect_points(find_roots(touching), {0}, 1e-6);
+  EXPECT_GT(calls, 0);
+}
+
 }  // namespace
 }  // namespace poinsot::solve

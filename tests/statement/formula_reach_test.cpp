@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -55,6 +56,39 @@ ask: {t: angle(center(p) to x), acute: acute_angle(center(p) to x), q: atan(cent
       }
     }
   }
+}
+
+// What a cord or a contact must do is told as a formula where it may fail to, and only there.
+TEST(FormulaReach, what_must_pull_or_push_is_told_as_a_formula) {
+  const std::string bob = R"(
+letters: {m: kg, L: m, v: m/s, b: rad, g: m/s^2}
+points: {O: [0, 0, 0], B: [L*sin(b), -L*cos(b), 0]}
+bodies: {bob: {particle: B, mass: m}}
+cords: {cord: {at: O, to: bob, end: B}}
+gravity: -y
+facts: {velocity(bob): [v*cos(b), v*sin(b), 0]}
+ask: {a: acceleration(bob)}
+)";
+  const Solution swings = solved(bob);
+  ASSERT_EQ(swings.conditions.size(), 1U);
+  EXPECT_EQ(swings.conditions.front().words, "the cord 'cord' stays taut");
+  EXPECT_EQ(std::count(swings.assumptions.begin(), swings.assumptions.end(), swings.conditions.front().words), 1);
+  for (const double b : {0.3, 1.7, 2.9})
+    for (const double v : {0.5, 5.0}) {
+      const LetterValues at{{"m", 2}, {"L", 1.5}, {"v", v}, {"b", b}, {"g", 9.8}};
+      EXPECT_NEAR(value_at(swings.conditions.front().positive, at), 2 * (9.8 * std::cos(b) + v * v / 1.5), 1e-9);
+    }
+  // A plate let go on one cord pulls it whatever its sizes are.
+  const Solution hangs = solved(R"(
+letters: {m: kg, a: m, b: m, g: m/s^2}
+points: {A: [0, 0, 0], B: [a, 0, 0], C: [a, -b, 0], U: [0, b, 0]}
+bodies: {plate: {rectangle: {corners: [A, B, C]}, mass: m}}
+cords: {c: {at: U, to: plate, end: A}}
+gravity: -y
+instants: {now: rest}
+ask: {T: tension(c)}
+)");
+  EXPECT_TRUE(hangs.conditions.empty());
 }
 
 }  // namespace

@@ -43,6 +43,31 @@ ask: {a: angular_momentum(disk about O)}
 )",
        "test.yaml:1:1: error: unknown key 'titel' in a problem (did you mean 'title'?)",
        {}},
+      {"APointOfTimes",
+       R"(given: {L: 1 s}
+points: {O: [0, 0, 0], A: [0, -L, 0]}
+bodies: {bar: {rod: [O, A], mass: 2 kg}}
+ask: {m: mass(bar)}
+)",
+       "test.yaml:2:27: error: the coordinates of point 'A' are a time, not lengths (check the units of the data in "
+       "them)",
+       {}},
+      {"AWordThatJoinsMisspelt",
+       R"(points: {O: [0, 0, 0], A: [0, -1 m, 0]}
+bodies: {bar: {rod: [O, A], mass: 2 kg}}
+ask: {H: angular_momentum(bar abut O)}
+)",
+       "test.yaml:3:31: error: 'abut' is no word that joins the arguments of a call (did you mean 'about'?)",
+       {}},
+      {"AnInertiaThatIsNoMap",
+       R"(points: {A: [0, -1 m, 0]}
+bodies: {bar: {mass: 2 kg, center: A, inertia: 3 kg*m^2}}
+ask: {m: mass(bar)}
+)",
+       "test.yaml:2:48: error: expected a map of keys for 'inertia' (its keys are x, y, z, xy, yx, yz, zy, zx, xz, "
+       "about, "
+       "axes, axis, axial, transverse, rest)",
+       {}},
       {"ADatumMisspeltAsACoordinate",
        R"(given: {theta: 30 deg}
 bodies: {rod: {rod: [[0, 0, 0], [0, -1 m, 0]], mass: 2 kg}}

@@ -65,6 +65,21 @@ TEST(ScalingLaw, WhatFollowsAnAngle) {
   EXPECT_EQ(formula(solved, "T"), "none: it depends on b, but as no product of powers, sines and cosines of it");
 }
 
+// The push of the pin is least where cos th = cos(b)/3 as long as b is no more than a right angle, then at the start.
+TEST(ScalingLaw, AnAngleMayBeBeyondARightAngle) {
+  const std::string dropped = figure +
+                              "letters: {a: m, m: kg, g: m/s^2, b: rad}\ninstants: {start: {th: b, th': 0}}\n" +
+                              "ask: {low: min(reaction(pin).y), high: max(reaction(pin).y), w: max(th')}\n";
+  const SolvedText solved(dropped);
+  EXPECT_EQ(formula(solved, "low"),
+            "none: the formula found holds for some values of the letters only, not at b = 1.75 rad");
+  EXPECT_EQ(formula(solved, "high"), "g*m*(5 - 3*cos(b))/2");
+  const std::vector<std::string>& assumed = solved.solved().solutions.at(0).assumptions;
+  EXPECT_EQ(assumed, std::vector<std::string>{"b is not negative"});
+  const SolvedText stated(dropped + "assume: [0 < b, b < 90 deg]\n");
+  EXPECT_EQ(formula(stated, "low"), "g*m*(3*cos(b)^2 + 1)/4");
+}
+
 TEST(ScalingLaw, GroupsThatAreNoPowerAreNamed) {
   const std::string weighted =
       "title: t\nletters: {a: m, c: m, m: kg, M: kg}\npoints: {O: [0, 0, 0], P: [0, -a, 0], Q: [c, -a, 0]}\n"

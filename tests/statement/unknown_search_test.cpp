@@ -308,5 +308,80 @@ TEST(UnknownSearch, AChoiceThatCannotBeMadeNamesTheFactsThatClash) {
   EXPECT_NE(few.find("2 would do: a, b"), std::string::npos) << few;
 }
 
+// sin b = b: not the mean slope over some range of angles.
+TEST(UnknownSearch, WithoutItsSquareAnAngleIsItsSine) {
+  const SolvedStatement solution = solved(R"(title: A bob held aside by a force
+points: {O: [0, 0, 0], A: [0, -1 m, 0]}
+bodies:
+  bob: {particle: A, mass: 2 kg}
+joints:
+  pin: {revolute: z, at: O, to: bob, angle: b, rate: 0 rad/s}
+loads:
+  push: {body: bob, at: A, force: [3 N, 0, 0]}
+gravity: -y
+instants:
+  now: {angular_acceleration(bob): [0, 0, 0]}
+find: {b: rad}
+neglect: [b^2]
+ask: {b: b}
+)");
+  ASSERT_EQ(solution.solutions.size(), 1U);
+  EXPECT_NEAR(number(solution), 3 / (2 * 9.80665), 1e-14);
+}
+
+// Energies of all sizes, the last 10^20 times what is natural.
+TEST(UnknownSearch, RootsFarAwayAreFound) {
+  for (const double energy : {4.5, 4.5e6, 4.5e12, 4.5e18, 4.5e20}) {
+    const SolvedStatement solution = solved(R"(title: A bob that turns
+points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies:
+  bob: {particle: A, mass: 2 kg}
+joints:
+  pin: {revolute: z, at: O, to: bob, rate: w}
+gravity: -y
+find: {w: rad/s}
+instants:
+  now: {kinetic_energy(bob): )" + std::to_string(energy) +
+                                            R"( J}
+ask: {w: w}
+)");
+    ASSERT_EQ(solution.solutions.size(), 2U) << energy << all_warnings(solution);
+    const double w = std::sqrt(std::stod(std::to_string(energy)));
+    EXPECT_NEAR(number(solution, 0, 0), -w, 1e-9 * w);
+    EXPECT_NEAR(number(solution, 0, 1), w, 1e-9 * w);
+  }
+}
+
+TEST(UnknownSearch, ARestitutionThatCannotBeIsTold) {
+  const auto puck_leaves_at = [](const std::string& speed) {
+    return solved(R"(title: Two pucks
+points: {P: [0, 0, 0], Q: [0.1 m, 0, 0]}
+bodies:
+  a: {particle: P, mass: 2 kg}
+  b: {particle: Q, mass: 2 kg}
+joints:
+  one: {prismatic: x, at: P, to: a}
+  two: {prismatic: x, at: Q, to: b}
+impacts:
+  hit: {of: b, against: a, at: Q, pushes: x, restitution: e}
+gravity: none
+find: {e: 1}
+instants:
+  before: {velocity(a).x: 3 m/s, velocity(b).x: 0 m/s}
+  after: {velocity(b).x: )" +
+                  speed + R"( m/s}
+ask: {e: e}
+)");
+  };
+  EXPECT_NEAR(number(puck_leaves_at("2.4")), 0.6, 1e-12);
+  EXPECT_NEAR(number(puck_leaves_at("3")), 1, 1e-12);  // elastic, but for rounding
+  try {
+    puck_leaves_at("3.75");
+    ADD_FAILURE() << "the restitution is 1.5";
+  } catch (const StatementError& error) {
+    EXPECT_NE(std::string(error.what()).find("'hit' is 1.5"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace poinsot::statement

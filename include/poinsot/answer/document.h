@@ -45,7 +45,8 @@ struct ClaimOutcome {
     double si = 0;
   };
   std::vector<Value> counterexample;
-  std::vector<double> sides;  // left and right, in `unit`; empty where it compares no numbers
+  std::vector<double> sides;           // left and right, in `unit`; empty where it compares no numbers
+  std::optional<double> difference{};  // left less right, exactly, where rounding hides it
   std::string unit;
   std::vector<std::string> assumptions;
 };
@@ -76,12 +77,19 @@ struct Unknown {
   Datum formula{};  // where letters were left open; value and si are then empty if letters remain in it
 };
 
+// What must be positive so that formulas hold: a cord's pull, a contact's push.
+struct Condition {
+  std::string words;    // as among the assumptions
+  std::string formula;  // "g*m - F > 0", in SI
+};
+
 struct Solution {
   std::vector<Unknown> unknowns;
   std::vector<Answer> answers;                          // in the order of the file
   std::map<std::string, double> checks;                 // relative residuals found on the independent road, by name
   std::vector<std::string> notes;                       // what else was found: stability, what happened during a motion
   std::vector<std::string> assumptions{};               // that the formulas rest on: "m > 0"
+  std::vector<Condition> conditions{};                  // the formulas of those that are words
   std::optional<statement::Explanation> explanation{};  // the worked solution, where it was asked for
 };
 

@@ -13,9 +13,12 @@
 //
 // Joints of several coordinates eliminate them in turn; balls and free joints whose coordinates are all free are solved
 // at once. A given (prescribed or locked) coordinate is not eliminated. Massless bodies need no care as long as each
-// D > 0, that is, as long as no free coordinate moves massless bodies only; else the results are not finite.
+// D > 0, that is, as long as no free coordinate moves massless bodies only; else the results are not finite. A ball or
+// free joint whose body cannot take a couple about some line, as a slender rod about its own, is such a case: a moment
+// of inertia that is no more than rounding beside the others counts as zero, for numbers and packs of them.
 #pragma once
 
+#include <concepts>
 #include <span>
 
 #include "poinsot/dynamics/joint_motion.h"
@@ -126,6 +129,33 @@ template <bool Hybrid, class Scalar>
   }
 }
 
+// A determinant of moments of inertia of this sum, or zero where it is no more than rounding.
+template <class Scalar>
+constexpr Scalar unless_rounding(const Scalar& determinant, const Scalar& size) {
+  constexpr double rounding = 4e-15;
+  if constexpr (std::floating_point<Scalar>) {
+    return determinant > Scalar(rounding) * size * size * size ? determinant : Scalar(0);
+  } else if constexpr (requires { determinant.lanes(); }) {
+    auto lanes = determinant.lanes();
+    where(!(lanes > (Scalar(rounding) * size * size * size).lanes()), lanes) = 0.0;
+    return Scalar(lanes);
+  } else {
+    return determinant;
+  }
+}
+
+// The inverse of the inertia that a joint with three turnings moves: not finite where that is singular to rounding.
+template <class Scalar>
+constexpr SymmetricMatrix3<Scalar> inverse_of_moved(const SymmetricMatrix3<Scalar>& a) {
+  const Scalar cxx = a.yy * a.zz - a.yz * a.yz;
+  const Scalar cxy = a.yz * a.zx - a.xy * a.zz;
+  const Scalar czx = a.xy * a.yz - a.yy * a.zx;
+  const Scalar determinant = a.xx * cxx + a.xy * cxy + a.zx * czx;
+  const Scalar s = Scalar(1) / unless_rounding(determinant, a.xx + a.yy + a.zz);
+  return {s * cxx, s * (a.zz * a.xx - a.zx * a.zx), s * (a.xx * a.yy - a.xy * a.xy),
+          s * cxy, s * (a.xy * a.zx - a.xx * a.yz), s * czx};
+}
+
 // The change of motion that a free body's articulated inertia takes from the force b: I change = b, by blocks.
 template <class Scalar>
 SpatialMotion<Scalar> solved(const ArticulatedInertia<Scalar>& I, const SpatialForce<Scalar>& b) {
@@ -138,7 +168,7 @@ SpatialMotion<Scalar> solved(const ArticulatedInertia<Scalar>& I, const SpatialF
       I.inertia.zz - dot(g2, I.coupling.row2), I.inertia.xy - dot(g0, I.coupling.row1),
       I.inertia.yz - dot(g1, I.coupling.row2), I.inertia.zx - dot(g2, I.coupling.row0)};
   const Vector3<Scalar> angular =
-      inverse(schur) * (b.moment - Vector3<Scalar>{dot(g0, b.force), dot(g1, b.force), dot(g2, b.force)});
+      inverse_of_moved(schur) * (b.moment - Vector3<Scalar>{dot(g0, b.force), dot(g1, b.force), dot(g2, b.force)});
   return {angular, inverse_mass * (b.force - transpose_times(I.coupling, angular))};
 }
 
@@ -179,7 +209,7 @@ template <bool Hybrid, bool Factor, class Scalar>
     } else if (body.joint == JointType::ball && (!Hybrid || body.all_free)) {
       // The joint's moment is known whole: n = I alpha + H a + n_bias gives alpha, and what is left is a mass.
       const Vector3<Scalar> n = outmost ? three(tau + body.v) : slot.R * three(tau + body.v);
-      if constexpr (Factor) slot.inverse_inertia = inverse(I.inertia);
+      if constexpr (Factor) slot.inverse_inertia = inverse_of_moved(I.inertia);
       const Vector3<Scalar> turn = slot.inverse_inertia * (n - carried.moment);
       carried.moment = n;
       carried.force += transpose_times(I.coupling, turn);

@@ -9,7 +9,8 @@
 namespace poinsot {
 
 // force, acceleration: one number per velocity coordinate. external: one wrench per body, on the body's axes about the
-// body's origin (N m, N), or empty for none. Not finite if a coordinate moves massless bodies only.
+// body's origin (N m, N), or empty for none. Not finite if a coordinate moves massless bodies only, or turns a slender
+// rod about its own line (for numbers and packs of them).
 // Errors: std::invalid_argument if a size is wrong.
 template <class Scalar>
 void forward_dynamics(const Model<Scalar>& model, Workspace<Scalar>& workspace, const State<Scalar>& state,

@@ -27,8 +27,9 @@ class LoneBody {
   static std::optional<LoneBody> find(const Mechanism<double>& mechanism, std::span<const int> held = {});
 
   // The motion from the state (q, v) of the mechanism at start to end, as integrate() gives it; result.method says how
-  // it was found. In closed form tolerance and limits have no meaning, and a step is a part of a turn. None where the
-  // motion is no such one after all: two axes in a fork that hold more than a rod.
+  // it was found. In closed form tolerance and limits have no meaning, and a step is a part of a turn; without events
+  // steps to late times are longer, but where angles have to be followed turn by turn. None where the motion is no such
+  // one after all: two axes in a fork that hold more than a rod.
   std::optional<IntegrationResult> follow(const MotionEquations& equations, double start, std::span<const double> q,
                                           std::span<const double> v, double end, const IntegrationOptions& options = {},
                                           std::span<const Event> events = {}) const;

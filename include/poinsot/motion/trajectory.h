@@ -1,6 +1,7 @@
 // A motion through a span of time: the state at any instant of it, from the steps that an integrator has stored.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,6 +23,8 @@ class StateFlow {
  public:
   virtual ~StateFlow() = default;
   virtual void advance(double from, std::span<const double> start, double to, std::span<double> state) const = 0;
+  // In which the motion changes noticeably, where steps may be longer than that: s.
+  virtual double natural_time() const { return std::numeric_limits<double>::infinity(); }
 };
 
 // One step: start < end, or start > end where time runs backwards. The spans belong to whoever gives the step away.

@@ -68,18 +68,13 @@ class LinearSystemOf {
 };
 using LinearSystem = LinearSystemOf<double>;
 
-// The factors by which the rows and columns of a system, in natural units, are scaled before it is solved. Where
-// equations contradict each other they are the weights of the compromise.
-struct LinearScaling {
-  std::vector<double> equations, unknowns;
-};
-
 // What is left of overdetermined equations when all unknowns are eliminated.
-struct LinearRemainder {
-  std::vector<double> values;          // zero wherever the equations can be satisfied
+template <class Scalar>
+struct LinearRemainderOf {
+  std::vector<Scalar> values;          // zero wherever the equations can be satisfied
   std::vector<std::size_t> equations;  // of each value: the equation that is left over
   double size = 0;                     // of the largest term in them
-  std::vector<double> solution;        // the unknowns as the other equations fix them; those they leave open are zero
+  std::vector<Scalar> solution;        // the unknowns as the other equations fix them; those they leave open are zero
 };
 
 // The scaling and the pivots of one system, held for all systems of a family, so that what is left when the unknowns
@@ -92,8 +87,10 @@ class LinearElimination {
 
   std::size_t rank() const;
   // Nothing where the remainder has no value: where the pivots are singular to the last digit or belong to a system of
-  // lower rank, where numbers are not finite, or for a system of another size.
-  std::optional<LinearRemainder> remainder(const LinearSystemOf<double>& system) const;
+  // lower rank, where numbers are not finite, or for a system of another size. Scalar: double, or Dual<1> for the
+  // derivatives as well.
+  template <class Scalar>
+  std::optional<LinearRemainderOf<Scalar>> remainder(const LinearSystemOf<Scalar>& system) const;
 
  private:
   struct Parts;
@@ -108,22 +105,19 @@ struct LinearDerivative {
 // A system solved, with its factors kept for derivatives.
 class LinearFactors {
  public:
-  // held: take this scaling instead of the system's own; its sizes must be those of the system. With one scaling for
-  // all of a family of systems the misfit is a smooth function on it wherever the rank is constant.
   template <class Scalar>
-  explicit LinearFactors(const LinearSystemOf<Scalar>& system, const LinearScaling* held = nullptr);
+  explicit LinearFactors(const LinearSystemOf<Scalar>& system);
   LinearFactors(LinearFactors&&) noexcept;
   LinearFactors& operator=(LinearFactors&&) noexcept;
   ~LinearFactors();
 
   const LinearSolution& solution() const;
-  LinearScaling scaling() const;
 
   // How solution and misfit change with the variable of the duals; `varied` has the values of the system that was
   // factored. With y = A^+ b on the columns that the basic solution uses, r = b - A y and h = db - dA y:
   //   dy = A^+ h + (A^T A)^+ dA^T r,   dr = (1 - A A^+) h - (A^+)^T dA^T r
-  // (Golub and Pereyra, SIAM J. Numer. Anal. 10, 413, 1973), with the scaling held and for constant rank. Where
-  // all equations hold (r = 0) this does not depend on the scaling. Not a number if the system was not finite.
+  // (Golub and Pereyra, SIAM J. Numer. Anal. 10, 413, 1973), where dA and db hold how the scaling varies, which decides
+  // between equations that contradict each other; for constant rank. Not a number if the system was not finite.
   LinearDerivative derivative(const LinearSystemOf<Dual<1>>& varied) const;
 
  private:

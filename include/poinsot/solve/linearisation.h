@@ -39,7 +39,7 @@ struct Mode {
   double growth_rate = 0;   // 1/s, of exp(growth_rate t); negative: it dies out
   double frequency = 0;     // rad/s; zero: no oscillation
   double doubt = 0;         // 1/s: by how much the two may be off, as accurately as the equations are known
-  std::vector<bool> moves;  // which bodies of the tree take part
+  std::vector<bool> moves;  // which bodies of the tree take part; empty: what only goes round in a frame that turns
 };
 
 enum class Stability { stable, unstable, undecided };

@@ -41,7 +41,8 @@ struct RootProblem {
   // smooth functions: weights of equations should not jump or have corners.
   std::function<std::optional<RootEquations>(const std::vector<double>&)> equations;
   // If set, used where slopes are needed, in place of central differences: the equations, and in (*slopes)[i][k] the
-  // derivative of value i by unknown k (of smooth value i, if there are such).
+  // derivative of value i by unknown k (of smooth value i, if there are such). Where it gives nothing, differences are
+  // taken.
   std::function<std::optional<RootEquations>(const std::vector<double>&, std::vector<std::vector<double>>* slopes)>
       slopes;
   bool costly = false;  // an evaluation takes long (a motion is followed): few are made

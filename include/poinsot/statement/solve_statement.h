@@ -38,6 +38,7 @@ struct SolvedAsk {
   // Where letters were left open: the answer as a formula, in SI; else why it has none.
   std::optional<Value<poinsot::Expression>> formula;
   std::string no_formula;
+  std::string formula_road;  // how a formula was found that does not follow exactly: "by dimensional analysis"
 };
 
 struct SolvedUnknown {
@@ -45,6 +46,7 @@ struct SolvedUnknown {
   Unit unit;
   Value<double> value;                                  // SI
   std::optional<Value<poinsot::Expression>> formula{};  // where letters were left open; then there is no value
+  std::string formula_road{};                           // as of asks
 };
 
 // What has become of a claim. A refuted claim is an answer.
@@ -62,8 +64,44 @@ struct SolvedClaim {
   std::vector<Datum> counterexample;  // if it does not hold
   // The two sides there, in `unit`, where the claim compares numbers.
   std::optional<std::pair<double, double>> sides;
+  // Left less right, where it was decided exactly because rounding hides it.
+  std::optional<double> difference;
   Unit unit;
   std::vector<std::string> assumptions;
+
+  // The rest is for worked solutions. Where a claim has formulas: the sides of each number that it compares.
+  struct Part {
+    std::string of;  // X of a side that is rate(X + ...); or a letter, by which the rate is taken
+    bool by_letter = false;
+    poinsot::Expression value;
+  };
+  struct Comparison {
+    poinsot::Expression left, right;
+    std::string relation;
+    Dimension dimension;
+    // Left less right with what is assumed worked into the letters: why it vanishes or has its sign.
+    std::optional<poinsot::Expression> reduced;
+    std::vector<Part> parts;  // of the side that is a rate: they add up to it
+  };
+  std::vector<Comparison> comparisons;
+  // What the assumptions make of letters, with positive letters p1, p2, ...; where there is one case of it.
+  std::vector<std::pair<std::string, poinsot::Expression>> assumed;
+  // Where a steady motion is claimed to be stable: the characteristic polynomial of the rates of growth, divided by its
+  // first coefficient, from the lowest power on, without the roots that vanish because the motion displaced is as good;
+  // and what of its coefficients must be positive, which was seen if the claim was proved.
+  struct Stability {
+    std::vector<poinsot::Expression> polynomial;
+    std::size_t vanishing = 0;
+    std::string criterion;
+    std::vector<poinsot::Expression> positive;
+  };
+  std::optional<Stability> stability;
+};
+
+// Where formulas hold because a cord pulls or a contact pushes: what must be positive for that.
+struct FormulaCondition {
+  std::string words;  // as among the assumptions
+  poinsot::Expression positive;
 };
 
 struct Solution {
@@ -72,7 +110,8 @@ struct Solution {
   std::vector<SolvedClaim> claims{};     // the same
   std::map<std::string, double> checks;  // relative residuals on the road of particles, by name
   std::vector<std::string> assumptions;  // of the formulas: "m > 0"
-  std::vector<std::string> notes;        // stability of steady motions, what happened on the way of a motion
+  std::vector<FormulaCondition> conditions{};
+  std::vector<std::string> notes;  // stability of steady motions, what happened on the way of a motion
 };
 
 struct SolvedStatement {
@@ -82,9 +121,10 @@ struct SolvedStatement {
 };
 
 // sets: names of letters and data with the texts of their values; a later one for a name counts.
-// Throws StatementError: unknown names, wrong dimensions, contradictions, unphysical bodies.
+// tell_claims: also what a worked solution shows of claims: their comparisons, assumed, stability. Throws
+// StatementError: unknown names, wrong dimensions, contradictions, unphysical bodies.
 SolvedStatement solve_statement(const Statement& statement,
-                                const std::vector<std::pair<std::string, std::string>>& sets);
+                                const std::vector<std::pair<std::string, std::string>>& sets, bool tell_claims = false);
 
 // The settings that the texts stand for. Throws StatementError.
 Settings read_settings(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets);
