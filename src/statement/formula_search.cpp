@@ -41,23 +41,21 @@ class FormulaSearch {
 
   void run() {
     checkpoints_.push_back({letters_of(task_.settings.front()), &task_.sample, nullptr});
-    try {
-      if (!task_.unknowns.empty()) find_unknowns();
-    } catch (const NoFormula& error) {
+    if (const auto reason = hindrance([&] { find_unknowns(); })) {
       for (SolvedAsk& ask : solution_.asks)
-        if (ask.state == AskState::needs_letters) ask.no_formula = error.what();
+        if (ask.state == AskState::needs_letters) ask.no_formula = *reason;
       return;
     }
     std::set<std::string> assumptions;
     for (std::size_t i = 0; i < task_.statement.asks.size(); ++i) {
       SolvedAsk& ask = solution_.asks[i];
       if (ask.state != AskState::found && ask.state != AskState::needs_letters) continue;
-      try {
-        ask.formula = formula_of_ask(i);
-        for (const std::string& assumption : assumptions_of(*ask.formula)) assumptions.insert(assumption);
-      } catch (const NoFormula& error) {
-        ask.no_formula = error.what();
-      }
+      const auto reason = hindrance([&] {
+        Value<Formula> formula = formula_of_ask(i);
+        for (const std::string& assumption : assumptions_of(formula)) assumptions.insert(assumption);
+        ask.formula = std::move(formula);
+      });
+      if (reason) ask.no_formula = *reason;
     }
     solution_.assumptions.assign(assumptions.begin(), assumptions.end());
   }
@@ -67,6 +65,21 @@ class FormulaSearch {
   }
 
  private:
+  // What keeps `find` from its end: there is no formula, or the time for it has passed.
+  template <class Find>
+  static std::optional<std::string> hindrance(const Find& find) {
+    try {
+      find();
+      return std::nullopt;
+    } catch (const NoFormula& error) {
+      return error.what();
+    } catch (const std::domain_error& error) {
+      return error.what();
+    } catch (const ExpressionTooLarge& error) {
+      return error.what();
+    }
+  }
+
   Value<Formula> formula_of_ask(std::size_t i) {
     const Ask& ask = task_.statement.asks[i];
     Value<Formula> formula = in_letters(answers_.value(ask));
@@ -79,6 +92,7 @@ class FormulaSearch {
   }
 
   void find_unknowns() {
+    if (task_.unknowns.empty()) return;
     for (const Situation& situation : task_.statement.situations) {
       if (!situation.problem.choose.empty()) throw NoFormula("what is to be chosen is found by numbers");
       if (situation.problem.instants.size() > 1 && !situation.problem.has_blow())
@@ -93,20 +107,16 @@ class FormulaSearch {
       for (std::size_t k = 0; unknown.vector && k < 3; ++k)
         letters.push_back({component_name(unknown, situation, k), angle, value.vector[k]});
     });
-    try {
-      unknowns_ = solve_unknowns(answers_.remainders(), std::move(letters));
-    } catch (const std::domain_error& error) {
-      throw NoFormula(error.what());
-    } catch (const ExpressionTooLarge& error) {
-      throw NoFormula(error.what());
-    }
+    unknowns_ = solve_unknowns(answers_.remainders(), std::move(letters));
     while (checkpoints_.size() <= draws) draw();
+    std::vector<SolvedUnknown> all;
     for_each_unknown([&](const Unknown& unknown, std::size_t situation, const std::string&) {
       SolvedUnknown solved{unknown.name, unknown.unit, task_.settings[situation].at(unknown.name)};
       if (!is_common(task_.statement, unknown.name)) solved.name += " @ " + task_.statement.situations[situation].name;
       solved.formula = in_letters(value_of(task_.statement, unknown, situation));
-      solution_.unknowns.push_back(std::move(solved));
+      all.push_back(std::move(solved));
     });
+    solution_.unknowns = std::move(all);
   }
 
   // Each unknown once, those of situations by situation.
