@@ -13,6 +13,7 @@
 #include "statement/claim_steady.h"
 #include "statement/claim_trials.h"
 #include "statement/formula_answers.h"
+#include "statement/formula_deadline.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
@@ -22,13 +23,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int most_points = 400;      // at which a claim is tried that is not proved
 constexpr int confirming_points = 2;  // at which the numbers must confirm a proof
-constexpr double most_seconds = 10;   // for the samples of a claim
+constexpr int most_seconds = 10;      // for the samples of a claim
 constexpr int most_edge_points = 4;   // from which edges are sought
 constexpr double most_telling_seconds = 1;
-
-Clock::time_point in_seconds(double seconds) {
-  return Clock::now() + std::chrono::milliseconds(static_cast<int>(1000 * seconds));
-}
 
 class ClaimSolver {
  public:
@@ -68,7 +65,7 @@ class ClaimSolver {
 
   // The claim as formulas, proved or not; false where it has none.
   bool find_formulas() {
-    const ExpressionLimitScope limits({most_formula_terms, in_seconds(most_formula_seconds)});
+    const ExpressionLimitScope limits({most_formula_terms, formula_deadline(most_formula_seconds)});
     try {
       ClaimFormulas* formulas = ground_.formulas(is_along_motion(problem_, claim_));
       if (!formulas) return false;
@@ -175,7 +172,7 @@ class ClaimSolver {
   void decide_by_formulas() {
     int confirmed_points = 0, searched_edges = 0;
     bool possible = false;
-    const auto end = in_seconds(most_seconds);
+    const auto end = Clock::now() + std::chrono::seconds(most_seconds);
     // While it lives, what vanishes at one point alone is not taken for zero.
     const DecisionScope elsewhere;
     for (int attempt = 0; attempt < most_points && Clock::now() < end; ++attempt) {
@@ -265,7 +262,7 @@ class ClaimSolver {
 
   // What a reader needs to follow it.
   void tell_formulas() {
-    const ExpressionLimitScope limits({most_formula_terms, in_seconds(most_telling_seconds)});
+    const ExpressionLimitScope limits({most_formula_terms, formula_deadline(most_telling_seconds)});
     const PlainPointScope decisions(ground_.base_point());
     const DecisionScope elsewhere;
     const WorkedCase* one = worked_->cases().size() == 1 ? &worked_->cases().front() : nullptr;

@@ -1,12 +1,12 @@
 #include "statement/claim_steady.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "poinsot/math/expression_decision.h"
 #include "statement/claim_stability.h"
 #include "statement/claim_trials.h"
 #include "statement/formula_answers.h"
+#include "statement/formula_deadline.h"
 
 namespace poinsot::statement {
 namespace {
@@ -39,9 +39,7 @@ bool proves_steady_stability(const Claim& claim, ClaimGround& ground, std::size_
   if (most_modes == 0 || problem.has_blow()) return false;
   for (const Frame& frame : problem.frames)
     if (frame.name == problem.steady->frame && !frame.rides_on.empty()) return false;
-  const auto end =
-      std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<int>(1000 * most_formula_seconds));
-  const ExpressionLimitScope limits({most_formula_terms, end});
+  const ExpressionLimitScope limits({most_formula_terms, formula_deadline(most_formula_seconds)});
   try {
     ClaimFormulas* formulas = ground.formulas(false);
     if (!formulas) return false;

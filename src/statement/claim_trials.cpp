@@ -1,15 +1,13 @@
 #include "statement/claim_trials.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "poinsot/math/expression_sign.h"
+#include "statement/formula_deadline.h"
 
 namespace poinsot::statement {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_edge_terms = 60;
 constexpr std::size_t most_edge_letters = 3;  // that are moved, in turn
@@ -18,17 +16,13 @@ constexpr int most_exact_equalities = 8;  // of a claim, where numbers cannot te
 constexpr double most_exact_seconds = 0.2;
 constexpr std::size_t most_exact_terms = 20000;
 
-Clock::time_point in_seconds(double seconds) {
-  return Clock::now() + std::chrono::milliseconds(static_cast<int>(1000 * seconds));
-}
-
 bool is_strict(Relation relation) { return relation == Relation::less || relation == Relation::greater; }
 
 // The difference of two sides at a point, where rounding cannot tell it from zero.
 std::optional<Formula> exactly(const Formula& difference, const ClaimTrials::Drawn& drawn) {
   std::map<std::string, Formula> numbers;
   for (const auto& [letter, value] : drawn.free) numbers[letter] = Formula(value);
-  const ExpressionLimitScope limits({most_exact_terms, in_seconds(most_exact_seconds)});
+  const ExpressionLimitScope limits({most_exact_terms, formula_deadline(most_exact_seconds)});
   try {
     return poinsot::substituted(drawn.of->apply(difference), numbers);
   } catch (const std::domain_error&) {
@@ -138,7 +132,7 @@ Verdict ClaimTrials::verdict(const Drawn& drawn) {
 const std::vector<ClaimTrials::Edge>& ClaimTrials::edges() {
   if (edges_) return *edges_;
   edges_.emplace();
-  const ExpressionLimitScope limits({most_edge_terms, in_seconds(most_edge_seconds)});
+  const ExpressionLimitScope limits({most_edge_terms, formula_deadline(most_edge_seconds)});
   // Of what is claimed, and of what is assumed.
   std::vector<FormulaComparison> comparisons;
   for (const ClaimTerm& term : formulas_.terms()) comparisons.push_back(term.comparison);
@@ -172,7 +166,7 @@ std::vector<ClaimTrials::Drawn> ClaimTrials::at_edges(const Drawn& from, int att
   if (from.of->is_weak())
     for (const auto& [letter, value] : from.free)
       if (is_part(letter)) add(letter, 0);
-  const ExpressionLimitScope limits({most_edge_terms, in_seconds(most_edge_seconds)});
+  const ExpressionLimitScope limits({most_edge_terms, formula_deadline(most_edge_seconds)});
   for (const Edge& edge : edges()) {
     if (edge.of != from.of) continue;
     const std::vector<std::string> letters = edge.factor.letters();

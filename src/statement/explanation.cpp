@@ -2,7 +2,6 @@
 #include "poinsot/statement/explanation.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -12,6 +11,7 @@
 #include "statement/explanation_model.h"
 #include "statement/explanation_motion.h"
 #include "statement/formula_answers.h"
+#include "statement/formula_deadline.h"
 
 namespace poinsot::statement {
 namespace {
@@ -203,9 +203,7 @@ class Explainer {
     LetterValues in_shown_units;
     for (const auto& [name, value] : point) in_shown_units[name] = value / tex.unit(values.at(name).dimension).factor;
     if (stated.habits.customary()) tex.set_letters(in_shown_units);
-    const ExpressionLimitScope limits(
-        {formula_terms,
-         std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<int>(1000 * formula_seconds))});
+    const ExpressionLimitScope limits({formula_terms, formula_deadline(formula_seconds)});
     const PlainPointScope decisions(point);
     std::unique_ptr<FormulaInstant> formulas;
     if (!home.time && !home.ending && home.instant <= (stated.has_blow() ? 1U : 0U)) {

@@ -3,6 +3,8 @@
 
 #include <map>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,21 @@ namespace poinsot::statement {
 // Bounds on the search for the formulas of one file.
 inline constexpr std::size_t most_formula_terms = 20000;
 inline constexpr double most_formula_seconds = 5;
+
+// Why `find` cannot come to a formula, also where it takes too long; nothing if it can.
+template <class Find>
+std::optional<std::string> why_no_formula(const Find& find) {
+  try {
+    find();
+    return std::nullopt;
+  } catch (const NoFormula& reason) {
+    return reason.what();
+  } catch (const std::domain_error& reason) {
+    return reason.what();
+  } catch (const ExpressionTooLarge& reason) {
+    return reason.what();
+  }
+}
 
 // What stands for a letter in formulas. Lengths, masses, durations and what is made of them are positive, angles real.
 Value<Formula> formula_of(const Letter& letter);

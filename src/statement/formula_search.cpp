@@ -1,11 +1,11 @@
 #include "statement/formula_search.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <random>
 #include <set>
 
+#include "statement/formula_deadline.h"
 #include "statement/formula_unknowns.h"
 #include "statement/law_search.h"
 #include "statement/unknown_search.h"
@@ -41,7 +41,7 @@ class FormulaSearch {
 
   void run() {
     checkpoints_.push_back({letters_of(task_.settings.front()), &task_.sample, nullptr});
-    if (const auto reason = hindrance([&] { find_unknowns(); })) {
+    if (const auto reason = why_no_formula([&] { find_unknowns(); })) {
       for (SolvedAsk& ask : solution_.asks)
         if (ask.state == AskState::needs_letters) ask.no_formula = *reason;
       return;
@@ -50,7 +50,7 @@ class FormulaSearch {
     for (std::size_t i = 0; i < task_.statement.asks.size(); ++i) {
       SolvedAsk& ask = solution_.asks[i];
       if (ask.state != AskState::found && ask.state != AskState::needs_letters) continue;
-      const auto reason = hindrance([&] {
+      const auto reason = why_no_formula([&] {
         Value<Formula> formula = formula_of_ask(i);
         for (const std::string& assumption : assumptions_of(formula)) assumptions.insert(assumption);
         ask.formula = std::move(formula);
@@ -65,21 +65,6 @@ class FormulaSearch {
   }
 
  private:
-  // What keeps `find` from its end: there is no formula, or the time for it has passed.
-  template <class Find>
-  static std::optional<std::string> hindrance(const Find& find) {
-    try {
-      find();
-      return std::nullopt;
-    } catch (const NoFormula& error) {
-      return error.what();
-    } catch (const std::domain_error& error) {
-      return error.what();
-    } catch (const ExpressionTooLarge& error) {
-      return error.what();
-    }
-  }
-
   Value<Formula> formula_of_ask(std::size_t i) {
     const Ask& ask = task_.statement.asks[i];
     Value<Formula> formula = in_letters(answers_.value(ask));
@@ -289,9 +274,7 @@ bool confirmed_by_particles(Sample& sample) {
 }
 
 std::vector<OneSidedForce> find_formulas(const FormulaTask& task, Solution& solution) {
-  const auto deadline =
-      std::chrono::steady_clock::now() + std::chrono::milliseconds(static_cast<int>(1000 * most_formula_seconds));
-  const ExpressionLimitScope limits({most_formula_terms, deadline});
+  const ExpressionLimitScope limits({most_formula_terms, formula_deadline(most_formula_seconds)});
   // What is decided on the way is decided as the numbers decide it.
   LetterValues point;
   for (const Letter& letter : task.open) point[letter.name] = task.settings.front().at(letter.name).number;

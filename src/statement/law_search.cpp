@@ -8,6 +8,7 @@
 #include "statement/compare_values.h"
 #include "statement/extremum.h"
 #include "statement/formula_answers.h"
+#include "statement/formula_deadline.h"
 #include "statement/open_words.h"
 #include "statement/scaling_law.h"
 #include "statement/unknown_search.h"
@@ -68,19 +69,13 @@ class LawSearch {
 
   void add_law(ScalingTrials& trials, std::size_t i) {
     SolvedAsk& ask = solution_.asks[i];
-    try {
+    const auto reason = why_no_formula([&] {
       const ScalingLaw law = scaling_law(trials, i, ask.letters);
       hold_all_round(trials, i, law);
       ask.formula = law.formula;
-      ask.no_formula.clear();
       ask.formula_road = road_of(law);
-    } catch (const NoFormula& reason) {
-      ask.no_formula = reason.what();
-    } catch (const std::domain_error& reason) {
-      ask.no_formula = reason.what();
-    } catch (const ExpressionTooLarge& reason) {
-      ask.no_formula = reason.what();
-    }
+    });
+    ask.no_formula = reason.value_or("");
   }
 
   // An angle may be any: beyond a right angle another extreme may be the largest. What holds for positive angles alone
@@ -111,15 +106,14 @@ class LawSearch {
 
   void add_unknown(ScalingTrials& trials, std::size_t k, const std::vector<std::string>& letters) {
     const auto& [unknown, situation] = unknowns_[k];
-    try {
+    // Where there is none, the asks say why.
+    static_cast<void>(why_no_formula([&] {
       const ScalingLaw law = scaling_law(trials, solution_.asks.size() + k, letters);
       SolvedUnknown solved{unknown->name, unknown->unit, task_.settings[situation].at(unknown->name), law.formula};
       if (!is_common(task_.statement, unknown->name)) solved.name += " @ " + task_.statement.situations[situation].name;
       solved.formula_road = road_of(law);
       solution_.unknowns.push_back(std::move(solved));
-    } catch (const NoFormula&) {
-      // The asks say why.
-    }
+    }));
   }
 
   // Asks and then unknowns.
@@ -142,7 +136,7 @@ class LawSearch {
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
       answers[solution_.asks.size() + k] = (*settings)[unknowns_[k].situation].at(unknowns_[k].unknown->name);
     if (!confirmed_by_particles(sample)) throw NoFormula("the check on particles does not confirm its numbers");
-    if (static_cast<double>(std::clock() - begun) > most_seconds_each * CLOCKS_PER_SEC)
+    if (static_cast<double>(std::clock() - begun) > formula_slowdown * most_seconds_each * CLOCKS_PER_SEC)
       throw NoFormula("it takes too long to find it at other values of the letters");
     return answers;
   }

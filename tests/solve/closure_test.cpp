@@ -5,46 +5,21 @@
 #include <cmath>
 
 #include "motion/random_mechanisms.h"
-#include "poinsot/model/builder.h"
+#include "solve/linkage.h"
 
 namespace poinsot::solve {
 namespace {
 
-using Vector = Vector3<double>;
-
-// Three bodies, of which a pin holds two together in the plane.
-Mechanism<double> pinned(ModelBuilder<double>& builder, const Place<double>& at, const Place<double>& toward) {
-  Mechanism<double> mechanism;
-  mechanism.tree = builder.build();
-  mechanism.takes_part.assign(3, true);
-  mechanism.coordinate_names.assign(3, "v");
-  for (std::size_t k = 0; k < 2; ++k) {
-    VelocityConstraint<double> c;
-    c.kind = VelocityConstraintKind::point;
-    c.words = "pin";
-    c.on = at.body;
-    c.from = toward.body;
-    c.at = at;
-    c.toward = toward;
-    c.along = {toward.body, Vector::unit(k)};
-    mechanism.constraints.push_back(c);
-  }
-  return mechanism;
-}
-
 // A crank of length a on the origin, a coupler of length b, and a slider on the x axis: x = a cos q + sqrt(b^2 - a^2
 // sin^2 q).
 Mechanism<double> slider_crank(double a, double b) {
-  ModelBuilder<double> builder;
+  Linkage linkage;
   const Vector z{0.0, 0.0, 1.0};
-  const MassProperties<double> none{};
-  const int crank =
-      builder.add_body("crank", ground, Joint<double>::revolute(z), SpatialTransform<double>::identity(), none);
-  const int coupler = builder.add_body("coupler", crank, Joint<double>::revolute(z),
-                                       SpatialTransform<double>::translation({a, 0.0, 0.0}), none);
-  const int slider = builder.add_body("slider", ground, Joint<double>::prismatic({1.0, 0.0, 0.0}),
-                                      SpatialTransform<double>::translation({a + b, 0.0, 0.0}), none);
-  return pinned(builder, {slider, Vector::zero()}, {coupler, {b, 0.0, 0.0}});
+  const int crank = linkage.add("crank", ground, Joint<double>::revolute(z), Vector::zero());
+  const int coupler = linkage.add("coupler", crank, Joint<double>::revolute(z), {a, 0.0, 0.0});
+  const int slider = linkage.add("slider", ground, Joint<double>::prismatic({1.0, 0.0, 0.0}), {a + b, 0.0, 0.0});
+  linkage.pin({slider, Vector::zero()}, {coupler, {b, 0.0, 0.0}});
+  return linkage.mechanism;
 }
 
 TEST(Closure, ASliderCrankFollowsItsCrank) {
@@ -59,19 +34,15 @@ TEST(Closure, ASliderCrankFollowsItsCrank) {
 
 // A parallelogram lies flat on its way, where it could go over into its crossed form: it goes on as it went.
 TEST(Closure, AParallelogramPassesItsFlatPose) {
-  ModelBuilder<double> builder;
+  Linkage linkage;
   const Vector z{0.0, 0.0, 1.0};
   const double a = 1.0, d = 2.0;
-  const MassProperties<double> none{};
-  const int crank =
-      builder.add_body("crank", ground, Joint<double>::revolute(z), SpatialTransform<double>::identity(), none);
-  const int coupler = builder.add_body("coupler", crank, Joint<double>::revolute(z),
-                                       SpatialTransform<double>::translation({0.0, a, 0.0}), none);
-  const int rocker = builder.add_body("rocker", ground, Joint<double>::revolute(z),
-                                      SpatialTransform<double>::translation({d, 0.0, 0.0}), none);
-  const Mechanism<double> mechanism = pinned(builder, {rocker, {0.0, a, 0.0}}, {coupler, {d, 0.0, 0.0}});
+  const int crank = linkage.add("crank", ground, Joint<double>::revolute(z), Vector::zero());
+  const int coupler = linkage.add("coupler", crank, Joint<double>::revolute(z), {0.0, a, 0.0});
+  const int rocker = linkage.add("rocker", ground, Joint<double>::revolute(z), {d, 0.0, 0.0});
+  linkage.pin({rocker, {0.0, a, 0.0}}, {coupler, {d, 0.0, 0.0}});
   for (const double q : {0.5, 1.5, 1.7, 2.1, 3.0, 4.0, -2.0, -3.0}) {
-    const Closure closure = close_pose(mechanism, {q, 0.0, 0.0}, {true, false, false});
+    const Closure closure = close_pose(linkage.mechanism, {q, 0.0, 0.0}, {true, false, false});
     EXPECT_LT(closure.gap, 1e-14) << q;
     EXPECT_NEAR(closure.q[1], -q, 1e-10) << q;
     EXPECT_NEAR(closure.q[2], q, 1e-10) << q;

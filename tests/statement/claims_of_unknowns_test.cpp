@@ -73,9 +73,6 @@ TEST(ClaimsOfUnknowns, FormulasOfUnknownsLeaveOutTheSquares) {
 }
 
 TEST(ClaimsOfUnknowns, TakeTheirFormulas) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers use up the time that formulas are given";
-#endif
   const SolvedStatement found = solved(shell_in_letters + R"(ask: {w: angular_velocity(figure).x}
 claim:
   wrong: (J - I)*cos(b)*angular_velocity(figure).x^2 + I*S*angular_velocity(figure).x + D*c == 0

@@ -67,9 +67,6 @@ TEST(ScalingLaw, WhatFollowsAnAngle) {
 
 // The push of the pin is least where cos th = cos(b)/3 as long as b is no more than a right angle, then at the start.
 TEST(ScalingLaw, AnAngleMayBeBeyondARightAngle) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers use up the time that formulas are given";
-#endif
   const std::string dropped = figure +
                               "letters: {a: m, m: kg, g: m/s^2, b: rad}\ninstants: {start: {th: b, th': 0}}\n" +
                               "ask: {low: min(reaction(pin).y), high: max(reaction(pin).y), w: max(th')}\n";
