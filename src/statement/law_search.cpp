@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ctime>
 #include <map>
+#include <set>
 
 #include "statement/compare_values.h"
 #include "statement/extremum.h"
@@ -79,29 +80,31 @@ class LawSearch {
   }
 
   // An angle may be any: beyond a right angle another extreme may be the largest. What holds for positive angles alone
-  // says so.
+  // says so, and where it could not be tried.
   void hold_all_round(ScalingTrials& trials, std::size_t i, const ScalingLaw& law) {
-    std::vector<std::string> positive;
+    std::set<std::string> assumed;
     for (const std::string& name : solution_.asks[i].letters) {
       const auto letter = std::ranges::find(task_.open, name, &Letter::name);
       if (letter == task_.open.end() || letter->unit.dimension != dimensions::angle) continue;
+      std::string untried;
       for (const ScalingTrials::Point& point : trials.turned(name)) {
-        const std::optional<Value<double>>& value = point.answers[i];
-        if (!value || agrees(law.formula, *value, point.letters, 1e-6, size_of(*trials.base().answers[i]))) continue;
         const double angle = point.letters.at(name);
-        if (angle > 0) {
-          char text[40];
-          std::snprintf(text, sizeof text, "%.3g rad", angle);
-          throw NoFormula("the formula found holds for some values of the letters only, not at " + name + " = " + text);
+        char text[40];
+        std::snprintf(text, sizeof text, "%.3g rad", angle);
+        if (point.answers.empty() || !point.answers[i]) {
+          untried += (untried.empty() ? "" : ", ") + std::string(text);
+          continue;
         }
-        if (std::ranges::find(positive, name) == positive.end()) positive.push_back(name);
+        if (agrees(law.formula, *point.answers[i], point.letters, 1e-6, size_of(*trials.base().answers[i]))) continue;
+        if (angle > 0)
+          throw NoFormula("the formula found holds for some values of the letters only, not at " + name + " = " + text);
+        assumed.insert(name + " is not negative");
       }
+      if (!untried.empty()) assumed.insert(name + " is such that there is an answer: none was found at " + untried);
     }
-    for (const std::string& name : positive) {
-      const std::string words = name + " is not negative";
+    for (const std::string& words : assumed)
       if (std::ranges::find(solution_.assumptions, words) == solution_.assumptions.end())
         solution_.assumptions.push_back(words);
-    }
   }
 
   void add_unknown(ScalingTrials& trials, std::size_t k, const std::vector<std::string>& letters) {
@@ -121,7 +124,8 @@ class LawSearch {
     const std::clock_t begun = std::clock();
     ScalingTrials::Answers answers(solution_.asks.size() + unknowns_.size());
     const std::optional<AllSettings> settings = settings_at(letters);
-    if (!settings || !is_assumed(*settings)) return answers;
+    if (!settings || !is_assumed(*settings))
+      fail(task_.statement.file, {1, 1}, "nothing is found at other values of the letters, or they are not assumed");
     Sample sample(task_.statement, *settings, OpenChoice{});
     for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
       const Ask& ask = task_.statement.asks[i];

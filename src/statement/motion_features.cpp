@@ -47,16 +47,21 @@ MotionFeatures::Sampled MotionFeatures::samples(double from, double to) const {
   return sampled;
 }
 
-ExtremeFound MotionFeatures::polished(double before, double middle, double after, bool largest) const {
-  const ExtremeFound found = smooth_extreme(before, after, largest);
-  // A corner, as where loads change, is no zero of the slope.
-  const double sampled = number_(middle);
-  return (largest ? found.value < sampled : found.value > sampled) ? ExtremeFound{sampled, middle} : found;
+ExtremeFound MotionFeatures::polished(const Rough& rough, bool largest) const {
+  const double sign = largest ? 1 : -1;
+  ExtremeFound best{number_(rough.middle), rough.middle};
+  const std::optional<ExtremeFound> smooth = level_between(rough.before, rough.after);
+  if (smooth && rough.smooth && sign * smooth->value >= sign * best.value) return *smooth;
+  // A corner, as where loads change or a speed comes to zero, is no zero of the slope.
+  const ExtremeFound corner = outermost_between(rough.before, rough.after, largest);
+  if (sign * corner.value > sign * best.value) best = corner;
+  const double rounding = 1e-12 * std::abs(best.value);
+  return smooth && sign * smooth->value >= sign * best.value - rounding ? *smooth : best;
 }
 
-ExtremeFound MotionFeatures::smooth_extreme(double before, double after, bool largest) const {
-  // The zero of the slope, where it changes sign, by differences of sixth order where it is not known; else the least
-  // value.
+// Where the slope vanishes: a zero of the rate, or where that is not known of differences of sixth order. None where it
+// does not change sign.
+std::optional<ExtremeFound> MotionFeatures::level_between(double before, double after) const {
   const double h = 0.05 * (after - before);
   const auto slope = [&](double t) {
     if (rate_) return rate_(t);
@@ -64,22 +69,25 @@ ExtremeFound MotionFeatures::smooth_extreme(double before, double after, bool la
             (number_(t + 3 * h) - number_(t - 3 * h))) /
            (60 * h);
   };
-  if (rate_ || before - 3 * h >= 0) {
-    try {
-      const double a = slope(before), b = slope(after);
-      if ((a < 0) != (b < 0)) {
-        std::uintmax_t iterations = 60;
-        const auto bracket = boost::math::tools::toms748_solve(
-            slope, before, after, a, b, boost::math::tools::eps_tolerance<double>(50), iterations);
-        const double time = 0.5 * (bracket.first + bracket.second);
-        return {number_(time), time};
-      }
-    } catch (const StatementError&) {
-      // The stencil reaches beyond the end of the motion.
-    }
+  if (!rate_ && before - 3 * h < 0) return std::nullopt;
+  try {
+    const double a = slope(before), b = slope(after);
+    if ((a < 0) == (b < 0)) return std::nullopt;
+    std::uintmax_t iterations = 60;
+    const auto bracket = boost::math::tools::toms748_solve(slope, before, after, a, b,
+                                                           boost::math::tools::eps_tolerance<double>(50), iterations);
+    const double time = 0.5 * (bracket.first + bracket.second);
+    return ExtremeFound{number_(time), time};
+  } catch (const StatementError&) {
+    // The stencil reaches beyond the end of the motion.
+    return std::nullopt;
   }
+}
+
+// The only extreme of a bracket, with a corner or without: on the scale of the bracket, so that a corner far from time
+// zero is met no less closely than one near it.
+ExtremeFound MotionFeatures::outermost_between(double before, double after, bool largest) const {
   std::uintmax_t iterations = 100;
-  // On the scale of the bracket: a corner far from time zero is met no less closely than one near it.
   const double half = 0.5 * (after - before), center = 0.5 * (after + before);
   const auto found = boost::math::tools::brent_find_minima(
       [&](double x) { return largest ? -number_(center + half * x) : number_(center + half * x); }, -1.0, 1.0, 50,
@@ -90,26 +98,32 @@ ExtremeFound MotionFeatures::smooth_extreme(double before, double after, bool la
 std::vector<MotionFeatures::Rough> MotionFeatures::rough_extremes(const Sampled& sampled, bool largest) const {
   std::vector<Rough> found;
   const double sign = largest ? 1 : -1;
+  const auto bend_at = [&](std::size_t i) {
+    const double x1 = sampled.time[i - 1] - sampled.time[i], x2 = sampled.time[i + 1] - sampled.time[i];
+    return sign * ((sampled.value[i + 1] - sampled.value[i]) / x2 - (sampled.value[i - 1] - sampled.value[i]) / x1) /
+           (x2 - x1);
+  };
   for (std::size_t i = 1; i + 1 < sampled.value.size(); ++i) {
     const double before = sign * sampled.value[i - 1], here = sign * sampled.value[i],
                  after = sign * sampled.value[i + 1];
     if (!(here >= before && here > after)) continue;
     // The parabola through the three.
-    const double x1 = sampled.time[i - 1] - sampled.time[i], x2 = sampled.time[i + 1] - sampled.time[i];
-    const double s1 = (before - here) / x1, s2 = (after - here) / x2;
-    const double bend = (s2 - s1) / (x2 - x1), slope = s1 - bend * x1;
+    const double x1 = sampled.time[i - 1] - sampled.time[i];
+    const double bend = bend_at(i), slope = (before - here) / x1 - bend * x1;
     const double more = bend < 0 ? -slope * slope / (4 * bend) : 0;
     const double drop = here - std::min(before, after);
+    // It bends alike beside it where it is smooth; a corner goes as far as its sides lead.
+    const bool smooth = (i < 2 || 2 * std::abs(bend_at(i - 1) - bend) < std::abs(bend)) &&
+                        (i + 2 >= sampled.value.size() || 2 * std::abs(bend_at(i + 1) - bend) < std::abs(bend));
     found.push_back({sampled.time[i - 1], sampled.time[i], sampled.time[i + 1], sign * (here + more),
-                     0.1 * std::abs(more) + 0.01 * drop});
+                     0.1 * std::abs(more) + (smooth ? 0.01 : 1) * drop, smooth});
   }
   return found;
 }
 
 std::vector<ExtremeFound> MotionFeatures::extremes(const Sampled& sampled, bool largest) const {
   std::vector<ExtremeFound> found;
-  for (const Rough& rough : rough_extremes(sampled, largest))
-    found.push_back(polished(rough.before, rough.middle, rough.after, largest));
+  for (const Rough& rough : rough_extremes(sampled, largest)) found.push_back(polished(rough, largest));
   return found;
 }
 
@@ -130,7 +144,7 @@ std::optional<ExtremeFound> MotionFeatures::met_twice(const Sampled& sampled, bo
     const double far = sign * one.estimate, same_as = repeats_to * range;
     if (twice && far - one.doubt <= outermost + same_as) break;
     if (far + one.doubt < outermost - same_as) continue;
-    found.push_back(polished(one.before, one.middle, one.after, largest));
+    found.push_back(polished(one, largest));
     outermost = std::max(outermost, sign * found.back().value);
   }
   std::optional<ExtremeFound> first;
@@ -152,7 +166,7 @@ ExtremeFound MotionFeatures::outermost(const Sampled& sampled, bool largest) con
   const double highest = sign * best.value;
   for (const Rough& rough : rough_extremes(sampled, largest)) {
     if (sign * rough.estimate + rough.doubt < highest) continue;
-    const ExtremeFound one = polished(rough.before, rough.middle, rough.after, largest);
+    const ExtremeFound one = polished(rough, largest);
     if (sign * one.value > sign * best.value + 1e-12 * std::abs(best.value)) best = one;
   }
   return best;
@@ -192,7 +206,8 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
   const std::string ending = "say how long the motion lasts: stages: {run: {lasts: 10 s}}";
   const std::optional<double> end = motion_.end();
   if (end && motion_.nodes(0, *end).size() * per_step <= most_samples) return outermost(samples(0, *end), largest);
-  for (double until = 4 * motion_.pace_time(); !motion_.followed_enough(until) && !(end && until > *end); until *= 2) {
+  for (double until = 4 * motion_.pace_time(); !motion_.followed_enough(until / 2) && !(end && until > *end);
+       until *= 2) {
     const Sampled sampled = samples(0, until);
     const auto [low, high] = std::minmax_element(sampled.value.begin(), sampled.value.end());
     if (*high - *low <= 1e-9 * std::max(std::abs(*high), std::abs(*low))) {
@@ -274,9 +289,14 @@ double MotionFeatures::period() const {
       note({0, rising[k]});
       return period;
     }
-    if ((end && until >= *end) || motion_.followed_enough(until))
+    if (end && until >= *end)
       unanswered(file_, mark_, "'" + words_ + "' does not repeat: it has no period",
-                 motion_.end() ? "let the motion last for at least two periods" : "");
+                 "let the motion last for at least two periods");
+    if (motion_.followed_enough(until / 2)) {
+      char text[60];
+      std::snprintf(text, sizeof text, "' does not repeat up to %.4g s", until);
+      unanswered(file_, mark_, "'" + words_ + text + ": no period was found");
+    }
   }
 }
 
@@ -294,15 +314,11 @@ std::optional<ExtremeFound> MotionFeatures::nearest_to_zero(const Sampled& sampl
   if (at > 0) drop = std::max(drop, value(at - 1) - a);
   if (at + 1 < last) drop = std::max(drop, value(at + 2) - b);
   if (std::min(a, b) > 2 * drop) return std::nullopt;
-  std::uintmax_t iterations = 60;
-  const auto least = boost::math::tools::brent_find_minima([&](double t) { return sign * number_(t); },
-                                                           sampled.time[at], sampled.time[at + 1], 50, iterations);
-  ExtremeFound near{sign * least.second, least.first};
+  ExtremeFound near = outermost_between(sampled.time[at], sampled.time[at + 1], sign < 0);
   // A zero of the slope is found more closely.
-  if (least.second > 0) {
-    const ExtremeFound smooth = smooth_extreme(sampled.time[at], sampled.time[at + 1], sign < 0);
-    if (sign * smooth.value < least.second) near = smooth;
-  }
+  if (sign * near.value > 0)
+    if (const auto level = level_between(sampled.time[at], sampled.time[at + 1]))
+      if (sign * level->value < sign * near.value) near = *level;
   return near;
 }
 

@@ -60,6 +60,7 @@ class MotionFeatures {
     double before = 0, middle = 0, after = 0;  // times
     double estimate = 0;                       // of the value, by a parabola
     double doubt = 0;                          // how far that may be off
+    bool smooth = true;                        // else there may be a corner
   };
   Sampled samples(double from, double to) const;
   std::vector<Rough> rough_extremes(const Sampled& sampled, bool largest) const;
@@ -73,8 +74,9 @@ class MotionFeatures {
     latest_ = std::max(latest_, found.time);
     return found;
   }
-  ExtremeFound smooth_extreme(double before, double after, bool largest) const;
-  ExtremeFound polished(double before, double middle, double after, bool largest) const;
+  std::optional<ExtremeFound> level_between(double before, double after) const;
+  ExtremeFound outermost_between(double before, double after, bool largest) const;
+  ExtremeFound polished(const Rough& rough, bool largest) const;
   std::optional<ExtremeFound> nearest_to_zero(const Sampled& sampled, std::size_t at) const;
   double zero_between(double a, double b, double level) const;
 

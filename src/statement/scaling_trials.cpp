@@ -29,6 +29,18 @@ double exponent_of(const Dimension& dimension, Units units) {
   return (2 * dimension.length + dimension.time) / 24.0;
 }
 
+const std::vector<ScalingTrials::Point>& ScalingTrials::Known::get(const std::function<std::vector<Point>()>& find) {
+  if (refused_) throw NoFormula(*refused_);
+  if (points_) return *points_;
+  try {
+    points_ = find();
+  } catch (const NoFormula& reason) {
+    refused_ = reason.what();
+    throw;
+  }
+  return *points_;
+}
+
 ScalingTrials::ScalingTrials(std::vector<Letter> letters, LetterValues base, bool near, double error, Solve solve)
     : letters_(std::move(letters)),
       base_letters_(std::move(base)),
@@ -76,44 +88,59 @@ std::vector<double> ScalingTrials::values_to_try(const Letter& letter) const {
 }
 
 const std::vector<ScalingTrials::Point>& ScalingTrials::moved(const std::string& name) {
-  if (const auto known = moved_.find(name); known != moved_.end()) return known->second;
-  std::vector<Point>& points = moved_[name];
-  for (const double value : values_to_try(letter(name))) {
-    LetterValues letters = base_letters_;
-    letters[name] = value;
-    if (std::optional<Point> point = tried(letters)) points.push_back(std::move(*point));
-  }
-  return points;
+  return moved_[name].get([&] {
+    std::vector<Point> points;
+    for (const double value : values_to_try(letter(name))) {
+      LetterValues letters = base_letters_;
+      letters[name] = value;
+      if (std::optional<Point> point = tried(letters)) points.push_back(std::move(*point));
+    }
+    return points;
+  });
 }
 
 const std::vector<ScalingTrials::Point>& ScalingTrials::turned(const std::string& angle) {
-  if (const auto known = turned_.find(angle); known != turned_.end()) return known->second;
-  std::vector<Point>& points = turned_[angle];
-  if (near_) return points;
-  for (const double value : {1.45, 1.75, 2.3, 2.9, -0.6, -2.0}) {
-    LetterValues letters = base_letters_;
-    letters[angle] = value;
-    if (std::optional<Point> point = tried(letters)) points.push_back(std::move(*point));
-  }
-  return points;
+  return turned_[angle].get([&] {
+    std::vector<Point> points;
+    if (near_) return points;
+    for (const std::vector<double>& away : {std::vector{1.45, 1.75, 2.3, 2.9}, {-0.6, -2.0}}) {
+      bool given_up = false;
+      for (const double value : away) {
+        Point point{base_letters_, {}};
+        point.letters[angle] = value;
+        try {
+          if (!given_up) point.answers = solve_(point.letters);
+        } catch (const StatementError&) {
+          continue;
+        } catch (const NoFormula&) {
+          given_up = true;
+        }
+        points.push_back(std::move(point));
+      }
+    }
+    return points;
+  });
 }
 
 const std::vector<ScalingTrials::Point>& ScalingTrials::drawn() {
-  std::mt19937_64 random(7000);
-  for (int attempt = 0; attempt < most_attempts && drawn_.size() < draws; ++attempt) {
-    LetterValues letters = base_letters_;
-    for (const Letter& letter : letters_) {
-      double& value = letters[letter.name];
-      const double part = std::uniform_real_distribution<double>(0, 1)(random);
-      if (near_)
-        value *= 0.85 + 0.35 * part;
-      else
-        value = letter.unit.dimension == dimensions::angle ? 0.2 + part : letter.unit.factor * (0.5 + 1.5 * part);
+  return drawn_.get([&] {
+    std::vector<Point> points;
+    std::mt19937_64 random(7000);
+    for (int attempt = 0; attempt < most_attempts && points.size() < draws; ++attempt) {
+      LetterValues letters = base_letters_;
+      for (const Letter& letter : letters_) {
+        double& value = letters[letter.name];
+        const double part = std::uniform_real_distribution<double>(0, 1)(random);
+        if (near_)
+          value *= 0.85 + 0.35 * part;
+        else
+          value = letter.unit.dimension == dimensions::angle ? 0.2 + part : letter.unit.factor * (0.5 + 1.5 * part);
+      }
+      if (std::optional<Point> point = tried(letters)) points.push_back(std::move(*point));
     }
-    if (std::optional<Point> point = tried(letters)) drawn_.push_back(std::move(*point));
-  }
-  if (drawn_.size() < draws) throw NoFormula(nowhere_else);
-  return drawn_;
+    if (points.size() < draws) throw NoFormula(nowhere_else);
+    return points;
+  });
 }
 
 }  // namespace poinsot::statement

@@ -46,12 +46,23 @@ class ScalingTrials {
   const std::pair<double, Point>& scaled(Units units);
   // One letter alone at other values.
   const std::vector<Point>& moved(const std::string& letter);
-  // An angle alone beyond those values: up to a half turn, and negative. Empty where others stay near the base.
+  // An angle alone beyond those values: up to a half turn, and negative. Empty where others stay near the base. A point
+  // has no answers where they take too long.
   const std::vector<Point>& turned(const std::string& angle);
   // All letters drawn at random, three times.
   const std::vector<Point>& drawn();
 
  private:
+  // Points found once, or why there are none.
+  class Known {
+   public:
+    const std::vector<Point>& get(const std::function<std::vector<Point>()>& find);
+
+   private:
+    std::optional<std::vector<Point>> points_;
+    std::optional<std::string> refused_;
+  };
+
   std::optional<Point> tried(const LetterValues& letters) const;
   std::vector<double> values_to_try(const Letter& letter) const;
 
@@ -62,8 +73,8 @@ class ScalingTrials {
   Solve solve_;
   std::optional<Point> base_;
   std::map<Units, std::pair<double, Point>> scaled_;
-  std::map<std::string, std::vector<Point>> moved_, turned_;
-  std::vector<Point> drawn_;
+  std::map<std::string, Known> moved_, turned_;
+  Known drawn_;
 };
 
 }  // namespace poinsot::statement

@@ -86,6 +86,45 @@ TEST(EndlessExtremes, FrequenciesWithoutCommonMeasure) {
   EXPECT_NEAR(solved.number("M"), least, 1e-8);
 }
 
+// A speed has a corner where it comes to zero: deeper than the samples beside it tell.
+TEST(EndlessExtremes, CornersCountAsDeepAsTheyAre) {
+  const std::string cart =
+      "title: t\npoints: {O: [0, 0, 0]}\nbodies: {b: {particle: O, mass: 1 kg}}\n"
+      "joints: {r: {prismatic: x, at: O, to: b, displacement: x1, spring: {stiffness: 49 N/m, free_displacement: 0}}}\n"
+      "gravity: none\ninstants: {start: {x1: 0.1 m, x1': 0.2 m/s}}\n";
+  const double speed = std::hypot(0.2, 0.7);
+  const SolvedText endless(cart + "ask: {most: max(norm(velocity(b))), least: min(norm(velocity(b)))}\n");
+  EXPECT_NEAR(endless.number("most"), speed, 1e-9);
+  EXPECT_NEAR(endless.number("least"), 0, 1e-9);
+  // |x - 0.01 sin(3t)| and its like: every corner differs, as does how near the samples come to it.
+  const SolvedText ended(cart +
+                         "stages: {run: {lasts: 30 s}}\nask: {least: min(abs(x1) + 0.01 m * abs(cos(time * 1 rad/s))), "
+                         "most: max(-abs(x1) - 0.01 m * abs(cos(time * 1 rad/s)))}\n");
+  double least = 1;
+  for (double t = 0; t < 30; t += 1e-5) {
+    const double x = 0.1 * std::cos(7 * t) + 0.2 / 7 * std::sin(7 * t);
+    least = std::min(least, std::abs(x) + 0.01 * std::abs(std::cos(t)));
+  }
+  EXPECT_NEAR(ended.number("least"), least, 2e-6);
+  EXPECT_NEAR(ended.number("most"), -least, 2e-6);
+}
+
+// A gyrocompass: slow beside its spin, so that few of its periods can be followed.
+TEST(EndlessExtremes, ASlowPeriodOfAFastRotor) {
+  const SolvedText solved(
+      "title: t\ngiven: {n: 15000 rpm, lat: 40 deg, W: 7.292115e-5 rad/s}\npoints: {O: [0, 0, 0]}\n"
+      "directions: {pole: [cos(lat), 0, sin(lat)]}\nframes: {earth: {turns: pole, rate: W}}\n"
+      "bodies:\n  gimbal: massless\n  rotor: {mass: 1 kg, center: O, inertia: {axis: x, axial: 0.01 kg*m^2, "
+      "transverse: 0.006 kg*m^2}}\n"
+      "joints:\n  vert: {revolute: z, at: O, from: earth, to: gimbal, angle: a}\n"
+      "  axle: {revolute: x, at: O, from: gimbal, to: rotor, rate: n, accel: 0}\n"
+      "instants: {start: {a: 10 deg, a': 0}}\ngravity: none\nask: {T: period(a), f: max(a')}\n");
+  // J a'' = -I n W cos(lat) sin(a), but for (W/n)^2: a pendulum's.
+  const double w = std::sqrt(0.01 / 0.006 * 15000 * std::numbers::pi / 30 * 7.292115e-5 * std::cos(40 * degree));
+  EXPECT_NEAR(solved.number("T"), 4 * std::comp_ellint_1(std::sin(5 * degree)) / w, 2e-6);
+  EXPECT_NEAR(solved.number("f"), 2 * w * std::sin(5 * degree), 1e-7);
+}
+
 TEST(EndlessExtremes, EulerianAnglesThatStartAtTheirPole) {
   const std::string body =
       "title: t\npoints: {O: [0, 0, 0], P: [0, 0, 1 m]}\nbodies: {b: {mass: 2 kg, center: O, inertia: {x: 1 kg*m^2, y: "

@@ -1,6 +1,7 @@
 // Formulas of answers that are found by following a motion: letters that scale out.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -78,6 +79,23 @@ TEST(ScalingLaw, AnAngleMayBeBeyondARightAngle) {
   EXPECT_EQ(assumed, std::vector<std::string>{"b is not negative"});
   const SolvedText stated(dropped + "assume: [0 < b, b < 90 deg]\n");
   EXPECT_EQ(formula(stated, "low"), "g*m*(3*cos(b)^2 + 1)/4");
+  EXPECT_TRUE(stated.solved().solutions.at(0).assumptions.empty());
+}
+
+// From beyond a right angle the bob falls freely until its cord catches it, again and again: nothing is told of that.
+TEST(ScalingLaw, AnAngleThatCouldNotBeTriedIsNamed) {
+  const SolvedText solved(
+      "title: t\nletters: {L: m, m: kg, b: rad}\npoints: {O: [0, 0, 0], B: 'L*[sin(b), -cos(b), 0]'}\n"
+      "bodies: {bob: {particle: B, mass: m}}\ncords: {c: {at: O, to: bob, end: B}}\ngravity: -y\n"
+      "instants: {start: rest}\nask: {T: max(tension(c)), v: max(norm(velocity(bob)))}\n");
+  EXPECT_EQ(formula(solved, "T"), "9.80665*m*(3 - 2*cos(b))");
+  const std::string speed = formula(solved, "v");
+  EXPECT_TRUE(speed.ends_with("*sin(b/2)*sqrt(L)")) << speed;
+  EXPECT_NEAR(leading_number(speed), 2 * std::sqrt(9.80665), 1e-10);
+  const std::vector<std::string>& assumed = solved.solved().solutions.at(0).assumptions;
+  EXPECT_NE(std::ranges::find(
+                assumed, "b is such that there is an answer: none was found at 1.75 rad, 2.3 rad, 2.9 rad, -2 rad"),
+            assumed.end());
 }
 
 TEST(ScalingLaw, GroupsThatAreNoPowerAreNamed) {
