@@ -1,6 +1,7 @@
 // Impacts within random mechanisms with joints, loops, cords and contacts.
 #include <gtest/gtest.h>
 
+#include "case_count.h"
 #include "motion/random_mechanisms.h"
 #include "poinsot/solve/impulse.h"
 
@@ -15,11 +16,7 @@ using poinsot::testing::random_closed_state;
 using poinsot::testing::random_mechanism;
 
 // Sanitizers slow the integration down: there a part of the cases.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int cases_per_test = 100;
-#else
-constexpr int cases_per_test = 1000;
-#endif
+constexpr int cases_per_test = poinsot::testing::case_count(1000);
 
 // A mechanism in which body `on` approaches `from` (or the ground) at a place along a line.
 struct Collision {

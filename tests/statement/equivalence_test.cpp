@@ -1,6 +1,7 @@
 // One piece of physics, stated in several ways, has one set of answers.
 #include <gtest/gtest.h>
 
+#include "case_count.h"
 #include "statement/random_problems.h"
 
 namespace poinsot::statement {
@@ -8,7 +9,7 @@ namespace {
 
 using namespace testing;
 
-constexpr int trials = 1000;
+constexpr int trials = poinsot::testing::case_count(1000);
 
 // How an answer to the first text stands to the same answer of the second: vectors turn with the figure.
 void expect_same(const std::string& first, const std::string& second, double tolerance,

@@ -5,6 +5,7 @@
 #include <functional>
 #include <set>
 
+#include "case_count.h"
 #include "statement/hidden_data.h"
 
 namespace poinsot::statement {
@@ -12,12 +13,7 @@ namespace {
 
 using namespace testing;
 
-// Sanitizers slow the search down: there a part of the cases.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int cases_per_test = 100, cases_of_three = 100;
-#else
-constexpr int cases_per_test = 1000, cases_of_three = 1000;
-#endif
+constexpr int cases_per_test = poinsot::testing::case_count(1000);
 
 // A question and its answer's slopes in the hidden data, each in parts of the quantity's size per part of the datum.
 struct Response {
@@ -294,8 +290,8 @@ TEST(HideAndFind, ThreeThatForcesAreLinearIn) {
 
 TEST(HideAndFind, ThreeOfAnyKind) {
   Random random(304);
-  expect_finds(random, cases_of_three, 3, {.least_bodies = 1, .most_bodies = 1}, true, plain,
-               1 + cases_of_three / 1000);
+  expect_finds(random, cases_per_test, 3, {.least_bodies = 1, .most_bodies = 1}, true, plain,
+               1 + cases_per_test / 1000);
 }
 
 // Facts that do not depend on what is hidden leave it open, with and without a range.

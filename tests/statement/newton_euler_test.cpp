@@ -2,6 +2,7 @@
 // (tests/dynamics/newton_euler_oracle.h), for all kinds of joints.
 #include <gtest/gtest.h>
 
+#include "case_count.h"
 #include "dynamics/newton_euler_oracle.h"
 #include "statement/random_problems.h"
 
@@ -220,7 +221,7 @@ void expect_agreement(const ProblemData& stated, double tolerance) {
 
 TEST(NewtonEuler, AllKindsOfJoints) {
   Random random(201);
-  for (int trial = 0; trial < 1000; ++trial) {
+  for (int trial = 0; trial < poinsot::testing::case_count(1000); ++trial) {
     expect_agreement(random_problem(random, {.least_bodies = 1, .most_bodies = 5}), 1e-10);
     if (HasFatalFailure()) return;
   }

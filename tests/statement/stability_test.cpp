@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include "case_count.h"
 #include "statement/near_steady.h"
 
 namespace poinsot::statement {
@@ -10,7 +11,7 @@ namespace {
 
 using namespace testing;
 
-constexpr int trials = 1000;
+constexpr int trials = poinsot::testing::case_count(1000);
 constexpr double g = 9.81;
 
 std::string down_z() { return fmt::format("gravity: [0, 0, -{:.17g} m/s^2]\n", g); }
