@@ -108,12 +108,13 @@ class LawSearch {
   }
 
   void add_unknown(ScalingTrials& trials, std::size_t k, const std::vector<std::string>& letters) {
-    const auto& [unknown, situation] = unknowns_[k];
+    const Unknown& unknown = *unknowns_[k].unknown;
+    const std::size_t situation = unknowns_[k].situation;
     // Where there is none, the asks say why.
     static_cast<void>(why_no_formula([&] {
       const ScalingLaw law = scaling_law(trials, solution_.asks.size() + k, letters);
-      SolvedUnknown solved{unknown->name, unknown->unit, task_.settings[situation].at(unknown->name), law.formula};
-      if (!is_common(task_.statement, unknown->name)) solved.name += " @ " + task_.statement.situations[situation].name;
+      SolvedUnknown solved{unknown.name, unknown.unit, task_.settings[situation].at(unknown.name), law.formula};
+      if (!is_common(task_.statement, unknown.name)) solved.name += " @ " + task_.statement.situations[situation].name;
       solved.formula_road = road_of(law);
       solution_.unknowns.push_back(std::move(solved));
     }));

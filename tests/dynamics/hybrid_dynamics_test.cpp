@@ -65,6 +65,57 @@ TEST(ForwardDynamics, agrees_with_newton_euler_in_redundant_coordinates_on_1000_
   }
 }
 
+// A rotor in gimbals: how far it has turned does not matter, and what moves it is a small part of I s^2.
+TEST(HybridDynamics, the_spin_of_a_fast_rotor_adds_no_rounding) {
+  Random random(4);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Vector3<double> axis = random.direction(), across = normalized(cross(axis, random.direction()));
+    const double J = random.uniform(0.5, 2.0), C = J * random.uniform(0.1, 2.0), mass = random.uniform(0.5, 2.0);
+    const Vector3<double> center = random.uniform(-0.5, 0.5) * axis;
+    const auto along = [&](const Vector3<double>& a, double about, double transverse) {
+      return SymmetricMatrix3<double>{transverse + (about - transverse) * a.x * a.x,
+                                      transverse + (about - transverse) * a.y * a.y,
+                                      transverse + (about - transverse) * a.z * a.z,
+                                      (about - transverse) * a.x * a.y,
+                                      (about - transverse) * a.y * a.z,
+                                      (about - transverse) * a.z * a.x};
+    };
+    ModelBuilder<double> builder;
+    const SpatialTransform<double> here = SpatialTransform<double>::identity();
+    const int outer = builder.add_body("outer", ground, Joint<double>::revolute(random.direction()), here, {});
+    const int inner = builder.add_body("inner", outer, Joint<double>::revolute(across), here,
+                                       {0.3, Vector3<double>::zero(), along(across, 0.01, 0.02)});
+    builder.add_body("rotor", inner, Joint<double>::revolute(axis), here, {mass, center, along(axis, C, J)},
+                     CoordinateMode::prescribed);
+    builder.set_gravity(random.vector(9.0));
+    const Model<double> model = builder.build();
+    ASSERT_TRUE(model.body(2).axisymmetric);
+    Workspace<double> workspace(model);
+    const double spin = random.uniform(1e4, 1e5), rate = random.uniform(-0.1, 0.1);
+    const auto accelerations = [&](double turned) {
+      State<double> state = neutral_state(model);
+      state.q = {0.3, 0.7, turned};
+      state.v = {rate, -0.4 * rate, spin};
+      std::vector<double> acceleration{0, 0, 2.5}, force(3, 0.0);
+      hybrid_dynamics<double>(model, workspace, state, acceleration, force);
+      return acceleration;
+    };
+    const std::vector<double> expected = accelerations(0);
+    const double size = C * spin * 0.1 / J;
+    // On body axes, as inverse dynamics goes, the squares of the spin do not come up.
+    State<double> state = neutral_state(model);
+    state.q = {0.3, 0.7, 1.3};
+    state.v = {rate, -0.4 * rate, spin};
+    std::vector<double> force(3);
+    inverse_dynamics<double>(model, workspace, state, accelerations(1.3), force);
+    for (int k = 0; k < 2; ++k) ASSERT_NEAR(force[k], 0, 1e-12 * C * spin * 0.1) << "trial " << trial;
+    for (const double turned : {0.4, 1.1, 2.9, -7.3, 4001.7}) {
+      const std::vector<double> found = accelerations(turned);
+      for (int k = 0; k < 2; ++k) ASSERT_NEAR(found[k], expected[k], 2e-13 * size) << "trial " << trial;
+    }
+  }
+}
+
 TEST(InverseDynamics, agrees_with_newton_euler_in_redundant_coordinates_on_1000_random_trees) {
   Random random(3);
   for (int trial = 0; trial < 1000; ++trial) {

@@ -87,6 +87,24 @@ inline void carry_motion(const Workspace<Scalar>& workspace, const Model<Scalar>
   }
 }
 
+// The Newton-Euler force of a body of revolution that turns about its axis e relative to its parent: w = w_p + s e.
+// With I = J 1 + (C - J) e e^T the squares of s drop out of I alpha + w x I w, and with them their rounding, which for
+// a fast rotor would exceed what moves it.
+template <class Scalar>
+constexpr SpatialForce<Scalar> force_of_rotor(const Body<Scalar>& body, const ArticulatedBody<Scalar>& slot,
+                                              const Vector3<Scalar>& w_parent) {
+  const Vector3<Scalar> e = z_axis(slot.R);
+  const Vector3<Scalar> h = body.inertia.first_moment.z * e;
+  const Vector3<Scalar> carried = cross(w_parent, e);
+  const Scalar J = body.inertia.inertia.xx;
+  const Scalar C_J = body.inertia.inertia.zz - J;
+  const Vector3<Scalar> moment =
+      J * slot.alpha + C_J * (dot(e, slot.alpha) * e + dot(e, slot.w) * carried) + cross(h, slot.a);
+  const Vector3<Scalar> force =
+      body.inertia.mass * slot.a + cross(slot.alpha, h) + body.inertia.first_moment.z * cross(slot.w, carried);
+  return {moment, force};
+}
+
 // Poses, bias accelerations, and each body's own inertia and Newton-Euler force. given: accelerations of the given
 // coordinates (entries of free ones are not read); null if all are free.
 template <bool Hybrid, class Scalar>
@@ -124,6 +142,10 @@ template <bool Hybrid, class Scalar>
     const Scalar half_trace = Scalar(0.5) * (I.xx + I.yy + I.zz);
     const SymmetricMatrix3<Scalar> E{half_trace - I.xx, half_trace - I.yy, half_trace - I.zz, -I.xy, -I.yz, -I.zx};
     slot.inertia = ArticulatedInertia<Scalar>::of(SpatialInertia<Scalar>{body.inertia.mass, h, I});
+    if (body.axisymmetric && !first) {
+      slot.bias = force_of_rotor(body, slot, workspace.articulated[body.parent + 1].w);
+      continue;
+    }
     slot.bias.force = body.inertia.mass * a + A * h;
     slot.bias.moment = euler_moment(A, E) + cross(h, a);
   }

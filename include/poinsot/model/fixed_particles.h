@@ -23,6 +23,7 @@ Model<Scalar> with_particles(const Model<Scalar>& model, const std::vector<Fixed
     Body<Scalar>& body = bodies[static_cast<std::size_t>(particle.body)];
     const Vector3<Scalar> p = body.R_WB * particle.point;
     const Scalar& m = particle.mass;
+    body.axisymmetric = false;
     body.inertia += {m, m * p, m * unit_mass_inertia(p)};
     body.second_moment +=
         m * SymmetricMatrix3<Scalar>{p.x * p.x, p.y * p.y, p.z * p.z, p.x * p.y, p.y * p.z, p.z * p.x};

@@ -6,6 +6,8 @@
 // R_WB takes components on the body's axes to components on its working axes. Only this room and dynamics know of it.
 #pragma once
 
+#include <cmath>
+#include <concepts>
 #include <memory>
 #include <optional>
 #include <span>
@@ -27,7 +29,8 @@ inline constexpr int ground = -1;
 template <class Scalar>
 struct Body {
   JointType joint = JointType::weld;
-  bool all_free = true;  // every velocity coordinate of its joint is free
+  bool all_free = true;       // every velocity coordinate of its joint is free
+  bool axisymmetric = false;  // a body of revolution about the axis of its revolute joint, of numbers
   int parent = ground;
   int q = 0;                             // its first position coordinate
   int v = 0;                             // its first velocity coordinate
@@ -37,6 +40,31 @@ struct Body {
   SymmetricMatrix3<Scalar> second_moment{};  // integral of r r^T dm about the origin, kg m^2
   Matrix3<Scalar> R_WB{};
 };
+
+namespace detail {
+
+// About z, to rounding.
+template <std::floating_point Scalar>
+bool is_of_revolution(const SpatialInertia<Scalar>& body) {
+  const SymmetricMatrix3<Scalar>& I = body.inertia;
+  const Vector3<Scalar>& h = body.first_moment;
+  const Scalar rounding = Scalar(1e-14) * (I.xx + I.yy + I.zz);
+  const Scalar rounding_of_moment = Scalar(1e-14) * std::sqrt(body.mass * (I.xx + I.yy + I.zz));
+  const auto vanish = [](Scalar bound, auto... x) { return (... && (std::abs(x) <= bound)); };
+  return rounding > 0 && vanish(rounding, I.xx - I.yy, I.xy, I.yz, I.zx) && vanish(rounding_of_moment, h.x, h.y);
+}
+
+// Rounding of what vanishes would count times the square of a fast spin.
+template <std::floating_point Scalar>
+void make_exactly_of_revolution(Body<Scalar>& body) {
+  const SymmetricMatrix3<Scalar>& I = body.inertia.inertia;
+  const Scalar J = (I.xx + I.yy) / 2, axial = I.zz / 2;
+  body.inertia.first_moment = {0, 0, body.inertia.first_moment.z};
+  body.inertia.inertia = SymmetricMatrix3<Scalar>::diagonal(J, J, I.zz);
+  body.second_moment = SymmetricMatrix3<Scalar>::diagonal(axial, axial, J - axial);
+}
+
+}  // namespace detail
 
 template <class Scalar>
 class Model {
@@ -51,6 +79,10 @@ class Model {
       if (body.joint == JointType::revolute || body.joint == JointType::screw) {
         if (angles_.last == 0) angles_.first = body.q;
         angles_.last = body.q + 1;
+      }
+      if constexpr (std::floating_point<Scalar>) {
+        body.axisymmetric = body.joint == JointType::revolute && detail::is_of_revolution(body.inertia);
+        if (body.axisymmetric) detail::make_exactly_of_revolution(body);
       }
       body.all_free = true;
       for (int k = 0; k < poinsot::velocity_size(body.joint); ++k) {
@@ -138,6 +170,7 @@ template <class Target, class Source, class Convert>
 Body<Target> converted(const Body<Source>& b, Convert convert) {
   return {b.joint,
           b.all_free,
+          b.axisymmetric,
           b.parent,
           b.q,
           b.v,
@@ -193,7 +226,10 @@ Model<Pack> pack_models(std::span<const Model<double>> models) {
     return Pack::from_lanes([&numbers, k](int lane) { return numbers[lane][k]; });
   };
   std::vector<Body<Pack>> bodies;
-  for (const Body<double>& body : first.bodies()) bodies.push_back(detail::converted<Pack>(body, gather));
+  for (int i = 0; i < first.body_count(); ++i) {
+    bodies.push_back(detail::converted<Pack>(first.body(i), gather));
+    for (const Model<double>& model : models) bodies.back().axisymmetric &= model.body(i).axisymmetric;
+  }
   return Model<Pack>(std::move(bodies), first.names(), first.modes(), detail::converted<Pack>(first.gravity(), gather));
 }
 
