@@ -297,8 +297,10 @@ class Lexer {
     } catch (const UnitError& error) {
       std::string hint = error.hint;
       const bool factor = error.offset > 0 && (unit[error.offset - 1] == '*' || unit[error.offset - 1] == '/');
-      if (factor && hint.substr(0, 5) != "write") {
-        if (!hint.empty()) hint += " ";
+      const bool tells_writing = hint.starts_with("write"),
+                 word = error.offset < unit.size() && is_letter(unit[error.offset]);
+      if (factor && (word || !tells_writing)) {
+        if (!hint.empty()) hint += tells_writing ? ", or, " : " ";
         hint += std::string("if it is a name, put blanks around the '") + unit[error.offset - 1] + "'";
       }
       source_.fail(begin + error.offset, error.message, hint);

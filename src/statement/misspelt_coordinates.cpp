@@ -1,32 +1,14 @@
 #include "statement/misspelt_coordinates.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "statement/entry_words.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
-namespace {
-
-void collect_words(const Entry& entry, std::set<std::string>& words) {
-  std::string word;
-  for (const char c : entry.text + " ") {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
-      word += c;
-    } else if (!word.empty()) {
-      words.insert(word);
-      word.clear();
-    }
-  }
-  for (const Entry& item : entry.items) collect_words(item, words);
-  for (const auto& [key, value] : entry.members) collect_words(value, words);
-}
-
-}  // namespace
-
 void check_misspelt_coordinates(const Entry& root, const Problem& problem) {
   std::set<std::string> known;
   for (const NamedExpression& datum : problem.given) known.insert(datum.name);

@@ -13,6 +13,7 @@
 #include "statement/read_joints.h"
 #include "statement/read_record.h"
 #include "statement/reader.h"
+#include "statement/unused_unknowns.h"
 
 namespace poinsot::statement {
 namespace {
@@ -413,7 +414,10 @@ Statement read_statement(std::string_view text, const std::string& file) {
           statement.situations.back().own_unknowns.push_back(unknown.text);
     }
   }
-  for (const Situation& situation : statement.situations) check_misspelt_coordinates(root, situation.problem);
+  for (const Situation& situation : statement.situations) {
+    check_misspelt_coordinates(root, situation.problem);
+    check_unused_unknowns(root, situation.problem);
+  }
   return statement;
 }
 

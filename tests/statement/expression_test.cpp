@@ -232,6 +232,9 @@ TEST(Expression, WrongUnits) {
       {"2 sin(x)", "f:1:3: error: 'sin' is not a unit (write '2*sin(...)' to multiply)"},
       {"2 min(x)", "f:1:3: error: an operator is missing between '2' and 'min' (write '2*min(...)' to multiply)"},
       {"2 lbs*ft", "f:1:3: error: 'lbs' is not how the unit is written (write 'lb*ft')"},
+      {"2 m*d",
+       "f:1:5: error: 'd' is not how the unit is written (write 'm*day', or, if it is a name, put blanks around the "
+       "'*')"},
       {"2 m*r", "f:1:5: error: 'r' is not a unit (if it is a name, put blanks around the '*')"},
       {"2 m2", "f:1:3: error: 'm2' is not a unit (write 'm^2')"},
       {"2 kg.m2", "f:1:5: error: '.' does not belong into a unit (write 'kg*m^2')"},

@@ -120,6 +120,33 @@ ask: {a: angular_momentum(disk about O)}
        "test.yaml:3:74: error: the key 'mass' stands here a second time; the first is in line 3, column 62 (remove one "
        "of the two)",
        {}},
+      {"UnknownUsedNowhere",
+       R"(title: t with k
+find: {w: rad/s, k: N/m}
+points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {r: {rod: [O, A], mass: 1 kg}}
+joints: {pin: {revolute: z, at: O, to: r, rate: w}}
+gravity: none
+instants: {now: {kinetic_energy(r): 3 J}}
+ask: {w: w, k: k}
+)",
+       "test.yaml:2:18: error: the unknown 'k' stands nowhere in the figure and the facts: nothing can fix it (write it "
+       "where its value belongs, or remove it)",
+       {}},
+      {"UnknownOfASituationUsedNowhere",
+       R"(title: t
+points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {r: {rod: [O, A], mass: 1 kg}}
+joints: {pin: {revolute: z, at: O, to: r, rate: w}}
+gravity: none
+situations:
+  slow: {given: {w: 1 rad/s}}
+  fast: {find: {w: rad/s, v: m/s}, instants: {now: {kinetic_energy(r): 3 J}}}
+ask: {K: kinetic_energy(r) @ slow, v: v @ fast}
+)",
+       "test.yaml:8:27: error: the unknown 'v' stands nowhere in the figure and the facts: nothing can fix it (write it "
+       "where its value belongs, or remove it)",
+       {}},
       {"WrongDimension",
        R"(title: t
 points: {O: [0, 0, 0], A: [0, 1 m, 0]}

@@ -1,0 +1,13 @@
+// Unknowns that nothing can fix.
+#pragma once
+
+#include "poinsot/statement/problem.h"
+#include "poinsot/statement/tree.h"
+
+namespace poinsot::statement {
+
+// Throws StatementError for an unknown that stands nowhere in the figure, the facts and the conditions. root: the whole
+// file.
+void check_unused_unknowns(const Entry& root, const Problem& problem);
+
+}  // namespace poinsot::statement
