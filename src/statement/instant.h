@@ -28,6 +28,7 @@ struct OpenChoice {
   static constexpr std::size_t every = static_cast<std::size_t>(-1);
   bool trial = false;                        // unknowns have trial values: what does not hold is a misfit, not an error
   std::optional<solve::Scales> scales = {};  // units of misfits; those natural to the machine when left out
+  std::size_t most_changes = 500;            // of what holds, until a motion is given up
 };
 
 // Where in time: the only instant or the start of the first stage, or just after a blow.

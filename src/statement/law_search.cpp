@@ -18,6 +18,7 @@ namespace poinsot::statement {
 namespace {
 
 constexpr double most_seconds_each = 0.4;  // of the processor for a trial, of which there are some twenty
+constexpr std::size_t most_changes_each = 50;
 
 bool has_numbers(const Value<double>& value) {
   if (value.is_list()) return !value.items.empty() && std::ranges::all_of(value.items, has_numbers);
@@ -127,13 +128,14 @@ class LawSearch {
     const std::optional<AllSettings> settings = settings_at(letters);
     if (!settings || !is_assumed(*settings))
       fail(task_.statement.file, {1, 1}, "nothing is found at other values of the letters, or they are not assumed");
-    Sample sample(task_.statement, *settings, OpenChoice{});
+    const OpenChoice choice{.most_changes = most_changes_each};
+    Sample sample(task_.statement, *settings, choice);
     for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
       const Ask& ask = task_.statement.asks[i];
       if (solution_.asks[i].state != AskState::needs_letters || ask.table) continue;
       try {
-        answers[i] = ask.extremum ? ExtremumSearch(task_.statement, ask, *settings, OpenChoice{}).find().value
-                                  : sample.value(ask);
+        answers[i] =
+            ask.extremum ? ExtremumSearch(task_.statement, ask, *settings, choice).find().value : sample.value(ask);
       } catch (const StatementError&) {
         continue;
       }

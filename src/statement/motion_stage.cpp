@@ -16,8 +16,6 @@
 namespace poinsot::statement {
 namespace {
 
-constexpr std::size_t most_changes = 500;  // of what holds
-
 // "crank at 180 deg, joint 'B' at 0 deg".
 std::string pose_in_words(const std::vector<NamedCoordinate>& coordinates, const IntegrationResult& result) {
   constexpr double degree = std::numbers::pi / 180;
@@ -74,7 +72,7 @@ void ProblemMotion::run(std::size_t stage, double until) {
     if (released) {
       change_holds(stage, *released, piece);
     }
-    if (happenings_.size() > most_changes)
+    if (happenings_.size() > choice_.most_changes)
       throw UnansweredError(problem_.file, mark_of(stage),
                             "cords and contacts give way and catch again without end in " + words_of(stage),
                             "ask for earlier times");

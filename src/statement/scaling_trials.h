@@ -47,7 +47,7 @@ class ScalingTrials {
   // One letter alone at other values.
   const std::vector<Point>& moved(const std::string& letter);
   // An angle alone beyond those values: up to a half turn, and negative. Empty where others stay near the base. A point
-  // has no answers where they take too long.
+  // has no answers where they take too long, or beyond one that lacks an answer.
   const std::vector<Point>& turned(const std::string& angle);
   // All letters drawn at random, three times.
   const std::vector<Point>& drawn();

@@ -170,7 +170,7 @@ TEST(Equilibria, AllAnglesOfAHingeOnATurningArm) {
   }
   EXPECT_EQ(failures, 0);
   // The cases are worth something: none, one and several angles all occur.
-  for (std::size_t roots = 0; roots <= 4; ++roots) EXPECT_GT(counts[roots], 3 * cases / 1000) << roots;
+  for (std::size_t roots = 0; roots <= 4; ++roots) EXPECT_GE(counts[roots], 4 * cases / 1000) << roots;
 }
 
 }  // namespace
