@@ -53,7 +53,7 @@ struct Derived {
   ProgramText text;
 };
 
-Derived derived(Draft& draft) {
+Derived derived(Draft& draft, StraightLine::Shortening shortening) {
   draft.mechanism.tree = draft.builder.build();
   const Model<Traced>& tree = draft.mechanism.tree;
   State<Traced> state;
@@ -84,7 +84,7 @@ Derived derived(Draft& draft) {
   text.inputs = draft.inputs;
   text.blocks = {{"M", "mass matrix", right.size(), right.size(), true},
                  {"F", "right-hand side", right.size(), 1, false}};
-  return {StraightLine(draft.trace, outputs), text};
+  return {StraightLine(draft.trace, outputs, shortening), text};
 }
 
 void heavy_top(Draft& d) {
@@ -158,7 +158,9 @@ double median(std::vector<double> times) {
   return times[times.size() / 2];
 }
 
-void report_equations(const std::string& name, const std::function<void(Draft&)>& build) {
+// The row that is reported, and in it how long it takes.
+nlohmann::json derived_row(const std::string& name, const std::function<void(Draft&)>& build,
+                           StraightLine::Shortening shortening) {
   std::vector<double> times;
   nlohmann::json row;
   for (int run = 0; run < 11; ++run) {
@@ -166,7 +168,7 @@ void report_equations(const std::string& name, const std::function<void(Draft&)>
     Draft draft;
     const TraceScope scope(draft.trace);
     build(draft);
-    const Derived result = derived(draft);
+    const Derived result = derived(draft, shortening);
     times.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
     if (run > 0) continue;
     row = {{"model", name},
@@ -176,6 +178,14 @@ void report_equations(const std::string& name, const std::function<void(Draft&)>
            {"python", write_program(result.program, result.text, TextForm::python)}};
   }
   row["seconds"] = median(times);
+  return row;
+}
+
+void report_equations(const std::string& name, const std::function<void(Draft&)>& build) {
+  nlohmann::json row = derived_row(name, build, StraightLine::Shortening::by_factors);
+  const nlohmann::json searched = derived_row(name, build, StraightLine::Shortening::by_search);
+  row["searched_seconds"] = searched["seconds"];
+  row["searched_operations"] = searched["operations"];
   fmt::print("{}\n", row.dump());
 }
 

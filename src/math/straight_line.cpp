@@ -38,9 +38,9 @@ struct Term {
 };
 
 // Computes what is needed of a trace again, in a new one, with sums factored.
-class Shortening {
+class FactoredTrace {
  public:
-  Shortening(const Trace& old, const std::vector<Traced>& outputs)
+  FactoredTrace(const Trace& old, const std::vector<Traced>& outputs)
       : nodes_(old.nodes()), needed_(nodes_, outputs), mapped_(nodes_.size()) {
     for (const Trace::Node& node : nodes_)
       if (node.operation == Op::input) inputs_.push_back(trace_.input(node.value));
@@ -206,7 +206,8 @@ class Shortening {
 
 bool is_operation(TracedOperation operation) { return operation != Op::constant && operation != Op::input; }
 
-StraightLine::StraightLine(const Trace& trace, const std::vector<Traced>& outputs) : inputs_(trace.input_count()) {
+StraightLine::StraightLine(const Trace& trace, const std::vector<Traced>& outputs, Shortening shortening)
+    : inputs_(trace.input_count()) {
   Trace shorter;
   const Trace* best = &trace;
   std::vector<Traced> results = outputs;
@@ -222,15 +223,17 @@ StraightLine::StraightLine(const Trace& trace, const std::vector<Traced>& output
   };
   const auto bring_together = [&] {
     for (int round = 0; round < most_rounds; ++round) {
-      Shortening next(*best, results);
+      FactoredTrace next(*best, results);
       Trace candidate = next.take_trace();
       if (!take(std::move(candidate), next.outputs())) break;
     }
   };
   bring_together();
-  if (auto other = resubstituted(*best, results)) {
-    take(std::move(other->trace), other->outputs);
-    bring_together();
+  if (shortening == Shortening::by_search) {
+    if (auto other = resubstituted(*best, results)) {
+      take(std::move(other->trace), other->outputs);
+      bring_together();
+    }
   }
 
   const std::vector<Trace::Node>& nodes = best->nodes();

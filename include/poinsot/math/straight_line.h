@@ -26,9 +26,13 @@ class StraightLine {
     std::uint32_t input = 0;                      // which input of the trace
   };
 
+  // How far shorter programs are sought: by common factors, in less than a millisecond for small models, or also by
+  // other ways to the same numbers, in tens of milliseconds, as pays for code that is kept.
+  enum class Shortening { by_factors, by_search };
+
   // Only what the outputs need, with terms of sums that share a factor brought together as long as that saves
   // operations.
-  StraightLine(const Trace& trace, const std::vector<Traced>& outputs);
+  StraightLine(const Trace& trace, const std::vector<Traced>& outputs, Shortening shortening = Shortening::by_search);
 
   // Each after those that it uses: zero first, then inputs, constants and operations.
   const std::vector<Step>& steps() const { return steps_; }
