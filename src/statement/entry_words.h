@@ -25,11 +25,15 @@ inline void collect_words(std::string_view text, std::set<std::string>& words) {
   end_word();
 }
 
-// Of values, not of keys.
-inline void collect_words(const Entry& entry, std::set<std::string>& words) {
+enum class Keys { left_out, too };
+
+inline void collect_words(const Entry& entry, Keys keys, std::set<std::string>& words) {
   collect_words(entry.text, words);
-  for (const Entry& item : entry.items) collect_words(item, words);
-  for (const auto& [key, value] : entry.members) collect_words(value, words);
+  for (const Entry& item : entry.items) collect_words(item, keys, words);
+  for (const auto& [key, value] : entry.members) {
+    if (keys == Keys::too) collect_words(key.text, words);
+    collect_words(value, keys, words);
+  }
 }
 
 }  // namespace poinsot::statement

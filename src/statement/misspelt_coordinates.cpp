@@ -9,13 +9,13 @@
 #include "statement/reader.h"
 
 namespace poinsot::statement {
-void check_misspelt_coordinates(const Entry& root, const Problem& problem) {
+namespace {
+
+void check_coordinates_of(const Problem& problem, const std::set<std::string>& used) {
   std::set<std::string> known;
   for (const NamedExpression& datum : problem.given) known.insert(datum.name);
   for (const Letter& letter : problem.letters) known.insert(letter.name);
   for (const Unknown& unknown : problem.find) known.insert(unknown.name);
-  std::set<std::string> used;
-  collect_words(root, used);
   std::vector<std::string> unused;
   std::copy_if(known.begin(), known.end(), std::back_inserter(unused),
                [&](const std::string& name) { return !used.contains(name); });
@@ -30,6 +30,14 @@ void check_misspelt_coordinates(const Entry& root, const Problem& problem) {
            "'" + name->name + "' is no datum, and '" + near + "', which is one, is used nowhere",
            "did you mean '" + near + "'? If '" + name->name + "' is to name a coordinate, remove '" + near + "'");
     }
+}
+
+}  // namespace
+
+void check_misspelt_coordinates(const Entry& root, const Statement& statement) {
+  std::set<std::string> used;
+  collect_words(root, Keys::left_out, used);
+  for (const Situation& situation : statement.situations) check_coordinates_of(situation.problem, used);
 }
 
 }  // namespace poinsot::statement

@@ -8,6 +8,6 @@ namespace poinsot::statement {
 
 // A word under angle: or displacement: that names no datum is the name of a coordinate. Throws StatementError if it is
 // nearly the name of a datum that nothing in the file uses. root: the whole file.
-void check_misspelt_coordinates(const Entry& root, const Problem& problem);
+void check_misspelt_coordinates(const Entry& root, const Statement& statement);
 
 }  // namespace poinsot::statement

@@ -414,10 +414,8 @@ Statement read_statement(std::string_view text, const std::string& file) {
           statement.situations.back().own_unknowns.push_back(unknown.text);
     }
   }
-  for (const Situation& situation : statement.situations) {
-    check_misspelt_coordinates(root, situation.problem);
-    check_unused_unknowns(root, situation.problem);
-  }
+  check_misspelt_coordinates(root, statement);
+  check_unused_unknowns(root, statement);
   return statement;
 }
 

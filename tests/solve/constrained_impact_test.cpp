@@ -15,7 +15,6 @@ using poinsot::testing::Random;
 using poinsot::testing::random_closed_state;
 using poinsot::testing::random_mechanism;
 
-// Sanitizers slow the integration down: there a part of the cases.
 constexpr int cases_per_test = poinsot::testing::case_count(1000);
 
 // A mechanism in which body `on` approaches `from` (or the ground) at a place along a line.

@@ -1,7 +1,6 @@
 // Angles at which what is hinged to a turning arm stays at rest relative to it: all of them, and no others.
 #include <gtest/gtest.h>
 
-#include "case_count.h"
 #include "statement/random_problems.h"
 
 namespace poinsot::statement {
@@ -147,9 +146,8 @@ class Hinged {
 TEST(Equilibria, AllAnglesOfAHingeOnATurningArm) {
   Random random(431);
   std::map<std::size_t, int> counts;
-  constexpr int cases = poinsot::testing::case_count(1000);
   int done = 0, failures = 0;
-  while (done < cases) {
+  while (done < 1000) {
     const Hinged hinged(random);
     const auto expected = hinged.scanned();
     if (!expected) continue;
@@ -170,7 +168,7 @@ TEST(Equilibria, AllAnglesOfAHingeOnATurningArm) {
   }
   EXPECT_EQ(failures, 0);
   // The cases are worth something: none, one and several angles all occur.
-  for (std::size_t roots = 0; roots <= 4; ++roots) EXPECT_GE(counts[roots], 4 * cases / 1000) << roots;
+  for (std::size_t roots = 0; roots <= 4; ++roots) EXPECT_GT(counts[roots], 3) << roots;
 }
 
 }  // namespace

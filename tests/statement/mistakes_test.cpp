@@ -133,6 +133,18 @@ ask: {w: w, k: k}
        "test.yaml:2:18: error: the unknown 'k' stands nowhere in the figure and the facts: nothing can fix it (write it "
        "where its value belongs, or remove it)",
        {}},
+      {"UnknownThatIsMisspeltWhereItIsUsed",
+       R"(title: t
+find: {omega: rad/s}
+points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {r: {rod: [O, A], mass: 1 kg}}
+joints: {pin: {revolute: z, at: O, to: r, rate: omgea}}
+gravity: none
+instants: {now: {kinetic_energy(r): 3 J}}
+ask: {w: omega}
+)",
+       "test.yaml:5:49: error: 'omgea' is not defined (did you mean 'omega'?)",
+       {}},
       {"UnknownOfASituationUsedNowhere",
        R"(title: t
 points: {O: [0, 0, 0], A: [1 m, 0, 0]}
