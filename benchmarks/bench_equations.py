@@ -152,7 +152,7 @@ def main():
     rows = [json.loads(line) for line in run.stdout.splitlines()]
     print(f"Equations of motion (mass matrix and right-hand side) beside SymPy {sympy.__version__}, KanesMethod\n")
     print(f"{'model':<26} {'ms':>9} {'SymPy, ms':>11} {'ratio':>8}   {'operations':>10} {'SymPy':>9} {'its cse':>9} {'apart':>8}"
-          f"   searched: {'ms':>7} {'operations':>10}")
+          f"   thorough: {'ms':>7} {'operations':>10}")
     agree = True
     for row in rows:
         if "model" not in row:
@@ -169,7 +169,7 @@ def main():
         agree = agree and difference < TOLERANCE
         print(f"{row['model']:<26} {1e3 * row['seconds']:9.3f} {1e3 * seconds:11.1f} {seconds / row['seconds']:8.0f}   "
               f"{row['operations']:10d} {operations:9d} {named:9d} {difference:8.0e}"
-              f"             {1e3 * row['searched_seconds']:7.1f} {row['searched_operations']:10d}", flush=True)
+              f"             {1e3 * row['thorough_seconds']:7.1f} {row['thorough_operations']:10d}", flush=True)
     print("\nInverse dynamics: generated C (cc -O3 -march=native) beside the engine's call, ns\n")
     print(f"{'model':<26} {'generated':>10} {'engine':>8} {'ratio':>7} {'operations':>11} {'apart':>8}")
     for row in rows:

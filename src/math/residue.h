@@ -18,7 +18,10 @@ class Modular {
   static constexpr std::uint64_t prime = (std::uint64_t{1} << 61) - 1;
 
   constexpr Modular() = default;
-  constexpr explicit Modular(std::uint64_t number) : number_(number % prime) {}
+  // 2^61 is 1.
+  constexpr explicit Modular(std::uint64_t number) : number_((number & prime) + (number >> 61)) {
+    if (number_ >= prime) number_ -= prime;
+  }
   constexpr std::uint64_t number() const { return number_; }
 
   friend constexpr bool operator==(const Modular&, const Modular&) = default;
@@ -50,9 +53,22 @@ constexpr std::optional<Modular> square_root(Modular a) {
 
 // real + imaginary i.
 struct ModularPair {
-  Modular real, imaginary;
+  Modular real{}, imaginary{};
   friend constexpr bool operator==(const ModularPair&, const ModularPair&) = default;
+  friend constexpr ModularPair operator+(const ModularPair& a, const ModularPair& b) {
+    return {a.real + b.real, a.imaginary + b.imaginary};
+  }
+  friend constexpr ModularPair operator-(const ModularPair& a) { return {-a.real, -a.imaginary}; }
+  friend constexpr ModularPair operator-(const ModularPair& a, const ModularPair& b) { return a + -b; }
+  friend constexpr ModularPair operator*(const ModularPair& a, const ModularPair& b) {
+    return {a.real * b.real - a.imaginary * b.imaginary, a.real * b.imaginary + a.imaginary * b.real};
+  }
 };
+// Of a number that is not zero.
+constexpr ModularPair inverse(const ModularPair& a) {
+  const Modular size = inverse(a.real * a.real + a.imaginary * a.imaginary);
+  return {a.real * size, -(a.imaginary * size)};
+}
 
 constexpr std::uint64_t mixed(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15U;
@@ -82,6 +98,11 @@ class Residue {
     for (const ModularPair& at : at_) h = mixed(mixed(h + at.real.number()) + at.imaginary.number());
     return h;
   }
+  // One for r and -r.
+  constexpr std::uint64_t hash_up_to_sign() const {
+    const Modular first = at_[0].real == Modular() ? at_[0].imaginary : at_[0].real;
+    return first.number() > Modular::prime / 2 ? (-*this).hash() : hash();
+  }
   constexpr bool is_zero() const { return *this == Residue(); }
   // Whether it has an inverse.
   constexpr bool is_unit() const { return !(at_[0] == ModularPair{}) && !(at_[1] == ModularPair{}); }
@@ -90,32 +111,24 @@ class Residue {
   friend constexpr bool operator==(const Residue&, const Residue&) = default;
   friend constexpr Residue operator+(const Residue& a, const Residue& b) {
     Residue c;
-    for (std::size_t k = 0; k < 2; ++k)
-      c.at_[k] = {a.at_[k].real + b.at_[k].real, a.at_[k].imaginary + b.at_[k].imaginary};
+    for (std::size_t k = 0; k < 2; ++k) c.at_[k] = a.at_[k] + b.at_[k];
     return c;
   }
   friend constexpr Residue operator-(const Residue& a) {
     Residue c;
-    for (std::size_t k = 0; k < 2; ++k) c.at_[k] = {-a.at_[k].real, -a.at_[k].imaginary};
+    for (std::size_t k = 0; k < 2; ++k) c.at_[k] = -a.at_[k];
     return c;
   }
   friend constexpr Residue operator-(const Residue& a, const Residue& b) { return a + -b; }
   friend constexpr Residue operator*(const Residue& a, const Residue& b) {
     Residue c;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const ModularPair &x = a.at_[k], &y = b.at_[k];
-      c.at_[k] = {x.real * y.real - x.imaginary * y.imaginary, x.real * y.imaginary + x.imaginary * y.real};
-    }
+    for (std::size_t k = 0; k < 2; ++k) c.at_[k] = a.at_[k] * b.at_[k];
     return c;
   }
   // Of a unit.
   friend constexpr Residue inverse(const Residue& a) {
     Residue c;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const ModularPair& x = a.at_[k];
-      const Modular size = inverse(x.real * x.real + x.imaginary * x.imaginary);
-      c.at_[k] = {x.real * size, -(x.imaginary * size)};
-    }
+    for (std::size_t k = 0; k < 2; ++k) c.at_[k] = inverse(a.at_[k]);
     return c;
   }
   // A square root with opposite signs at the two points, if a stays in the smaller field.
@@ -133,11 +146,8 @@ class Residue {
   }
   // The same for all constant multiples of a unit, those of numbers that take one value at both points.
   friend constexpr std::uint64_t direction_hash(const Residue& a) {
-    const ModularPair &x = a.at_[0], &y = a.at_[1];
-    const Modular size = inverse(y.real * y.real + y.imaginary * y.imaginary);
-    const Modular real = (x.real * y.real + x.imaginary * y.imaginary) * size;
-    const Modular imaginary = (x.imaginary * y.real - x.real * y.imaginary) * size;
-    return mixed(mixed(real.number()) + imaginary.number());
+    const ModularPair ratio = a.at_[0] * inverse(a.at_[1]);
+    return mixed(mixed(ratio.real.number()) + ratio.imaginary.number());
   }
   // With minus at the second point.
   friend constexpr Residue other_sign(Residue a) {

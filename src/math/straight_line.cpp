@@ -229,11 +229,9 @@ StraightLine::StraightLine(const Trace& trace, const std::vector<Traced>& output
     }
   };
   bring_together();
-  if (shortening == Shortening::by_search) {
-    if (auto other = resubstituted(*best, results)) {
-      take(std::move(other->trace), other->outputs);
-      bring_together();
-    }
+  if (auto other = resubstituted(*best, results, shortening == Shortening::thorough)) {
+    take(std::move(other->trace), other->outputs);
+    bring_together();
   }
 
   const std::vector<Trace::Node>& nodes = best->nodes();

@@ -21,7 +21,7 @@ struct Trace::Node {
 
 struct Trace::State {
   std::vector<Node> nodes;
-  std::unordered_map<std::uint64_t, std::uint32_t> known;       // by the hash of a residue or of minus it
+  std::unordered_map<std::uint64_t, std::uint32_t> known;       // by the hash of a residue up to sign
   std::unordered_map<std::uint64_t, std::uint32_t> directions;  // the first of all constant multiples
   std::uint32_t inputs = 0;
   std::vector<Traced> assumed_positive;

@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
+#include "math/pair_table.h"
+#include "math/trace_recipe.h"
 #include "poinsot/math/straight_line.h"
 
 namespace poinsot {
 namespace {
 
+using symbolic::Modular;
+using symbolic::ModularPair;
+using symbolic::PairKey;
+using symbolic::PairTable;
 using symbolic::Residue;
 using Op = TracedOperation;
 using Index = std::uint32_t;
@@ -27,73 +34,51 @@ std::vector<Index> uses_of(const std::vector<Trace::Node>& nodes, const std::vec
   return uses;
 }
 
-// a b, or a + b.
-struct Pair {
-  bool product = false;
-  Traced a, b;
-};
+static_assert(most_numbers <= PairTable::most_places);
 
-// What a number is made of anew: the pair itself; or with one or two others, or with another pair.
-struct Recipe {
-  enum class Form { pair, sum, product, product_then_sum, sum_then_product, pairs_sum, pairs_product };
-  Form form = Form::pair;
-  Pair pair;
-  Traced first, second;
-  Pair other;
-  bool negative = false;  // of the whole
-
-  int cost() const {
-    switch (form) {
-      case Form::pair:
-        return 1;
-      case Form::sum:
-      case Form::product:
-        return 2;
-      default:
-        return 3;
-    }
-  }
-  std::vector<Index> numbers() const {
-    std::vector<Index> all{pair.a.node(), pair.b.node(), first.node(), second.node()};
-    if (form == Form::pairs_sum || form == Form::pairs_product) {
-      all.push_back(other.a.node());
-      all.push_back(other.b.node());
-    }
-    return all;
-  }
-};
-
+// Recipes for the numbers of a trace. Field: where its values at one point are looked for.
+template <class Field>
 class Search {
  public:
-  Search(const Trace& trace, const std::vector<Traced>& outputs, std::size_t& looked_up)
-      : nodes_(trace.nodes()), outputs_(outputs), uses_(uses_of(nodes_, outputs)), looked_up_(looked_up) {
-    for (Index i = 1; i < nodes_.size(); ++i)
-      if (uses_[i] > 0 && nodes_[i].residue.is_unit()) base_.push_back(i);
-    // One takes no part in products.
-    std::erase(base_, Index{1});
+  Search(const Trace& trace, const std::vector<Traced>& outputs, const std::vector<Index>& base, PairTable& table,
+         std::size_t& looked_up)
+      : nodes_(trace.nodes()), uses_(uses_of(nodes_, outputs)), base_(base), table_(table), looked_up_(looked_up) {
+    std::vector<Field> before{Field{Modular(1)}};
+    for (const Index i : base_) values_.push_back(value(i));
+    // All inverses from one, of the product.
+    for (const Field& x : values_) before.push_back(before.back() * x);
+    Field rest = inverse(before.back());
+    inverses_.resize(base_.size());
+    for (std::size_t i = base_.size(); i-- > 0; rest = rest * values_[i]) inverses_[i] = before[i] * rest;
+    table_.clear(base_.size() * (3 * base_.size() - 1) / 2);
+    for (std::size_t i = 0; i < base_.size(); ++i)
+      for (std::size_t j = i; j < base_.size(); ++j) {
+        const auto first = static_cast<std::uint8_t>(i), second = static_cast<std::uint8_t>(j);
+        add({first, second, true, false}, values_[i] * values_[j]);
+        if (i == j) continue;
+        add({first, second, false, false}, values_[i] + values_[j]);
+        add({first, second, false, true}, values_[i] - values_[j]);
+      }
   }
 
-  bool too_large() const { return base_.size() > most_numbers; }
-
-  // The recipes that save most, for operations that do not stand in each other's way.
+  // For each operation the recipe that saves most, those that save most first.
   // deep: also those of three operations.
   std::vector<std::pair<Index, Recipe>> find(bool deep) {
-    deep_ = deep;
-    make_table();
     struct Saving {
       int operations;
       Index of;
       Recipe recipe;
     };
     std::vector<Saving> savings;
-    for (const Index x : base_) {
+    for (std::size_t k = 0; k < base_.size(); ++k) {
+      const Index x = base_[k];
       if (!is_operation(nodes_[x].operation)) continue;
       const int own = cone_of(x);
       if (own < 2) continue;
       mark_users(x);
       int best = 0;
       Recipe chosen;
-      look(x, own, [&](const Recipe& recipe) {
+      look(k, own, deep, [&](const Recipe& recipe) {
         if (own - recipe.cost() <= best || !has_value_of(x, recipe)) return;
         const int saved = saved_by(x, recipe);
         if (saved <= best) return;
@@ -110,122 +95,106 @@ class Search {
   }
 
  private:
-  struct Entry {
-    std::uint64_t hash;
-    Pair pair;
-    bool negative;
-  };
-
-  const Residue& residue(Index i) const { return nodes_[i].residue; }
-
-  void make_table() {
-    inverse_.assign(nodes_.size(), Residue());
-    for (const Index i : base_) inverse_[i] = inverse(residue(i));
-    for (std::size_t i = 0; i < base_.size(); ++i)
-      for (std::size_t j = i; j < base_.size(); ++j) {
-        const Index a = base_[i], b = base_[j];
-        const Traced x(a, false), y(b, false);
-        add({true, x, y}, residue(a) * residue(b));
-        if (i == j) continue;
-        add({false, x, y}, residue(a) + residue(b));
-        add({false, x, -y}, residue(a) - residue(b));
-      }
-    std::sort(table_.begin(), table_.end(), [](const Entry& a, const Entry& b) { return a.hash < b.hash; });
-    // A first look in a small table: most is not there.
-    filter_.assign(filter_size, 0);
-    for (const Entry& entry : table_) filter_[entry.hash % filter_size] = 1;
+  Field value(Index i) const {
+    if constexpr (std::is_same_v<Field, Modular>)
+      return nodes_[i].residue.at(0).real;
+    else
+      return nodes_[i].residue.at(0);
   }
-  void add(const Pair& pair, const Residue& r) {
-    pairs_.emplace_back(pair, r);
-    table_.push_back({r.hash(), pair, false});
-    table_.push_back({(-r).hash(), pair, true});
+  void add(PairTable::Entry entry, const Field& x) {
+    const PairKey key = pair_key(x);
+    entry.negative = key.negative;
+    if (key.value != 0) table_.add(key.value, entry);
   }
 
-  // All pairs with this residue, or minus it, but for those that use x.
+  // All pairs with this value or minus it, but for those that use x; visit gets the sign that the pair is to be given.
   template <class Visit>
-  void pairs_of(const Residue& r, const Visit& visit) {
+  void pairs_of(const Field& wanted, const Visit& visit) {
     ++looked_up_;
-    const std::uint64_t hash = r.hash();
-    if (!filter_[hash % filter_size]) return;
-    const auto first = std::lower_bound(table_.begin(), table_.end(), hash,
-                                        [](const Entry& entry, std::uint64_t wanted) { return entry.hash < wanted; });
-    for (auto at = first; at != table_.end() && at->hash == hash; ++at)
-      if (allowed(at->pair)) visit(at->pair, at->negative);
+    const PairKey key = pair_key(wanted);
+    table_.find(key.value, [&](const PairTable::Entry& entry) {
+      const Index a = base_[entry.first], b = base_[entry.second];
+      if (users_[a] || users_[b]) return;
+      visit(Pair{entry.product, Traced(a, false), Traced(b, entry.minus)}, entry.negative != key.negative);
+    });
   }
-  bool allowed(const Pair& pair) const { return !users_[pair.a.node()] && !users_[pair.b.node()]; }
 
   template <class Visit>
-  void look(Index x, int own, const Visit& visit) {
+  void look(std::size_t k, int own, bool deep, const Visit& visit) {
     using Form = Recipe::Form;
-    const Residue& wanted = residue(x);
+    const Field wanted = values_[k];
     pairs_of(wanted, [&](const Pair& pair, bool negative) { visit({Form::pair, pair, {}, {}, {}, negative}); });
     if (own < 3) return;
-    for (const Index a : base_) {
-      if (users_[a]) continue;
-      pairs_of(wanted * inverse_[a], [&](const Pair& pair, bool negative) {
-        visit({Form::product, pair, Traced(a, false), {}, {}, negative});
+    free_.clear();
+    for (std::size_t i = 0; i < base_.size(); ++i)
+      if (!users_[base_[i]]) free_.push_back(i);
+    quotients_.clear();
+    for (const std::size_t i : free_) {
+      const Traced a(base_[i], false);
+      quotients_.push_back(wanted * inverses_[i]);
+      pairs_of(quotients_.back(), [&](const Pair& pair, bool negative) {
+        visit({Form::product, pair, a, {}, {}, negative});
       });
-      for (const bool minus : {false, true}) {
-        const Residue rest = minus ? wanted + residue(a) : wanted - residue(a);
-        // x = a + pair or a - pair: a pair with the other sign is what is looked for in the recipe.
-        pairs_of(rest, [&](const Pair& pair, bool negative) {
-          visit({Form::sum, pair, Traced(a, minus), Traced(0, negative), {}, false});
+      pairs_of(wanted - values_[i], [&](const Pair& pair, bool negative) {
+        visit({Form::sum, pair, a, {}, {}, negative});
+      });
+      pairs_of(wanted + values_[i], [&](const Pair& pair, bool negative) {
+        visit({Form::sum, pair, -a, {}, {}, negative});
+      });
+    }
+    if (own < 4 || !deep) return;
+    for (const std::size_t i : free_) {
+      if (looked_up_ > most_looked_up) return;
+      const Traced a(base_[i], false);
+      const Field less = wanted - values_[i], more = wanted + values_[i];
+      for (std::size_t j = 0; j < free_.size(); ++j) {
+        const Traced b(base_[free_[j]], false);
+        const Field& over_b = inverses_[free_[j]];
+        const auto then_sum = [&](const Traced& term) {
+          return [&visit, &b, term](const Pair& pair, bool negative) {
+            visit({Form::product_then_sum, pair, term, b, {}, negative});
+          };
+        };
+        const auto then_product = [&](const Traced& term) {
+          return [&visit, &b, term](const Pair& pair, bool negative) {
+            visit({Form::sum_then_product, pair, term, b, {}, negative});
+          };
+        };
+        pairs_of(less * over_b, then_sum(a));
+        pairs_of(more * over_b, then_sum(-a));
+        pairs_of(quotients_[j] - values_[i], then_product(a));
+        pairs_of(quotients_[j] + values_[i], then_product(-a));
+      }
+    }
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      for (std::size_t j = i; j < free_.size(); ++j) {
+        if (looked_up_ > most_looked_up) return;
+        const Pair other{true, Traced(base_[free_[i]], false), Traced(base_[free_[j]], false)};
+        const Field product = values_[free_[i]] * values_[free_[j]];
+        pairs_of(quotients_[i] * inverses_[free_[j]], [&](const Pair& pair, bool negative) {
+          visit({Form::pairs_product, pair, {}, {}, other, negative, false});
+        });
+        pairs_of(wanted - product, [&](const Pair& pair, bool negative) {
+          visit({Form::pairs_sum, pair, {}, {}, other, negative, false});
+        });
+        pairs_of(wanted + product, [&](const Pair& pair, bool negative) {
+          visit({Form::pairs_sum, pair, {}, {}, other, negative, true});
         });
       }
-    }
-    if (own < 4 || !deep_) return;
-    for (const Index a : base_) {
-      if (users_[a] || looked_up_ > most_looked_up) continue;
-      for (const Index b : base_) {
-        if (users_[b]) continue;
-        for (const bool minus : {false, true}) {
-          const Residue& term = residue(a);
-          const Residue rest = (minus ? wanted + term : wanted - term) * inverse_[b];
-          pairs_of(rest, [&](const Pair& pair, bool negative) {
-            visit({Form::product_then_sum, pair, Traced(a, minus), Traced(b, negative), {}, false});
-          });
-          const Residue inner = wanted * inverse_[b] + (minus ? term : -term);
-          pairs_of(inner, [&](const Pair& pair, bool negative) {
-            visit({Form::sum_then_product, pair, Traced(a, minus), Traced(b, negative), {}, false});
-          });
-        }
-      }
-    }
-    for (const auto& known : pairs_) {
-      const auto& other = known.first;
-      const auto& r = known.second;
-      if (!allowed(other) || looked_up_ > most_looked_up) continue;
-      if (other.product) {
-        pairs_of(wanted * (inverse_[other.a.node()] * inverse_[other.b.node()]), [&](const Pair& pair, bool negative) {
-          visit({Form::pairs_product, pair, {}, {}, other, negative});
-        });
-        for (const bool minus : {false, true})
-          pairs_of(minus ? wanted + r : wanted - r, [&](const Pair& pair, bool negative) {
-            visit({Form::pairs_sum, pair, Traced(0, minus), Traced(0, negative), other, false});
-          });
-      }
-    }
   }
 
-  // Roots may have taken another sign in the field than at the sample.
+  // At both points of the field; and at the sample, where roots may have taken another sign.
   bool has_value_of(Index x, const Recipe& recipe) const {
-    using Form = Recipe::Form;
-    const auto of = [&](const Traced& y) { return y.negative() ? -nodes_[y.node()].value : nodes_[y.node()].value; };
-    const auto made = [&](const Pair& pair) {
-      return pair.product ? of(pair.a) * of(pair.b) : of(pair.a) + of(pair.b);
+    const auto residue = [&](const Traced& y) {
+      const Residue& r = nodes_[y.node()].residue;
+      return y.negative() ? -r : r;
     };
-    const auto sign = [](bool negative) { return negative ? -1.0 : 1.0; };
-    const double pair = made(recipe.pair), inner = sign(recipe.second.negative()) * pair, first = of(recipe.first);
-    const double factor = nodes_[recipe.second.node()].value;
-    double value = sign(recipe.negative) * pair;
-    if (recipe.form == Form::product) value *= first;
-    if (recipe.form == Form::sum) value = first + inner;
-    if (recipe.form == Form::product_then_sum) value = first + factor * inner;
-    if (recipe.form == Form::sum_then_product) value = factor * (first + inner);
-    if (recipe.form == Form::pairs_product) value *= made(recipe.other);
-    if (recipe.form == Form::pairs_sum) value = sign(recipe.first.negative()) * made(recipe.other) + inner;
-    const double largest = std::max({std::fabs(value), std::fabs(nodes_[x].value), 1e-9});
-    return std::fabs(value - nodes_[x].value) <= 1e-3 * largest;
+    const auto number = [&](const Traced& y) {
+      return y.negative() ? -nodes_[y.node()].value : nodes_[y.node()].value;
+    };
+    if (!(made(recipe, residue) == nodes_[x].residue)) return false;
+    const double value = made(recipe, number), own = nodes_[x].value;
+    return std::fabs(value - own) <= 1e-3 * std::max({std::fabs(value), std::fabs(own), 1e-9});
   }
 
   // Everything that is computed from x, and x.
@@ -237,49 +206,76 @@ class Search {
           is_operation(nodes_[i].operation) && (users_[nodes_[i].first.node()] || users_[nodes_[i].second.node()]);
   }
 
-  // How many operations are needed for x alone, x included.
-  int cone_of(Index x) const {
-    std::vector<Index> uses = uses_;
-    return 1 + released(x, uses);
+  // How many operations are needed for x alone, x included. Uses that are taken away meanwhile are given back.
+  int cone_of(Index x) {
+    const int count = 1 + released(x);
+    taken_back(x);
+    return count;
   }
-  int released(Index x, std::vector<Index>& uses) const {
+  int released(Index x) {
     int count = 0;
-    for (const Index operand : operands(x))
-      if (--uses[operand] == 0 && is_operation(nodes_[operand].operation)) count += 1 + released(operand, uses);
+    for_operands(x, [&](Index operand) {
+      if (--uses_[operand] == 0 && is_operation(nodes_[operand].operation)) count += 1 + released(operand);
+    });
     return count;
   }
-  int taken(Index x, std::vector<Index>& uses) const {
-    if (uses[x]++ > 0 || !is_operation(nodes_[x].operation)) return 0;
+  void taken_back(Index x) {
+    for_operands(x, [&](Index operand) { taken(operand); });
+  }
+  int taken(Index x) {
+    if (uses_[x]++ > 0 || !is_operation(nodes_[x].operation)) return 0;
     int count = 1;
-    for (const Index operand : operands(x)) count += taken(operand, uses);
+    for_operands(x, [&](Index operand) { count += taken(operand); });
     return count;
   }
-  std::vector<Index> operands(Index x) const {
-    std::vector<Index> list{nodes_[x].first.node()};
-    if (nodes_[x].second.node() != 0) list.push_back(nodes_[x].second.node());
-    return list;
+  void given_back(Index x) {
+    if (--uses_[x] > 0 || !is_operation(nodes_[x].operation)) return;
+    for_operands(x, [&](Index operand) { given_back(operand); });
   }
-  int saved_by(Index x, const Recipe& recipe) const {
-    std::vector<Index> uses = uses_;
-    int saved = 1 + released(x, uses) - recipe.cost();
-    for (const Index number : recipe.numbers())
-      if (number != 0) saved -= taken(number, uses);
+  template <class Visit>
+  void for_operands(Index x, const Visit& visit) const {
+    visit(nodes_[x].first.node());
+    if (nodes_[x].second.node() != 0) visit(nodes_[x].second.node());
+  }
+  int saved_by(Index x, const Recipe& recipe) {
+    int saved = 1 + released(x) - recipe.cost();
+    const auto numbers = recipe.numbers();
+    for (const Index number : numbers)
+      if (number != 0) saved -= taken(number);
+    for (const Index number : numbers)
+      if (number != 0) given_back(number);
+    taken_back(x);
     return saved;
   }
 
-  static constexpr std::size_t filter_size = 1U << 18U;
-
   const std::vector<Trace::Node>& nodes_;
-  const std::vector<Traced>& outputs_;
   std::vector<Index> uses_;
+  const std::vector<Index>& base_;  // the numbers that recipes are made of
+  std::vector<Field> values_, inverses_, quotients_;
+  std::vector<std::size_t> free_;
+  PairTable& table_;
+  std::vector<char> users_;
   std::size_t& looked_up_;
-  bool deep_ = false;
-  std::vector<Index> base_;
-  std::vector<Residue> inverse_;
-  std::vector<std::pair<Pair, Residue>> pairs_;
-  std::vector<Entry> table_;
-  std::vector<char> filter_, users_;
 };
+
+// What is needed and has an inverse, but for one, which takes no part in products.
+std::vector<Index> base_of(const Trace& trace, const std::vector<Traced>& outputs) {
+  const std::vector<Index> uses = uses_of(trace.nodes(), outputs);
+  std::vector<Index> base;
+  for (Index i = 2; i < uses.size(); ++i)
+    if (uses[i] > 0 && trace.nodes()[i].residue.is_unit()) base.push_back(i);
+  return base;
+}
+
+std::vector<std::pair<Index, Recipe>> found_recipes(const Trace& trace, const std::vector<Traced>& outputs, bool deep,
+                                                    PairTable& table, std::size_t& looked_up) {
+  const std::vector<Index> base = base_of(trace, outputs);
+  if (base.size() > most_numbers) return {};
+  const bool real = std::all_of(base.begin(), base.end(),
+                                [&](Index i) { return trace.nodes()[i].residue.at(0).imaginary == Modular(); });
+  if (real) return Search<Modular>(trace, outputs, base, table, looked_up).find(deep);
+  return Search<ModularPair>(trace, outputs, base, table, looked_up).find(deep);
+}
 
 // Computes the outputs again in a new trace, some numbers by recipes.
 class Rebuilding {
@@ -314,35 +310,11 @@ class Rebuilding {
       return Traced();
     }
     known_[i] = 2;
-    const Traced value = recipe_of_[i] ? made(*recipe_of_[i]) : computed(nodes_[i]);
+    const auto of = [this](const Traced& x) { return now(x); };
+    const Traced value = recipe_of_[i] ? made(*recipe_of_[i], of) : computed(nodes_[i]);
     mapped_[i] = value;
     known_[i] = 1;
     return value;
-  }
-  Traced made(const Pair& pair) { return pair.product ? now(pair.a) * now(pair.b) : now(pair.a) + now(pair.b); }
-  Traced made(const Recipe& recipe) {
-    using Form = Recipe::Form;
-    const Traced pair = made(recipe.pair);
-    const auto with_sign = [](const Traced& x, bool negative) { return negative ? -x : x; };
-    switch (recipe.form) {
-      case Form::pair:
-        return with_sign(pair, recipe.negative);
-      case Form::product:
-        return with_sign(now(recipe.first) * pair, recipe.negative);
-      case Form::sum:
-        return now(recipe.first) + with_sign(pair, recipe.second.negative());
-      case Form::product_then_sum:
-        return now(recipe.first) + now(recipe.second) * pair;
-      case Form::sum_then_product: {
-        const Traced factor(recipe.second.node(), false);
-        return now(factor) * (now(recipe.first) + with_sign(pair, recipe.second.negative()));
-      }
-      case Form::pairs_product:
-        return with_sign(made(recipe.other) * pair, recipe.negative);
-      case Form::pairs_sum:
-        return with_sign(made(recipe.other), recipe.first.negative()) + with_sign(pair, recipe.second.negative());
-    }
-    return {};
   }
   Traced computed(const Trace::Node& node) {
     if (circular_) return Traced();
@@ -370,15 +342,14 @@ std::size_t operations_needed(const Trace& trace, const std::vector<Traced>& out
   return count;
 }
 
-std::optional<Resubstituted> resubstituted(const Trace& trace, const std::vector<Traced>& outputs) {
+std::optional<Resubstituted> resubstituted(const Trace& trace, const std::vector<Traced>& outputs, bool thorough) {
   std::optional<Resubstituted> best;
+  PairTable table;
   std::size_t looked_up = 0, operations = operations_needed(trace, outputs);
   for (bool deep = false; looked_up < most_looked_up;) {
     const Trace& now = best ? best->trace : trace;
     const std::vector<Traced>& results = best ? best->outputs : outputs;
-    Search search(now, results, looked_up);
-    if (search.too_large()) break;
-    const std::vector<std::pair<Index, Recipe>> recipes = search.find(deep);
+    const std::vector<std::pair<Index, Recipe>> recipes = found_recipes(now, results, deep, table, looked_up);
     // As many together as go together; one alone always does.
     std::optional<Resubstituted> next;
     for (std::size_t count = recipes.size(); count > 0 && !next; count /= 2) {
@@ -390,9 +361,10 @@ std::optional<Resubstituted> resubstituted(const Trace& trace, const std::vector
       operations = needed;
       next = std::move(candidate);
     }
-    if (!next && deep) break;
-    deep = !next;
+    const bool shorter = next.has_value();
     if (next) best = std::move(next);
+    if (!thorough || (deep && !shorter)) break;
+    deep = !shorter;
   }
   return best;
 }

@@ -11,8 +11,8 @@ namespace poinsot {
 // How many operations the outputs need.
 std::size_t operations_needed(const Trace& trace, const std::vector<Traced>& outputs);
 
-// The same outputs in a trace in which an operation is written as up to three others of numbers that are there anyhow,
-// wherever that saves some; nothing where none is found, or the trace is too large to look.
+// The same outputs in a trace in which an operation is written as up to two others of numbers that are there anyhow
+// (thorough: up to three), wherever that saves some; nothing where none is found, or the trace is too large to look.
 //
 // Candidates are a b, a + b, these with one more number, and two of these added or multiplied; they are found by their
 // residues in a table of all pairs. (What is called resubstitution in the synthesis of logic circuits; Mishchenko and
@@ -21,6 +21,6 @@ struct Resubstituted {
   Trace trace;
   std::vector<Traced> outputs;
 };
-std::optional<Resubstituted> resubstituted(const Trace& trace, const std::vector<Traced>& outputs);
+std::optional<Resubstituted> resubstituted(const Trace& trace, const std::vector<Traced>& outputs, bool thorough);
 
 }  // namespace poinsot

@@ -89,24 +89,25 @@ struct TraceAccess {
       return true;
     }
     const Trace::State& t = trace();
-    for (const bool negative : {false, true}) {
-      const Residue wanted = negative ? -r : r;
-      const auto it = t.known.find(wanted.hash());
-      if (it == t.known.end() || !(t.nodes[it->second].residue == wanted)) continue;
-      // Roots may have taken another sign than in the field.
-      const double other = negative ? -t.nodes[it->second].value : t.nodes[it->second].value;
-      const double apart = std::fabs(other - value), size = std::fabs(other) + std::fabs(value);
-      if (apart > 1e-3 * size && size > 1e-9) continue;
-      found = Traced(it->second, negative);
-      return true;
-    }
-    return false;
+    const auto it = t.known.find(r.hash_up_to_sign());
+    if (it == t.known.end()) return false;
+    const Trace::Node& node = t.nodes[it->second];
+    const bool negative = !(node.residue == r);
+    if (negative && !(node.residue == -r)) return false;
+    // Roots may have taken another sign than in the field.
+    const double other = negative ? -node.value : node.value;
+    const double apart = std::fabs(other - value), size = std::fabs(other) + std::fabs(value);
+    if (apart > 1e-3 * size && size > 1e-9) return false;
+    found = Traced(it->second, negative);
+    return true;
   }
   static Traced add(Trace::Node node) {
     Trace::State& t = trace();
-    if (t.known.contains(node.residue.hash())) node.residue = Residue::random(mixed(t.nodes.size()) ^ function_seed);
     const auto id = static_cast<std::uint32_t>(t.nodes.size());
-    t.known.emplace(node.residue.hash(), id);
+    if (!t.known.try_emplace(node.residue.hash_up_to_sign(), id).second) {
+      node.residue = Residue::random(mixed(t.nodes.size()) ^ function_seed);
+      t.known.emplace(node.residue.hash_up_to_sign(), id);
+    }
     t.nodes.push_back(std::move(node));
     return Traced(id, false);
   }
@@ -164,8 +165,8 @@ Trace::Trace() : state_(std::make_unique<State>()) {
   // Zero and one come first.
   state_->nodes.push_back({});
   state_->nodes.push_back({Op::constant, {}, {}, 1, 0, Residue::of_integer(1)});
-  state_->known.emplace(state_->nodes[0].residue.hash(), 0);
-  state_->known.emplace(state_->nodes[1].residue.hash(), 1);
+  state_->known.emplace(state_->nodes[0].residue.hash_up_to_sign(), 0);
+  state_->known.emplace(state_->nodes[1].residue.hash_up_to_sign(), 1);
   state_->directions.emplace(direction_hash(state_->nodes[1].residue), 1);
 }
 Trace::~Trace() = default;

@@ -108,7 +108,8 @@ class Equations {
     const auto take = [&](const std::function<std::vector<Traced>()>& road) {
       try {
         const std::vector<Traced> accelerations = road();
-        const std::size_t count = StraightLine(machine_.trace, accelerations).operations();
+        const std::size_t count =
+            StraightLine(machine_.trace, accelerations, StraightLine::Shortening::quick).operations();
         if (best.empty() || count < operations) {
           best = accelerations;
           operations = count;

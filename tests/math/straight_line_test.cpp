@@ -76,14 +76,16 @@ std::vector<Scalar> computed(const Plan& plan, std::vector<Scalar> values) {
 TEST(StraightLine, ComputesWhatWasTraced) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> size(0.2, 1.5);
-  for (int run = 0; run < 300; ++run) {
+  for (int run = 0; run < 600; ++run) {
     const Plan plan = random_plan(random);
     Trace trace;
     const TraceScope scope(trace);
     std::vector<Traced> inputs;
     for (int k = 0; k < plan.inputs; ++k) inputs.push_back(trace.input(size(random)));
     const std::vector<Traced> outputs = computed(plan, inputs);
-    const StraightLine program(trace, outputs);
+    const bool quick = run % 2 == 0;
+    const StraightLine program(trace, outputs,
+                               quick ? StraightLine::Shortening::quick : StraightLine::Shortening::thorough);
     for (int k = 0; k < 5; ++k) {
       std::vector<double> at;
       for (int i = 0; i < plan.inputs; ++i) at.push_back(size(random));

@@ -26,13 +26,14 @@ class StraightLine {
     std::uint32_t input = 0;                      // which input of the trace
   };
 
-  // How far shorter programs are sought: by common factors, in less than a millisecond for small models, or also by
-  // other ways to the same numbers, in tens of milliseconds, as pays for code that is kept.
-  enum class Shortening { by_factors, by_search };
+  // How far shorter programs are sought: by common factors and other ways of one or two operations to the same numbers,
+  // in about a millisecond for small models, or by ways of up to three, in milliseconds, as pays for code that is
+  // kept.
+  enum class Shortening { quick, thorough };
 
   // Only what the outputs need, with terms of sums that share a factor brought together as long as that saves
   // operations.
-  StraightLine(const Trace& trace, const std::vector<Traced>& outputs, Shortening shortening = Shortening::by_search);
+  StraightLine(const Trace& trace, const std::vector<Traced>& outputs, Shortening shortening = Shortening::thorough);
 
   // Each after those that it uses: zero first, then inputs, constants and operations.
   const std::vector<Step>& steps() const { return steps_; }
