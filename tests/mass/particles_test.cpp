@@ -15,7 +15,7 @@ using Vector = Vector3<double>;
 
 TEST(Cubature, GaussRulesAreExactToTheirDegree) {
   for (int n = 1; n <= cubature::points_on_arc; ++n) {
-    const auto nodes = cubature::gauss<double>(n);
+    const auto nodes = cubature::gauss_nodes<double>(n);
     for (int degree = 0; degree <= 2 * n - 1; ++degree) {
       double integral = 0;
       for (const auto& node : nodes) integral += node.weight * std::pow(node.at, degree);
@@ -34,7 +34,7 @@ TEST(Cubature, GaussRulesAreExactToTheirDegree) {
 TEST(Cubature, ArcRuleIsExactToRoundingForAFullTurn) {
   long double cosines = 0;
   long double squares = 0;
-  for (const auto& node : cubature::gauss<long double>(cubature::points_on_arc)) {
+  for (const auto& node : cubature::gauss<cubature::points_on_arc, long double>()) {
     const long double angle = 2 * std::numbers::pi_v<long double> * node.at;
     cosines += node.weight * std::cos(angle);
     squares += node.weight * std::cos(angle) * std::cos(angle);

@@ -71,7 +71,7 @@ struct Node {
 
 // Gauss-Legendre rule with n points on [0, 1], exact for polynomials of degree 2n - 1.
 template <class Scalar>
-std::vector<Node<Scalar>> gauss(int n) {
+std::vector<Node<Scalar>> gauss_nodes(int n) {
   std::vector<Node<Scalar>> nodes;
   for (int i = 0; i < n; ++i) {
     // Newton's iteration for the i-th root of the Legendre polynomial P_n from the usual first guess.
@@ -90,6 +90,12 @@ std::vector<Node<Scalar>> gauss(int n) {
     }
     nodes.push_back({(x + 1) / 2, 1 / ((1 - x * x) * slope * slope)});
   }
+  return nodes;
+}
+// Found once.
+template <int n, class Scalar>
+const std::vector<Node<Scalar>>& gauss() {
+  static const std::vector<Node<Scalar>> nodes = gauss_nodes<Scalar>(n);
   return nodes;
 }
 
@@ -137,7 +143,7 @@ class Gatherer {
     }
   }
   void add_rod(const Vector3<Scalar>& A, const Vector3<Scalar>& B) {
-    for (const auto& s : gauss<Scalar>(2)) add(A + s.at * (B - A), s.weight * norm(B - A));
+    for (const auto& s : gauss<2, Scalar>()) add(A + s.at * (B - A), s.weight * norm(B - A));
   }
   // The mid-edge rule, exact for second moments; `area` may be negative.
   void add_triangle(const Vector3<Scalar>& A, const Vector3<Scalar>& B, const Vector3<Scalar>& C, const Scalar& area) {
@@ -147,8 +153,8 @@ class Gatherer {
   }
   void add_parallelogram(const Vector3<Scalar>& corner, const Vector3<Scalar>& edge_a, const Vector3<Scalar>& edge_b) {
     const Scalar area = norm(cross(edge_a, edge_b));
-    for (const auto& s : gauss<Scalar>(2)) {
-      for (const auto& t : gauss<Scalar>(2)) {
+    for (const auto& s : gauss<2, Scalar>()) {
+      for (const auto& t : gauss<2, Scalar>()) {
         add(corner + s.at * edge_a + t.at * edge_b, s.weight * t.weight * area);
       }
     }
@@ -156,7 +162,7 @@ class Gatherer {
   // Flat ring between two radii, on the first two vectors of the triad.
   void add_annulus(const Vector3<Scalar>& center, const Triad<Scalar>& triad, const Scalar& inner,
                    const Scalar& outer) {
-    for (const auto& s : gauss<Scalar>(2)) {
+    for (const auto& s : gauss<2, Scalar>()) {
       const Scalar radius = inner + s.at * (outer - inner);
       add_circle(center, triad, radius, s.weight * (outer - inner) * 2 * std::numbers::pi_v<Scalar> * radius);
     }
@@ -164,8 +170,8 @@ class Gatherer {
   // Sector from angle `from` to `to` in the triad's first two vectors.
   void add_sector(const Vector3<Scalar>& center, const Triad<Scalar>& triad, const Scalar& radius, const Scalar& from,
                   const Scalar& to) {
-    for (const auto& s : gauss<Scalar>(2)) {
-      for (const auto& t : gauss<Scalar>(points_on_arc)) {
+    for (const auto& s : gauss<2, Scalar>()) {
+      for (const auto& t : gauss<points_on_arc, Scalar>()) {
         const Scalar r = s.at * radius;
         add(center + r * triad.at_angle(from + t.at * (to - from)), s.weight * radius * t.weight * (to - from) * r);
       }
@@ -173,7 +179,7 @@ class Gatherer {
   }
   void add_arc(const Vector3<Scalar>& center, const Triad<Scalar>& triad, const Scalar& radius, const Scalar& from,
                const Scalar& to) {
-    for (const auto& t : gauss<Scalar>(points_on_arc)) {
+    for (const auto& t : gauss<points_on_arc, Scalar>()) {
       add(center + radius * triad.at_angle(from + t.at * (to - from)), t.weight * (to - from) * radius);
     }
   }

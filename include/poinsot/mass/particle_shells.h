@@ -37,7 +37,7 @@ ParticleSet<Scalar> spherical_zone(const Vector3<Scalar>& center, const Vector3<
                                    const Scalar& low, const Scalar& high) {
   const cubature::Triad<Scalar> triad(axis);
   cubature::Gatherer<Scalar> gatherer;
-  for (const auto& u : cubature::gauss<Scalar>(2)) {
+  for (const auto& u : cubature::gauss<2, Scalar>()) {
     const Scalar height = low + u.at * (high - low);
     gatherer.add_circle(center + (radius * height) * triad.third, triad, radius * std::sqrt(1 - height * height),
                         u.weight * (high - low) * 2 * std::numbers::pi_v<Scalar> * radius * radius);
@@ -48,7 +48,7 @@ ParticleSet<Scalar> spherical_zone(const Vector3<Scalar>& center, const Vector3<
 template <class Scalar>
 void add_wall(cubature::Gatherer<Scalar>& gatherer, const cubature::Triad<Scalar>& triad, const Vector3<Scalar>& A,
               const Vector3<Scalar>& B, const Scalar& radius) {
-  for (const auto& s : cubature::gauss<Scalar>(2)) {
+  for (const auto& s : cubature::gauss<2, Scalar>()) {
     gatherer.add_circle(A + s.at * (B - A), triad, radius,
                         s.weight * norm(B - A) * 2 * std::numbers::pi_v<Scalar> * radius);
   }
@@ -88,7 +88,7 @@ ParticleSet<Scalar> cone_shell(const Vector3<Scalar>& apex, const Vector3<Scalar
   const cubature::Triad<Scalar> triad(base_center - apex);
   const Scalar slant = std::hypot(radius, norm(base_center - apex));
   cubature::Gatherer<Scalar> gatherer;
-  for (const auto& s : cubature::gauss<Scalar>(2)) {
+  for (const auto& s : cubature::gauss<2, Scalar>()) {
     const Scalar r = s.at * radius;
     gatherer.add_circle(apex + s.at * (base_center - apex), triad, r,
                         s.weight * slant * 2 * std::numbers::pi_v<Scalar> * r);

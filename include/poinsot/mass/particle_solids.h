@@ -8,7 +8,7 @@ namespace poinsot::particles {
 template <class Scalar>
 ParticleSet<Scalar> box(const Vector3<Scalar>& center, const Vector3<Scalar>& edge_a, const Vector3<Scalar>& edge_b,
                         const Vector3<Scalar>& edge_c) {
-  const auto nodes = cubature::gauss<Scalar>(2);
+  const auto& nodes = cubature::gauss<2, Scalar>();
   const Vector3<Scalar> low = center - (edge_a + edge_b + edge_c) / Scalar(2);
   const Scalar volume = std::abs(dot(edge_a, cross(edge_b, edge_c)));
   cubature::Gatherer<Scalar> gatherer;
@@ -58,10 +58,10 @@ ParticleSet<Scalar> turned_solid(const Vector3<Scalar>& A, const Vector3<Scalar>
                                  const Scalar& outer_B, const Scalar& inner_A, const Scalar& inner_B) {
   const cubature::Triad<Scalar> triad(B - A);
   cubature::Gatherer<Scalar> gatherer;
-  for (const auto& s : cubature::gauss<Scalar>(3)) {
+  for (const auto& s : cubature::gauss<3, Scalar>()) {
     const Scalar outer = outer_A + s.at * (outer_B - outer_A);
     const Scalar inner = inner_A + s.at * (inner_B - inner_A);
-    for (const auto& t : cubature::gauss<Scalar>(2)) {
+    for (const auto& t : cubature::gauss<2, Scalar>()) {
       const Scalar radius = inner + t.at * (outer - inner);
       gatherer.add_circle(
           A + s.at * (B - A), triad, radius,
@@ -78,8 +78,8 @@ ParticleSet<Scalar> ball_image(const Vector3<Scalar>& center, const Vector3<Scal
                                const Vector3<Scalar>& c, const Scalar& low) {
   const Scalar stretch = std::abs(dot(a, cross(b, c)));
   cubature::Gatherer<Scalar> gatherer;
-  for (const auto& s : cubature::gauss<Scalar>(3)) {
-    for (const auto& t : cubature::gauss<Scalar>(2)) {
+  for (const auto& s : cubature::gauss<3, Scalar>()) {
+    for (const auto& t : cubature::gauss<2, Scalar>()) {
       const Scalar height = low + t.at * (1 - low);
       const Scalar side = std::sqrt(1 - height * height);
       for (int k = 0; k < 3; ++k) {
@@ -143,7 +143,7 @@ ParticleSet<Scalar> torus(const Vector3<Scalar>& center, const Vector3<Scalar>& 
   const Scalar full_turn = 2 * std::numbers::pi_v<Scalar>;
   const cubature::Triad<Scalar> triad(axis);
   cubature::Gatherer<Scalar> gatherer;
-  for (const auto& s : cubature::gauss<Scalar>(3)) {
+  for (const auto& s : cubature::gauss<3, Scalar>()) {
     const Scalar r = s.at * section_radius;
     for (int k = 0; k < 4; ++k) {
       const Scalar angle = full_turn * Scalar(k) / 4;
