@@ -58,11 +58,14 @@ struct FunctionContext {
     }
     fail(argument, call.function + " takes a vector, not " + kind_in_words(value));
   }
-  // A vector that has a direction, divided by its magnitude.
-  Vector3<Scalar> direction(const Call& call, const Expression& argument) const {
+  // A vector that has a direction; formulas as they are, numbers of a size near one.
+  Vector3<Scalar> along(const Call& call, const Expression& argument) const {
     const Value<Scalar> value = vector(call, argument);
     if (is_zero(value)) throw DomainError(evaluator.file(), beginning(argument), "the zero vector has no direction");
-    return normalized(scaled(value.vector));
+    return scaled(value.vector);
+  }
+  Vector3<Scalar> direction(const Call& call, const Expression& argument) const {
+    return normalized(along(call, argument));
   }
   // By a power of two to a size whose square cannot overflow or vanish.
   static Vector3<Scalar> scaled(const Vector3<Scalar>& v) {
@@ -147,9 +150,9 @@ std::optional<Value<Scalar>> function_of_vectors(const Call& call, const Functio
     return Result::of_number(dot(v.vector, context.direction(call, second)), v.dimension, v.bare);
   }
   if ((f == "angle" || f == "acute_angle") && pattern == "to") {
-    const Vector3<Scalar> u = context.direction(call, first);
-    const Vector3<Scalar> v = context.direction(call, second);
-    // From sine and cosine: exact near 0 and 180 degrees, where the arc cosine is not.
+    const Vector3<Scalar> u = context.along(call, first);
+    const Vector3<Scalar> v = context.along(call, second);
+    // From sine and cosine, in the same measure: exact near 0 and 180 degrees, where the arc cosine is not.
     const Scalar cosine = dot(u, v);
     return Result::of_number(atan2(norm(cross(u, v)), f == "angle" || !decided_negative(cosine) ? cosine : -cosine),
                              dimensions::angle);
