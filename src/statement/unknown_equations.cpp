@@ -115,20 +115,21 @@ bool UnknownEquations::follows_motion() const {
                      [](const ConditionGroup& group) { return group.aspect == Aspect::later; });
 }
 
-// Places of less than the highest rank are rare, but zero and the ends of ranges are among them.
+// Places of less than the highest rank are rare, but zero and the ends of ranges are among them: two have to agree.
 void UnknownEquations::hold_measures() {
   if (measured_) return;
   measured_ = true;
   for (const std::vector<double>& x : places(4)) {
     try {
-      take_measures(x);
+      if (!take_measures(x)) break;
     } catch (const StatementError& error) {
       refusal_ = error;
     }
   }
 }
 
-void UnknownEquations::take_measures(const std::vector<double>& x) {
+bool UnknownEquations::take_measures(const std::vector<double>& x) {
+  bool higher = false;
   put(x, trial_);
   for (std::size_t i : system_.situations()) {
     const bool velocities = system_.has({i, Aspect::velocities}), forces = system_.has({i, Aspect::forces});
@@ -142,12 +143,15 @@ void UnknownEquations::take_measures(const std::vector<double>& x) {
     const auto hold = [&](Level level, const solve::LinearSystem& system) {
       solve::LinearElimination elimination(system, facts_among(system));
       const auto [held, fresh] = measures_.eliminations.try_emplace({i, level}, elimination);
-      if (!fresh && elimination.rank() > held->second.rank()) held->second = elimination;
+      if (!fresh && elimination.rank() <= held->second.rank()) return;
+      held->second = elimination;
+      higher = true;
     };
     if (velocities) hold(Level::velocities, instant.velocity_equations());
     if (velocities && instant.after_blow()) hold(Level::blow, instant.blow_equations());
     if (forces) hold(Level::motion, instant.motion_equations());
   }
+  return higher;
 }
 
 bool UnknownEquations::add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system,
