@@ -20,6 +20,7 @@ constexpr PairKey pair_key(Modular x) {
   return size > Modular::prime / 2 ? PairKey{Modular::prime - size, true} : PairKey{size, false};
 }
 constexpr PairKey pair_key(const ModularPair& x) {
+  if (x == ModularPair{}) return {};
   const bool negative = pair_key(x.real == Modular() ? x.imaginary : x.real).negative;
   const ModularPair y = negative ? -x : x;
   return {mixed(mixed(y.real.number()) + y.imaginary.number()) | 1U, negative};

@@ -100,8 +100,10 @@ class Residue {
   }
   // One for r and -r.
   constexpr std::uint64_t hash_up_to_sign() const {
-    const Modular first = at_[0].real == Modular() ? at_[0].imaginary : at_[0].real;
-    return first.number() > Modular::prime / 2 ? (-*this).hash() : hash();
+    for (const ModularPair& at : at_)
+      for (const Modular& part : {at.real, at.imaginary})
+        if (!(part == Modular())) return part.number() > Modular::prime / 2 ? (-*this).hash() : hash();
+    return hash();
   }
   constexpr bool is_zero() const { return *this == Residue(); }
   // Whether it has an inverse.

@@ -48,11 +48,11 @@ auto made(const Pair& pair, const Of& of) {
 template <class Of>
 auto made(const Recipe& recipe, const Of& of) {
   using Form = Recipe::Form;
-  const auto product = made(recipe.pair, of);
-  const auto pair = recipe.negative ? -product : product;
+  const auto size = made(recipe.pair, of);
+  const auto pair = recipe.negative ? -size : size;
   const auto other = [&] {
-    const auto size = made(recipe.other, of);
-    return recipe.negative_other ? -size : size;
+    const auto other_size = made(recipe.other, of);
+    return recipe.negative_other ? -other_size : other_size;
   };
   switch (recipe.form) {
     case Form::sum:

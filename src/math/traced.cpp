@@ -101,6 +101,8 @@ struct TraceAccess {
     found = Traced(it->second, negative);
     return true;
   }
+  // Another residue than it has stands for a number that is there already with this one, or minus it, but takes another
+  // value at the sample: equal residues are one number, and opposite ones add up to zero.
   static Traced add(Trace::Node node) {
     Trace::State& t = trace();
     const auto id = static_cast<std::uint32_t>(t.nodes.size());

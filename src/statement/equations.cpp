@@ -100,7 +100,7 @@ class Equations {
     add("q_dot", "position_rate", "rates of the positions", rate.size(), 1, rate);
   }
 
-  // By the articulated bodies, or by elimination in the mass matrix: the shorter one.
+  // By the articulated bodies, or by elimination in the mass matrix: the shorter one, as a quick count tells.
   void forward() {
     const auto n = machine_.third.size();
     std::vector<Traced> best;

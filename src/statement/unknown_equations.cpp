@@ -115,7 +115,8 @@ bool UnknownEquations::follows_motion() const {
                      [](const ConditionGroup& group) { return group.aspect == Aspect::later; });
 }
 
-// Places of less than the highest rank are rare, but zero and the ends of ranges are among them: two have to agree.
+// Places of less than the highest rank are rare, but zero and the ends of ranges are among them: places are tried until
+// one tells nothing more.
 void UnknownEquations::hold_measures() {
   if (measured_) return;
   measured_ = true;
@@ -129,7 +130,7 @@ void UnknownEquations::hold_measures() {
 }
 
 bool UnknownEquations::take_measures(const std::vector<double>& x) {
-  bool higher = false;
+  bool told_more = false;
   put(x, trial_);
   for (std::size_t i : system_.situations()) {
     const bool velocities = system_.has({i, Aspect::velocities}), forces = system_.has({i, Aspect::forces});
@@ -142,16 +143,18 @@ bool UnknownEquations::take_measures(const std::vector<double>& x) {
     measures_.scales.emplace(i, instant.scales());
     const auto hold = [&](Level level, const solve::LinearSystem& system) {
       solve::LinearElimination elimination(system, facts_among(system));
+      // Without rank it tells nothing: its numbers may not be finite there.
+      told_more = told_more || elimination.rank() == 0;
       const auto [held, fresh] = measures_.eliminations.try_emplace({i, level}, elimination);
       if (!fresh && elimination.rank() <= held->second.rank()) return;
       held->second = elimination;
-      higher = true;
+      told_more = true;
     };
     if (velocities) hold(Level::velocities, instant.velocity_equations());
     if (velocities && instant.after_blow()) hold(Level::blow, instant.blow_equations());
     if (forces) hold(Level::motion, instant.motion_equations());
   }
-  return higher;
+  return told_more;
 }
 
 bool UnknownEquations::add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system,

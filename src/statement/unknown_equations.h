@@ -87,7 +87,7 @@ class UnknownEquations {
   std::optional<LinearPart> linear_part_by_differences(const std::vector<double>& at);
   bool follows_motion() const;
   void hold_measures();
-  bool take_measures(const std::vector<double>& x);  // whether a rank was higher than before
+  bool take_measures(const std::vector<double>& x);  // whether others may tell more
   // Kept for the slopes at the same place.
   const Evaluated& evaluate(const std::vector<double>& x);
   // The groups there with their slopes by some unknowns.

@@ -7,6 +7,8 @@
 #include <functional>
 #include <random>
 
+#include "math/residue.h"
+
 namespace poinsot {
 namespace {
 
@@ -99,12 +101,13 @@ TEST(StraightLine, ComputesWhatWasTraced) {
 }
 
 // Traces a computation of some inputs and counts what is left of it.
-std::size_t operations_of(int inputs, const std::function<std::vector<Traced>(const std::vector<Traced>&)>& compute) {
+std::size_t operations_of(int inputs, const std::function<std::vector<Traced>(const std::vector<Traced>&)>& compute,
+                          StraightLine::Shortening shortening = StraightLine::Shortening::thorough) {
   Trace trace;
   const TraceScope scope(trace);
   std::vector<Traced> x;
   for (int k = 0; k < inputs; ++k) x.push_back(trace.input(0.3 + 0.21 * k));
-  return StraightLine(trace, compute(x)).operations();
+  return StraightLine(trace, compute(x), shortening).operations();
 }
 
 TEST(StraightLine, FindsShorterWays) {
@@ -129,6 +132,62 @@ TEST(StraightLine, FindsShorterWays) {
                             return std::vector<Traced>{x[0] * x[2] + x[0] * x[3] + x[1] * x[2] + x[1] * x[3]};
                           }),
             3U);
+}
+
+// By two operations at most, once; or by more.
+TEST(StraightLine, FindsLessWhenItIsQuick) {
+  using Shortening = StraightLine::Shortening;
+  // (x s + y c)^2 + (x c - y s)^2 + z is x^2 + y^2 + z: five operations of two squares.
+  const auto turned = [](const std::vector<Traced>& x) {
+    const Traced s = sin(x[3]), c = cos(x[3]);
+    const Traced u = x[0] * s + x[1] * c, v = x[0] * c - x[1] * s;
+    return std::vector<Traced>{u * u + v * v + x[2]};
+  };
+  EXPECT_EQ(operations_of(4, turned, Shortening::thorough), 4U);
+  EXPECT_GT(operations_of(4, turned, Shortening::quick), 4U);
+  // Where roots leave the smaller field: (r s)^2 + (r c)^2 with r = sqrt(x - y).
+  const auto roots = [](const std::vector<Traced>& x) {
+    const Traced r = sqrt(x[1] - x[0]), s = r * sin(x[2]), c = r * cos(x[2]);
+    return std::vector<Traced>{s * s + c * c};
+  };
+  for (const Shortening shortening : {Shortening::quick, Shortening::thorough})
+    EXPECT_EQ(operations_of(3, roots, shortening), 1U);
+}
+
+TEST(Residue, HashesAlikeWithEitherSign) {
+  using symbolic::Residue;
+  int vanish_at_one = 0;
+  for (std::uint64_t i = 0; i < 20; ++i)
+    for (std::uint64_t j = 0; j < 20; ++j) {
+      const Residue x = Residue::random(i), y = Residue::random(100 + j);
+      const Residue sum = *square_root(x) * *square_root(y) + *square_root(x * y);
+      const Residue difference = *square_root(x) * *square_root(y) - *square_root(x * y);
+      for (const Residue& r : {x, sum, difference}) {
+        EXPECT_EQ(r.hash_up_to_sign(), (-r).hash_up_to_sign());
+        vanish_at_one += !r.is_zero() && !r.is_unit();
+      }
+    }
+  EXPECT_GT(vanish_at_one, 0);
+}
+
+// Two products of roots that are opposite in the field and alike at the sample do not cancel.
+TEST(StraightLine, OppositeResiduesOfEqualValuesDoNotCancel) {
+  for (int first = 0; first < 6; ++first)
+    for (int second = 0; second < 6; ++second) {
+      if (first == second) continue;
+      Trace trace;
+      const TraceScope scope(trace);
+      std::vector<Traced> x;
+      for (int k = 0; k < 6; ++k) x.push_back(trace.input(k % 2 == 0 ? 0.4 + 0.1 * k : -0.4 - 0.1 * k));
+      const auto positive = [&](int k) {
+        return k % 2 == 0 ? x[static_cast<std::size_t>(k)] : -x[static_cast<std::size_t>(k)];
+      };
+      const Traced a = positive(first), b = positive(second);
+      const Traced whole = sqrt(a * b), parts = sqrt(a) * sqrt(b);
+      const double expected = 2 * std::sqrt(plain(a) * plain(b));
+      EXPECT_NEAR(plain(whole + parts), expected, 1e-12) << first << ' ' << second;
+      EXPECT_NEAR(plain(parts + whole), expected, 1e-12) << first << ' ' << second;
+    }
 }
 
 // The field knows roots up to their sign only.

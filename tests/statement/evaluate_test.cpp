@@ -220,6 +220,10 @@ TEST(Evaluate, Vectors) {
 TEST(Evaluate, AnglesOfVectorsKeepTheirDigits) {
   // 1e-9 rad apart: the arc cosine would give 0 or 2e-8.
   EXPECT_NEAR(value_of("angle([1, 0, 0] to [1, 1e-9, 0])").number, 1e-9, 1e-24);
+  // Of any size.
+  for (const std::string size : {"1e200", "1e-200", "5e-324"})
+    for (const std::string other : {"1", "1e300", "1e-300"})
+      expect_number("angle([" + size + ", 0, 0] to [" + other + ", " + other + ", 0])", pi / 4, dimensions::angle);
 }
 
 TEST(Evaluate, NormsNeitherOverflowNorVanish) {

@@ -92,7 +92,8 @@ std::vector<Node<Scalar>> gauss_nodes(int n) {
   }
   return nodes;
 }
-// Found once.
+
+// The same, found once for each n and scalar.
 template <int n, class Scalar>
 const std::vector<Node<Scalar>>& gauss() {
   static const std::vector<Node<Scalar>> nodes = gauss_nodes<Scalar>(n);
