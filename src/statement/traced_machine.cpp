@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
+#include <numbers>
+#include <optional>
 #include <set>
 
 #include "poinsot/math/traced_expression.h"
 #include "poinsot/model/convert_mechanism.h"
 #include "poinsot/motion/mechanism_dynamics.h"
+#include "statement/claim_points.h"
 #include "statement/formula_answers.h"
 #include "statement/reader.h"
 #include "statement/scalar_value.h"
@@ -16,7 +20,8 @@ namespace poinsot::statement {
 namespace {
 
 constexpr std::size_t most_terms = 5000;
-constexpr std::chrono::seconds longest{10};
+constexpr std::chrono::seconds longest{10}, longest_trying{1};
+constexpr int most_points = 50;  // at which a statement is tried that makes no sense at others
 
 // What may stand for a letter in formulas.
 struct Parameter {
@@ -41,7 +46,7 @@ class Names {
       values_[name] = exact_setting(problem, name, text);
     }
     for (const Letter& letter : problem.letters)
-      if (!set.contains(letter.name)) add_letter(letter.name, letter.unit.dimension, true);
+      if (!set.contains(letter.name)) add_letter(letter.name, letter.unit.dimension, !letter.either_sign);
     for (const std::string& name : options.letters) {
       const auto given = std::find_if(problem.given.begin(), problem.given.end(),
                                       [&](const NamedExpression& item) { return item.name == name; });
@@ -77,6 +82,21 @@ class Names {
 
   const std::map<std::string, Value<Formula>>& values() const { return values_; }
   const std::vector<Parameter>& parameters() const { return parameters_; }
+  // As a body is likely to have them, and at no special place: none is zero, or in a simple ratio to others.
+  LetterValues likely_values(int attempt) const {
+    std::vector<Letter> letters;
+    for (const Parameter& parameter : parameters_) {
+      Letter& letter = letters.emplace_back();
+      letter.name = parameter.name;
+      letter.unit.dimension = parameter.dimension;
+      letter.either_sign = !parameter.positive;
+    }
+    LetterValues values;
+    for (const auto& [name, value] : draw_point(letters, simple_points + 1 + 4 * attempt))
+      values[name] = value * (1 + 0.01 * std::numbers::sqrt2 *
+                                      std::fmod(static_cast<double>(values.size()) * std::numbers::phi, 1.0));
+    return values;
+  }
 
  private:
   void add_letter(const std::string& name, const Dimension& dimension, bool positive) {
@@ -117,6 +137,24 @@ MachineOf<Formula> formula_machine(const Problem& problem, const Names& names) {
     throw NoEquations("a mass property is given as `any`: the equations of motion need it");
   };
   return build_machine(problem, data, timed, any, options);
+}
+
+// At values of the letters with which the statement makes sense: with moments of inertia that a body can have, say.
+// decisions: the values, while they are to be looked at.
+MachineOf<Formula> possible_machine(const Problem& problem, const Names& names,
+                                    std::optional<PlainPointScope>& decisions) {
+  std::optional<StatementError> refusal;
+  const auto end = std::chrono::steady_clock::now() + longest_trying;
+  for (int attempt = 0; attempt <= most_points; ++attempt) {
+    if (attempt > 1 && std::chrono::steady_clock::now() > end) break;
+    if (attempt > 0) decisions.emplace(names.likely_values(attempt));
+    try {
+      return formula_machine(problem, names);
+    } catch (const StatementError& error) {
+      if (!refusal) refusal = error;
+    }
+  }
+  throw *refusal;
 }
 
 // Contacts and cords act along what they forbid; others would need forces that no equation of motion gives.
@@ -249,7 +287,8 @@ TracedMachine traced_machine(const Problem& problem, const EquationsOptions& opt
   const ExpressionLimitScope limits({most_terms, std::chrono::steady_clock::now() + longest});
   const Names names(problem, options);
   TracedMachine traced_machine;
-  traced_machine.stated = formula_machine(problem, names);
+  std::optional<PlainPointScope> decisions;
+  traced_machine.stated = possible_machine(problem, names, decisions);
   MachineOf<Formula>& machine = traced_machine.stated;
   if (machine.mechanism.tree.velocity_size() == 0) throw NoEquations("nothing in it can move");
   check_actions(machine.mechanism);

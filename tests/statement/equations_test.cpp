@@ -63,6 +63,39 @@ TEST(Equations, ADatumCanStayALetter) {
   EXPECT_THROW(text_of(problem, with([](auto& o) { o.letters = {"M"}; })), StatementError);
 }
 
+// Of all letters only some are a body's.
+TEST(Equations, LettersMayHaveToFitTogether) {
+  const std::string top = R"(letters: {m: kg, c: m, I: kg*m^2, Ip: kg*m^2}
+gravity: -Z
+axes: [X, Y, Z]
+points: {O: [0, 0, 0], G: [0, 0, c]}
+bodies: {top: {mass: m, center: G, inertia: {about: O, axis: Z, axial: I, transverse: Ip}}}
+joints: {tip: {ball: O, to: top, angles: [phi: Z, theta: Y, psi: Z]}}
+ask: {T: kinetic_energy(top)}
+)";
+  const std::string text = text_of(top);
+  EXPECT_TRUE(holds(text, "mass matrix")) << text;
+  EXPECT_TRUE(holds(text, "Ip")) << text;
+
+  // Products of inertia and offsets of either sign are small beside the moments.
+  const std::string any_body =
+      R"(letters: {m: kg, xG: {signed: m}, yG: {signed: m}, I1: kg*m^2, I2: kg*m^2, I3: kg*m^2, P: {signed: kg*m^2}}
+points: {O: [0, 0, 0], G: [xG, yG, 0]}
+bodies: {body: {mass: m, center: G, inertia: {about: O, x: I1, y: I2, z: I3, xy: P}}}
+joints: {tip: {ball: O, to: body}}
+ask: {T: kinetic_energy(body)}
+)";
+  EXPECT_TRUE(holds(text_of(any_body), "mass matrix"));
+
+  std::string flat = top;
+  flat.replace(flat.find("axial: I,"), 9, "axial: 3*Ip,");
+  try {
+    ADD_FAILURE() << text_of(flat);
+  } catch (const StatementError& error) {
+    EXPECT_TRUE(holds(error.what(), "no rigid body has these moments")) << error.what();
+  }
+}
+
 TEST(Equations, RefusesWithAReason) {
   const auto reason = [](const std::string& problem, const EquationsOptions& options = {}) -> std::string {
     try {
@@ -89,8 +122,10 @@ ask: {T: mass(bar)}
 Settings random_settings(const Problem& problem, std::mt19937_64& random) {
   Settings settings;
   const auto number = [&] { return std::uniform_real_distribution<double>(0.6, 1.4)(random); };
+  // Products of inertia and offsets are small beside moments of inertia.
   for (const Letter& letter : problem.letters)
-    settings[letter.name] = Value<double>::of_number(number(), letter.unit.dimension);
+    settings[letter.name] =
+        Value<double>::of_number(letter.either_sign ? 0.4 * (number() - 1) : number(), letter.unit.dimension);
   for (const Unknown& unknown : problem.find)
     settings[unknown.name] = unknown.vector
                                  ? Value<double>::of_vector({number(), number(), number()}, unknown.unit.dimension)
