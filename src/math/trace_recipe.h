@@ -6,7 +6,7 @@
 
 #include "poinsot/math/traced.h"
 
-namespace poinsot {
+namespace poinsot::symbolic {
 
 // a b, or a + b.
 struct Pair {
@@ -73,4 +73,4 @@ auto made(const Recipe& recipe, const Of& of) {
   return pair;
 }
 
-}  // namespace poinsot
+}  // namespace poinsot::symbolic

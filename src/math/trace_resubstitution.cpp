@@ -11,10 +11,13 @@
 namespace poinsot {
 namespace {
 
+using symbolic::made;
 using symbolic::Modular;
 using symbolic::ModularPair;
+using symbolic::Pair;
 using symbolic::PairKey;
 using symbolic::PairTable;
+using symbolic::Recipe;
 using symbolic::Residue;
 using Op = TracedOperation;
 using Index = std::uint32_t;

@@ -21,15 +21,13 @@ constexpr int scaling_sweeps = 8;
 void equilibrate(Eigen::MatrixXd& A, Eigen::VectorXd& rows, Eigen::VectorXd& columns) {
   if (A.size() == 0) return;
   const auto scale = [](double largest) { return largest == 0 ? 1 : 1 / std::sqrt(largest); };
-  Eigen::VectorXd factors(A.rows());
+  Eigen::VectorXd factors;
   for (int sweep = 0; sweep < scaling_sweeps; ++sweep) {
-    // Down the columns, as they lie in memory.
-    factors.setZero();
-    for (Eigen::Index j = 0; j < A.cols(); ++j) factors = factors.cwiseMax(A.col(j).cwiseAbs());
-    factors = factors.unaryExpr(scale);
+    factors = A.cwiseAbs().rowwise().maxCoeff();
+    factors = factors.unaryExpr(scale).eval();
+    A.array().colwise() *= factors.array();
     rows.array() *= factors.array();
     for (Eigen::Index j = 0; j < A.cols(); ++j) {
-      A.col(j).array() *= factors.array();
       const double factor = scale(A.col(j).cwiseAbs().maxCoeff());
       A.col(j) *= factor;
       columns[j] *= factor;

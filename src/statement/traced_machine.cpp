@@ -143,6 +143,8 @@ MachineOf<Formula> formula_machine(const Problem& problem, const Names& names) {
 // decisions: the values, while they are to be looked at.
 MachineOf<Formula> possible_machine(const Problem& problem, const Names& names,
                                     std::optional<PlainPointScope>& decisions) {
+  // The time is always among them.
+  if (names.parameters().size() == 1) return formula_machine(problem, names);
   std::optional<StatementError> refusal;
   const auto end = std::chrono::steady_clock::now() + longest_trying;
   for (int attempt = 0; attempt <= most_points; ++attempt) {
@@ -154,7 +156,10 @@ MachineOf<Formula> possible_machine(const Problem& problem, const Names& names,
       if (!refusal) refusal = error;
     }
   }
-  throw *refusal;
+  std::vector<Diagnostic> told = refusal->diagnostics();
+  for (Diagnostic& one : told)
+    one.message += "; so it is at all values of the letters that were tried, of which these are the first";
+  throw StatementError(std::move(told));
 }
 
 // Contacts and cords act along what they forbid; others would need forces that no equation of motion gives.

@@ -130,9 +130,8 @@ gravity: none
 instants: {now: {kinetic_energy(r): 3 J}}
 ask: {w: w, k: k}
 )",
-       "test.yaml:2:18: error: the unknown 'k' stands nowhere in the figure and the facts: nothing can fix it (write "
-       "it "
-       "where its value belongs, or remove it)",
+       "test.yaml:2:18: error: the unknown 'k' stands nowhere in the figure and the facts: nothing can fix it "
+       "(write it where its value belongs, or remove it)",
        {}},
       {"UnknownThatIsMisspeltWhereItIsUsed",
        R"(title: t
@@ -157,9 +156,8 @@ situations:
   fast: {find: {w: rad/s, v: m/s}, instants: {now: {kinetic_energy(r): 3 J}}}
 ask: {K: kinetic_energy(r) @ slow, v: v @ fast}
 )",
-       "test.yaml:8:27: error: the unknown 'v' stands nowhere in the figure and the facts: nothing can fix it (write "
-       "it "
-       "where its value belongs, or remove it)",
+       "test.yaml:8:27: error: the unknown 'v' stands nowhere in the figure and the facts: nothing can fix it "
+       "(write it where its value belongs, or remove it)",
        {}},
       {"WrongDimension",
        R"(title: t
