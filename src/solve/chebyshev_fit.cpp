@@ -43,7 +43,7 @@ void CompactFunction::measure_growth(std::size_t variable, double reach) {
     VectorXd near_end = u, far_end = u;
     near_end[static_cast<Index>(variable)] = upward ? reach : -reach;
     far_end[static_cast<Index>(variable)] = upward ? ratio * reach : -ratio * reach;
-    const auto a = function_.at(near_end), b = function_.at(far_end);
+    const auto a = function_.smooth_at(near_end), b = function_.smooth_at(far_end);
     if (!a || !b || a->values.size() != b->values.size()) continue;
     const double first = a->values.norm(), second = b->values.norm();
     if (!(first > 0) || !(second > 0)) continue;
@@ -69,7 +69,7 @@ VectorXd CompactFunction::u(const Pair& t) const {
 }
 
 std::optional<RootSample> CompactFunction::at(const Pair& t) const {
-  auto sample = function_.at(u(t));
+  auto sample = function_.smooth_at(u(t));
   if (!sample) return std::nullopt;
   double weight = 1;
   for (std::size_t k = 0; k < ranges_.size(); ++k) weight *= ranges_[k].weight(t[k]);
@@ -334,15 +334,16 @@ Fit ChebyshevFitter::fit_square(const Piece& box, int depth) {
   const int wider = box.half[0] / whole.half[0] >= box.half[1] / whole.half[1] ? 0 : 1;
   cut_across(wider);
 
-  // The degrees, from a line along each variable, and from a second one unless they are low.
+  // The degrees, from a line along each variable. From a second one, unless its degree is low or that of the other is:
+  // a square is cheap then, and tells itself whether the degrees suffice.
   constexpr std::array<Pair, 2> offsets{{{-0.2718, 0.3142}, {0.8147, -0.7319}}};
   constexpr Index low_degree = 4;
   std::array<Index, 2> degree{};
   std::array<bool, 2> rough{};
   double least = std::numeric_limits<double>::infinity(), largest = 0;
-  for (std::size_t k = 0; k < 2; ++k)
-    for (const Pair& offset : offsets) {
-      if (&offset != offsets.data() && (degree[k] <= low_degree || rough[k])) break;
+  for (const Pair& offset : offsets)
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (&offset != offsets.data() && (std::min(degree[0], degree[1]) <= low_degree || rough[k])) continue;
       const Line line = along(box, static_cast<int>(k), offset[k], depth);
       if (line.outcome == Line::Outcome::no_value) {
         if (no_value_anywhere(box, 12)) divide.outcome = Fit::Outcome::no_value;

@@ -31,10 +31,10 @@ std::optional<WideSlopes> wide_slopes(RootFunction& function, const VectorXd& u0
     for (double step = 0.5; step < 1e6; step *= 1e3) {
       VectorXd u = u0;
       u[k] += step;
-      auto r = function.at(u);
+      auto r = function.smooth_at(u);
       if (!r || r->values.size() != r0.size()) {
         u[k] = u0[k] - step;
-        r = function.at(u);
+        r = function.smooth_at(u);
       }
       if (!r || r->values.size() != r0.size()) break;
       any = true;
@@ -67,7 +67,7 @@ bool is_linear(RootFunction& function, const VectorXd& u0, const VectorXd& r0, c
         step *= (range.upper - range.lower) / range.scale;
       u[k] += step;
     }
-    const auto r = function.at(u);
+    const auto r = function.smooth_at(u);
     if (!r && probe == 2) break;
     if (!r || r->values.size() != r0.size()) return false;
     const VectorXd change = J * (u - u0);
@@ -125,7 +125,7 @@ VectorXd middle_of_ranges(const RootProblem& problem) {
 std::optional<Roots> linear_roots(RootFunction& function) {
   const Index n = function.unknowns();
   const VectorXd u0 = middle_of_ranges(function.problem());
-  const auto sample = function.at(u0);
+  const auto sample = n == 0 ? function.at(u0) : function.smooth_at(u0);
   if (!sample) return std::nullopt;
   const VectorXd& r0 = sample->values;
   if (n == 0) {

@@ -21,16 +21,30 @@ constexpr int scaling_sweeps = 8;
 void equilibrate(Eigen::MatrixXd& A, Eigen::VectorXd& rows, Eigen::VectorXd& columns) {
   if (A.size() == 0) return;
   const auto scale = [](double largest) { return largest == 0 ? 1 : 1 / std::sqrt(largest); };
-  Eigen::VectorXd factors;
+  // By loops in the order of the entries: the systems are small, and many.
+  const Eigen::Index m = A.rows(), n = A.cols();
+  Eigen::VectorXd factors(m);
+  double* const factor = factors.data();
   for (int sweep = 0; sweep < scaling_sweeps; ++sweep) {
-    factors = A.cwiseAbs().rowwise().maxCoeff();
-    factors = factors.unaryExpr(scale).eval();
-    A.array().colwise() *= factors.array();
-    rows.array() *= factors.array();
-    for (Eigen::Index j = 0; j < A.cols(); ++j) {
-      const double factor = scale(A.col(j).cwiseAbs().maxCoeff());
-      A.col(j) *= factor;
-      columns[j] *= factor;
+    factors.setZero();
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const double* const column = &A.coeffRef(0, j);
+      for (Eigen::Index i = 0; i < m; ++i) factor[i] = std::max(factor[i], std::abs(column[i]));
+    }
+    for (Eigen::Index i = 0; i < m; ++i) {
+      factor[i] = scale(factor[i]);
+      rows[i] *= factor[i];
+    }
+    for (Eigen::Index j = 0; j < n; ++j) {
+      double* const column = &A.coeffRef(0, j);
+      double largest = 0;
+      for (Eigen::Index i = 0; i < m; ++i) {
+        column[i] *= factor[i];
+        largest = std::max(largest, std::abs(column[i]));
+      }
+      const double by = scale(largest);
+      for (Eigen::Index i = 0; i < m; ++i) column[i] *= by;
+      columns[j] *= by;
     }
   }
 }

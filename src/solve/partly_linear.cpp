@@ -63,14 +63,14 @@ class Structure {
  private:
   // Mixed differences of second order, with steps that are large beside rounding.
   bool look_at(const VectorXd& u) {
-    const auto base = function_.at(u);
+    const auto base = function_.smooth_at(u);
     if (!base || (rows_ > 0 && base->values.size() != rows_)) return false;
     if (linear_.empty()) {
       rows_ = base->values.size();
       linear_.assign(static_cast<std::size_t>(n_ * n_), Marks::Constant(rows_, true));
     }
     const auto values = [&](const VectorXd& v) -> std::optional<RootSample> {
-      const auto sample = function_.at(v);
+      const auto sample = function_.smooth_at(v);
       return sample && sample->values.size() == base->values.size() ? sample : std::nullopt;
     };
     std::vector<double> steps;
@@ -169,14 +169,14 @@ class Elimination {
   std::optional<Rows> rows_at(const VectorXd& others) {
     VectorXd u = reference_;
     for (std::size_t i = 0; i < others_.size(); ++i) u[others_[i]] = others[static_cast<Index>(i)];
-    const auto base = function_.at(u);
+    const auto base = function_.smooth_at(u);
     if (!base || base->values.size() <= equations_.back()) return std::nullopt;
     Rows rows{MatrixXd(static_cast<Index>(equations_.size()), static_cast<Index>(linear_.size())),
               -base->values(equations_), base->size};
     for (std::size_t i = 0; i < linear_.size(); ++i) {
       VectorXd moved = u;
       moved[linear_[i]] += 1;
-      const auto there = function_.at(moved);
+      const auto there = function_.smooth_at(moved);
       if (!there || there->values.size() != base->values.size()) return std::nullopt;
       rows.A.col(static_cast<Index>(i)) = (there->values - base->values)(equations_);
       rows.size = std::max(rows.size, there->size);

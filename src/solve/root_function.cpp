@@ -4,12 +4,21 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace poinsot::solve {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+namespace {
+
+VectorXd vector_of(const std::vector<double>& v) {
+  return Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size()));
+}
+
+}  // namespace
 
 RootFunction::RootFunction(const RootProblem& problem, double seconds)
     : problem_(problem),
@@ -34,18 +43,13 @@ std::vector<double> RootFunction::unscaled(const VectorXd& u) const {
 std::optional<RootSample> RootFunction::keep(const VectorXd& u, const std::optional<RootEquations>& equations) {
   ++evaluations_;
   if (!equations || !std::isfinite(equations->size)) return std::nullopt;
-  const auto vector = [](const std::vector<double>& v) {
-    return VectorXd(Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size())));
-  };
-  RootSample sample;
-  sample.values = vector(equations->values);
-  sample.size = equations->size;
+  RootSample sample{vector_of(equations->values), equations->size};
   if (!sample.values.allFinite()) return std::nullopt;
   const double misfit = sample.values.size() ? sample.values.cwiseAbs().maxCoeff() : 0;
   if (!equations->smooth.empty()) {
     sample.misfit = sample.values.norm();
     sample.allowed = zero_tolerance * sample.size;
-    sample.values = vector(equations->smooth);
+    sample.values = vector_of(equations->smooth);
     sample.size = equations->smooth_size;
     if (!sample.values.allFinite() || !std::isfinite(sample.size)) return std::nullopt;
   }
@@ -57,6 +61,25 @@ std::optional<RootSample> RootFunction::keep(const VectorXd& u, const std::optio
 }
 
 std::optional<RootSample> RootFunction::at(const VectorXd& u) { return keep(u, problem_.equations(unscaled(u))); }
+
+std::optional<RootSample> RootFunction::smooth_at(const VectorXd& u) {
+  if (!problem_.smooth) return at(u);
+  const auto equations = problem_.smooth(unscaled(u));
+  if (!equations || !equations->values.empty()) return keep(u, equations);
+  ++evaluations_;
+  RootSample sample{vector_of(equations->smooth), equations->smooth_size};
+  if (!sample.values.allFinite() || !std::isfinite(sample.size)) return std::nullopt;
+  if (inside(u)) unjudged_.push_back(u);
+  return sample;
+}
+
+const VectorXd& RootFunction::best() {
+  for (const VectorXd& u : std::exchange(unjudged_, {})) {
+    if (best_.size() && out_of_time()) break;
+    at(u);
+  }
+  return best_;
+}
 
 std::optional<MatrixXd> RootFunction::slopes(const VectorXd& u, const RootSample& here) {
   const Index rows = here.values.size();

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "poinsot/solve/roots.h"
 
@@ -29,6 +30,8 @@ class RootFunction {
 
   // Nothing where the equations have no value or are no numbers.
   std::optional<RootSample> at(const Eigen::VectorXd& u);
+  // The same values without their misfit, to look for places of roots.
+  std::optional<RootSample> smooth_at(const Eigen::VectorXd& u);
   // d values / d u: exact where the problem has slopes; else by differences, one-sided at the end of what has values.
   std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& u, const RootSample& here);
 
@@ -38,8 +41,9 @@ class RootFunction {
   std::vector<double> unscaled(const Eigen::VectorXd& u) const;
 
   std::size_t evaluations() const { return evaluations_; }
-  // Of all places met, the one of the smallest misfit; empty when the equations had no value anywhere.
-  const Eigen::VectorXd& best() const { return best_; }
+  bool valued() const { return best_.size() > 0 || !unjudged_.empty(); }  // whether they had a value anywhere
+  // Of all places met in the ranges, the one of the smallest misfit; empty when the equations had no value anywhere.
+  const Eigen::VectorXd& best();
   double best_misfit() const { return best_misfit_; }  // largest misfit there; infinite when there is none
 
   bool out_of_time() const { return now() > end_; }
@@ -55,6 +59,7 @@ class RootFunction {
   Eigen::Index unknowns_;
   double begin_, end_;  // s
   std::size_t evaluations_ = 0;
+  std::vector<Eigen::VectorXd> unjudged_;  // places in the ranges of which the smooth equations alone are known
   Eigen::VectorXd best_;
   double best_misfit_;
 };

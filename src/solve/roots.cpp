@@ -53,8 +53,7 @@ class RootFinder {
     roots.open_unknowns = std::move(chebyshev.open_unknowns);
     if (chebyshev.alternative.size()) roots.alternative = function_.unscaled(chebyshev.alternative);
     if (roots.open) look_for_other_families(roots);
-    const bool valued = function_.best().size() > 0;
-    roots.search = roots.unresolved.empty() && valued ? RootSearch::certified : RootSearch::many_starts;
+    roots.search = roots.unresolved.empty() && function_.valued() ? RootSearch::certified : RootSearch::many_starts;
     if (roots.search == RootSearch::certified || roots.open) return;
     std::vector<VectorXd> starts = starts_on_grid(function_);
     starts.insert(starts.begin(), chebyshev.places.begin(), chebyshev.places.end());
@@ -69,7 +68,7 @@ class RootFinder {
   bool by_elimination(Roots& roots) {
     const auto found = partly_linear_roots(function_, 0.25 * function_.seconds_left());
     if (!found) return false;
-    bool complete = found->complete && function_.best().size() > 0;
+    bool complete = found->complete && function_.valued();
     for (const VectorXd& place : found->places) {
       const auto root = polish(function_, place);
       if (!root || !root->zero) continue;
@@ -167,7 +166,7 @@ class RootFinder {
     const std::vector<VectorXd> list = starts_at_random(function_.problem(), places);
     std::vector<std::pair<double, std::size_t>> by_misfit;
     for (std::size_t i = 0; i < list.size() && function_.time_spent() < most_time; ++i)
-      if (const auto sample = function_.at(list[i]))
+      if (const auto sample = function_.smooth_at(list[i]))
         by_misfit.emplace_back(sample->values.norm() / std::max(sample->size, 1e-300), i);
     std::sort(by_misfit.begin(), by_misfit.end());
     std::vector<VectorXd> starts{middle_of_ranges(function_.problem())};

@@ -1,9 +1,11 @@
 #include "poinsot/statement/data.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 
 #include "statement/exact_numbers.h"
 #include "statement/reader.h"
@@ -35,6 +37,10 @@ const Choice* find_choice(const Problem& problem, const std::string& name) {
   const auto found = std::find_if(problem.choose.begin(), problem.choose.end(),
                                   [&](const Choice& choice) { return choice.name == name; });
   return found == problem.choose.end() ? nullptr : &*found;
+}
+
+Expression name_expression(const std::string& name, const Mark& mark) {
+  return {std::make_shared<const Node>(Node{Name{name}, mark})};
 }
 
 // Walks an expression; names and functions are gathered where they are wanted.
@@ -205,17 +211,19 @@ bool DataScope<Scalar>::knows(const std::string& name) const {
 
 template <class Scalar>
 Value<Scalar> DataScope<Scalar>::lookup(const NamedExpression& item, const char* what) {
-  const std::string key = std::string(what) + " " + item.name;
-  if (const auto found = found_.find(key); found != found_.end()) return found->second;
-  if (std::find(pending_.begin(), pending_.end(), key) != pending_.end()) {
+  if (const auto found = found_.find(&item); found != found_.end()) return found->second;
+  if (std::any_of(pending_.begin(), pending_.end(), [&](const Pending& pending) { return pending.item == &item; })) {
     std::string chain;
-    for (const std::string& name : pending_) chain += name + " -> ";
-    fail(problem_.file, item.mark, "'" + item.name + "' is defined by itself: " + chain + key);
+    for (const Pending& pending : pending_) chain += std::string(pending.what) + " " + pending.item->name + " -> ";
+    fail(problem_.file, item.mark, "'" + item.name + "' is defined by itself: " + chain + what + " " + item.name);
   }
-  pending_.push_back(key);
+  pending_.push_back({what, &item});
+  const struct Removed {
+    std::vector<Pending>& list;
+    ~Removed() { list.pop_back(); }
+  } removed{pending_};
   Value<Scalar> value = evaluate(item.value, static_cast<Scope<Scalar>&>(*this), problem_.file);
-  pending_.pop_back();
-  return found_[key] = value;
+  return found_.emplace(&item, std::move(value)).first->second;
 }
 
 template <class Scalar>
@@ -229,28 +237,29 @@ Value<Scalar> DataScope<Scalar>::name(const Name& name, const Mark& mark, const 
   if (name.name == "time")
     follows_time_ = true;
   else if (!find_named(problem_.directions, name.name))  // the root of its length may rest on a decision, noted anew
-    meanings_[name.name] = value;
+    meanings_.emplace(name.name, value);
   return value;
 }
 
 template <class Scalar>
 Value<Scalar> DataScope<Scalar>::meaning(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) {
   // One name, one meaning.
-  std::vector<std::string> meanings;
+  std::array<const char*, 7> meanings{};
+  std::size_t count = 0;
   const NamedExpression* datum = find_named(problem_.given, name.name);
   const Letter* letter = find_letter(problem_, name.name);
   const NamedExpression* point = find_named(problem_.points, name.name);
   const NamedExpression* direction = find_named(problem_.directions, name.name);
   const auto axis = std::find(problem_.axes.begin(), problem_.axes.end(), name.name);
   const Unknown* unknown = find_unknown(problem_, name.name);
-  if (unknown) meanings.push_back("an unknown");
-  if (datum) meanings.push_back("a datum under given:");
-  if (letter) meanings.push_back("a letter");
-  if (point) meanings.push_back("a point");
-  if (direction) meanings.push_back("a direction");
-  if (axis != problem_.axes.end()) meanings.push_back("an axis");
-  if (name.name == "time") meanings.push_back("the time");
-  if (meanings.size() > 1)
+  if (unknown) meanings[count++] = "an unknown";
+  if (datum) meanings[count++] = "a datum under given:";
+  if (letter) meanings[count++] = "a letter";
+  if (point) meanings[count++] = "a point";
+  if (direction) meanings[count++] = "a direction";
+  if (axis != problem_.axes.end()) meanings[count++] = "an axis";
+  if (name.name == "time") meanings[count++] = "the time";
+  if (count > 1)
     evaluator.fail(mark, "'" + name.name + "' could mean " + meanings[0] + " or " + meanings[1], "rename one of them");
   const Choice* choice = find_choice(problem_, name.name);
   if (datum || letter || unknown || choice) {
@@ -340,7 +349,7 @@ Vector3<Scalar> DataScope<Scalar>::direction(const Expression& expression) {
 template <class Scalar>
 Scalar DataScope<Scalar>::gravity_size() {
   if (const NamedExpression* item = find_named(problem_.given, "g")) {
-    const Scalar g = number(parse_expression("g", problem_.file, item->mark), dimensions::acceleration);
+    const Scalar g = number(name_expression("g", item->mark), dimensions::acceleration);
     if (!(plain(g) > 0)) fail(problem_.file, item->mark, "g must be positive");
     const List* vector = problem_.gravity ? problem_.gravity->as<List>() : nullptr;
     if (vector && vector->items.size() == 3) {
@@ -352,8 +361,8 @@ Scalar DataScope<Scalar>::gravity_size() {
     }
     return g;
   }
-  if (find_letter(problem_, "g"))
-    return number(parse_expression("g", problem_.file, find_letter(problem_, "g")->mark), dimensions::acceleration);
+  if (const Letter* letter = find_letter(problem_, "g"))
+    return number(name_expression("g", letter->mark), dimensions::acceleration);
   // A gravity of stated size sets g.
   if (problem_.gravity) {
     const Name* word = problem_.gravity->as<Name>();

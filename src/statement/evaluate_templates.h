@@ -83,6 +83,7 @@ struct Evaluation {
 
   Result operator()(const List& list) const {
     std::vector<Result> items;
+    items.reserve(list.items.size());
     for (const Expression& item : list.items) items.push_back(evaluator(item));
     return as_vector(Result::of_list(std::move(items)));
   }
@@ -100,15 +101,14 @@ struct Evaluation {
     return value;
   }
 
-  void need_number_or_vector(const Result& value, const std::string& message) const {
-    if (!value.is_number() && !value.is_vector()) evaluator.fail(mark, message + kind_in_words(value));
+  void need_number_or_vector(const Result& value, const char* message) const {
+    if (!value.is_number() && !value.is_vector()) evaluator.fail(mark, std::string(message) + kind_in_words(value));
   }
 
   Result sum(const Binary& binary, const Result& left, const Result& right) const {
     const bool minus = binary.operation == '-';
     for (const Result* value : {&left, &right}) {
-      need_number_or_vector(*value,
-                            std::string(minus ? "nothing can be subtracted from or by " : "nothing can be added to "));
+      need_number_or_vector(*value, minus ? "nothing can be subtracted from or by " : "nothing can be added to ");
     }
     Result negated = right;
     if (minus) {
@@ -131,7 +131,7 @@ struct Evaluation {
 
   // The dimension of two values that are added or compared; throws if they are of different kinds.
   Dimension fitting(const Expression& left, const Result& a, const Expression& right, const Result& b,
-                    const std::string& cannot) const {
+                    const char* cannot) const {
     if (is_bare_zero(a)) return b.dimension;
     if (is_bare_zero(b)) return a.dimension;
     if (!same_kind(a.dimension, b.dimension)) {
@@ -295,17 +295,17 @@ Value<Scalar> Evaluator<Scalar>::quantity(const Expression& expression, const Di
     value.dimension = dimension;
     return value;
   }
-  const Mark place = beginning(expression);
-  const std::string text = to_string(expression);
   const bool literal = expression.as<Number>() != nullptr;
   if (!same_kind(value.dimension, dimension)) {
     const std::string unit = si_unit(dimension).text;
-    const std::string hint =
-        value.bare && literal && !unit.empty() ? "write its unit after a blank, as in " + text + " " + unit : "";
-    fail(place, "expected " + to_string(dimension) + ", not " + quantity_in_words(value), hint);
+    const std::string hint = value.bare && literal && !unit.empty()
+                                 ? "write its unit after a blank, as in " + to_string(expression) + " " + unit
+                                 : "";
+    fail(beginning(expression), "expected " + to_string(dimension) + ", not " + quantity_in_words(value), hint);
   }
   if (value.bare && dimension == dimensions::angle) {
-    fail(place, "the unit of this angle is missing",
+    const std::string text = to_string(expression);
+    fail(beginning(expression), "the unit of this angle is missing",
          literal ? "write " + text + " deg or " + text + " rad" : "give it the unit deg or rad");
   }
   return value;

@@ -5,7 +5,6 @@
 
 #include "poinsot/solve/closure.h"
 #include "statement/contact_limits.h"
-#include "statement/gimbal_lock.h"
 #include "statement/reader.h"
 
 namespace poinsot::statement {
@@ -17,7 +16,7 @@ using Vector = Vector3<double>;
 
 SolvedInstant::SolvedInstant(const Problem& problem, const Settings& settings, const When& when,
                              const OpenChoice& choice)
-    : problem_(problem), settings_(settings), choice_(choice), random_(choice.seed) {
+    : problem_(problem), settings_(settings), choice_(choice) {
   build(0, problem.stages.empty() ? std::nullopt : problem.stages.front().loads);
   const auto instants = instants_at_start(problem);
   set_positions(instants);
@@ -52,7 +51,7 @@ Machine SolvedInstant::machine_from(DataScope<double>& data, double time,
   // Every building of the machine must take the same values for what is open.
   const AnyValue any = [&](const Dimension&) {
     if (next == any_values_.size()) {
-      const double value = choice_.any ? std::uniform_real_distribution<double>(0.5, 2)(random_) : 1;
+      const double value = choice_.any ? std::uniform_real_distribution<double>(0.5, 2)(random()) : 1;
       any_values_.push_back(value);
     }
     return any_values_[next++];
@@ -180,11 +179,16 @@ void SolvedInstant::take_misfits(const solve::LinearSolution& solution) {
   misfit_size_ = std::max(misfit_size_, solution.size);
 }
 
+std::mt19937_64& SolvedInstant::random() {
+  if (!random_) random_ = std::make_unique<std::mt19937_64>(choice_.seed);
+  return *random_;
+}
+
 // Another member of the family of solutions.
 void SolvedInstant::move_along(const solve::LinearSolution& solution, std::vector<double>& values, double pace) {
   for (std::size_t d = 0; d < solution.open.size(); ++d) {
     if (d != choice_.direction && choice_.direction != OpenChoice::every) continue;
-    const double amount = std::uniform_real_distribution<double>(0.5, 2)(random_);
+    const double amount = std::uniform_real_distribution<double>(0.5, 2)(random());
     for (std::size_t k = 0; k < values.size(); ++k) values[k] += pace * amount * solution.open[d][k];
   }
 }
@@ -221,88 +225,6 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
     move_along(velocities_, v_, pace > 0 ? pace : 1);
   }
   moment_->set_velocities(v_);
-}
-
-void SolvedInstant::solve_forces() {
-  if (motion_) return;
-  for (const Strike& strike : problem_.strikes)
-    if (before_ && strike.stays && !strike.mass_neglected)
-      throw UnansweredError(problem_.file, strike.mark,
-                            "with the particle of strike '" + strike.name +
-                                "', which stays, the body moves on as another one than before",
-                            "ask for its accelerations and forces in the motion that follows: @ 0 s");
-  for (const VelocityConstraint<double>& constraint : machine_.mechanism.constraints)
-    if (constraint.shape_unknown && !constraint.carried_by) {
-      const std::string& name = machine_.mechanism.actions[static_cast<std::size_t>(constraint.action)].name;
-      const auto contact = std::find_if(problem_.contacts.begin(), problem_.contacts.end(),
-                                        [&](const Contact& c) { return c.name == name; });
-      fail(problem_.file, contact->mark,
-           "how the point of contact '" + name +
-               "' moves is not known: the surfaces there are no circle, sphere or corner on a plane",
-           "velocities can be asked; for forces and accelerations give the body a round shape, or its inertia by "
-           "axis:, axial:, transverse:");
-    }
-  if (!choice_.trial && !moving_)
-    for (const ContactLimit& limit : machine_.contact_limits) {
-      if (goes_beyond(limit, *moment_))
-        throw UnansweredError(problem_.file, limit.mark, words_of_end(limit) + " as it moves on",
-                              "it turns about a corner there: give it a shape with that corner, such as a polygon");
-      if (leaves_plane(limit, *moment_))
-        throw UnansweredError(problem_.file, limit.mark, words_of_side(limit), hint_of_side(limit));
-    }
-  FactConditions<double> stated = force_facts(view(), facts_);
-  if (problem_.steady && !moving_) add_steady(view(), stated.linear, true);
-  solve::LinearSolution solution = solve::solve_motion(*moment_, scales_, stated.linear, &motion_equations_);
-  if (choice_.trial)
-    take_misfits(solution);
-  else if (!solution.conflict.empty())
-    contradiction(motion_equations_, solution, true);
-  hold_nonlinear(System::motion, stated.nonlinear, solution);
-  motion_ = std::move(solution);
-  unknowns_ = motion_->value;
-  if (choice_.forces) move_along(*motion_, unknowns_);
-  const auto n = static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size());
-  moment_->set_accelerations(std::vector<double>(unknowns_.begin(), unknowns_.begin() + n));
-}
-
-void SolvedInstant::contradiction(const solve::LinearSystem& equations, const solve::LinearSolution& solution,
-                                  bool forces) {
-  std::vector<std::string> names;
-  Mark mark{1, 1};
-  std::optional<Mark> fact_mark;
-  for (std::size_t equation : solution.conflict) {
-    const std::string& words = equations.words(equation);
-    if (std::find(names.begin(), names.end(), words) == names.end()) names.push_back(words);
-  }
-  for (const auto* list : {&machine_.rates, &machine_.accelerations})
-    for (const StatedRate& rate : *list)
-      if (std::find(names.begin(), names.end(), rate.words) != names.end()) mark = rate.mark;
-  for (const Instant* instant : facts_)
-    for (const std::string& name : names) {
-      if (name.starts_with("'" + instant->name + "'")) mark = instant->mark;
-      for (const Fact& fact : instant->facts)
-        if (name == "'" + instant->name + "': " + to_string(fact.quantity)) fact_mark = fact.mark;
-    }
-  if (fact_mark) mark = *fact_mark;
-  std::string all;
-  for (std::size_t i = 0; i < names.size() && i < 8; ++i) all += (all.empty() ? "" : "; ") + names[i];
-  if (names.size() > 8) all += "; ...";
-  const bool only_balance = forces && std::all_of(names.begin(), names.end(), [](const std::string& name) {
-                              return name.starts_with("forces on ") || name.starts_with("moments on ");
-                            });
-  if (only_balance) {
-    if (const auto lock = gimbal_lock(machine_, machine_.q))
-      throw UnansweredError(problem_.file, mark, *lock + ": there they cannot follow the motion", beside_gimbal_lock);
-    if (mark.line == 1 && !problem_.joints.empty()) mark = problem_.joints.front().mark;
-    fail(problem_.file, mark, "nothing carries what the motion needs: " + all,
-         "let a support or contact carry it, or leave a freedom for it");
-  }
-  if (mark.line == 1 && problem_.steady) mark = problem_.steady->mark;
-  if (mark.line == 1 && !problem_.joints.empty()) mark = problem_.joints.front().mark;
-  if (names.size() == 1)
-    fail(problem_.file, mark, "this cannot hold: " + all + "; how the bodies are held does not allow it",
-         "correct or remove it, or free what holds it");
-  fail(problem_.file, mark, std::string("these cannot all hold together: ") + all, "correct or remove one of them");
 }
 
 QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, const std::optional<Expression>& axes,

@@ -80,6 +80,8 @@ class SolvedInstant {
   // Solves for accelerations and forces; done by itself when a quantity needs them.
   void solve_forces();
   bool forces_solved() const { return motion_.has_value(); }
+  // Only assembles the equations for these; solves them where facts are stated of them that are not linear.
+  void assemble_forces();
 
   // What stands before an `@`, at another instant.
   using Elsewhere = std::function<Value<double>(const At& at, const Mark& mark)>;
@@ -149,6 +151,8 @@ class SolvedInstant {
   // "'now': mass(bar)"
   std::string fact_words(const Fact& fact) const;
   // Facts that are not linear must hold of the solution.
+  std::vector<const Fact*> state_motion_equations();  // those facts that are not linear are left
+  void solve_motion_equations(const std::vector<const Fact*>& nonlinear);
   void hold_nonlinear(System system, const std::vector<const Fact*>& facts, const solve::LinearSolution& solution);
   struct FactSides {
     std::vector<Difference<double>> differences;
@@ -157,6 +161,7 @@ class SolvedInstant {
   FactSides sides_of(const Fact& fact, System system, const std::vector<double>& unknowns) const;
   void release(const std::vector<bool>& acting);
   void solve_blow();
+  std::mt19937_64& random();
   void take_misfits(const solve::LinearSolution& solution);
   void move_along(const solve::LinearSolution& solution, std::vector<double>& values, double pace = 1);
   double natural_unit(const Dimension& dimension) const { return statement::natural_unit(scales_, dimension); }
@@ -168,8 +173,8 @@ class SolvedInstant {
   const Problem& problem_;
   const Settings& settings_;
   OpenChoice choice_;
-  std::mt19937_64 random_;
-  std::vector<double> any_values_;  // chosen so far, so that every building of the machine takes the same
+  std::unique_ptr<std::mt19937_64> random_;  // large, and seldom wanted
+  std::vector<double> any_values_;           // chosen so far, so that every building of the machine takes the same
   std::unique_ptr<DataScope<double>> data_;
   std::unique_ptr<DataScope<double>> elsewhen_;            // for machines at other times
   std::optional<std::vector<BodyMassOf<double>>> masses_;  // once they are found, if they do not follow the time

@@ -60,7 +60,7 @@ std::vector<int> still_coordinates(const Machine& machine) {
 
 SolvedInstant::SolvedInstant(const Problem& problem, const Settings& settings, const MotionState& state,
                              const OpenChoice& choice)
-    : problem_(problem), settings_(settings), choice_(choice), random_(choice.seed) {
+    : problem_(problem), settings_(settings), choice_(choice) {
   move_to(state);
 }
 

@@ -173,11 +173,11 @@ bool UnknownEquations::add_left_over(GroupConditions& group, Level level, const 
   return true;
 }
 
-const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<double>& x) {
+const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<double>& x, Wanted wanted_equations) {
   hold_measures();
   evaluated_.reset();
   put(x, trial_);
-  Evaluated all{x, {}, {}};
+  Evaluated all{x, wanted_equations, {}, {}};
   bool smooth = true, complete = true;
   const auto add = [](std::vector<double>& list, auto first, auto last) { list.insert(list.end(), first, last); };
   solve::RootEquations& equations = all.equations;
@@ -205,7 +205,13 @@ const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<
     SolvedInstant& instant = *solved;
     const auto positions = static_cast<std::ptrdiff_t>(instant.position_misfits());
     const auto velocities = static_cast<std::ptrdiff_t>(instant.misfits().size());
-    if (wanted(Aspect::forces)) instant.solve_forces();
+    if (wanted(Aspect::forces)) {
+      // What is left over of their equations needs no solution of them.
+      if (wanted_equations == Wanted::smooth)
+        instant.assemble_forces();
+      else
+        instant.solve_forces();
+    }
     const auto& values = instant.misfits();
     if (wanted(Aspect::positions)) {
       GroupConditions& group = group_of(Aspect::positions);
@@ -243,9 +249,9 @@ const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<
   return evaluated_.emplace(std::move(all));
 }
 
-std::optional<solve::RootEquations> UnknownEquations::exact(const std::vector<double>& x) {
+std::optional<solve::RootEquations> UnknownEquations::exact(const std::vector<double>& x, Wanted wanted) {
   try {
-    solve::RootEquations equations = evaluate(x).equations;
+    solve::RootEquations equations = evaluate(x, wanted).equations;
     makes_sense_ = true;
     return equations;
   } catch (const StatementError& error) {
@@ -257,7 +263,7 @@ std::optional<solve::RootEquations> UnknownEquations::exact(const std::vector<do
 
 std::optional<std::vector<GroupConditions>> UnknownEquations::conditions_at(const std::vector<double>& x) {
   try {
-    return evaluate(x).groups;
+    return evaluate(x, Wanted::smooth).groups;
   } catch (const StatementError& error) {
     refusal_ = error;
     return std::nullopt;
@@ -281,6 +287,17 @@ std::optional<solve::RootEquations> UnknownEquations::operator()(const std::vect
   return sum;
 }
 
+std::optional<solve::RootEquations> UnknownEquations::smooth(const std::vector<double>& x) {
+  if (all_smooth_) {
+    auto equations = exact(x, Wanted::smooth);
+    if (!equations) return std::nullopt;
+    all_smooth_ = !equations->smooth.empty();
+    equations->values.clear();
+    if (all_smooth_) return equations;
+  }
+  return exact(x);
+}
+
 bool UnknownEquations::hold_as_set() {
   const std::vector<std::size_t> reached = system_.situations();
   if (reached.empty()) return false;
@@ -302,10 +319,12 @@ solve::RootProblem UnknownEquations::problem() {
   problem.ranges = ranges_;
   problem.costly = follows_motion();
   problem.equations = [this](const std::vector<double>& x) { return (*this)(x); };
-  if (!problem.costly && small_.empty())
+  if (!problem.costly && small_.empty()) {
+    problem.smooth = [this](const std::vector<double>& x) { return smooth(x); };
     problem.slopes = [this](const std::vector<double>& x, std::vector<std::vector<double>>* slopes) {
       return with_slopes(x, slopes);
     };
+  }
   if (problem.costly)
     problem.rough = [this](const std::vector<double>& x) {
       motion_tolerance_ = 1e-9;

@@ -41,8 +41,10 @@ class UnknownEquations {
   AllSettings settings_at(const std::vector<double>& x) const;
   // Nothing where the values make no sense. Without the squares that are neglected, as stated.
   std::optional<solve::RootEquations> operator()(const std::vector<double>& x);
-  // The same with exact slopes of the smooth equations by each unknown: by dual numbers. Nothing where a motion is
-  // followed, where squares are neglected or where something has no derivatives.
+  // What is smooth of them alone, where that is found sooner.
+  std::optional<solve::RootEquations> smooth(const std::vector<double>& x);
+  // The same as all with exact slopes of the smooth equations by each unknown: by dual numbers. Nothing where a motion
+  // is followed, where squares are neglected or where something has no derivatives.
   std::optional<solve::RootEquations> with_slopes(const std::vector<double>& x,
                                                   std::vector<std::vector<double>>* slopes);
   // With the values that the settings give to the unknowns: whether the conditions hold, to far less than is asked of a
@@ -69,8 +71,11 @@ class UnknownEquations {
     std::map<std::size_t, solve::Scales> scales;  // of each situation
     std::map<std::pair<std::size_t, Level>, solve::LinearElimination> eliminations;
   };
+  // Of the equations: all, or only those of the groups.
+  enum class Wanted { everything, smooth };
   struct Evaluated {
     std::vector<double> at;
+    Wanted wanted;
     solve::RootEquations equations;
     std::vector<GroupConditions> groups;
     std::map<std::size_t, std::unique_ptr<SolvedInstant>> instants = {};  // of situations
@@ -89,11 +94,11 @@ class UnknownEquations {
   void hold_measures();
   bool take_measures(const std::vector<double>& x);  // whether others may tell more
   // Kept for the slopes at the same place.
-  const Evaluated& evaluate(const std::vector<double>& x);
+  const Evaluated& evaluate(const std::vector<double>& x, Wanted wanted = Wanted::everything);
   // The groups there with their slopes by some unknowns.
   std::optional<std::vector<GroupConditions>> sloped_groups(const std::vector<double>& x,
                                                             const std::vector<std::size_t>& unknowns);
-  std::optional<solve::RootEquations> exact(const std::vector<double>& x);
+  std::optional<solve::RootEquations> exact(const std::vector<double>& x, Wanted wanted = Wanted::everything);
   void put(const std::vector<double>& x, AllSettings& settings) const;
   // Facts in `instant` that are not linear are taken where the pivots' equations alone have brought it.
   bool add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system,
@@ -113,6 +118,7 @@ class UnknownEquations {
   Measures measures_;
   bool measured_ = false;
   bool makes_sense_ = false;
+  bool all_smooth_ = true;  // wherever it was asked for
   std::optional<StatementError> refusal_;
   std::optional<Evaluated> evaluated_;     // the last one
   std::optional<LinearPart> linear_part_;  // likewise

@@ -185,14 +185,21 @@ RootsFound UnknownSearch::find_by_blocks(const UnknownSystem& system, const AllS
   RootsFound all;
   all.roots.push_back(settings);
   UnknownEquations equations = equations_of(system, settings);
-  for (const UnknownSystem& block : blocks_of(equations))
+  const std::vector<UnknownSystem> blocks = blocks_of(equations);
+  if (blocks.size() == 1 && blocks.front() == system) return find_block(equations);
+  for (const UnknownSystem& block : blocks)
     refine(all, [&](const AllSettings& root) { return find_block(block, root); });
   return all;
 }
 
 RootsFound UnknownSearch::find_block(const UnknownSystem& system, const AllSettings& settings, bool explained) {
-  RootsFound found;
   UnknownEquations equations = equations_of(system, settings);
+  return find_block(equations, explained);
+}
+
+RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained) {
+  RootsFound found;
+  const UnknownSystem& system = equations.system();
   const std::vector<UnknownSlot>& slots = equations.slots();
   std::string small;
   for (std::size_t k : equations.without_squares()) small += (small.empty() ? "" : ", ") + slots[k].unknown.name + "^2";

@@ -60,6 +60,7 @@ class UnknownSearch {
   RootsFound find_by_blocks(const UnknownSystem& system, const AllSettings& settings);
   // explained: where nothing is found, a warning says why.
   RootsFound find_block(const UnknownSystem& system, const AllSettings& settings, bool explained = true);
+  RootsFound find_block(UnknownEquations& equations, bool explained = true);
   std::string nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded) const;
   std::optional<StatementError> objection(const AllSettings& root) const;
   void leave_out_nonsense(RootsFound& found) const;

@@ -54,7 +54,8 @@ std::optional<std::vector<GroupConditions>> UnknownEquations::sloped_groups(cons
                                                                             const std::vector<std::size_t>& unknowns) {
   if (follows_motion()) return std::nullopt;
   try {
-    const Evaluated& all = evaluated_ && evaluated_->at == x ? *evaluated_ : evaluate(x);
+    const Evaluated& all =
+        evaluated_ && evaluated_->at == x && evaluated_->wanted == Wanted::everything ? *evaluated_ : evaluate(x);
     if (all.equations.smooth.empty()) return std::nullopt;
     std::vector<GroupConditions> groups = all.groups;
     for (const auto& [situation, instant] : all.instants) add_slopes(groups, situation, *instant, unknowns);

@@ -25,6 +25,10 @@ std::vector<UnknownSlot> UnknownSystem::slots() const {
   return list;
 }
 
+bool UnknownSystem::operator==(const UnknownSystem& other) const {
+  return groups == other.groups && std::ranges::equal(unknowns, other.unknowns, {}, &Unknown::name, &Unknown::name);
+}
+
 Aspect aspect_of(const Problem& problem, const Instant& instant, const Fact& fact) {
   const Level level = level_of(problem, fact.quantity);
   if (level == Level::motion || is_later(problem, instant)) return Aspect::later;

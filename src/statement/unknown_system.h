@@ -34,6 +34,7 @@ struct UnknownSystem {
   bool has(const ConditionGroup& group) const;
   bool seeks(const std::string& name) const;
   std::vector<UnknownSlot> slots() const;
+  bool operator==(const UnknownSystem& other) const;  // the same unknowns and groups in the same order
 };
 
 // The groups of conditions that a situation has.

@@ -70,6 +70,47 @@ TEST(Roots, NoRootIsSaidWithTheSmallestMisfit) {
   EXPECT_NEAR(roots.best_misfit, 1, 1e-6);
 }
 
+// The equations with a weight that jumps, and smooth ones without it that can be had alone.
+RootProblem weighted(double lift, int* evaluations) {
+  const auto smooth = [lift](const std::vector<double>& x) {
+    return std::vector<double>{x[0] * x[0] + x[1] * x[1] - 4 + lift, std::sin(x[0]) - x[1]};
+  };
+  RootProblem problem;
+  problem.ranges.assign(2, {-3, 3, 1});
+  problem.equations = [=](const std::vector<double>& x) {
+    ++*evaluations;
+    RootEquations equations{smooth(x), 4, smooth(x), 4};
+    for (double& value : equations.values) value *= x[0] > 0.1 ? 2 : 1;
+    return equations;
+  };
+  problem.smooth = [=](const std::vector<double>& x) { return RootEquations{{}, 0, smooth(x), 4}; };
+  return problem;
+}
+
+TEST(Roots, SmoothEquationsThatCanBeHadAloneSpareMostEvaluations) {
+  int with = 0, without = 0;
+  const RootProblem problem = weighted(0, &with);
+  RootProblem plain = weighted(0, &without);
+  plain.smooth = nullptr;
+  const Roots roots = find_roots(problem), same = find_roots(plain);
+  ASSERT_EQ(roots.points.size(), 2u);
+  EXPECT_EQ(roots.search, RootSearch::certified);
+  EXPECT_EQ(roots.points, same.points);
+  EXPECT_LT(2 * with, without);
+}
+
+TEST(Roots, WhereThereIsNoneAllPlacesAreJudgedByTheEquationsThemselves) {
+  int evaluations = 0;
+  const RootProblem problem = weighted(6, &evaluations);
+  RootProblem plain = problem;
+  plain.smooth = nullptr;
+  const Roots roots = find_roots(problem), same = find_roots(plain);
+  EXPECT_TRUE(roots.points.empty());
+  EXPECT_EQ(roots.search, RootSearch::certified);
+  EXPECT_EQ(roots.best, same.best);
+  EXPECT_EQ(roots.best_misfit, same.best_misfit);
+}
+
 TEST(Roots, ContradictoryLinearEquationsHaveNone) {
   RootProblem problem;
   problem.ranges = {{-infinity, infinity, 1}};

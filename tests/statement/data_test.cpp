@@ -49,5 +49,29 @@ TEST_F(DataInTime, WhatFollowsTheTimeIsKnown) {
   EXPECT_TRUE(data.follows_time());
 }
 
+// What had no value may be asked again: it is not in the middle of its definition.
+TEST(Data, WhatFailsFailsAgainForTheSameReason) {
+  const Statement statement = read_statement(R"(
+given: {m: 2 kg, none: 'sqrt(-m/(1 kg))', behind: 2*none}
+points: {A: [0, 0, 0]}
+bodies: {ball: {particle: A, mass: m}}
+ask: {a: mass(ball)}
+)",
+                                             "data.yaml");
+  const Settings settings;
+  DataScope<double> data(statement.situations.front().problem, settings);
+  const Expression behind = parse_expression("behind", "data.yaml", Mark{});
+  std::string first;
+  for (int time = 0; time < 2; ++time) {
+    try {
+      data.value(behind);
+      ADD_FAILURE() << "it has no value";
+    } catch (const DomainError& error) {
+      if (time == 0) first = error.what();
+      EXPECT_EQ(error.what(), first);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace poinsot::statement

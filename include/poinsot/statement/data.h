@@ -79,6 +79,11 @@ class DataScope : public Scope<Scalar> {
   Value<Scalar> value(const Expression& expression);
 
  private:
+  // An item of what the problem names by `what`, while it is evaluated.
+  struct Pending {
+    const char* what;
+    const NamedExpression* item;
+  };
   Value<Scalar> lookup(const NamedExpression& item, const char* what);
   Value<Scalar> meaning(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator);
 
@@ -87,9 +92,9 @@ class DataScope : public Scope<Scalar> {
   Scalar time_;
   bool follows_time_ = false;
   std::map<std::string, Value<Scalar>> varied_;
-  std::map<std::string, Value<Scalar>> found_;     // of names in what they stand for: "given m"
-  std::map<std::string, Value<Scalar>> meanings_;  // of names but `time` and directions
-  std::vector<std::string> pending_;
+  std::map<const NamedExpression*, Value<Scalar>> found_;  // of items of the problem
+  std::map<std::string, Value<Scalar>> meanings_;          // of names but `time` and directions
+  std::vector<Pending> pending_;
 };
 
 // A number, or one component of a vector, as the variable of differentiation.

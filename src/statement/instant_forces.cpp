@@ -1,0 +1,66 @@
+// The accelerations and forces of an instant.
+#include <algorithm>
+
+#include "statement/contact_limits.h"
+#include "statement/instant.h"
+#include "statement/reader.h"
+
+namespace poinsot::statement {
+
+void SolvedInstant::solve_forces() {
+  if (!motion_) solve_motion_equations(state_motion_equations());
+}
+
+void SolvedInstant::assemble_forces() {
+  if (motion_) return;
+  const std::vector<const Fact*> nonlinear = state_motion_equations();
+  if (!nonlinear.empty()) solve_motion_equations(nonlinear);
+}
+
+std::vector<const Fact*> SolvedInstant::state_motion_equations() {
+  for (const Strike& strike : problem_.strikes)
+    if (before_ && strike.stays && !strike.mass_neglected)
+      throw UnansweredError(problem_.file, strike.mark,
+                            "with the particle of strike '" + strike.name +
+                                "', which stays, the body moves on as another one than before",
+                            "ask for its accelerations and forces in the motion that follows: @ 0 s");
+  for (const VelocityConstraint<double>& constraint : machine_.mechanism.constraints)
+    if (constraint.shape_unknown && !constraint.carried_by) {
+      const std::string& name = machine_.mechanism.actions[static_cast<std::size_t>(constraint.action)].name;
+      const auto contact = std::find_if(problem_.contacts.begin(), problem_.contacts.end(),
+                                        [&](const Contact& c) { return c.name == name; });
+      fail(problem_.file, contact->mark,
+           "how the point of contact '" + name +
+               "' moves is not known: the surfaces there are no circle, sphere or corner on a plane",
+           "velocities can be asked; for forces and accelerations give the body a round shape, or its inertia by "
+           "axis:, axial:, transverse:");
+    }
+  if (!choice_.trial && !moving_)
+    for (const ContactLimit& limit : machine_.contact_limits) {
+      if (goes_beyond(limit, *moment_))
+        throw UnansweredError(problem_.file, limit.mark, words_of_end(limit) + " as it moves on",
+                              "it turns about a corner there: give it a shape with that corner, such as a polygon");
+      if (leaves_plane(limit, *moment_))
+        throw UnansweredError(problem_.file, limit.mark, words_of_side(limit), hint_of_side(limit));
+    }
+  FactConditions<double> stated = force_facts(view(), facts_);
+  if (problem_.steady && !moving_) add_steady(view(), stated.linear, true);
+  motion_equations_ = solve::motion_equations(*moment_, scales_, stated.linear);
+  return stated.nonlinear;
+}
+
+void SolvedInstant::solve_motion_equations(const std::vector<const Fact*>& nonlinear) {
+  solve::LinearSolution solution = motion_equations_.solve();
+  if (choice_.trial)
+    take_misfits(solution);
+  else if (!solution.conflict.empty())
+    contradiction(motion_equations_, solution, true);
+  hold_nonlinear(System::motion, nonlinear, solution);
+  motion_ = std::move(solution);
+  unknowns_ = motion_->value;
+  if (choice_.forces) move_along(*motion_, unknowns_);
+  const auto n = static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size());
+  moment_->set_accelerations(std::vector<double>(unknowns_.begin(), unknowns_.begin() + n));
+}
+
+}  // namespace poinsot::statement
