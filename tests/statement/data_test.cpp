@@ -52,7 +52,7 @@ TEST_F(DataInTime, WhatFollowsTheTimeIsKnown) {
 // What had no value may be asked again: it is not in the middle of its definition.
 TEST(Data, WhatFailsFailsAgainForTheSameReason) {
   const Statement statement = read_statement(R"(
-given: {m: 2 kg, none: 'sqrt(-m/(1 kg))', behind: 2*none}
+given: {m: 2 kg, lost: 'sqrt(-m/(1 kg))', behind: 2*lost}
 points: {A: [0, 0, 0]}
 bodies: {ball: {particle: A, mass: m}}
 ask: {a: mass(ball)}
