@@ -46,6 +46,32 @@ Vector3<double> PrincipalBody::torque(double t, const Quaternion<double>& attitu
   return sum;
 }
 
+double PrincipalBody::energy(const RotationState& state) const {
+  const Matrix3<double> R = rotation_matrix(state.attitude);
+  const Vector m = transpose_times(R, state.momentum);
+  const double kinetic = 0.5 * (m.x * m.x / moments.x + m.y * m.y / moments.y + m.z * m.z / moments.z);
+  return has_weight ? kinetic - dot(R * weight_arm, down) : kinetic;
+}
+
+// A turn by d on principal axes changes the momentum there by m x d and the vertical u by u x d, so the energy by
+// (w x m - arm x u) d.
+void PrincipalBody::restore_energy(RotationState& state, double energy, double most) const {
+  const Matrix3<double> R = rotation_matrix(state.attitude);
+  const Vector m = transpose_times(R, state.momentum);
+  const Vector w{m.x / moments.x, m.y / moments.y, m.z / moments.z};
+  double excess = 0.5 * dot(m, w) - energy;
+  Vector gradient = cross(w, m);
+  if (has_weight) {
+    const Vector u = transpose_times(R, down);
+    excess -= dot(weight_arm, u);
+    gradient -= cross(weight_arm, u);
+  }
+  const double steepness = norm_squared(gradient);
+  if (!(excess * excess < most * most * steepness)) return;
+  const Vector half = (-0.5 * excess / steepness) * gradient;
+  state.attitude = state.attitude * Quaternion<double>{1.0 - 0.5 * norm_squared(half), half.x, half.y, half.z};
+}
+
 void write_rotation(const PrincipalBody& body, const RotationState& state, double* y) {
   const Quaternion<double> q = state.attitude * conjugate(body.axes);
   const Vector w = rotation_matrix(body.axes) * body.angular_velocity(state.attitude, state.momentum);

@@ -8,6 +8,8 @@
 
 namespace poinsot {
 
+struct RotationState;
+
 // The body on its principal axes.
 struct PrincipalBody {
   explicit PrincipalBody(const RotatingBody& body);
@@ -23,6 +25,13 @@ struct PrincipalBody {
   // Torque about the point on ground axes; attitude of the principal axes, momentum on ground axes.
   Vector3<double> torque(double t, const Quaternion<double>& attitude, const Vector3<double>& momentum) const;
   Vector3<double> angular_velocity(const Quaternion<double>& attitude, const Vector3<double>& momentum) const;
+
+  // Whether weight is all that turns it, so that its energy lasts.
+  bool keeps_energy() const { return !body; }
+  double energy(const RotationState& state) const;  // J; kinetic and of its weight
+  // Turns the attitude by the least angle that gives the state this energy, if that is no more than `most` (rad, at
+  // most 1e-3): in a step of Newton's method.
+  void restore_energy(RotationState& state, double energy, double most) const;
 };
 
 struct RotationState {

@@ -52,12 +52,7 @@ MotionEquations equations_of(const std::shared_ptr<const Rotor>& rotor) {
                                      return value(rotor->principal, read_rotation(rotor->principal, y.data()));
                                    }});
   };
-  conserve("energy", [](const PrincipalBody& body, const RotationState& state) {
-    const Matrix3<double> R = rotation_matrix(state.attitude);
-    const Vector3<double> m = transpose_times(R, state.momentum);
-    const double kinetic = 0.5 * (m.x * m.x / body.moments.x + m.y * m.y / body.moments.y + m.z * m.z / body.moments.z);
-    return body.has_weight ? kinetic - dot(R * body.weight_arm, body.down) : kinetic;
-  });
+  conserve("energy", [](const PrincipalBody& body, const RotationState& state) { return body.energy(state); });
   if (rotor->principal.has_weight) {
     conserve("angular momentum about the vertical",
              [](const PrincipalBody& body, const RotationState& state) { return -dot(body.down, state.momentum); });

@@ -129,22 +129,21 @@ class Iteration {
         down_ = into_precessing(body.down);
         const Vector arm{body.weight_arm[around_.j], body.weight_arm[around_.k], body.weight_arm[around_.i]};
         arm_ = {Stages(arm.x) * c - Stages(arm.y) * s, Stages(arm.x) * s + Stages(arm.y) * c, Stages(arm.z)};
-        if (arm.x != 0.0 || arm.y != 0.0) fastest = std::max(fastest, std::fabs(spin_));
+        arm_along_axis_ = arm.x == 0.0 && arm.y == 0.0;
+        if (!arm_along_axis_) fastest = std::max(fastest, std::fabs(spin_));
       }
       // A torque may well have the period of half a turn.
       fastest = std::max(fastest, body.body ? 2.0 * (std::fabs(spin_) + rate_) : rate_);
     }
     missed_ = missed_part(fastest * h);
+    // Of a top's, most is an error of the energy, which is given back (rotation_method.cpp).
+    if (HasTorque && body.keeps_energy()) missed_ *= 0.3;
   }
 
   // The first round: the rates of the state at rest in its frames. As the next ones, returns the square of the change.
   double begin() {
-    std::array<Stages, count> y;
-    for (int n = 0; n < count; ++n) {
-      y[n] = Stages(start_[n]);
-      increments_[n] = Stages(0.0);
-    }
-    return update(rates(y));
+    for (Stages& increment : increments_) increment = Stages(0.0);
+    return update(rates(Quaternion<double>{start_[0], start_[1], start_[2], start_[3]}, Vector3<double>{}));
   }
 
   // One round more.
@@ -161,7 +160,9 @@ class Iteration {
       }
       y[n] = even + odd;
     }
-    return update(rates(y));
+    Vectors l{};
+    if constexpr (HasTorque) l = {y[4], y[5], y[6]};
+    return update(rates(Quaternion<Stages>{y[0], y[1], y[2], y[3]}, l));
   }
 
   // What the polynomials in the step leave over, times a factor as small: for the slow part of the motion, which the
@@ -239,24 +240,39 @@ class Iteration {
     return spread(along) + precession_cosine_ * spread(across) - precession_sine_ * spread(turned);
   }
 
-  [[gnu::always_inline]] std::array<Stages, count> rates(const std::array<Stages, count>& y) const {
-    const Quaternion<Stages> q{y[0], y[1], y[2], y[3]};
-    const Matrix3<Stages> R = rotation_matrix(q);
-    Vectors L = spread(L0_);
-    if constexpr (HasTorque) L += Vectors{y[4], y[5], y[6]};
-    const Vectors m = transpose_times(R, L);
+  // Number: double for a state that is the same at all stages.
+  template <class Number>
+  [[gnu::always_inline]] std::array<Stages, count> rates(const Quaternion<Number>& one,
+                                                         const Vector3<Number>& gained) const {
+    constexpr bool rests = std::is_same_v<Number, double>;
+    const Matrix3<Number> R_one = rotation_matrix(one);
+    Vector3<Number> L_one;
+    if constexpr (rests)
+      L_one = L0_;
+    else
+      L_one = spread(L0_) + gained;
+    const Vector3<Number> m_one = transpose_times(R_one, L_one);
+    const auto lanes = [](const Number& x) { return Stages(x); };
+    const Quaternion<Stages> q{lanes(one.w), lanes(one.x), lanes(one.y), lanes(one.z)};
+    const Vectors m{lanes(m_one.x), lanes(m_one.y), lanes(m_one.z)};
     Vectors w{d_cosine_ * m.x + d_sine_ * m.y, d_sine_ * m.x - d_cosine_ * m.y,
-              Stages(around_.own - around_.mean) * m.z - Stages(spin_)};
+              lanes(Number(around_.own - around_.mean) * m_one.z - Number(spin_))};
     std::array<Stages, count> rate;
     if constexpr (HasTorque) {
-      const Vectors l{y[4], y[5], y[6]};
-      w += transpose_times(R, Stages(around_.mean) * l);
-      Vectors gained = cross(l, spread(turning_));
-      if (body_.has_weight) gained += cross(R * arm_, down_);
-      if (body_.body) gained += further_torque(q, L);
-      rate[4] = gained.x;
-      rate[5] = gained.y;
-      rate[6] = gained.z;
+      const Matrix3<Stages> R{{lanes(R_one.row0.x), lanes(R_one.row0.y), lanes(R_one.row0.z)},
+                              {lanes(R_one.row1.x), lanes(R_one.row1.y), lanes(R_one.row1.z)},
+                              {lanes(R_one.row2.x), lanes(R_one.row2.y), lanes(R_one.row2.z)}};
+      Vectors torque{Stages(0.0), Stages(0.0), Stages(0.0)};
+      if constexpr (!rests) {
+        w += transpose_times(R, Stages(around_.mean) * gained);
+        torque = cross(gained, spread(turning_));
+      }
+      if (body_.has_weight)
+        torque += cross(arm_along_axis_ ? arm_.z * Vectors{R.row0.z, R.row1.z, R.row2.z} : R * arm_, down_);
+      if (body_.body) torque += further_torque(q, {lanes(L_one.x), lanes(L_one.y), lanes(L_one.z)});
+      rate[4] = torque.x;
+      rate[5] = torque.y;
+      rate[6] = torque.z;
     }
     // q (0, w)/2.
     const Vectors half = Stages(0.5) * w;
@@ -311,6 +327,7 @@ class Iteration {
   Stages precession_cosine_;
   Vectors down_;
   Vectors arm_;
+  bool arm_along_axis_ = false;
   std::array<Stages, count> increments_;
 };
 

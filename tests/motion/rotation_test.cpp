@@ -308,6 +308,63 @@ TEST(Rotation, energy_drifts_by_rounding_over_long_runs) {
   EXPECT_LT(r.drift[0].largest, 1e-12 * r.drift[0].start);
 }
 
+// As a second way to it: with the energy of the other function, by differences, and as no smaller turn would do.
+TEST(PrincipalBody, the_least_turn_restores_an_energy) {
+  std::mt19937_64 random(29);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int i = 0; i < 1000; ++i) {
+    const Sample s = random_sample(random, i);
+    const PrincipalBody body(s.body);
+    const std::array<double, 7> y{s.attitude.w, s.attitude.x, s.attitude.y, s.attitude.z, s.w.x, s.w.y, s.w.z};
+    const RotationState start = read_rotation(body, y.data());
+    const double size = body.energy(start);
+    EXPECT_NEAR(size, energy(body, start), 1e-12 * (1.0 + std::fabs(size)));
+    RotationState off = start;
+    const Vector3<double> turn = 1e-5 * Vector3<double>{unit(random), unit(random), unit(random)};
+    off.attitude = off.attitude * quaternion_exponential(turn);
+    RotationState state = off;
+    body.restore_energy(state, size, 1e-3);
+    const double before = std::fabs(energy(body, off) - size), after = std::fabs(energy(body, state) - size);
+    EXPECT_NEAR(norm_squared(state.attitude), 1.0, 4e-16 * 4);
+    EXPECT_EQ(norm(state.momentum - off.momentum), 0.0);
+    const auto turned = conjugate(off.attitude) * state.attitude;
+    const double angle = 2.0 * norm(Vector3<double>{turned.x, turned.y, turned.z});
+    EXPECT_LE(angle, norm(turn) * 1.01) << i;
+    // Newton's step: what is left is of second order in the turn.
+    if (angle > 0.0) {
+      EXPECT_LE(after, 1e-3 * before + 1e-9 * norm(s.w) * norm(start.momentum) + 1e-14) << i;
+    }
+  }
+}
+
+TEST(Rotation, energy_is_kept_at_every_tolerance) {
+  std::mt19937_64 random(31);
+  for (int i = 0; i < 200; ++i) {
+    const Sample s = random_sample(random, i);
+    for (const double tolerance : {1e-4, 1e-7}) {
+      const IntegrationResult r = integrate_rotation(s.body, 0.0, s.attitude, s.w, 3.0, with_tolerance(tolerance));
+      ASSERT_EQ(r.ending, Ending::reached_end) << i;
+      // Quadratic in what is taken off at a time, where hardly any turn changes it.
+      EXPECT_LT(r.drift[0].largest, 0.02 * tolerance * (1.0 + std::fabs(r.drift[0].start))) << i;
+    }
+  }
+  const IntegrationResult r = integrate_rotation(top(15.3), 0.0, at_rest, top_spin, 2.0, with_tolerance(1e-4));
+  EXPECT_LT(r.drift[0].largest, 1e-9 * r.drift[0].start);
+  EXPECT_LT(apart(r.q, triaxial_at_2), 1e-4);
+}
+
+// No turn changes the energy of a rotation about a principal axis.
+TEST(Rotation, a_permanent_rotation_lasts) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3<double> w = 7.0 * Vector3<double>::unit(i);
+    const IntegrationResult r =
+        integrate_rotation(free_body({1.0, 2.0, 2.5}), 0.0, at_rest, w, 2.0, with_tolerance(1e-6));
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(r.v[k], w[k], 1e-13);
+    const Quaternion<double> exact = quaternion_exponential(2.0 * w);
+    EXPECT_LT(apart(r.q, {exact.w, exact.x, exact.y, exact.z}), 1e-12);
+  }
+}
+
 TEST(RotationCollocation, has_order_sixteen) {
   const RotatingBody given = top(15.234375);
   const PrincipalBody body(given);
