@@ -160,7 +160,7 @@ double attitude_error(std::span<const double, 4> a, std::span<const double, 4> b
   return 4.0 * std::asin(std::min(1.0, 0.5 * std::sqrt(apart)));
 }
 
-// All contestants are measured in turn so often, so that a time in which the machine is slow slows all.
+// So many times all contestants are measured in turn, so that a time in which the machine is slow slows all.
 constexpr int passes = 3;
 
 struct Point {
@@ -213,12 +213,13 @@ bool measure(const Case& c, double goal, std::vector<Integrator<Case>> contestan
     for (std::size_t i = 0; i < contestants.size(); ++i) {
       const Integrator<Case>& contestant = contestants[i];
       if (pass + 1 == passes) fmt::print("  {:<24}", contestant.name);
-      double tolerance = 1e-3;
-      for (std::size_t k = 0; tolerance > 0.9e-15; ++k, tolerance *= 0.1) {
+      std::size_t k = 0;
+      for (double tolerance = 1e-3; tolerance > 0.9e-15; tolerance *= 0.1) {
         const double error = attitude_error(contestant.run(c, tolerance), c.end_attitude);
+        if (!std::isfinite(error) && k == 0) continue;
         if (!std::isfinite(error)) break;
         if (k == curves[i].size()) curves[i].push_back({error, INFINITY});
-        double& seconds = curves[i][k].seconds;
+        double& seconds = curves[i][k++].seconds;
         seconds = std::min(seconds, least_seconds([&] { contestant.run(c, tolerance); }));
         if (pass + 1 == passes) fmt::print(" {:.0e} {:.1e} {:.1f};", tolerance, error, seconds * 1e6);
       }

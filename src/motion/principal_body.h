@@ -29,8 +29,8 @@ struct PrincipalBody {
   // Whether weight is all that turns it, so that its energy lasts.
   bool keeps_energy() const { return !body; }
   double energy(const RotationState& state) const;  // J; kinetic and of its weight
-  // Turns the attitude by the least angle that gives the state this energy, if that is no more than `most` (rad, at
-  // most 1e-3): in a step of Newton's method.
+  // Turns the attitude by the least angle that gives the state this energy, by a step of Newton's method: where more
+  // than rounding is missing, and the angle is less than `most` (rad, at most 1e-3).
   void restore_energy(RotationState& state, double energy, double most) const;
 };
 

@@ -135,9 +135,8 @@ class Iteration {
       // A torque may well have the period of half a turn.
       fastest = std::max(fastest, body.body ? 2.0 * (std::fabs(spin_) + rate_) : rate_);
     }
-    missed_ = missed_part(fastest * h);
     // Of a top's, most is an error of the energy, which is given back (rotation_method.cpp).
-    if (HasTorque && body.keeps_energy()) missed_ *= 0.3;
+    missed_ = missed_part(fastest * h, HasTorque && body.keeps_energy() ? 0.3 : 1.0);
   }
 
   // The first round: the rates of the state at rest in its frames. As the next ones, returns the square of the change.
@@ -223,13 +222,13 @@ class Iteration {
   }
 
   // By how much eight Gauss points miss the integral of a wave that turns by the angle on the way, at most all of it:
-  // its leading term in the angle.
-  static double missed_part(double angle) {
+  // the part that counts of its leading term in the angle.
+  static double missed_part(double angle, double counted) {
     const double x = std::fabs(angle) / 20.0;
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double x8 = x4 * x4;
-    return std::min(1.0, 0.022 * x8 * x8);
+    return std::min(1.0, counted * 0.022 * x8 * x8);
   }
 
   // Components on the axes of S at the stages from those on the ground's: turned back about the axis.

@@ -20,8 +20,8 @@ double largest_momentum(const Rotor& rotor, const RotationState& state, double s
 }
 
 // What a step by quadrature leaves of the energy turns up as a wrong rate of the spin, whose angle then goes off with
-// the time: the energy of a step's start is given back to its end, as far as that stays within errors. Where next to no
-// turn changes the energy (rotation about a principal axis), it does nothing.
+// the time: the energy from before is given back, where a turn by at most a hundred times the tolerance does it. Near a
+// rotation about a principal axis, where next to no turn changes the energy, nothing is done.
 void give_back_energy(const PrincipalBody& body, double energy, double tolerance, RotationState& end) {
   if (body.keeps_energy()) body.restore_energy(end, energy, std::min(100.0 * tolerance, 1e-3));
 }

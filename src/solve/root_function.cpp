@@ -69,14 +69,17 @@ std::optional<RootSample> RootFunction::smooth_at(const VectorXd& u) {
   ++evaluations_;
   RootSample sample{vector_of(equations->smooth), equations->smooth_size};
   if (!sample.values.allFinite() || !std::isfinite(sample.size)) return std::nullopt;
-  if (inside(u)) unjudged_.push_back(u);
+  if (inside(u)) unjudged_.emplace_back(sample.values.norm() / std::max(sample.size, 1e-300), u);
   return sample;
 }
 
 const VectorXd& RootFunction::best() {
-  for (const VectorXd& u : std::exchange(unjudged_, {})) {
+  constexpr std::size_t most = 64;
+  auto places = std::exchange(unjudged_, {});
+  std::ranges::sort(places, {}, &std::pair<double, VectorXd>::first);
+  for (std::size_t i = 0; i < std::min(most, places.size()); ++i) {
     if (best_.size() && out_of_time()) break;
-    at(u);
+    at(places[i].second);
   }
   return best_;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "poinsot/solve/roots.h"
@@ -42,7 +43,8 @@ class RootFunction {
 
   std::size_t evaluations() const { return evaluations_; }
   bool valued() const { return best_.size() > 0 || !unjudged_.empty(); }  // whether they had a value anywhere
-  // Of all places met in the ranges, the one of the smallest misfit; empty when the equations had no value anywhere.
+  // Of the places met in the ranges the one of the smallest misfit; of those of which only the smooth equations are
+  // known, the most promising are judged for it. Empty when the equations had no value there.
   const Eigen::VectorXd& best();
   double best_misfit() const { return best_misfit_; }  // largest misfit there; infinite when there is none
 
@@ -59,7 +61,8 @@ class RootFunction {
   Eigen::Index unknowns_;
   double begin_, end_;  // s
   std::size_t evaluations_ = 0;
-  std::vector<Eigen::VectorXd> unjudged_;  // places in the ranges of which the smooth equations alone are known
+  // Places in the ranges of which only the smooth equations are known, with the misfit of these over their size.
+  std::vector<std::pair<double, Eigen::VectorXd>> unjudged_;
   Eigen::VectorXd best_;
   double best_misfit_;
 };

@@ -190,6 +190,7 @@ class RootFinder {
     RootProblem problem = function_.problem();
     problem.equations = std::exchange(problem.rough, nullptr);
     problem.slopes = nullptr;
+    problem.smooth = nullptr;
     RootFunction rough(problem, seconds_ * (1 - function_.time_spent()));
     for (const VectorXd& start : starts_from_few_evaluations(rough)) {
       if (rough.out_of_time()) break;

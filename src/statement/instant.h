@@ -150,9 +150,9 @@ class SolvedInstant {
   InstantView<double> view() const;
   // "'now': mass(bar)"
   std::string fact_words(const Fact& fact) const;
-  // Facts that are not linear must hold of the solution.
-  std::vector<const Fact*> state_motion_equations();  // those facts that are not linear are left
+  std::vector<const Fact*> state_motion_equations();  // returns the facts that are not linear
   void solve_motion_equations(const std::vector<const Fact*>& nonlinear);
+  // Facts that are not linear must hold of the solution.
   void hold_nonlinear(System system, const std::vector<const Fact*>& facts, const solve::LinearSolution& solution);
   struct FactSides {
     std::vector<Difference<double>> differences;

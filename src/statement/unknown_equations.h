@@ -41,9 +41,9 @@ class UnknownEquations {
   AllSettings settings_at(const std::vector<double>& x) const;
   // Nothing where the values make no sense. Without the squares that are neglected, as stated.
   std::optional<solve::RootEquations> operator()(const std::vector<double>& x);
-  // What is smooth of them alone, where that is found sooner.
+  // Only those that are smooth, without forces being solved; all, where they are not all smooth.
   std::optional<solve::RootEquations> smooth(const std::vector<double>& x);
-  // The same as all with exact slopes of the smooth equations by each unknown: by dual numbers. Nothing where a motion
+  // All with exact slopes of the smooth equations by each unknown: by dual numbers. Nothing where a motion
   // is followed, where squares are neglected or where something has no derivatives.
   std::optional<solve::RootEquations> with_slopes(const std::vector<double>& x,
                                                   std::vector<std::vector<double>>* slopes);

@@ -308,7 +308,7 @@ TEST(Rotation, energy_drifts_by_rounding_over_long_runs) {
   EXPECT_LT(r.drift[0].largest, 1e-12 * r.drift[0].start);
 }
 
-// As a second way to it: with the energy of the other function, by differences, and as no smaller turn would do.
+// The energy is measured by another function, and no more is turned than what had taken it off.
 TEST(PrincipalBody, the_least_turn_restores_an_energy) {
   std::mt19937_64 random(29);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -351,6 +351,31 @@ TEST(Rotation, energy_is_kept_at_every_tolerance) {
   const IntegrationResult r = integrate_rotation(top(15.3), 0.0, at_rest, top_spin, 2.0, with_tolerance(1e-4));
   EXPECT_LT(r.drift[0].largest, 1e-9 * r.drift[0].start);
   EXPECT_LT(apart(r.q, triaxial_at_2), 1e-4);
+}
+
+// Near a rotation about the middle axis next to no turn changes the energy: what rounding takes off it must not be made
+// up for by one, which would be seen many times as large after the flip. What steps take off must: it is the time of
+// the next flip.
+TEST(Rotation, flips_come_at_their_times) {
+  const RotatingBody body = free_body({1.0, 2.0, 3.0});
+  const double growth = 5.0 * std::sqrt(1.0 / 3.0);
+  for (const double off : {1e-3, 1e-4, 1e-5, 3e-6}) {
+    const auto end_of = [&](double flips, double tolerance) {
+      IntegrationOptions options = with_tolerance(tolerance);
+      if (tolerance < 1e-14) options.method = IntegrationMethod::structure_preserving;
+      if (tolerance < 1e-14) options.fixed_step = 0.02;
+      return integrate_rotation(body, 0.0, at_rest, {5.0 * off, 5.0, 0.0}, flips * std::log(1.0 / off) / growth,
+                                options)
+          .q;
+    };
+    const auto error = [&](double flips, double tolerance) {
+      const std::vector<double> exact = end_of(flips, 1e-15);
+      return apart(end_of(flips, tolerance), {exact[0], exact[1], exact[2], exact[3]});
+    };
+    EXPECT_LT(error(1.5, 1e-12), 1e-11 + 3e-16 / off) << off;
+    EXPECT_LT(error(2.5, 1e-10), 3e-7) << off;
+    EXPECT_LT(error(2.5, 1e-6), 1e-5) << off;
+  }
 }
 
 // No turn changes the energy of a rotation about a principal axis.

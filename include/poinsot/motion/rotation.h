@@ -7,9 +7,9 @@
 //   attitude(t) = exp(L t/I') attitude(0) exp(n (L.n) (1/I - 1/I') t)                       (Eqs. 18.48-18.52 unrolled)
 //
 // Only the departure from this motion, by torques and by unequal moments, is integrated: adaptively by Gauss-Legendre
-// collocation of order 16, all eight stages at once in packs. The structure-preserving choice, in equal steps, is for a
-// symmetric body a symplectic splitting of order 8 around that motion, whose energy error stays bounded; for others the
-// collocation, solved to rounding.
+// collocation of order 16, all eight stages at once in packs; a body without further torques gets its energy back after
+// each step. The structure-preserving choice, in equal steps, is for a symmetric body a symplectic splitting of order 8
+// around that motion, whose energy error stays bounded; for others the collocation, solved to rounding.
 #pragma once
 
 #include <functional>

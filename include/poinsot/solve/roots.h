@@ -45,7 +45,7 @@ struct RootProblem {
   // taken.
   std::function<std::optional<RootEquations>(const std::vector<double>&, std::vector<std::vector<double>>* slopes)>
       slopes;
-  // Optional: the smooth equations alone, `values` left empty, where these are found sooner than all.
+  // Optional: the smooth equations alone, `values` left empty, where these are found sooner than all; else all.
   std::function<std::optional<RootEquations>(const std::vector<double>&)> smooth = {};
   bool costly = false;  // an evaluation takes long (a motion is followed): few are made
   // Optional, for these: the equations sooner, to about 1e-7 of their size. Roots are looked for with them.
