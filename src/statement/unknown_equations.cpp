@@ -320,7 +320,10 @@ solve::RootProblem UnknownEquations::problem() {
   problem.costly = follows_motion();
   problem.equations = [this](const std::vector<double>& x) { return (*this)(x); };
   if (!problem.costly && small_.empty()) {
-    problem.smooth = [this](const std::vector<double>& x) { return smooth(x); };
+    // Sooner than all where forces need not be solved.
+    if (std::any_of(system_.groups.begin(), system_.groups.end(),
+                    [](const ConditionGroup& group) { return group.aspect == Aspect::forces; }))
+      problem.smooth = [this](const std::vector<double>& x) { return smooth(x); };
     problem.slopes = [this](const std::vector<double>& x, std::vector<std::vector<double>>* slopes) {
       return with_slopes(x, slopes);
     };
