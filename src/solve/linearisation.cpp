@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -185,6 +186,8 @@ class Lineariser {
   }
   // The derivative at zero by differences of sixth order, and by how much those with other steps differ. Where a
   // displacement by the step h leads far away (a disk lying nearly flat passes through the floor), by shorter ones.
+  // Where the function is a quadratic (accelerations are, in the velocities), one difference is enough: the second
+  // ones that it consists of tell the same.
   struct Slope {
     VectorXd value, doubt;
   };
@@ -202,13 +205,30 @@ class Lineariser {
   }
   template <class Function>
   static Slope slope_by(Function&& f, double h) {
-    const auto difference = [&](double step) -> VectorXd {
-      return (45.0 * (f(step) - f(-step)) - 9.0 * (f(2 * step) - f(-2 * step)) + (f(3 * step) - f(-3 * step))) /
-             (60 * step);
+    double size = 0;  // of the values that cancel
+    // Differences of second order with steps of one, two and three times a length.
+    const auto differences = [&](double step) {
+      std::array<VectorXd, 3> slopes;
+      for (int k = 0; k < 3; ++k) {
+        const double far = (k + 1) * step;
+        const VectorXd after = f(far), before = f(-far);
+        size = std::max({size, after.norm(), before.norm()});
+        slopes[static_cast<std::size_t>(k)] = (after - before) / (2 * far);
+      }
+      return slopes;
     };
-    const VectorXd one = difference(h), other = difference(0.7 * h), third = difference(1.3 * h);
-    const VectorXd least = one.cwiseMin(other).cwiseMin(third), most = one.cwiseMax(other).cwiseMax(third);
-    return {(one + other + third) / 3, most - least};
+    const auto sixth_order = [](const std::array<VectorXd, 3>& d) -> VectorXd {
+      return 1.5 * d[0] - 0.6 * d[1] + 0.1 * d[2];
+    };
+    const auto spread = [](const std::array<VectorXd, 3>& d) -> VectorXd {
+      return d[0].cwiseMax(d[1]).cwiseMax(d[2]) - d[0].cwiseMin(d[1]).cwiseMin(d[2]);
+    };
+    const std::array<VectorXd, 3> first = differences(h);
+    const VectorXd one = sixth_order(first), apart = spread(first);
+    // The noise of the first counts one and a half times.
+    if (apart.norm() <= 16 * rounding * size / h) return {one, 2 * apart};
+    const std::array<VectorXd, 3> all{one, sixth_order(differences(0.7 * h)), sixth_order(differences(1.3 * h))};
+    return {(all[0] + all[1] + all[2]) / 3, spread(all)};
   }
 
   // By how much the velocities change, in natural units and parts of the pace; nothing if by more than the pose and
