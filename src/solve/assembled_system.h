@@ -39,11 +39,11 @@ AssembledSystem<Scalar>::AssembledSystem(const LinearSystemOf<Scalar>& system) {
   column.resize(n);
   for (std::size_t i = 0; i < system.equations(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
-    row[k] = 1 / system.equation_scale_[i];
-    b[k] = plain(system.right_side_[i]) * row[k];
-    b_size[k] = system.right_size_[i] * row[k];
+    row[k] = 1 / system.equations_[i].scale;
+    b[k] = plain(system.equations_[i].right_side) * row[k];
+    b_size[k] = system.equations_[i].right_size * row[k];
   }
-  for (Eigen::Index j = 0; j < n; ++j) column[j] = system.unknown_scale_[static_cast<std::size_t>(j)];
+  for (Eigen::Index j = 0; j < n; ++j) column[j] = system.unknowns_[static_cast<std::size_t>(j)].scale;
   Eigen::MatrixXd rounding = Eigen::MatrixXd::Zero(m, n);
   std::vector<bool> known_rounding(static_cast<std::size_t>(m), true);
   for (const auto& entry : system.entries_) {
@@ -58,7 +58,7 @@ AssembledSystem<Scalar>::AssembledSystem(const LinearSystemOf<Scalar>& system) {
     b_rate = Eigen::VectorXd::Zero(m);
     for (std::size_t i = 0; i < system.equations(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
-      b_rate[k] = system.right_side_[i].partial[0] * row[k];
+      b_rate[k] = system.equations_[i].right_side.partial[0] * row[k];
     }
     for (const auto& entry : system.entries_) {
       const auto i = static_cast<Eigen::Index>(entry.equation);

@@ -1,7 +1,7 @@
 // Rows that several systems of equations have in common.
 #pragma once
 
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "poinsot/math/plain.h"
@@ -11,7 +11,7 @@ namespace poinsot::solve {
 
 // sum_k coefficients[k] x_k = 0, the right side still to come. Coefficients that vanish for good are left out.
 template <class Scalar>
-std::size_t add_row(LinearSystemOf<Scalar>& system, const std::string& words, double scale,
+std::size_t add_row(LinearSystemOf<Scalar>& system, std::string_view words, double scale,
                     const std::vector<Scalar>& coefficients) {
   const std::size_t row = system.add_equation(words, scale);
   for (std::size_t k = 0; k < coefficients.size(); ++k)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <type_traits>
 
 #include "poinsot/math/expression.h"
@@ -32,16 +33,18 @@ std::vector<Scalar> without_rounding(std::vector<Scalar> coefficients, const Vel
   return coefficients;
 }
 
-// The name of the second derivative from that of the first: "angular velocity of disk" -> "angular acceleration of
-// disk".
-std::string acceleration_name(std::string name) {
+// An acceleration by the name of the coordinate's rate: "angular velocity of disk" -> "angular acceleration of disk".
+template <class Scalar>
+void add_acceleration(LinearSystemOf<Scalar>& system, std::string_view name, double scale) {
   for (const auto& [rate, acceleration] :
-       {std::pair{"the rate of ", "acceleration of "}, std::pair{"angular velocity", "angular acceleration"},
-        std::pair{"velocity", "acceleration"}}) {
-    const std::size_t found = name.find(rate);
-    if (found != std::string::npos) return name.replace(found, std::string_view(rate).size(), acceleration);
-  }
-  return "acceleration of " + name;
+       {std::pair<std::string_view, std::string_view>{"the rate of ", "acceleration of "},
+        {"angular velocity", "angular acceleration"},
+        {"velocity", "acceleration"}})
+    if (const std::size_t found = name.find(rate); found != std::string_view::npos) {
+      system.add_unknown({name.substr(0, found), acceleration, name.substr(found + rate.size())}, scale);
+      return;
+    }
+  system.add_unknown({"acceleration of ", name}, scale);
 }
 
 }  // namespace
@@ -118,32 +121,35 @@ ForceUnknowns force_unknowns(const Mechanism<Scalar>& mechanism) {
 }
 
 template <class Scalar>
-LinearSystemOf<Scalar> motion_equations(const MomentOf<Scalar>& given, const Scales& scales,
+LinearSystemOf<Scalar> motion_equations(const MomentOf<Scalar>& moment, const Scales& scales,
                                         const std::vector<ConditionOf<Scalar>>& conditions) {
+  // What is left of the momentum rates without accelerations is known.
+  if (std::any_of(moment.accelerations().begin(), moment.accelerations().end(),
+                  [](const Scalar& a) { return !vanishes(a); })) {
+    MomentOf<Scalar> unaccelerated = moment;
+    unaccelerated.set_accelerations(std::vector<Scalar>(moment.accelerations().size(), Scalar(0)));
+    return motion_equations(unaccelerated, scales, conditions);
+  }
   using Vector = Vector3<Scalar>;
   using Wrench = SpatialForce<Scalar>;
-  const Mechanism<Scalar>& mechanism = given.mechanism();
+  const Mechanism<Scalar>& mechanism = moment.mechanism();
   const Model<Scalar>& tree = mechanism.tree;
   const double force_scale = scales.mass * scales.length / (scales.time * scales.time);
   const double couple_scale = force_scale * scales.length;
-  // With velocities but without accelerations: what is left of the momentum rates is known.
-  MomentOf<Scalar> moment = given;
-  moment.set_accelerations(std::vector<Scalar>(given.accelerations().size(), Scalar(0)));
-
   LinearSystemOf<Scalar> system;
   for (int k = 0; k < tree.velocity_size(); ++k)
-    system.add_unknown(acceleration_name(mechanism.coordinate_names[static_cast<std::size_t>(k)]),
-                       coordinate_turns(tree, k) ? 1 : scales.length);
+    add_acceleration(system, mechanism.coordinate_names[static_cast<std::size_t>(k)],
+                     coordinate_turns(tree, k) ? 1 : scales.length);
   for (const Component<Scalar>& component : mechanism.components) {
     const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
-    system.add_unknown(std::string(component.couple ? "couple" : "force") + "(" + action.name + ")" +
-                           (component.axis.empty() ? "" : " along " + component.axis),
+    system.add_unknown({component.couple ? "couple" : "force", "(", action.name, ")",
+                        component.axis.empty() ? "" : " along ", component.axis},
                        component.couple ? couple_scale : force_scale);
   }
   const ForceUnknowns unknowns = force_unknowns(mechanism);
   for (std::size_t drive : unknowns.drive_of_effort)
     system.add_unknown(
-        "drive(" + mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint + ")",
+        {"drive(", mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint, ")"},
         mechanism.drives[drive].turning ? couple_scale : force_scale);
 
   // Newton and Euler for each body that takes part: forces, then moments about its origin. About that point, and not
@@ -157,11 +163,11 @@ LinearSystemOf<Scalar> motion_equations(const MomentOf<Scalar>& given, const Sca
     std::size_t row = 0;
     for (int k = 0; k < 3; ++k) {
       const std::size_t added =
-          system.add_equation("forces on " + tree.name(i) + " along " + axis_names[k], force_scale);
+          system.add_equation({"forces on ", tree.name(i), " along ", axis_names[k]}, force_scale);
       if (k == 0) row = added;
     }
     for (int k = 0; k < 3; ++k)
-      system.add_equation("moments on " + tree.name(i) + " about " + axis_names[k], couple_scale);
+      system.add_equation({"moments on ", tree.name(i), " about ", axis_names[k]}, couple_scale);
     first_row[static_cast<std::size_t>(i)] = row;
     if (!(plain(I.mass) > 0)) continue;
     const Matrix3<Scalar>& R = motion.R;

@@ -46,19 +46,19 @@ LinearSystemOf<Scalar> impulse_equations(const MomentOf<Scalar>& before, const S
 
   LinearSystemOf<Scalar> system;
   for (int k = 0; k < tree.velocity_size(); ++k)
-    system.add_unknown(mechanism.coordinate_names[static_cast<std::size_t>(k)] + " after the blow",
+    system.add_unknown({mechanism.coordinate_names[static_cast<std::size_t>(k)], " after the blow"},
                        coordinate_turns(tree, k) ? 1 : scales.length);
   for (const Component<Scalar>& component : mechanism.components) {
     const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
-    system.add_unknown(std::string(component.couple ? "impulsive couple" : "impulse") + "(" + action.name + ")" +
-                           (component.axis.empty() ? "" : " along " + component.axis),
+    system.add_unknown({component.couple ? "impulsive couple" : "impulse", "(", action.name, ")",
+                        component.axis.empty() ? "" : " along ", component.axis},
                        component.couple ? couple_scale : impulse_scale);
   }
   for (std::size_t drive : unknowns.drive_of_effort)
     system.add_unknown(
-        "impulsive drive(" + mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint + ")",
+        {"impulsive drive(", mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint, ")"},
         mechanism.drives[drive].turning ? couple_scale : impulse_scale);
-  for (const ImpactOf<Scalar>& impact : blow.impacts) system.add_unknown("impulse(" + impact.name + ")", impulse_scale);
+  for (const ImpactOf<Scalar>& impact : blow.impacts) system.add_unknown({"impulse(", impact.name, ")"}, impulse_scale);
 
   // System momenta before + external impulses = system momenta after (Eq. 17.4), body by body, about its mass center.
   std::vector<std::size_t> first_row(static_cast<std::size_t>(tree.body_count()), 0);
@@ -73,11 +73,11 @@ LinearSystemOf<Scalar> impulse_equations(const MomentOf<Scalar>& before, const S
     std::size_t row = 0;
     for (int k = 0; k < 3; ++k) {
       const std::size_t added =
-          system.add_equation("impulses on " + tree.name(i) + " along " + axis_names[k], impulse_scale);
+          system.add_equation({"impulses on ", tree.name(i), " along ", axis_names[k]}, impulse_scale);
       if (k == 0) row = added;
     }
     for (int k = 0; k < 3; ++k)
-      system.add_equation("moments of the impulses on " + tree.name(i) + " about " + axis_names[k], couple_scale);
+      system.add_equation({"moments of the impulses on ", tree.name(i), " about ", axis_names[k]}, couple_scale);
     first_row[static_cast<std::size_t>(i)] = row;
     if (!massive) continue;
     const Momentum<Scalar> momentum = body_momentum(tree, before.workspace(), i, G);
@@ -143,26 +143,26 @@ LinearSystemOf<Scalar> impulse_equations(const MomentOf<Scalar>& before, const S
     const Component<Scalar>& component = mechanism.components[i];
     if (acting[static_cast<std::size_t>(component.action)]) continue;
     const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
-    system.add(system.add_equation("no impulse of '" + action.name + "'", impulse_scale), unknowns.velocities + i,
+    system.add(system.add_equation({"no impulse of '", action.name, "'"}, impulse_scale), unknowns.velocities + i,
                Scalar(1));
   }
   for (std::size_t drive : unknowns.drive_of_effort) {
     const auto k = static_cast<std::size_t>(mechanism.drives[drive].coordinate);
     const std::size_t row =
-        system.add_equation(mechanism.coordinate_names[k] + " is held",
+        system.add_equation({mechanism.coordinate_names[k], " is held"},
                             coordinate_turns(tree, mechanism.drives[drive].coordinate) ? 1 : scales.length);
     system.add(row, k, Scalar(1));
     system.add_right_side(row, before.state().v[k]);
   }
   for (int k : blow.held_coordinates) {
-    const std::size_t row = system.add_equation(mechanism.coordinate_names[static_cast<std::size_t>(k)] + " is held",
+    const std::size_t row = system.add_equation({mechanism.coordinate_names[static_cast<std::size_t>(k)], " is held"},
                                                 coordinate_turns(tree, k) ? 1 : scales.length);
     system.add(row, static_cast<std::size_t>(k), Scalar(1));
     system.add_right_side(row, before.state().v[static_cast<std::size_t>(k)]);
   }
   // Relative velocity after = -e times that before, along the push.
   for (const ImpactOf<Scalar>& impact : blow.impacts) {
-    const std::size_t row = system.add_equation("restitution at '" + impact.name + "'", scales.length);
+    const std::size_t row = system.add_equation({"restitution at '", impact.name, "'"}, scales.length);
     const Vector P = before.position(impact.at), n = before.direction(impact.push);
     for (const auto& [body, sign] : {std::pair{impact.on, Scalar(1)}, std::pair{impact.from, Scalar(-1)}})
       for_each_coordinate_motion(tree, before.workspace(), body, P,

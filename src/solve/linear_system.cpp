@@ -55,19 +55,22 @@ bool LinearSolution::determined(std::size_t unknown) const {
 }
 
 template <class Scalar>
-std::size_t LinearSystemOf<Scalar>::add_unknown(std::string name, double scale) {
-  names_.push_back(std::move(name));
-  unknown_scale_.push_back(scale);
-  return names_.size() - 1;
+typename LinearSystemOf<Scalar>::Text LinearSystemOf<Scalar>::text_from(std::initializer_list<std::string_view> parts) {
+  const std::size_t begin = text_.size();
+  for (const std::string_view part : parts) text_ += part;
+  return {begin, text_.size() - begin};
 }
 
 template <class Scalar>
-std::size_t LinearSystemOf<Scalar>::add_equation(std::string words, double scale) {
-  words_.push_back(std::move(words));
-  equation_scale_.push_back(scale);
-  right_side_.push_back(Scalar(0));
-  right_size_.push_back(0);
-  return words_.size() - 1;
+std::size_t LinearSystemOf<Scalar>::add_unknown(std::initializer_list<std::string_view> name, double scale) {
+  unknowns_.push_back({text_from(name), scale});
+  return unknowns_.size() - 1;
+}
+
+template <class Scalar>
+std::size_t LinearSystemOf<Scalar>::add_equation(std::initializer_list<std::string_view> words, double scale) {
+  equations_.push_back({text_from(words), scale, Scalar(0)});
+  return equations_.size() - 1;
 }
 
 template <class Scalar>
@@ -78,8 +81,8 @@ void LinearSystemOf<Scalar>::add(std::size_t equation, std::size_t unknown, cons
 
 template <class Scalar>
 void LinearSystemOf<Scalar>::add_right_side(std::size_t equation, const Scalar& value, double size) {
-  right_side_[equation] += value;
-  right_size_[equation] += std::max(std::abs(plain(value)), size);
+  equations_[equation].right_side += value;
+  equations_[equation].right_size += std::max(std::abs(plain(value)), size);
 }
 
 template <class Scalar>
@@ -87,6 +90,13 @@ std::vector<std::vector<Scalar>> LinearSystemOf<Scalar>::coefficients() const {
   std::vector<std::vector<Scalar>> rows(equations(), std::vector<Scalar>(unknowns(), Scalar(0)));
   for (const Entry& entry : entries_) rows[entry.equation][entry.unknown] += entry.coefficient;
   return rows;
+}
+
+template <class Scalar>
+std::vector<Scalar> LinearSystemOf<Scalar>::right_sides() const {
+  std::vector<Scalar> list;
+  for (const Equation& equation : equations_) list.push_back(equation.right_side);
+  return list;
 }
 
 template <class Scalar>
@@ -184,14 +194,14 @@ LinearFactors::LinearFactors(const LinearSystemOf<Scalar>& system) : parts_(std:
   for (Eigen::Index i = 0; i < m; ++i) solution.misfit.push_back(misfit[i] / parts.row_scale[i]);
   double term = 0;
   for (std::size_t i = 0; i < system.equations(); ++i)
-    term = std::max(term, system.right_size_[i] * parts.row[static_cast<Eigen::Index>(i)]);
+    term = std::max(term, system.equations_[i].right_size * parts.row[static_cast<Eigen::Index>(i)]);
   if (m && n) {
     const Eigen::VectorXd terms = A.cwiseAbs() * x.cwiseAbs();
     term = std::max(term, terms.maxCoeff());
     solution.size = terms.cwiseQuotient(parts.row_scale).maxCoeff();
   }
   for (std::size_t i = 0; i < system.equations(); ++i)
-    solution.size = std::max(solution.size, system.right_size_[i] * rows[static_cast<Eigen::Index>(i)]);
+    solution.size = std::max(solution.size, system.equations_[i].right_size * rows[static_cast<Eigen::Index>(i)]);
   if (term > 0) {
     solution.residual = misfit.cwiseAbs().maxCoeff() / term;
     if (!(solution.residual <= conflict_tolerance)) {

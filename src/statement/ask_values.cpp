@@ -33,9 +33,9 @@ std::optional<Diagnostic> fails_where_open(const Statement& statement, Sample& s
         if (alone && !has_value(d)) continue;
         ++missing;
         for (std::size_t k : velocities.share[d])
-          if (const std::string& name = instant.velocity_equations().name(k);
+          if (const std::string_view name = instant.velocity_equations().name(k);
               std::find(names.begin(), names.end(), name) == names.end())
-            names.push_back(name);
+            names.emplace_back(name);
       }
     return Diagnostic{statement.situations.front().problem.file, ask.mark, open_velocities(names, missing), {}};
   } catch (const StatementError&) {

@@ -201,8 +201,8 @@ class Variation {
 
   // The coordinates in one of the open directions, at the instant of an ask or at the start of its motion.
   void add_open_names(const Ask& ask, std::size_t direction, std::vector<std::string>& names) {
-    const auto add = [&](const std::string& name) {
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    const auto add = [&](std::string_view name) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
     };
     const SolvedInstant& instant = found_.sample.instant_of(ask);
     if (direction < instant.velocities().share.size()) {

@@ -79,7 +79,7 @@ template <class Scalar>
 std::optional<Value<Scalar>> function_of_number(const Call& call, const FunctionContext<Scalar>& context) {
   using std::abs, std::acos, std::asin, std::atan, std::cos, std::sin, std::sqrt, std::tan;
   using Result = Value<Scalar>;
-  const std::string& f = call.function;
+  const std::string_view f = call.function;
   const Expression& argument = call.arguments[0].value;
   const auto pure = [](const Scalar& x) { return Result::of_number(x, dimensions::none); };
   const auto angle = [](const Scalar& x) { return Result::of_number(x, dimensions::angle); };
@@ -93,7 +93,8 @@ std::optional<Value<Scalar>> function_of_number(const Call& call, const Function
     // Beyond 1 by rounding only is 1.
     constexpr double rounding = 1e-12;
     if (std::abs(plain(x)) > 1 + rounding) {
-      context.no_value(f + " of " + number_text(plain(x)) + " does not exist: the argument must be between -1 and 1");
+      context.no_value(call.function + " of " + number_text(plain(x)) +
+                       " does not exist: the argument must be between -1 and 1");
     }
     if (std::abs(plain(x)) > 1) x = Scalar(plain(x) > 0 ? 1.0 : -1.0);
     return angle(f == "asin" ? asin(x) : acos(x));
@@ -120,7 +121,7 @@ template <class Scalar>
 std::optional<Value<Scalar>> function_of_vectors(const Call& call, const FunctionContext<Scalar>& context) {
   using std::atan2;
   using Result = Value<Scalar>;
-  const std::string& f = call.function;
+  const std::string_view f = call.function;
   const std::string pattern = call.pattern();
   const Expression& first = call.arguments[0].value;
 
@@ -165,7 +166,7 @@ template <class Scalar>
 std::optional<Value<Scalar>> function_of_several(const Call& call, const FunctionContext<Scalar>& context) {
   using std::atan2;
   using Result = Value<Scalar>;
-  const std::string& f = call.function;
+  const std::string_view f = call.function;
   const std::string pattern = call.pattern();
   std::vector<const Expression*> arguments;
   const List* list = call.arguments[0].value.template as<List>();
@@ -181,8 +182,8 @@ std::optional<Value<Scalar>> function_of_several(const Call& call, const Functio
     Result value = context.number(call, *argument);
     const auto known = std::find_if(values.begin(), values.end(), [](const Result& v) { return !is_bare_zero(v); });
     if (known != values.end() && !is_bare_zero(value) && !same_kind(known->dimension, value.dimension)) {
-      context.fail(*argument, f + " takes quantities of one kind, not " + quantity_in_words(*known) + " and " +
-                                  quantity_in_words(value));
+      context.fail(*argument, call.function + " takes quantities of one kind, not " + quantity_in_words(*known) +
+                                  " and " + quantity_in_words(value));
     }
     values.push_back(std::move(value));
   }

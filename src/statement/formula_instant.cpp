@@ -110,7 +110,7 @@ void FormulaInstant::solve_velocities() {
   if (problem_.steady) add_steady(view(), conditions, false);
   const auto equations = solve::velocity_equations(*moment_, scales_, conditions);
   const auto open = [&](std::size_t k) {
-    std::string name = equations.name(k);
+    std::string name(equations.name(k));
     for (const NamedCoordinate& coordinate : machine_.coordinates)
       if (coordinate.velocity == static_cast<int>(k) && !coordinate.name.empty()) name = coordinate.name + "'";
     const bool turns = solve::coordinate_turns(machine_.mechanism.tree, static_cast<int>(k));
@@ -144,8 +144,9 @@ void FormulaInstant::hold_nonlinear(const std::vector<const Fact*>& facts) {
 solve::ExactSolution FormulaInstant::solve_with_unfixed(const solve::LinearSystemOf<Formula>& equations) {
   if (!open_) return solve::solve_exactly(equations);
   return solve::solve_exactly(equations, [&](std::size_t k) {
-    open_->unfixed.insert(equations.name(k));
-    return Formula::letter(equations.name(k), poinsot::Sign::real);
+    const std::string name(equations.name(k));
+    open_->unfixed.insert(name);
+    return Formula::letter(name, poinsot::Sign::real);
   });
 }
 

@@ -205,8 +205,8 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
     return;
   }
   std::vector<solve::Condition> conditions = rate_conditions(view());
-  const FactConditions<double> stated = velocity_facts(view(), instants);
-  conditions.insert(conditions.end(), stated.linear.begin(), stated.linear.end());
+  FactConditions<double> stated = velocity_facts(view(), instants);
+  std::move(stated.linear.begin(), stated.linear.end(), std::back_inserter(conditions));
   if (problem_.steady) add_steady(view(), conditions, false);
   velocities_ = solve::solve_velocities(*moment_, scales_, conditions, &velocity_equations_);
   if (choice_.trial)

@@ -35,7 +35,8 @@ void SolvedInstant::solve_blow() {
         moment_->set_velocities(v_);
         if (!depends) continue;
         std::string names;
-        for (std::size_t k : velocities_.share[d]) names += (names.empty() ? "" : ", ") + velocity_equations_.name(k);
+        for (std::size_t k : velocities_.share[d])
+          names.append(names.empty() ? "" : ", ").append(velocity_equations_.name(k));
         throw UnansweredError(
             problem_.file, impact_named(problem_, impact.name).mark,
             "whether impact '" + impact.name + "' happens is not determined: nothing fixes " + names + " before it",

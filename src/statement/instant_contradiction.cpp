@@ -13,8 +13,8 @@ void SolvedInstant::contradiction(const solve::LinearSystem& equations, const so
   Mark mark{1, 1};
   std::optional<Mark> fact_mark;
   for (std::size_t equation : solution.conflict) {
-    const std::string& words = equations.words(equation);
-    if (std::find(names.begin(), names.end(), words) == names.end()) names.push_back(words);
+    const std::string_view words = equations.words(equation);
+    if (std::find(names.begin(), names.end(), words) == names.end()) names.emplace_back(words);
   }
   for (const auto* list : {&machine_.rates, &machine_.accelerations})
     for (const StatedRate& rate : *list)

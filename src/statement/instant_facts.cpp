@@ -1,6 +1,8 @@
 // What is stated about rates, velocities, accelerations and forces, as linear conditions where it is linear.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -14,18 +16,6 @@
 
 namespace poinsot::statement {
 namespace {
-
-// The facts of a vector quantity, one for each component that is not `any`.
-std::vector<std::pair<std::size_t, const Expression*>> stated_components(const Expression& value) {
-  std::vector<std::pair<std::size_t, const Expression*>> components;
-  const List* list = value.as<List>();
-  if (!list || list->items.size() != 3) return components;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Name* name = list->items[k].as<Name>();
-    if (!(name && name->name == "any")) components.emplace_back(k, &list->items[k]);
-  }
-  return components;
-}
 
 template <class Scalar>
 State<Scalar> at_rest(const InstantView<Scalar>& view) {
@@ -67,14 +57,62 @@ bool notice(const Values& from, const Values& to) {
   return true;
 }
 
-// A fact as linear conditions on n unknowns, from the differences values(x) that it demands to vanish and, around zero,
-// slopes(k, values there) in unknown k. Nothing if it is not linear: nobody knows then which of several solutions is
-// meant.
+// The places at which facts are tried for being linear in n unknowns, by number: zero; far ones on both sides (a size
+// may look linear on one) and ever further (what is stated must not drown the unknowns); one in each unknown. All facts
+// are tried at the same.
+template <class Scalar>
+class ProbePlaces {
+ public:
+  explicit ProbePlaces(std::size_t unknowns) : n_(unknowns) {}
+  static constexpr std::size_t zero = 0, reaches = 4;
+  static std::size_t far(std::size_t side, std::size_t reach) { return 1 + side * reaches + reach; }
+  static std::size_t one(std::size_t unknown) { return far(2, unknown); }
+
+  std::size_t unknowns() const { return n_; }
+  std::vector<Scalar> operator[](std::size_t place) const {
+    std::vector<Scalar> x(n_, Scalar(0));
+    if (place >= one(0)) {
+      x[place - one(0)] = Scalar(1);
+    } else if (place > zero) {
+      const std::size_t side = (place - 1) / reaches, reach = (place - 1) % reaches;
+      std::minstd_rand random(static_cast<unsigned>(7 + place));
+      std::uniform_real_distribution<double> part(0.5, 1.5);
+      for (Scalar& each : x)
+        each = Scalar((side == 0 ? 1 : -1) * std::pow(1e4, static_cast<double>(reach)) * part(random));
+    }
+    return x;
+  }
+
+ private:
+  std::size_t n_;
+};
+
+// What quantities are at the places, made once for all facts.
+template <class Scope>
+class ScopesAtPlaces {
+ public:
+  template <class Make>
+  Scope& at(std::size_t place, const Make& make) {
+    std::unique_ptr<Scope>& scope = scopes_[place];
+    if (!scope) scope = make();
+    return *scope;
+  }
+
+ private:
+  std::map<std::size_t, std::unique_ptr<Scope>> scopes_;
+};
+
+// A fact as linear conditions on the unknowns, from the differences values(place) that it demands to vanish and, around
+// zero, slopes(k, values there) in unknown k. Nothing if it is not linear: nobody knows then which of several solutions
+// is meant.
 template <class Scalar, class ValuesAt, class Slopes>
-std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales, std::size_t n,
-                                            const ValuesAt& values, const Slopes& slopes) {
+std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales,
+                                            const ProbePlaces<Scalar>& places, const ValuesAt& values,
+                                            const Slopes& slopes) {
+  using Places = ProbePlaces<Scalar>;
+  const std::size_t n = places.unknowns();
   try {
-    const std::vector<Difference<Scalar>> base = values(std::vector<Scalar>(n, Scalar(0)));
+    const std::vector<Difference<Scalar>> base = values(Places::zero);
     Conditions<Scalar> conditions;
     for (const Difference<Scalar>& difference : base)
       conditions.push_back(
@@ -84,14 +122,11 @@ std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solv
       if (column.size() != conditions.size()) return std::nullopt;
       for (std::size_t i = 0; i < column.size(); ++i) conditions[i].coefficients[k] = column[i];
     }
-    // On both sides, as a size may look linear on one; and so far that what is stated does not drown the unknowns.
-    std::mt19937_64 random(7);
-    for (const double side : {1.0, -1.0})
-      for (double reach = 1; reach < 1e13; reach *= 1e4) {
-        std::vector<Scalar> other(n);
-        for (Scalar& x : other) x = Scalar(side * reach * std::uniform_real_distribution<double>(0.5, 1.5)(random));
-        const std::vector<Difference<Scalar>> there = values(other);
-        if (!foretell(conditions, other, there)) return std::nullopt;
+    for (const std::size_t side : {0, 1})
+      for (std::size_t reach = 0; reach < Places::reaches; ++reach) {
+        const std::size_t place = Places::far(side, reach);
+        const std::vector<Difference<Scalar>> there = values(place);
+        if (!foretell(conditions, places[place], there)) return std::nullopt;
         if (notice(base, there)) break;
       }
     return conditions;
@@ -104,16 +139,16 @@ std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solv
 
 // The same with slopes from the step to one, exact for what is linear.
 template <class Scalar, class ValuesAt>
-std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales, std::size_t n,
-                                            const ValuesAt& values) {
-  return as_linear<Scalar>(words, scales, n, values, [&](std::size_t k, const std::vector<Difference<Scalar>>& base) {
-    std::vector<Scalar> one(n, Scalar(0)), slopes;
-    one[k] = Scalar(1);
-    const std::vector<Difference<Scalar>> there = values(one);
-    for (std::size_t i = 0; i < std::min(there.size(), base.size()); ++i)
-      slopes.push_back(there[i].value - base[i].value);
-    return slopes;
-  });
+std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales,
+                                            const ProbePlaces<Scalar>& places, const ValuesAt& values) {
+  return as_linear<Scalar>(words, scales, places, values,
+                           [&](std::size_t k, const std::vector<Difference<Scalar>>& base) {
+                             std::vector<Scalar> slopes;
+                             const std::vector<Difference<Scalar>> there = values(ProbePlaces<Scalar>::one(k));
+                             for (std::size_t i = 0; i < std::min(there.size(), base.size()); ++i)
+                               slopes.push_back(there[i].value - base[i].value);
+                             return slopes;
+                           });
 }
 
 // Whether impulses are asked for, by themselves or under a name.
@@ -144,9 +179,11 @@ std::vector<Difference<Scalar>> differences(const Fact& fact, QuantityScope<Scal
   if (quantity.is_number()) {
     list.push_back({quantity.number - evaluator.number(fact.value, quantity.dimension), quantity.dimension});
   } else if (quantity.is_vector()) {
-    if (fact.value.as<List>() && fact.value.as<List>()->items.size() == 3) {
-      for (const auto& [k, item] : stated_components(fact.value))
-        list.push_back({quantity.vector[k] - evaluator.number(*item, quantity.dimension), quantity.dimension});
+    list.reserve(3);
+    if (const List* components = fact.value.as<List>(); components && components->items.size() == 3) {
+      for (std::size_t k = 0; k < 3; ++k)
+        if (const Expression& item = components->items[k]; !is_any(item))
+          list.push_back({quantity.vector[k] - evaluator.number(item, quantity.dimension), quantity.dimension});
     } else {
       const Vector3<Scalar> value = evaluator.vector(fact.value, quantity.dimension);
       for (std::size_t k = 0; k < 3; ++k) list.push_back({quantity.vector[k] - value[k], quantity.dimension});
@@ -191,6 +228,7 @@ FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std
   using Varied = Dual<1, Scalar>;
   const MachineOf<Scalar>& machine = view.machine;
   FactConditions<Scalar> facts;
+  if (instants.empty()) return facts;
   Conditions<Scalar>& conditions = facts.linear;
   const auto n = static_cast<std::size_t>(machine.mechanism.tree.velocity_size());
   const Model<Scalar>& tree = blow ? machine.tree_after_blow() : machine.mechanism.tree;
@@ -204,35 +242,43 @@ FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std
     scope.set_flying(flying_particles<Scalar>(view.problem, machine, *view.before, nullptr));
     return scope.value(past.expression);
   };
-  const auto at_velocities = [&](const Fact& fact, const std::vector<Scalar>& v, std::size_t seed) {
+  const ProbePlaces<Scalar> velocities(n);
+  const auto scope_at_velocities = [&](const std::vector<Scalar>& v, std::optional<std::size_t> seed) {
     State<Varied> state;
+    state.q.reserve(machine.q.size());
+    state.v.reserve(n);
     for (const Scalar& q : machine.q) state.q.emplace_back(q);
     for (std::size_t k = 0; k < n; ++k) state.v.push_back(k == seed ? Varied::variable(v[k], 0) : Varied(v[k]));
-    QuantityScope<Varied, Scalar> scope(machine, model, data, std::move(state));
+    auto scope = std::make_unique<QuantityScope<Varied, Scalar>>(machine, model, data, std::move(state));
     if (blow && !view.problem.strikes.empty())
-      scope.set_flying(flying_particles(view.problem, machine, *view.before, blow));
-    scope.set_elsewhere([&](const At& past, const Mark& mark) { return lifted<Varied>(earlier(past, mark)); });
-    return differences(fact, scope, view.problem.file);
+      scope->set_flying(flying_particles(view.problem, machine, *view.before, blow));
+    scope->set_elsewhere([&](const At& past, const Mark& mark) { return lifted<Varied>(earlier(past, mark)); });
+    return scope;
   };
+  ScopesAtPlaces<QuantityScope<Varied, Scalar>> at_velocities, varied_at_rest;
   const auto linear_in_velocities = [&](const Instant& instant, const Fact& fact) {
     return as_linear<Scalar>(
-        words_of(instant, fact), view.scales, n,
-        [&](const std::vector<Scalar>& v) {
+        words_of(instant, fact), view.scales, velocities,
+        [&](std::size_t place) {
+          auto& scope = at_velocities.at(place, [&] { return scope_at_velocities(velocities[place], std::nullopt); });
           std::vector<Difference<Scalar>> values;
-          for (const Difference<Varied>& difference : at_velocities(fact, v, n))
+          for (const Difference<Varied>& difference : differences(fact, scope, view.problem.file))
             values.push_back({difference.value.value, difference.dimension});
           return values;
         },
         [&](std::size_t k, const std::vector<Difference<Scalar>>&) {
+          auto& scope =
+              varied_at_rest.at(k, [&] { return scope_at_velocities(velocities[ProbePlaces<Scalar>::zero], k); });
           std::vector<Scalar> slopes;
-          for (const Difference<Varied>& difference : at_velocities(fact, std::vector<Scalar>(n, Scalar(0)), k))
+          for (const Difference<Varied>& difference : differences(fact, scope, view.problem.file))
             slopes.push_back(difference.value.partial[0]);
           return slopes;
         });
   };
   const auto linear_in_impulses = [&](const Instant& instant, const Fact& fact) {
-    const std::size_t count = solve::impulse_unknowns(machine.mechanism, *blow).size();
-    return as_linear<Scalar>(words_of(instant, fact), view.scales, count, [&](const std::vector<Scalar>& x) {
+    const ProbePlaces<Scalar> places(solve::impulse_unknowns(machine.mechanism, *blow).size());
+    return as_linear<Scalar>(words_of(instant, fact), view.scales, places, [&](std::size_t place) {
+      const std::vector<Scalar> x = places[place];
       const std::vector<Scalar> v(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));
       QuantityScope<Scalar> scope(machine, tree, view.data, State<Scalar>{machine.q, v});
       if (!view.problem.strikes.empty()) scope.set_flying(flying_particles(view.problem, machine, *view.before, blow));
@@ -285,17 +331,18 @@ FactConditions<Scalar> force_facts(const InstantView<Scalar>& view, const std::v
     conditions.push_back(std::move(condition));
   }
   const auto count = static_cast<std::ptrdiff_t>(machine.mechanism.tree.velocity_size());
+  const ProbePlaces<Scalar> places(n);
   for (const Instant* instant : instants)
     for (const Fact& fact : instant->facts) {
       if (level_of(view.problem, fact.quantity) != Level::force) continue;
-      const auto found =
-          as_linear<Scalar>(words_of(*instant, fact), view.scales, n, [&](const std::vector<Scalar>& unknowns) {
-            QuantityScope<Scalar> quantities(machine, machine.mechanism.tree, view.data,
-                                             State<Scalar>{machine.q, view.moment.state().v});
-            quantities.set_accelerations(std::vector<Scalar>(unknowns.begin(), unknowns.begin() + count));
-            quantities.set_forces(&view.moment, &unknowns);
-            return differences(fact, quantities, view.problem.file);
-          });
+      const auto found = as_linear<Scalar>(words_of(*instant, fact), view.scales, places, [&](std::size_t place) {
+        const std::vector<Scalar> unknowns = places[place];
+        QuantityScope<Scalar> quantities(machine, machine.mechanism.tree, view.data,
+                                         State<Scalar>{machine.q, view.moment.state().v});
+        quantities.set_accelerations(std::vector<Scalar>(unknowns.begin(), unknowns.begin() + count));
+        quantities.set_forces(&view.moment, &unknowns);
+        return differences(fact, quantities, view.problem.file);
+      });
       if (found)
         conditions.insert(conditions.end(), found->begin(), found->end());
       else

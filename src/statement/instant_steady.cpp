@@ -85,20 +85,22 @@ void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<
     const Vector G =
         plain(body.inertia.mass) > 0 ? body_mass_center(tree, w, i) : w.motion[static_cast<std::size_t>(i + 1)].p;
     const Vector r = G - F.p;
-    for (std::size_t k = 0; k < 6; ++k) {
+    const std::size_t first = conditions.size(), count = rides_here ? 3 : 6;
+    for (std::size_t k = 0; k < count; ++k)
+      conditions.push_back({words, std::vector<Scalar>(size), Scalar(0), k < 3 ? 1 : view.scales.length});
+    const auto add = [&](int moved, double sign) {
+      for_each_coordinate_motion(tree, w, moved, G, [&](int coordinate, const SpatialMotion<Scalar>& S) {
+        for (std::size_t k = 0; k < count; ++k)
+          conditions[first + k].coefficients[static_cast<std::size_t>(coordinate)] +=
+              Scalar(sign) * (k < 3 ? S.angular[k] : S.linear[k - 3]);
+      });
+    };
+    add(i, 1);
+    add(frame, -1);
+    for (std::size_t k = 0; k < count; ++k) {
       const bool angular = k < 3;
-      if (!angular && rides_here) break;
       const std::size_t c = k % 3;
-      solve::ConditionOf<Scalar> condition{words, std::vector<Scalar>(size), Scalar(0),
-                                           angular ? 1 : view.scales.length};
-      const auto add = [&](int moved, double sign, const Vector& p) {
-        for_each_coordinate_motion(tree, w, moved, p, [&](int coordinate, const SpatialMotion<Scalar>& S) {
-          condition.coefficients[static_cast<std::size_t>(coordinate)] +=
-              Scalar(sign) * (angular ? S.angular[c] : S.linear[c]);
-        });
-      };
-      add(i, 1, G);
-      add(frame, -1, G);
+      solve::ConditionOf<Scalar>& condition = conditions[first + k];
       if (!accelerations) {
         condition.value = angular ? spin_vector[c] : Scalar(0);
       } else {
@@ -108,7 +110,6 @@ void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<
         const Vector carried = F.a + cross(F.alpha, r) + cross(F.w, cross(F.w, r));
         condition.value = angular ? (F.alpha + cross(F.w, spin_vector) - B.alpha)[c] : (carried - own)[c];
       }
-      conditions.push_back(std::move(condition));
     }
   }
 }

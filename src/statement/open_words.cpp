@@ -21,7 +21,7 @@ std::vector<std::string> moved_names(const solve::LinearSystem& equations, const
   std::vector<std::string> names;
   if (direction >= solution.share.size()) return names;
   for (std::size_t k : solution.share[direction])
-    if (k >= first && k < last) names.push_back(equations.name(k));
+    if (k >= first && k < last) names.emplace_back(equations.name(k));
   if (names.size() > 6) {
     names.resize(5);
     names.emplace_back("more");

@@ -21,14 +21,14 @@ ProblemMotion::ProblemMotion(const Problem& problem, const Settings& settings, c
   std::vector<std::vector<double>> open = start_->velocities().open;
   const std::vector<std::vector<double>> moving_nothing = take_massless(start_->machine(), open);
   if (!choice.trial && !choice.velocities && !open.empty())
-    throw UnansweredError(problem.file, mark_of(0),
-                          words_of(0) + " is not fixed at its start: " +
-                              start_->velocity_equations().name(start_->velocities().share.front().front()) +
-                              " is unknown",
-                          "state it under instants: {start: {...}}");
+    throw UnansweredError(
+        problem.file, mark_of(0),
+        words_of(0) + " is not fixed at its start: " +
+            std::string(start_->velocity_equations().name(start_->velocities().share.front().front())) + " is unknown",
+        "state it under instants: {start: {...}}");
   for (const std::vector<std::size_t>& share : start_->velocities().share) {
     std::vector<std::string>& names = open_turnings_.emplace_back();
-    for (const std::size_t k : share) names.push_back(start_->velocity_equations().name(k));
+    for (const std::size_t k : share) names.emplace_back(start_->velocity_equations().name(k));
   }
   if (start_->after_blow()) open_impulses_ = start_->blow().open.size();
   stages_.resize(std::max<std::size_t>(1, problem.stages.size()));

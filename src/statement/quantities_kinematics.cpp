@@ -11,7 +11,7 @@ namespace poinsot::statement {
 
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Evaluator<Scalar>& evaluator) {
-  const std::string& f = call.function;
+  const std::string_view f = call.function;
   const Expression& what = call.arguments[0].value;
   if (f == "center")
     return vector_value(mass_center_of(body_of(what, evaluator, true), what, evaluator), dimensions::length);
@@ -22,7 +22,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Eva
     return vector_value(point_position(model_, workspace_, point.body, point.local), dimensions::length);
   }
   if ((f == "acceleration" || f == "angular_acceleration") && !has_accelerations_)
-    evaluator.fail(what.mark(), f + " cannot stand inside rate() or among what is known of the velocities");
+    evaluator.fail(what.mark(), call.function + " cannot stand inside rate() or among what is known of the velocities");
   const Expression* relative_to = call.argument("relative to");
   const int frame = relative_to ? body_of(*relative_to, evaluator) : ground;
   const BodyMotion<Scalar>& F = workspace_.motion[static_cast<std::size_t>(frame + 1)];
@@ -71,7 +71,7 @@ std::pair<Vector3<Scalar>, Vector3<Scalar>> QuantityScope<Scalar, Base>::line(co
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::geometry(const Call& call, const Evaluator<Scalar>& evaluator) {
   using std::acos;
-  const std::string& f = call.function;
+  const std::string_view f = call.function;
   const Expression& what = call.arguments[0].value;
   if (f == "axis") {
     const Name* name = plain_name(what);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
+#include <unordered_map>
 
 #include "statement/reader.h"
 
@@ -108,9 +110,13 @@ const std::vector<QuantityFunction>& quantity_table() {
 }
 
 const QuantityFunction* find_quantity(const std::string& name) {
-  for (const QuantityFunction& function : quantity_table())
-    if (name == function.name) return &function;
-  return nullptr;
+  static const std::unordered_map<std::string_view, const QuantityFunction*> by_name = [] {
+    std::unordered_map<std::string_view, const QuantityFunction*> found;
+    for (const QuantityFunction& function : quantity_table()) found.emplace(function.name, &function);
+    return found;
+  }();
+  const auto found = by_name.find(name);
+  return found == by_name.end() ? nullptr : found->second;
 }
 
 const std::vector<FunctionForm>& quantity_functions() {

@@ -46,8 +46,9 @@ Level level_of(const Problem& problem, const Expression& expression, bool throug
 
 // Whether a call asks for an extreme or the period of a quantity over the motion.
 inline bool is_motion_feature(const Call& call) {
-  return (call.function == "min" || call.function == "max" || call.function == "period") && call.pattern().empty() &&
-         call.arguments.size() == 1 && !call.arguments.front().value.as<List>();
+  const std::string_view f = call.function;
+  return (f == "min" || f == "max" || f == "period") && call.pattern().empty() && call.arguments.size() == 1 &&
+         !call.arguments.front().value.as<List>();
 }
 bool asks_motion_feature(const Expression& expression);
 // Whether forces or accelerations are asked, at any instant or over the motion.

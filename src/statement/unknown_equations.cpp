@@ -158,46 +158,48 @@ bool UnknownEquations::take_measures(const std::vector<double>& x) {
 }
 
 bool UnknownEquations::add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system,
-                                     const SolvedInstant& instant) const {
+                                     const SolvedInstant& instant, bool with_words) const {
   const auto held = measures_.eliminations.find({group.group.situation, level});
   const auto left = held == measures_.eliminations.end() ? std::nullopt : held->second.remainder(system);
   if (!left) return false;
   group.values.insert(group.values.end(), left->values.begin(), left->values.end());
-  for (const std::size_t equation : left->equations) group.words.push_back(system.words(equation));
+  if (with_words)
+    for (const std::size_t equation : left->equations) group.words.emplace_back(system.words(equation));
   group.size = std::max(group.size, left->size);
   for (const SolvedInstant::NonlinearMisfit& misfit : instant.nonlinear_misfits(level, left->solution)) {
     group.values.push_back(misfit.value);
-    group.words.push_back(misfit.words);
+    if (with_words) group.words.push_back(misfit.words);
     group.size = std::max(group.size, misfit.size);
   }
   return true;
 }
 
-const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<double>& x, Wanted wanted_equations) {
+const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<double>& x, Wanted wanted) {
+  const bool with_words = wanted == Wanted::smooth_with_words;
   hold_measures();
   evaluated_.reset();
   put(x, trial_);
-  Evaluated all{x, wanted_equations, {}, {}};
+  Evaluated all{x, wanted, {}, {}};
   bool smooth = true, complete = true;
   const auto add = [](std::vector<double>& list, auto first, auto last) { list.insert(list.end(), first, last); };
   solve::RootEquations& equations = all.equations;
   for (std::size_t i : system_.situations()) {
     const Problem& problem = statement_.situations[i].problem;
-    const auto wanted = [&](Aspect aspect) { return system_.has({i, aspect}); };
+    const auto has = [&](Aspect aspect) { return system_.has({i, aspect}); };
     const auto group_of = [&](Aspect aspect) -> GroupConditions& {
       all.groups.push_back({{i, aspect}, {}, 0, {}});
       return all.groups.back();
     };
-    if (wanted(Aspect::later)) {
+    if (has(Aspect::later)) {
       GroupConditions& group = group_of(Aspect::later);
       group.values = later_misfits(problem, trial_[i], choice_, motion_tolerance_);
       group.size = 1;
-      group.words.assign(group.values.size(), "what is stated of the motion");
+      if (with_words) group.words.assign(group.values.size(), "what is stated of the motion");
       add(equations.values, group.values.begin(), group.values.end());
       equations.size = std::max(equations.size, 1.0);
       smooth = false;
     }
-    if (!wanted(Aspect::positions) && !wanted(Aspect::velocities) && !wanted(Aspect::forces)) continue;
+    if (!has(Aspect::positions) && !has(Aspect::velocities) && !has(Aspect::forces)) continue;
     OpenChoice choice = choice_;
     if (const auto held = measures_.scales.find(i); held != measures_.scales.end()) choice.scales = held->second;
     auto& solved = all.instants[i];
@@ -205,31 +207,31 @@ const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<
     SolvedInstant& instant = *solved;
     const auto positions = static_cast<std::ptrdiff_t>(instant.position_misfits());
     const auto velocities = static_cast<std::ptrdiff_t>(instant.misfits().size());
-    if (wanted(Aspect::forces)) {
+    if (has(Aspect::forces)) {
       // What is left over of their equations needs no solution of them.
-      if (wanted_equations == Wanted::smooth)
-        instant.assemble_forces();
-      else
+      if (wanted == Wanted::everything)
         instant.solve_forces();
+      else
+        instant.assemble_forces();
     }
     const auto& values = instant.misfits();
-    if (wanted(Aspect::positions)) {
+    if (has(Aspect::positions)) {
       GroupConditions& group = group_of(Aspect::positions);
       add(group.values, values.begin(), values.begin() + positions);
       group.size = 1;
-      group.words = instant.position_words();
+      if (with_words) group.words = instant.position_words();
       add(equations.values, values.begin(), values.begin() + positions);
     }
-    if (wanted(Aspect::velocities)) {
+    if (has(Aspect::velocities)) {
       GroupConditions& group = group_of(Aspect::velocities);
-      complete = complete && add_left_over(group, Level::velocities, instant.velocity_equations(), instant);
+      complete = complete && add_left_over(group, Level::velocities, instant.velocity_equations(), instant, with_words);
       if (instant.after_blow())
-        complete = complete && add_left_over(group, Level::blow, instant.blow_equations(), instant);
+        complete = complete && add_left_over(group, Level::blow, instant.blow_equations(), instant, with_words);
       add(equations.values, values.begin() + positions, values.begin() + velocities);
     }
-    if (wanted(Aspect::forces)) {
+    if (has(Aspect::forces)) {
       GroupConditions& group = group_of(Aspect::forces);
-      complete = complete && add_left_over(group, Level::motion, instant.motion_equations(), instant);
+      complete = complete && add_left_over(group, Level::motion, instant.motion_equations(), instant, with_words);
       add(equations.values, values.begin() + velocities, values.end());
     }
     equations.size = std::max(equations.size, instant.misfit_size());
@@ -263,7 +265,7 @@ std::optional<solve::RootEquations> UnknownEquations::exact(const std::vector<do
 
 std::optional<std::vector<GroupConditions>> UnknownEquations::conditions_at(const std::vector<double>& x) {
   try {
-    return evaluate(x, Wanted::smooth).groups;
+    return evaluate(x, Wanted::smooth_with_words).groups;
   } catch (const StatementError& error) {
     refusal_ = error;
     return std::nullopt;

@@ -19,7 +19,7 @@ struct GroupConditions {
   ConditionGroup group;
   std::vector<double> values;
   double size = 0;                               // of the largest term in them
-  std::vector<std::string> words;                // of each
+  std::vector<std::string> words;                // of each, where they are asked for
   std::vector<std::vector<double>> slopes = {};  // of each by each unknown, where they are asked for
 };
 
@@ -43,14 +43,14 @@ class UnknownEquations {
   std::optional<solve::RootEquations> operator()(const std::vector<double>& x);
   // Only those that are smooth, without forces being solved; all, where they are not all smooth.
   std::optional<solve::RootEquations> smooth(const std::vector<double>& x);
-  // All with exact slopes of the smooth equations by each unknown: by dual numbers. Nothing where a motion
-  // is followed, where squares are neglected or where something has no derivatives.
+  // All with exact slopes of the smooth equations by each unknown: by dual numbers. Nothing where a motion is followed,
+  // where squares are neglected or where something has no derivatives.
   std::optional<solve::RootEquations> with_slopes(const std::vector<double>& x,
                                                   std::vector<std::vector<double>>* slopes);
   // With the values that the settings give to the unknowns: whether the conditions hold, to far less than is asked of a
   // root that is found anew.
   bool hold_as_set();
-  std::optional<std::vector<GroupConditions>> conditions_at(const std::vector<double>& x);
+  std::optional<std::vector<GroupConditions>> conditions_at(const std::vector<double>& x);  // with words
   // Its conditions as an author may know them: "mass(bar) at 'now'", with the situation where there are several.
   std::vector<std::string> condition_words(const GroupConditions& group) const;
   // Some places in the ranges, among them their middle.
@@ -71,8 +71,8 @@ class UnknownEquations {
     std::map<std::size_t, solve::Scales> scales;  // of each situation
     std::map<std::pair<std::size_t, Level>, solve::LinearElimination> eliminations;
   };
-  // Of the equations: all, or only those of the groups.
-  enum class Wanted { everything, smooth };
+  // All equations, or only the smooth ones: what is left of the groups; with the words of each or without.
+  enum class Wanted { everything, smooth, smooth_with_words };
   struct Evaluated {
     std::vector<double> at;
     Wanted wanted;
@@ -102,7 +102,7 @@ class UnknownEquations {
   void put(const std::vector<double>& x, AllSettings& settings) const;
   // Facts in `instant` that are not linear are taken where the pivots' equations alone have brought it.
   bool add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system,
-                     const SolvedInstant& instant) const;
+                     const SolvedInstant& instant, bool with_words) const;
   void add_slopes(std::vector<GroupConditions>& groups, std::size_t situation, const SolvedInstant& instant,
                   const std::vector<std::size_t>& unknowns) const;
   std::vector<Dual<1>> varied_left_over(std::size_t situation, Level level, VariedInstant& instant) const;

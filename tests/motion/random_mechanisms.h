@@ -346,7 +346,7 @@ struct NamedMotion {
       if (!dynamics.is_acting(mechanism.components[j].action)) set(components + j, 0, 1);
     solve::LinearSystem system;
     solution = solve::solve_motion(moment, solve::natural_scales(mechanism), conditions, &system);
-    for (std::size_t i = 0; i < system.equations(); ++i) words.push_back(system.words(i));
+    for (std::size_t i = 0; i < system.equations(); ++i) words.emplace_back(system.words(i));
   }
 };
 

@@ -469,7 +469,7 @@ TEST(Equations, AParallelogramLinkage) {
   const LinearSolution wrong = solve_velocities(moment, natural_scales(mechanism),
                                                 {condition, {"the other crank", {0, 0, 1}, 4, 1}}, &equations);
   std::vector<std::string> names;
-  for (std::size_t row : wrong.conflict) names.push_back(equations.words(row));
+  for (std::size_t row : wrong.conflict) names.emplace_back(equations.words(row));
   EXPECT_NE(std::find(names.begin(), names.end(), "the other crank"), names.end());
   EXPECT_NE(std::find(names.begin(), names.end(), "the crank"), names.end());
 }

@@ -126,6 +126,7 @@ class Model {
  private:
   // The runs of a body are those of its parent, then its own coordinates.
   void find_ancestor_runs() {
+    run_start_.reserve(bodies_.size() + 1);
     run_start_.assign(1, 0);
     for (const Body<Scalar>& body : bodies_) {
       const std::size_t start = runs_.size();

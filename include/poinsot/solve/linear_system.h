@@ -2,9 +2,11 @@
 // their solution and misfit follow when coefficients and right sides vary.
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "poinsot/math/dual.h"
@@ -31,21 +33,24 @@ struct LinearSolution {
 template <class Scalar>
 class LinearSystemOf {
  public:
-  std::size_t add_unknown(std::string name, double scale = 1);
-  std::size_t add_equation(std::string words, double scale = 1);
+  // The parts of a name follow one another.
+  std::size_t add_unknown(std::initializer_list<std::string_view> name, double scale = 1);
+  std::size_t add_unknown(std::string_view name, double scale = 1) { return add_unknown({name}, scale); }
+  std::size_t add_equation(std::initializer_list<std::string_view> words, double scale = 1);
+  std::size_t add_equation(std::string_view words, double scale = 1) { return add_equation({words}, scale); }
   // rounding: up to which a coefficient may be what rounding left of zero, in its own unit; a small part of the largest
   // one of the equation when left out. Coefficients below it count as zero.
   void add(std::size_t equation, std::size_t unknown, const Scalar& coefficient, std::optional<double> rounding = {});
   // size: of the terms that the value was made from, where they may have cancelled.
   void add_right_side(std::size_t equation, const Scalar& value, double size = 0);
 
-  std::size_t unknowns() const { return names_.size(); }
-  std::size_t equations() const { return words_.size(); }
-  const std::string& name(std::size_t unknown) const { return names_[unknown]; }
-  const std::string& words(std::size_t equation) const { return words_[equation]; }
+  std::size_t unknowns() const { return unknowns_.size(); }
+  std::size_t equations() const { return equations_.size(); }
+  std::string_view name(std::size_t unknown) const { return text_of(unknowns_[unknown].name); }
+  std::string_view words(std::size_t equation) const { return text_of(equations_[equation].words); }
   // a_ij as added, row by row, and b_i.
   std::vector<std::vector<Scalar>> coefficients() const;
-  const std::vector<Scalar>& right_sides() const { return right_side_; }
+  std::vector<Scalar> right_sides() const;
 
   // By Householder QR with column pivoting on the scaled equations. Never throws; see LinearSolution::conflict, which
   // also names equations whose numbers are not finite.
@@ -60,10 +65,25 @@ class LinearSystemOf {
     Scalar coefficient;
     std::optional<double> rounding;
   };
-  std::vector<std::string> names_, words_;
-  std::vector<double> unknown_scale_, equation_scale_;
-  std::vector<Scalar> right_side_;
-  std::vector<double> right_size_;  // sums of the magnitudes added to each right side, which may cancel there
+  struct Text {
+    std::size_t begin, size;
+  };
+  struct Unknown {
+    Text name;
+    double scale;
+  };
+  struct Equation {
+    Text words;
+    double scale;
+    Scalar right_side{};
+    double right_size = 0;  // sum of the magnitudes added to the right side, which may cancel there
+  };
+  Text text_from(std::initializer_list<std::string_view> parts);
+  std::string_view text_of(const Text& text) const { return std::string_view(text_).substr(text.begin, text.size); }
+  // Equations are set up far more often than their names are read: all names stand in one text.
+  std::string text_;
+  std::vector<Unknown> unknowns_;
+  std::vector<Equation> equations_;
   std::vector<Entry> entries_;
 };
 using LinearSystem = LinearSystemOf<double>;
