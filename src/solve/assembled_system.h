@@ -66,9 +66,11 @@ AssembledSystem<Scalar>::AssembledSystem(const LinearSystemOf<Scalar>& system) {
       A_rate(i, j) += entry.coefficient.partial[0] * row[i] * column[j];
     }
   }
-  for (Eigen::Index i = 0; i < m; ++i)
-    if (!A.row(i).allFinite() || !std::isfinite(b[i])) bad.push_back(static_cast<std::size_t>(i));
-  if (!bad.empty()) return;
+  if (!A.allFinite() || !b.allFinite()) {
+    for (Eigen::Index i = 0; i < m; ++i)
+      if (!A.row(i).allFinite() || !std::isfinite(b[i])) bad.push_back(static_cast<std::size_t>(i));
+    return;
+  }
   for (Eigen::Index i = 0; i < m && n; ++i)
     if (!known_rounding[static_cast<std::size_t>(i)])
       // A row all of whose coefficients are rounding has no size of its own: then natural units tell.

@@ -105,8 +105,10 @@ std::optional<Remainder> remainder_of(const HeldPivots& pivots, const MatrixXd& 
     // Where y is nothing but what larger terms leave of each other, their rounding is what is left.
     const VectorXd cancelling = B.topLeftCorner(rank, rank).cwiseAbs() * y.cwiseAbs() + c.head(rank).cwiseAbs();
     if (rest > 0 && terms.maxCoeff() < 1e-9 * cancelling.maxCoeff()) {
-      const MatrixXd shares = lu.transpose().solve(A21.transpose());  // (A21 A11^-1)^T
-      terms = terms.cwiseMax(rounding_share * (shares.transpose().cwiseAbs() * cancelling));
+      MatrixXd shares = A21.transpose();  // becomes (A21 A11^-1)^T with the rows in the order of the factors
+      lu.matrixLU().triangularView<Eigen::Upper>().transpose().solveInPlace(shares);
+      lu.matrixLU().triangularView<Eigen::UnitLower>().transpose().solveInPlace(shares);
+      terms = terms.cwiseMax(rounding_share * (shares.transpose().cwiseAbs() * (lu.permutationP() * cancelling)));
     }
     if (open > 0 && rest > 0) {
       // What is left of the other columns is zero, or they have a rank of their own.

@@ -56,6 +56,13 @@ bool LinearSolution::determined(std::size_t unknown) const {
 
 template <class Scalar>
 typename LinearSystemOf<Scalar>::Text LinearSystemOf<Scalar>::text_from(std::initializer_list<std::string_view> parts) {
+  // Room for the equations of a body or two.
+  if (text_.empty()) {
+    text_.reserve(512);
+    unknowns_.reserve(16);
+    equations_.reserve(16);
+    entries_.reserve(64);
+  }
   const std::size_t begin = text_.size();
   for (const std::string_view part : parts) text_ += part;
   return {begin, text_.size() - begin};

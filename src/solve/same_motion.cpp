@@ -12,18 +12,32 @@ using Index = Eigen::Index;
 // How closely displacements depend on each other, or keep to what constraints allow.
 constexpr Real within = 1e-9L;
 
-// The uncertainty of A x, with the sizes of x.
-Vector rounding_of(const Doubted& A, const Vector& size) {
-  constexpr Real closely = 1e-9L;
-  const Index n = A.value.rows() / 2;
-  const Real stiffness = n > 0 ? A.value.bottomLeftCorner(n, n).cwiseAbs().maxCoeff() : 0;
-  // A spinning body whose center is on its axis but for rounding pulls as it turns, by as little of the square of the
-  // pace. What is no small part of the stiffness there is, is taken for that of a slow motion.
-  const Real unbalance = std::min<Real>(20 * std::numeric_limits<double>::epsilon(), 1e-4L * stiffness);
-  return 10 * (A.doubt * size) + closely * (A.value.cwiseAbs() * size) + Vector::Constant(A.value.rows(), unbalance);
-}
+// A matrix A and what is uncertain of A x.
+class Uncertain {
+ public:
+  explicit Uncertain(const Doubted& A) : A_(A.value) {
+    constexpr Real closely = 1e-9L;
+    doubt_of_terms_ = 10 * A.doubt + closely * A_.cwiseAbs();
+    const Index n = A_.rows() / 2;
+    const Real stiffness = n > 0 ? A_.bottomLeftCorner(n, n).cwiseAbs().maxCoeff() : 0;
+    // A spinning body whose center is on its axis but for rounding pulls as it turns, by as little of the square of the
+    // pace. What is no small part of the stiffness there is, is taken for that of a slow motion.
+    unbalance_ = std::min<Real>(20 * std::numeric_limits<double>::epsilon(), 1e-4L * stiffness);
+  }
+  Index size() const { return A_.rows(); }
+  Matrix times(const Matrix& x) const { return A_ * x; }
+  // With the sizes of x.
+  Vector uncertainty(const Vector& sizes) const {
+    return doubt_of_terms_ * sizes + Vector::Constant(A_.rows(), unbalance_);
+  }
+
+ private:
+  const Matrix& A_;
+  Matrix doubt_of_terms_;
+  Real unbalance_ = 0;
+};
 bool is_within(const Vector& left, const Vector& allowed) { return ((left.cwiseAbs() - allowed).array() <= 0).all(); }
-bool is_symmetry(const Doubted& A, const Vector& x) { return is_within(A.value * x, rounding_of(A, x.cwiseAbs())); }
+bool is_symmetry(const Uncertain& A, const Vector& x) { return is_within(A.times(x), A.uncertainty(x.cwiseAbs())); }
 
 // By how much a deviation of length one would break what deviations satisfy, beyond what is uncertain of that.
 Vector breach(const DeviationRows& rows, const Vector& x) {
@@ -48,8 +62,8 @@ Matrix joined(const Matrix& one, const Matrix& other) {
 // Those displacements that are possible and do lead to the same motion again, independent of each other. What is left
 // of A x must be no more than the uncertainty of the terms that cancel in it: a slow motion beside a fast one has
 // small entries that are not zero.
-Matrix symmetries_of(const Doubted& A, const DeviationRows& rows, const std::vector<Vector>& displacements) {
-  const Matrix none(A.value.rows(), 0);
+Matrix symmetries_of(const Uncertain& A, const DeviationRows& rows, const std::vector<Vector>& displacements) {
+  const Matrix none(A.size(), 0);
   Matrix found = none, impossible = none;
   for (const Vector& x : displacements) {
     if (!is_symmetry(A, x)) continue;
@@ -65,15 +79,21 @@ Matrix symmetries_of(const Doubted& A, const DeviationRows& rows, const std::vec
 }
 
 // A times each of some deviations as a sum of columns; nothing if it is none.
-std::optional<Matrix> parts_among(const Matrix& columns, const Doubted& A, const Matrix& deviations) {
-  const Matrix inverse =
-      Eigen::ColPivHouseholderQR<Matrix>(columns).solve(Matrix::Identity(columns.rows(), columns.rows()));
-  const Matrix led = A.value * deviations, parts = inverse * led, left = led - columns * parts;
+std::optional<Matrix> parts_among(const Matrix& columns, const Uncertain& A, const Matrix& deviations) {
+  const Eigen::ColPivHouseholderQR<Matrix> qr(columns);
+  const Matrix led = A.times(deviations), parts = qr.solve(led), left = led - columns * parts;
+  const Index n = columns.cols();
   const Vector size = columns.cwiseAbs().rowwise().sum();
+  std::optional<Matrix> inverse_size;
   for (Index i = 0; i < left.cols(); ++i) {
-    const Vector rounding = rounding_of(A, size + deviations.col(i).cwiseAbs());
-    // What is uncertain goes into the parts too, and with them elsewhere.
-    if (!is_within(left.col(i), rounding + columns.cwiseAbs() * (inverse.cwiseAbs() * rounding))) return std::nullopt;
+    const Vector rounding = A.uncertainty(size + deviations.col(i).cwiseAbs());
+    // What is uncertain goes into the parts too, and with them elsewhere. Mostly it cannot be enough: the inverse of R
+    // is at most sqrt(n) 2^(n-1) / r_nn (Higham, SIAM Review 29, 575, 1987).
+    const Real most = std::sqrt(Real(n)) * std::ldexp(Real(1), static_cast<int>(n) - 1) * rounding.norm();
+    const Real least = std::abs(qr.matrixR()(n - 1, n - 1));
+    if (!is_within(least * left.col(i), least * rounding + most * size)) return std::nullopt;
+    if (!inverse_size) inverse_size = qr.solve(Matrix::Identity(columns.rows(), columns.rows())).cwiseAbs();
+    if (!is_within(left.col(i), rounding + columns.cwiseAbs() * (*inverse_size * rounding))) return std::nullopt;
   }
   return parts;
 }
@@ -81,9 +101,9 @@ std::optional<Matrix> parts_among(const Matrix& columns, const Doubted& A, const
 // In a frame that turns, displacements across its axis that lead to the same motion elsewhere go round in it: pairs
 // that go over into each other. At a steady rate they go round ever farther away, where such velocities are possible.
 // Neither is any of the motion.
-Matrix goings_round(const Doubted& A, const DeviationRows& rows, const std::vector<Vector>& displacements,
+Matrix goings_round(const Uncertain& A, const DeviationRows& rows, const std::vector<Vector>& displacements,
                     std::vector<double>& frequencies) {
-  Matrix found(A.value.rows(), 0);
+  Matrix found(A.size(), 0);
   std::vector<Vector> all = displacements;
   std::erase_if(all, [&](const Vector& x) { return !is_possible(rows, x) || is_symmetry(A, x); });
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -92,7 +112,7 @@ Matrix goings_round(const Doubted& A, const DeviationRows& rows, const std::vect
       const Vector &x = all[i], y = all[k] - common * x;
       if (!(y.norm() > 1e-6L)) continue;
       const Vector u = y.normalized();
-      Matrix pair(A.value.rows(), 2);
+      Matrix pair(A.size(), 2);
       pair << x, u;
       const std::optional<Matrix> turned = parts_among(pair, A, pair);
       if (!turned || !((*turned)(0, 1) * (*turned)(1, 0) < 0)) continue;
@@ -103,8 +123,8 @@ Matrix goings_round(const Doubted& A, const DeviationRows& rows, const std::vect
           frequencies.push_back(static_cast<double>(std::sqrt(-(*turned)(0, 1) * (*turned)(1, 0))));
       };
       add(pair);
-      Matrix drifts = Matrix::Zero(A.value.rows(), 2), both(A.value.rows(), 4);
-      drifts.bottomRows(A.value.rows() / 2) = pair.topRows(A.value.rows() / 2);
+      Matrix drifts = Matrix::Zero(A.size(), 2), both(A.size(), 4);
+      drifts.bottomRows(A.size() / 2) = pair.topRows(A.size() / 2);
       both << pair, drifts;
       if (!is_possible(rows, drifts.col(0)) || !is_possible(rows, drifts.col(1))) continue;
       // They go round as the displacements do. (Velocities of turning wobble.)
@@ -115,7 +135,7 @@ Matrix goings_round(const Doubted& A, const DeviationRows& rows, const std::vect
 }
 
 // With such displacements also those that let them change steadily: rolling in another direction.
-Matrix leading_to(Matrix elsewhere, const Doubted& A, const DeviationRows& rows,
+Matrix leading_to(Matrix elsewhere, const Uncertain& A, const DeviationRows& rows,
                   const std::vector<Vector>& displacements) {
   if (elsewhere.cols() == 0) return elsewhere;
   for (const Vector& x : displacements)
@@ -132,7 +152,8 @@ Matrix complement(const Matrix& columns) {
   return Q.rightCols(columns.rows() - qr.rank());
 }
 
-SameMotion same_motion(const Doubted& A, const DeviationRows& rows, const std::vector<Vector>& displacements) {
+SameMotion same_motion(const Doubted& doubted, const DeviationRows& rows, const std::vector<Vector>& displacements) {
+  const Uncertain A(doubted);
   const Matrix symmetries = symmetries_of(A, rows, displacements);
   SameMotion found;
   const Matrix going = joined(symmetries, goings_round(A, rows, displacements, found.going_round));

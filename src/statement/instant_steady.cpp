@@ -54,8 +54,8 @@ void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<
   for (int i = 0; i < tree.body_count(); ++i) {
     const auto& body = tree.body(i);
     const std::string& name = tree.name(i);
-    const bool is_frame = std::any_of(problem.frames.begin(), problem.frames.end(),
-                                      [&](const Frame& f) { return machine.index.at(f.name) == i; });
+    const bool is_frame =
+        std::any_of(problem.frames.begin(), problem.frames.end(), [&](const Frame& f) { return f.name == name; });
     if (is_frame || i == frame) continue;
     const auto spin =
         std::find_if(steady.spins.begin(), steady.spins.end(), [&](const Spin& s) { return s.body == name; });
