@@ -101,14 +101,6 @@ LinearSystemOf<Scalar> velocity_equations(const MomentOf<Scalar>& moment, const 
   return system;
 }
 
-LinearSolution solve_velocities(const Moment& moment, const Scales& scales, const std::vector<Condition>& conditions,
-                                LinearSystem* equations) {
-  LinearSystem system = velocity_equations(moment, scales, conditions);
-  LinearSolution solution = system.solve();
-  if (equations) *equations = std::move(system);
-  return solution;
-}
-
 template <class Scalar>
 ForceUnknowns force_unknowns(const Mechanism<Scalar>& mechanism) {
   ForceUnknowns unknowns;
@@ -239,14 +231,6 @@ LinearSystemOf<Scalar> motion_equations(const MomentOf<Scalar>& moment, const Sc
   }
   for (const ConditionOf<Scalar>& condition : conditions) add_condition(system, condition);
   return system;
-}
-
-LinearSolution solve_motion(const Moment& moment, const Scales& scales, const std::vector<Condition>& conditions,
-                            LinearSystem* equations) {
-  LinearSystem system = motion_equations(moment, scales, conditions);
-  LinearSolution solution = system.solve();
-  if (equations) *equations = std::move(system);
-  return solution;
 }
 
 template <class Scalar>

@@ -208,7 +208,8 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
   FactConditions<double> stated = velocity_facts(view(), instants);
   std::move(stated.linear.begin(), stated.linear.end(), std::back_inserter(conditions));
   if (problem_.steady) add_steady(view(), conditions, false);
-  velocities_ = solve::solve_velocities(*moment_, scales_, conditions, &velocity_equations_);
+  velocity_equations_ = solve::velocity_equations(*moment_, scales_, conditions);
+  velocities_ = velocity_equations_.solve();
   if (choice_.trial)
     take_misfits(velocities_);
   else if (!velocities_.conflict.empty())

@@ -37,7 +37,7 @@ class QuantityScope : public Scope<Scalar> {
   QuantityScope(const MachineOf<Base>& machine, const Model<Scalar>& model, DataScope<Scalar>& data,
                 State<Scalar> state);
 
-  // Accelerations of the coordinates, and (for forces) the solution of solve_motion that they come from.
+  // Accelerations of the coordinates, and (for forces) the solution of the motion equations that they come from.
   void set_accelerations(const std::vector<Base>& accelerations);
   void set_forces(const solve::MomentOf<Base>* moment, const std::vector<Base>* unknowns);
   // Particles of strikes that fly by themselves now: they belong to the system.

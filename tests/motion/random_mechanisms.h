@@ -345,7 +345,8 @@ struct NamedMotion {
     for (std::size_t j = 0; j < mechanism.components.size(); ++j)
       if (!dynamics.is_acting(mechanism.components[j].action)) set(components + j, 0, 1);
     solve::LinearSystem system;
-    solution = solve::solve_motion(moment, solve::natural_scales(mechanism), conditions, &system);
+    system = solve::motion_equations(moment, solve::natural_scales(mechanism), conditions);
+    solution = system.solve();
     for (std::size_t i = 0; i < system.equations(); ++i) words.emplace_back(system.words(i));
   }
 };

@@ -132,7 +132,7 @@ TEST(Equations, MotionAgreesWithHybridDynamics) {
   for (int trial = 0; trial < 1000; ++trial) {
     const Trial t(random);
     const Moment moment = t.moment();
-    const LinearSolution solution = solve_motion(moment, natural_scales(t.mechanism), t.conditions);
+    const LinearSolution solution = motion_equations(moment, natural_scales(t.mechanism), t.conditions).solve();
     ASSERT_TRUE(solution.conflict.empty()) << trial;
     ASSERT_TRUE(solution.open.empty()) << trial;
     std::vector<double> acceleration = t.acceleration, force = t.force;
@@ -217,7 +217,7 @@ TEST(Equations, ReactionsAgreeWithNewtonAndEuler) {
                    drive.damping * t.state.v[k];
     }
     const Moment moment = t.moment();
-    const LinearSolution solution = solve_motion(moment, natural_scales(t.mechanism), t.conditions);
+    const LinearSolution solution = motion_equations(moment, natural_scales(t.mechanism), t.conditions).solve();
     ASSERT_TRUE(solution.conflict.empty()) << trial;
     ASSERT_TRUE(solution.open.empty()) << trial;
     std::vector<CoordinateMode> modes;
@@ -346,7 +346,7 @@ TEST(Equations, VelocitiesAndAccelerationsKeepTheConstraints) {
     if (t.mechanism.constraints.empty()) continue;
     const Scales scales = natural_scales(t.mechanism);
     Moment moment = t.moment();
-    const LinearSolution slow = solve_velocities(moment, scales, {});
+    const LinearSolution slow = velocity_equations(moment, scales, {}).solve();
     ASSERT_TRUE(slow.conflict.empty());
     // Any of the motions that the constraints leave.
     std::vector<double> v = slow.value;
@@ -363,7 +363,7 @@ TEST(Equations, VelocitiesAndAccelerationsKeepTheConstraints) {
       for (std::size_t k = 0; k < v.size(); ++k) rate += row[k] * v[k];
       EXPECT_NEAR(rate, 0, 1e-10 * speed);
     }
-    const LinearSolution solution = solve_motion(moment, scales, {});
+    const LinearSolution solution = motion_equations(moment, scales, {}).solve();
     // A body held in place may not allow the constraint's acceleration; then this is said, and nothing else.
     if (!solution.conflict.empty() || solution.condition > 1e6) continue;
     const std::vector<double> a(solution.value.begin(), solution.value.begin() + static_cast<std::ptrdiff_t>(v.size()));
@@ -417,13 +417,13 @@ TEST(Equations, ARollingDisk) {
   };
   Moment moment(mechanism);
   const LinearSolution motion =
-      solve_velocities(moment, natural_scales(mechanism), {stated(4, v), stated(2, 0), stated(1, 0)});
+      velocity_equations(moment, natural_scales(mechanism), {stated(4, v), stated(2, 0), stated(1, 0)}).solve();
   ASSERT_TRUE(motion.conflict.empty());
   EXPECT_TRUE(motion.open.empty());
   EXPECT_NEAR(motion.value[0], -v / r, 1e-14);
   EXPECT_NEAR(motion.value[3], 0, 1e-14);
   moment.set_velocities(motion.value);
-  const LinearSolution forces = solve_motion(moment, natural_scales(mechanism), {});
+  const LinearSolution forces = motion_equations(moment, natural_scales(mechanism), {}).solve();
   ASSERT_TRUE(forces.conflict.empty());
   EXPECT_TRUE(forces.open.empty());
   // The last three are rates of components on the axes of the disk, which turn: -w x v.
@@ -458,16 +458,16 @@ TEST(Equations, AParallelogramLinkage) {
   }
   Condition condition{"the crank", {1, 0, 0}, 5, 1};
   Moment moment(mechanism);
-  const LinearSolution motion = solve_velocities(moment, natural_scales(mechanism), {condition});
+  const LinearSolution motion = velocity_equations(moment, natural_scales(mechanism), {condition}).solve();
   ASSERT_TRUE(motion.conflict.empty());
   EXPECT_TRUE(motion.open.empty());
   EXPECT_NEAR(motion.value[0], 5, 1e-13);
   EXPECT_NEAR(motion.value[1], -5, 1e-13);
   EXPECT_NEAR(motion.value[2], 5, 1e-13);
   // A second stated rate that does not fit is a contradiction that names what takes part in it.
-  LinearSystem equations;
-  const LinearSolution wrong = solve_velocities(moment, natural_scales(mechanism),
-                                                {condition, {"the other crank", {0, 0, 1}, 4, 1}}, &equations);
+  const LinearSystem equations =
+      velocity_equations(moment, natural_scales(mechanism), {condition, {"the other crank", {0, 0, 1}, 4, 1}});
+  const LinearSolution wrong = equations.solve();
   std::vector<std::string> names;
   for (std::size_t row : wrong.conflict) names.emplace_back(equations.words(row));
   EXPECT_NE(std::find(names.begin(), names.end(), "the other crank"), names.end());
@@ -516,7 +516,7 @@ TEST(Equations, ASmallBodyBesideALargeOne) {
     const State<double> state{{0.2, 0.4}, {1.5, -2}};
     moment.set_positions(state.q);
     moment.set_velocities(state.v);
-    const LinearSolution solution = solve_motion(moment, natural_scales(mechanism), {});
+    const LinearSolution solution = motion_equations(moment, natural_scales(mechanism), {}).solve();
     EXPECT_TRUE(solution.conflict.empty()) << size;
     EXPECT_TRUE(solution.open.empty()) << size;
     std::vector<double> acceleration(2), force{0, 4 * I};

@@ -43,7 +43,7 @@ struct Linkage {
     given.coefficients.assign(3, 0.0);
     given.coefficients[coordinate] = 1;
     given.value = rate;
-    return solve_velocities(moment, natural_scales(mechanism), {given});
+    return velocity_equations(moment, natural_scales(mechanism), {given}).solve();
   }
 };
 

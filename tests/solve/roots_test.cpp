@@ -99,7 +99,7 @@ TEST(Roots, SmoothEquationsThatCanBeHadAloneSpareMostEvaluations) {
   EXPECT_LT(2 * with, without);
 }
 
-TEST(Roots, WhereThereIsNoneAllPlacesAreJudgedByTheEquationsThemselves) {
+TEST(Roots, WhereThereIsNoneTheBestPlacesAreJudgedByTheEquationsThemselves) {
   int evaluations = 0;
   const RootProblem problem = weighted(6, &evaluations);
   RootProblem plain = problem;

@@ -46,8 +46,6 @@ using Condition = ConditionOf<double>;
 template <class Scalar>
 LinearSystemOf<Scalar> velocity_equations(const MomentOf<Scalar>& moment, const Scales& scales,
                                           const std::vector<ConditionOf<Scalar>>& conditions);
-LinearSolution solve_velocities(const Moment& moment, const Scales& scales, const std::vector<Condition>& conditions,
-                                LinearSystem* equations = nullptr);
 
 // Unknowns, in this order: velocity_size() accelerations, the mechanism's components, the efforts of all held drives.
 struct ForceUnknowns {
@@ -60,8 +58,6 @@ ForceUnknowns force_unknowns(const Mechanism<Scalar>& mechanism);
 template <class Scalar>
 LinearSystemOf<Scalar> motion_equations(const MomentOf<Scalar>& moment, const Scales& scales,
                                         const std::vector<ConditionOf<Scalar>>& conditions);
-LinearSolution solve_motion(const Moment& moment, const Scales& scales, const std::vector<Condition>& conditions,
-                            LinearSystem* equations = nullptr);
 
 // One constraint on the motion: sum_k coefficients[k] a_k + bias = 0 for the accelerations a of the coordinates, and
 // the same without the bias for their velocities.
@@ -80,7 +76,7 @@ std::vector<Scalar> constraint_coefficients(const MomentOf<Scalar>& moment,
 template <class Scalar>
 bool coordinate_turns(const Model<Scalar>& tree, int coordinate);
 
-// Total wrench of one action, about the ground's origin on ground axes, from a solution of solve_motion.
+// Total wrench of one action, about the ground's origin on ground axes, from a solution of the motion equations.
 template <class Scalar>
 SpatialForce<Scalar> action_wrench(const MomentOf<Scalar>& moment, const std::vector<Scalar>& unknowns,
                                    std::size_t action);
