@@ -2,9 +2,11 @@
 # starts (docs/decisions.md), and has the property FLINT_ON_DEMAND. They are linked as usual on other systems, and for
 # the sanitizers.
 function(poinsot_load_flint_on_demand target)
-  set(libraries "${FLINT_ARB_LIBRARY}" "${FLINT_LIBRARY}" "${GMP_LIBRARY}")
+  # Those that others need come first: a library of a prefix of its own is found by the program's path only.
+  set(libraries "${GMP_LIBRARY}" "${FLINT_LIBRARY}" "${FLINT_ARB_LIBRARY}")
   if(NOT CMAKE_SYSTEM_NAME STREQUAL "Linux"
      OR NOT CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64"
+     OR NOT CMAKE_SIZEOF_VOID_P EQUAL 8
      OR NOT CMAKE_NM
      OR NOT CMAKE_READELF
      OR NOT libraries MATCHES "^[^;]+\\.so;[^;]+\\.so;[^;]+\\.so$"
@@ -23,6 +25,8 @@ function(poinsot_load_flint_on_demand target)
     VERBATIM)
   target_sources(${target} PRIVATE poinsot/flint_on_demand.cpp "${list}")
   target_include_directories(${target} PRIVATE "${PROJECT_BINARY_DIR}/flint")
+  # Optimisation of the whole program does not see what stands in assembler.
+  set_source_files_properties(poinsot/flint_on_demand.cpp PROPERTIES COMPILE_OPTIONS -fno-lto)
   # What the functions of that file stand for is not linked.
   target_link_options(${target} PRIVATE -Wl,--as-needed)
   target_link_libraries(${target} PRIVATE ${CMAKE_DL_LIBS})

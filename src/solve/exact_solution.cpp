@@ -58,10 +58,11 @@ ExactSolution solve_exactly(const LinearSystemOf<Expression>& system,
   const std::size_t n = system.unknowns();
   std::vector<Row> rows(system.equations());
   const auto coefficients = system.coefficients();
+  const auto right_sides = system.right_sides();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t k = 0; k < n; ++k)
       if (!coefficients[i][k].is_zero()) rows[i].coefficients[k] = coefficients[i][k];
-    rows[i].right_side = system.right_sides()[i];
+    rows[i].right_side = right_sides[i];
   }
   std::vector<bool> used(rows.size(), false);
   std::vector<Pivot> pivots;

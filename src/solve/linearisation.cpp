@@ -186,16 +186,17 @@ class Lineariser {
   }
   // The derivative at zero by differences of sixth order, and by how much those with other steps differ. Where a
   // displacement by the step h leads far away (a disk lying nearly flat passes through the floor), by shorter ones.
-  // Where the function is a quadratic (accelerations are, in the velocities), one difference is enough: the second
-  // ones that it consists of tell the same.
+  // Where the function is a quadratic (accelerations are, in the velocities) the slopes over the three steps of one
+  // difference agree but for rounding, and one is enough.
   struct Slope {
     VectorXd value, doubt;
+    bool of_quadratic = false;  // shorter steps would only bring more rounding
   };
   template <class Function>
   static Slope slope(Function&& f, double h) {
     constexpr double closely = 1e-8, shorter = 1.0 / 16;
     Slope found = slope_by(f, h);
-    for (int i = 0; i < 3 && !(found.doubt.norm() <= closely * found.value.norm()); ++i) {
+    for (int i = 0; i < 3 && !found.of_quadratic && !(found.doubt.norm() <= closely * found.value.norm()); ++i) {
       h *= shorter;
       Slope other = slope_by(f, h);
       if (!(other.doubt.norm() < found.doubt.norm())) break;
@@ -205,29 +206,41 @@ class Lineariser {
   }
   template <class Function>
   static Slope slope_by(Function&& f, double h) {
-    double size = 0;  // of the values that cancel
-    // Differences of second order with steps of one, two and three times a length.
-    const auto differences = [&](double step) {
+    // No multiples of each other: these would round alike and agree by chance.
+    constexpr std::array<double, 3> ratios{1, 1.618, 2.718};
+    VectorXd sizes = VectorXd::Zero(0);  // of the values that cancel
+    const auto slopes_over = [&](double step) {
       std::array<VectorXd, 3> slopes;
-      for (int k = 0; k < 3; ++k) {
-        const double far = (k + 1) * step;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double far = ratios[k] * step;
         const VectorXd after = f(far), before = f(-far);
-        size = std::max({size, after.norm(), before.norm()});
-        slopes[static_cast<std::size_t>(k)] = (after - before) / (2 * far);
+        const VectorXd largest = after.cwiseAbs().cwiseMax(before.cwiseAbs());
+        sizes = sizes.size() == 0 ? largest : VectorXd(sizes.cwiseMax(largest));
+        slopes[k] = (after - before) / (2 * far);
       }
       return slopes;
     };
-    const auto sixth_order = [](const std::array<VectorXd, 3>& d) -> VectorXd {
-      return 1.5 * d[0] - 0.6 * d[1] + 0.1 * d[2];
+    // Without the terms of third and fifth order.
+    const auto sixth_order = [&](const std::array<VectorXd, 3>& slopes) -> VectorXd {
+      VectorXd sum = VectorXd::Zero(slopes[0].size());
+      for (std::size_t i = 0; i < 3; ++i) {
+        double weight = 1;
+        for (std::size_t k = 0; k < 3; ++k)
+          if (k != i) weight *= ratios[k] * ratios[k] / (ratios[k] * ratios[k] - ratios[i] * ratios[i]);
+        sum += weight * slopes[i];
+      }
+      return sum;
     };
     const auto spread = [](const std::array<VectorXd, 3>& d) -> VectorXd {
       return d[0].cwiseMax(d[1]).cwiseMax(d[2]) - d[0].cwiseMin(d[1]).cwiseMin(d[2]);
     };
-    const std::array<VectorXd, 3> first = differences(h);
-    const VectorXd one = sixth_order(first), apart = spread(first);
-    // The noise of the first counts one and a half times.
-    if (apart.norm() <= 16 * rounding * size / h) return {one, 2 * apart};
-    const std::array<VectorXd, 3> all{one, sixth_order(differences(0.7 * h)), sixth_order(differences(1.3 * h))};
+    const std::array<VectorXd, 3> slopes = slopes_over(h);
+    const VectorXd apart = spread(slopes), noise = rounding / h * sizes;
+    // Solving for accelerations leaves up to some tens of times the rounding of the values. The longest step has least
+    // of it; what a cubic would bring is less than twice what the slopes are apart.
+    if ((apart.array() <= 64 * noise.array()).all()) return {slopes[2], (2 * apart).cwiseMax(noise), true};
+    const std::array<VectorXd, 3> all{sixth_order(slopes), sixth_order(slopes_over(0.7 * h)),
+                                      sixth_order(slopes_over(1.3 * h))};
     return {(all[0] + all[1] + all[2]) / 3, spread(all)};
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 
 namespace poinsot::statement {
 namespace {
@@ -93,7 +94,7 @@ std::string words_of(const Expression& expression, const Problem& problem);
 std::string call_words(const Call& call, const Problem& problem) {
   const auto noun = nouns().find(call.function);
   if (noun == nouns().end() || call.arguments.empty()) return call.function;
-  const std::string& f = call.function;
+  const std::string_view f = call.function;
   const std::string first = words_of(call.arguments[0].value, problem);
   std::string rest;
   for (std::size_t i = 1; i < call.arguments.size(); ++i)

@@ -1,6 +1,7 @@
 #include "statement/explanation_questions.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace poinsot::statement {
 namespace {
@@ -63,7 +64,7 @@ class Collector {
   }
 
   void of_call(const Call& call) {
-    const std::string& f = call.function;
+    const std::string_view f = call.function;
     if (is_motion_feature(call)) {
       found_.motions.insert(home_.situation);
       return;

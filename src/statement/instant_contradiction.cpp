@@ -1,5 +1,6 @@
 // What is told where the equations of an instant contradict each other.
 #include <algorithm>
+#include <string_view>
 
 #include "statement/gimbal_lock.h"
 #include "statement/instant.h"

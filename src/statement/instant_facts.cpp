@@ -1,16 +1,15 @@
 // What is stated about rates, velocities, accelerations and forces, as linear conditions where it is linear.
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
-#include <random>
+#include <optional>
 #include <set>
-#include <stdexcept>
 #include <type_traits>
 
 #include "statement/exact_numbers.h"
 #include "statement/instant.h"
 #include "statement/instant_conditions.h"
+#include "statement/linear_facts.h"
 #include "statement/reader.h"
 #include "statement/scalar_value.h"
 
@@ -24,131 +23,6 @@ State<Scalar> at_rest(const InstantView<Scalar>& view) {
 
 std::string words_of(const Instant& instant, const Fact& fact) {
   return "'" + instant.name + "': " + to_string(fact.quantity);
-}
-
-template <class Scalar>
-using Conditions = std::vector<solve::ConditionOf<Scalar>>;
-
-// Whether conditions, which were taken elsewhere as linear, give these values.
-template <class Scalar, class Values>
-bool foretell(const Conditions<Scalar>& conditions, const std::vector<Scalar>& x, const Values& values) {
-  if (values.size() != conditions.size()) return false;
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    Scalar linear = -conditions[i].value;
-    double size = std::abs(plain(linear));
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      linear += conditions[i].coefficients[k] * x[k];
-      size += std::abs(plain(conditions[i].coefficients[k]) * plain(x[k]));
-    }
-    const double value = plain(values[i].value);
-    if (!(std::abs(value - plain(linear)) <= 1e-9 * (size + std::abs(value)))) return false;
-  }
-  return true;
-}
-
-// Whether values change by more than their rounding lets one see.
-template <class Values>
-bool notice(const Values& from, const Values& to) {
-  constexpr double seen = 1e-6;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const double base = plain(from[i].value), change = plain(to[i].value) - base;
-    if (!(std::abs(change) >= seen * std::abs(base))) return false;
-  }
-  return true;
-}
-
-// The places at which facts are tried for being linear in n unknowns, by number: zero; far ones on both sides (a size
-// may look linear on one) and ever further (what is stated must not drown the unknowns); one in each unknown. All facts
-// are tried at the same.
-template <class Scalar>
-class ProbePlaces {
- public:
-  explicit ProbePlaces(std::size_t unknowns) : n_(unknowns) {}
-  static constexpr std::size_t zero = 0, reaches = 4;
-  static std::size_t far(std::size_t side, std::size_t reach) { return 1 + side * reaches + reach; }
-  static std::size_t one(std::size_t unknown) { return far(2, unknown); }
-
-  std::size_t unknowns() const { return n_; }
-  std::vector<Scalar> operator[](std::size_t place) const {
-    std::vector<Scalar> x(n_, Scalar(0));
-    if (place >= one(0)) {
-      x[place - one(0)] = Scalar(1);
-    } else if (place > zero) {
-      const std::size_t side = (place - 1) / reaches, reach = (place - 1) % reaches;
-      std::minstd_rand random(static_cast<unsigned>(7 + place));
-      std::uniform_real_distribution<double> part(0.5, 1.5);
-      for (Scalar& each : x)
-        each = Scalar((side == 0 ? 1 : -1) * std::pow(1e4, static_cast<double>(reach)) * part(random));
-    }
-    return x;
-  }
-
- private:
-  std::size_t n_;
-};
-
-// What quantities are at the places, made once for all facts.
-template <class Scope>
-class ScopesAtPlaces {
- public:
-  template <class Make>
-  Scope& at(std::size_t place, const Make& make) {
-    std::unique_ptr<Scope>& scope = scopes_[place];
-    if (!scope) scope = make();
-    return *scope;
-  }
-
- private:
-  std::map<std::size_t, std::unique_ptr<Scope>> scopes_;
-};
-
-// A fact as linear conditions on the unknowns, from the differences values(place) that it demands to vanish and, around
-// zero, slopes(k, values there) in unknown k. Nothing if it is not linear: nobody knows then which of several solutions
-// is meant.
-template <class Scalar, class ValuesAt, class Slopes>
-std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales,
-                                            const ProbePlaces<Scalar>& places, const ValuesAt& values,
-                                            const Slopes& slopes) {
-  using Places = ProbePlaces<Scalar>;
-  const std::size_t n = places.unknowns();
-  try {
-    const std::vector<Difference<Scalar>> base = values(Places::zero);
-    Conditions<Scalar> conditions;
-    for (const Difference<Scalar>& difference : base)
-      conditions.push_back(
-          {words, std::vector<Scalar>(n), -difference.value, natural_unit(scales, difference.dimension)});
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::vector<Scalar> column = slopes(k, base);
-      if (column.size() != conditions.size()) return std::nullopt;
-      for (std::size_t i = 0; i < column.size(); ++i) conditions[i].coefficients[k] = column[i];
-    }
-    for (const std::size_t side : {0, 1})
-      for (std::size_t reach = 0; reach < Places::reaches; ++reach) {
-        const std::size_t place = Places::far(side, reach);
-        const std::vector<Difference<Scalar>> there = values(place);
-        if (!foretell(conditions, places[place], there)) return std::nullopt;
-        if (notice(base, there)) break;
-      }
-    return conditions;
-  } catch (const StatementError&) {
-    // What has no value at rest, such as a direction, is not linear. Mistakes are reported at the solution.
-  } catch (const std::domain_error&) {
-  }
-  return std::nullopt;
-}
-
-// The same with slopes from the step to one, exact for what is linear.
-template <class Scalar, class ValuesAt>
-std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales,
-                                            const ProbePlaces<Scalar>& places, const ValuesAt& values) {
-  return as_linear<Scalar>(words, scales, places, values,
-                           [&](std::size_t k, const std::vector<Difference<Scalar>>& base) {
-                             std::vector<Scalar> slopes;
-                             const std::vector<Difference<Scalar>> there = values(ProbePlaces<Scalar>::one(k));
-                             for (std::size_t i = 0; i < std::min(there.size(), base.size()); ++i)
-                               slopes.push_back(there[i].value - base[i].value);
-                             return slopes;
-                           });
 }
 
 // Whether impulses are asked for, by themselves or under a name.
@@ -255,22 +129,22 @@ FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std
     scope->set_elsewhere([&](const At& past, const Mark& mark) { return lifted<Varied>(earlier(past, mark)); });
     return scope;
   };
-  ScopesAtPlaces<QuantityScope<Varied, Scalar>> at_velocities, varied_at_rest;
+  using Scopes = NumberedScopes<QuantityScope<Varied, Scalar>>;
+  Scopes at_places([&](std::size_t place) { return scope_at_velocities(velocities[place], std::nullopt); });
+  Scopes varied_at_rest(
+      [&](std::size_t coordinate) { return scope_at_velocities(velocities[ProbePlaces<Scalar>::zero], coordinate); });
   const auto linear_in_velocities = [&](const Instant& instant, const Fact& fact) {
     return as_linear<Scalar>(
         words_of(instant, fact), view.scales, velocities,
         [&](std::size_t place) {
-          auto& scope = at_velocities.at(place, [&] { return scope_at_velocities(velocities[place], std::nullopt); });
           std::vector<Difference<Scalar>> values;
-          for (const Difference<Varied>& difference : differences(fact, scope, view.problem.file))
+          for (const Difference<Varied>& difference : differences(fact, at_places[place], view.problem.file))
             values.push_back({difference.value.value, difference.dimension});
           return values;
         },
         [&](std::size_t k, const std::vector<Difference<Scalar>>&) {
-          auto& scope =
-              varied_at_rest.at(k, [&] { return scope_at_velocities(velocities[ProbePlaces<Scalar>::zero], k); });
           std::vector<Scalar> slopes;
-          for (const Difference<Varied>& difference : differences(fact, scope, view.problem.file))
+          for (const Difference<Varied>& difference : differences(fact, varied_at_rest[k], view.problem.file))
             slopes.push_back(difference.value.partial[0]);
           return slopes;
         });

@@ -63,4 +63,41 @@ void SolvedInstant::solve_motion_equations(const std::vector<const Fact*>& nonli
   moment_->set_accelerations(std::vector<double>(unknowns_.begin(), unknowns_.begin() + n));
 }
 
+std::vector<std::string> SolvedInstant::unphysical() const {
+  std::vector<std::string> found;
+  const Mechanism<double>& mechanism = machine_.mechanism;
+  const std::size_t first = solve::force_unknowns(mechanism).accelerations;
+  // A force that is small beside all others on the body that it holds is rounding.
+  const auto on_body = [&](int body, std::size_t without) {
+    if (body == ground) return 0.0;
+    double size = mechanism.tree.body(body).inertia.mass * norm(mechanism.tree.gravity());
+    for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
+      const Action& action = mechanism.actions[i];
+      if (i == without || (action.on != body && action.from != body)) continue;
+      size = std::max(size, norm(solve::action_wrench(*moment_, unknowns_, i).force));
+    }
+    return size;
+  };
+  for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
+    const Component<double>& component = mechanism.components[k];
+    const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
+    if (!component.one_sided) continue;
+    if (unknowns_[first + k] >= 0) continue;
+    const auto own = static_cast<std::size_t>(component.action);
+    const double on = on_body(action.on, own), from = on_body(action.from, own);
+    const double beside = on > 0 && from > 0 ? std::min(on, from) : std::max(on, from);
+    // Alone on its body, it is what the motion needs; or rounding, where nothing moves.
+    double mass = scales_.mass;
+    for (const int body : {action.on, action.from})
+      if (body != ground && mechanism.tree.body(body).inertia.mass > 0)
+        mass = std::min(mass, mechanism.tree.body(body).inertia.mass);
+    const double rounding = 1e-13 * natural_unit(dimensions::force) * mass / scales_.mass;
+    if (unknowns_[first + k] >= -std::max(1e-9 * beside, rounding)) continue;
+    found.push_back(action.kind == ActionKind::cord
+                        ? "the cord '" + action.name + "' would have to push: it goes slack"
+                        : "the contact '" + action.name + "' would have to pull: it is lost");
+  }
+  return found;
+}
+
 }  // namespace poinsot::statement

@@ -202,9 +202,11 @@ Value<Scalar> QuantityScope<Scalar, Base>::name(const Name& name, const Mark& ma
     if (std::find(pending_.begin(), pending_.end(), name.name) != pending_.end())
       evaluator.fail(mark, "'" + name.name + "' is defined by itself");
     pending_.push_back(name.name);
-    Result value = evaluator(defined->value);
-    pending_.pop_back();
-    return value;
+    const struct Removed {
+      std::vector<std::string>& list;
+      ~Removed() { list.pop_back(); }
+    } removed{pending_};
+    return evaluator(defined->value);
   }
   if (name.primes > 0 && data_.knows(name.name))
     evaluator.fail(mark, "'" + name.name + "' is a datum, no coordinate: it has no rate",

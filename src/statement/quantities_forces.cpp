@@ -1,5 +1,6 @@
 // Forces, couples, reactions, drives and impulses.
 #include <algorithm>
+#include <string_view>
 
 #include "statement/exact_numbers.h"
 #include "statement/quantities.h"
@@ -18,7 +19,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
                    "state impulses:, impacts: or strikes:, and ask it after the blow");
   if (!sudden && (!moment_ || !unknowns_))
     evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known of the velocities");
-  const std::string& f = call.function;
+  const std::string_view f = call.function;
   const Mechanism<Base>& mechanism = machine_.mechanism;
   const Expression& what = call.arguments[0].value;
   std::string name, joint;
@@ -67,7 +68,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     std::string all;
     for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
     const std::string hint = did_you_mean(name, known);
-    evaluator.fail(name_mark, "nothing named '" + name + "' has a " + f,
+    evaluator.fail(name_mark, "nothing named '" + name + "' has a " + call.function,
                    hint.empty() ? (all.empty() ? "" : "known: " + all) : hint);
   }
   // One name for two supports of different joints must say which.

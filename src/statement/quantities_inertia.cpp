@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <type_traits>
 
 #include "poinsot/mass/composition.h"
@@ -94,7 +95,7 @@ Vector3<Formula> principal_moments(const SymmetricMatrix3<Formula>& I) {
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark& mark,
                                                    const Evaluator<Scalar>& evaluator) {
-  const std::string& f = call.function;
+  const std::string_view f = call.function;
   const Expression& what = call.arguments[0].value;
   const int body = body_of(what, evaluator, true);
   if (body == ground) evaluator.fail(what.mark(), "the ground has no inertia");
@@ -134,7 +135,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
       items.push_back(vector_value(axes_ * principal.axes.column(k), dimensions::none));
     return Result::of_list(std::move(items));
   } else {
-    evaluator.fail(mark, f + " cannot stand inside rate()");
+    evaluator.fail(mark, call.function + " cannot stand inside rate()");
   }
 }
 
@@ -147,7 +148,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
     evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known of the velocities");
   } else {
     using std::atan2;
-    const std::string& f = call.function;
+    const std::string_view f = call.function;
     const Expression& what = call.arguments[0].value;
     const int body = body_of(what, evaluator);
     if (is_frame(body)) evaluator.fail(what.mark(), "'" + to_string(what) + "' is no body");
@@ -165,7 +166,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
       if constexpr (std::is_same_v<Scalar, double>)
         return poinsot_construction(call, mark, evaluator, body, H, w);
       else
-        throw NoFormula(f + "() is found by numbers");
+        throw NoFormula(call.function + "() is found by numbers");
     }
     const Revolution<Scalar> revolution = revolution_of(current_mass(body).inertia_center);
     if (revolution.symmetry != InertiaSymmetry::axisymmetric)
@@ -205,7 +206,7 @@ template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::poinsot_construction(const Call& call, const Mark& mark,
                                                                 const Evaluator<Scalar>& evaluator, int body,
                                                                 const Vector& H, const Vector& w) {
-  const std::string& f = call.function;
+  const std::string_view f = call.function;
   const PrincipalAxes<double> principal = principal_axes(current_mass(body).inertia_center, 1e-9);
   const Vector3<double>& I = principal.moments;
   const auto equal = [&](std::size_t a, std::size_t b) { return std::abs(I[a] - I[b]) <= 1e-9 * I[2]; };

@@ -1,5 +1,6 @@
 // Positions, velocities and accelerations, distances and directions.
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "statement/exact_numbers.h"

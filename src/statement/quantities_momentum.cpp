@@ -1,4 +1,6 @@
 // Mass, weight, momenta and energies.
+#include <string_view>
+
 #include "statement/exact_numbers.h"
 #include "statement/quantities.h"
 #include "statement/quantity_values.h"
@@ -8,10 +10,10 @@ namespace poinsot::statement {
 
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Evaluator<Scalar>& evaluator) {
-  const std::string& f = call.function;
+  const std::string_view f = call.function;
   const Expression& what = call.arguments[0].value;
   const int body = body_of(what, evaluator, true);
-  if (body == ground) evaluator.fail(what.mark(), "the ground has no " + f);
+  if (body == ground) evaluator.fail(what.mark(), "the ground has no " + call.function);
   const bool all = body == whole_system;
   // What particles that fly add to the system.
   Scalar flying_mass(0), flying_energy(0), flying_height(0);

@@ -1,6 +1,7 @@
 #include "statement/watched_values.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace poinsot::statement {
 namespace {
@@ -21,7 +22,7 @@ class Watch {
     }
   }
   void operator()(const Call& call) {
-    const std::string& f = call.function;
+    const std::string_view f = call.function;
     if (is_motion_feature(call)) return;
     if (f == "min" || f == "max") {
       for (const Argument& argument : call.arguments)

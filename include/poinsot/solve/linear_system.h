@@ -33,7 +33,7 @@ struct LinearSolution {
 template <class Scalar>
 class LinearSystemOf {
  public:
-  // The parts of a name follow one another.
+  // The parts of a name follow one another; they are not to be names of this system.
   std::size_t add_unknown(std::initializer_list<std::string_view> name, double scale = 1);
   std::size_t add_unknown(std::string_view name, double scale = 1) { return add_unknown({name}, scale); }
   std::size_t add_equation(std::initializer_list<std::string_view> words, double scale = 1);
@@ -46,6 +46,7 @@ class LinearSystemOf {
 
   std::size_t unknowns() const { return unknowns_.size(); }
   std::size_t equations() const { return equations_.size(); }
+  // Good until something is added.
   std::string_view name(std::size_t unknown) const { return text_of(unknowns_[unknown].name); }
   std::string_view words(std::size_t equation) const { return text_of(equations_[equation].words); }
   // a_ij as added, row by row, and b_i.
