@@ -3,9 +3,9 @@
 // Usage: bench_closed_forms [options of Google Benchmark].
 #include <benchmark/benchmark.h>
 
-#include "poinsot/math/elliptic_functions.h"
-#include "poinsot/motion/symmetric_top.h"
-#include "poinsot/motion/torque_free.h"
+#include "poinsot/engine/math/elliptic/elliptic_functions.h"
+#include "poinsot/engine/motion/closed_form/symmetric_top.h"
+#include "poinsot/engine/motion/closed_form/torque_free.h"
 
 namespace poinsot {
 namespace {

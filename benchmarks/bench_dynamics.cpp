@@ -11,10 +11,10 @@
 #include <cmath>
 
 #include "peer.h"
-#include "poinsot/dynamics/forward_dynamics.h"
-#include "poinsot/dynamics/inverse_dynamics.h"
-#include "poinsot/dynamics/mass_matrix.h"
-#include "poinsot/math/pack.h"
+#include "poinsot/engine/dynamics/forward_dynamics.h"
+#include "poinsot/engine/dynamics/inverse_dynamics.h"
+#include "poinsot/engine/dynamics/mass_matrix.h"
+#include "poinsot/engine/math/algebra/pack.h"
 
 namespace poinsot::bench {
 namespace {

@@ -16,8 +16,8 @@
 #include <nlohmann/json.hpp>
 
 #include "models.h"
-#include "poinsot/dynamics/equations_of_motion.h"
-#include "poinsot/math/straight_line_text.h"
+#include "poinsot/engine/dynamics/equations_of_motion.h"
+#include "poinsot/engine/math/trace/straight_line_text.h"
 
 namespace poinsot::bench {
 namespace {

@@ -13,8 +13,8 @@
 #include <span>
 
 #include "integration_case.h"
-#include "poinsot/math/pack.h"
-#include "poinsot/model/builder.h"
+#include "poinsot/engine/math/algebra/pack.h"
+#include "poinsot/engine/model/builder.h"
 
 namespace poinsot::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "poinsot/motion/rotation.h"
+#include "poinsot/engine/motion/rotation/rotation.h"
 
 namespace poinsot::bench {
 

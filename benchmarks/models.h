@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "poinsot/model/builder.h"
-#include "poinsot/model/state.h"
+#include "poinsot/engine/model/builder.h"
+#include "poinsot/engine/model/state.h"
 
 namespace poinsot::bench {
 

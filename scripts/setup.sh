@@ -5,7 +5,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 build_packages=(g++ cmake ninja-build ccache libeigen3-dev libboost-dev libyaml-cpp-dev nlohmann-json3-dev libfmt-dev
-  libflint-dev libflint-arb-dev libcli11-dev libhdf5-dev libgtest-dev librapidcheck-dev python3 python3-jsonschema)
+  libflint-dev libflint-arb-dev libcli11-dev libhdf5-dev libgtest-dev python3 python3-jsonschema)
 bench_packages=(libbenchmark-dev libsundials-dev python3-venv python3-sympy)
 tidy_packages=(clang-format clang-tidy)
 fuzz_packages=(clang libclang-rt-14-dev)

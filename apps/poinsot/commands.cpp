@@ -6,22 +6,22 @@
 #include <algorithm>
 #include <set>
 
+#include "document/document.h"
+#include "document/explanation_markdown.h"
+#include "document/json.h"
+#include "document/schema.h"
+#include "document/terminal.h"
 #include "exit_codes.h"
-#include "poinsot/answer/document.h"
-#include "poinsot/answer/explanation_markdown.h"
-#include "poinsot/answer/json.h"
-#include "poinsot/answer/schema.h"
-#include "poinsot/answer/terminal.h"
-#include "poinsot/statement/diagnostic.h"
+#include "problem/language/diagnostic.h"
 #include "streams.h"
 
 namespace {
 
-using poinsot::answer::Answer;
-using poinsot::answer::AnswerState;
-using poinsot::answer::CheckResult;
-using poinsot::answer::Document;
-using poinsot::answer::Solution;
+using poinsot::document::Answer;
+using poinsot::document::AnswerState;
+using poinsot::document::CheckResult;
+using poinsot::document::Document;
+using poinsot::document::Solution;
 
 std::string why_unanswered(const Answer& answer) {
   switch (answer.state) {
@@ -65,12 +65,12 @@ void report_unanswered(const std::string& file, const Document& document, bool i
 }  // namespace
 
 int solve(const SolveArguments& arguments) {
-  const poinsot::answer::TerminalStyle style{.color = wants_color()};
+  const poinsot::document::TerminalStyle style{.color = wants_color()};
   int code = exit_answered;
   bool first = true;
   for (const std::string& file : arguments.files) {
     try {
-      const Document document = poinsot::answer::run_file(file, arguments.run);
+      const Document document = poinsot::document::run_file(file, arguments.run);
       std::string text;
       if (arguments.json) {
         text = to_json(document) + "\n";
@@ -84,7 +84,7 @@ int solve(const SolveArguments& arguments) {
       if (!answered) code = std::max(code, exit_unanswered);
       if (!write_answer(text)) return code;
       if (!answered) report_unanswered(file, document, arguments.json);
-    } catch (const poinsot::statement::StatementError& error) {
+    } catch (const poinsot::problem::StatementError& error) {
       write_message(error.what());
       code = std::max(code, exit_wrong_input);
     } catch (const OutputError&) {
@@ -98,7 +98,7 @@ int solve(const SolveArguments& arguments) {
 }
 
 int check(const std::vector<std::string>& paths) {
-  const std::vector<CheckResult> results = poinsot::answer::check_paths(paths);
+  const std::vector<CheckResult> results = poinsot::document::check_paths(paths);
   std::string text;
   std::size_t failed = 0;
   for (const CheckResult& result : results) {
@@ -121,7 +121,7 @@ int check(const std::vector<std::string>& paths) {
 }
 
 int schema(bool of_answer) {
-  const std::string text = of_answer ? poinsot::answer::answer_schema() : poinsot::answer::problem_schema();
+  const std::string text = of_answer ? poinsot::document::answer_schema() : poinsot::document::problem_schema();
   static_cast<void>(write_answer(text));
   return exit_answered;
 }

@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "poinsot/answer/recording.h"
-#include "poinsot/answer/run.h"
+#include "document/recording.h"
+#include "document/run.h"
 
 struct SolveArguments {
   std::vector<std::string> files;
-  poinsot::answer::RunOptions run;
+  poinsot::document::RunOptions run;
   bool json = false;
 };
 

@@ -1,5 +1,5 @@
 // poinsot equations.
-#include "poinsot/statement/equations.h"
+#include "problem/equations/equations.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,14 +14,14 @@
 
 #include "commands.h"
 #include "exit_codes.h"
-#include "poinsot/statement/diagnostic.h"
-#include "poinsot/statement/tree.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/tree.h"
 #include "streams.h"
 
 namespace {
 
 using poinsot::TextForm;
-using poinsot::statement::EquationPart;
+using poinsot::problem::EquationPart;
 
 constexpr std::array<std::pair<const char*, TextForm>, 6> forms{{{"text", TextForm::plain},
                                                                  {"tex", TextForm::tex},
@@ -50,7 +50,7 @@ auto chosen(const Table& table, const std::string& option, const std::string& wo
     if (name == word) return value;
     known.emplace_back(name);
   }
-  const std::string hint = poinsot::statement::did_you_mean(word, known);
+  const std::string hint = poinsot::problem::did_you_mean(word, known);
   throw WordError(fmt::format("{} knows no '{}': expected {}{}", option, word, fmt::join(known, ", "),
                               hint.empty() ? "" : " (" + hint + ")"));
 }
@@ -63,7 +63,7 @@ bool write_file(const std::string& path, const std::string& text) {
 }  // namespace
 
 int equations(const EquationsArguments& arguments) {
-  using namespace poinsot::statement;
+  using namespace poinsot::problem;
   EquationsOptions options;
   try {
     options.form = chosen(forms, "--form", arguments.form);

@@ -8,7 +8,7 @@
 
 #include "commands.h"
 #include "exit_codes.h"
-#include "poinsot/statement/diagnostic.h"
+#include "problem/language/diagnostic.h"
 #include "streams.h"
 
 namespace {
@@ -32,12 +32,12 @@ std::string stray_message(const std::string& word, const CLI::App& program) {
     }
     const std::string message = chosen.empty() ? fmt::format("unknown option '{}'", option)
                                                : fmt::format("unknown option '{}' of {}", option, command.get_name());
-    const std::string hint = poinsot::statement::did_you_mean(option, candidates);
+    const std::string hint = poinsot::problem::did_you_mean(option, candidates);
     return hint.empty() ? message : fmt::format("{} ({})", message, hint);
   }
   if (!chosen.empty()) return fmt::format("{} takes no '{}'", command.get_name(), word);
   for (const CLI::App* known : program.get_subcommands({})) candidates.push_back(known->get_name());
-  const std::string hint = poinsot::statement::did_you_mean(word, candidates);
+  const std::string hint = poinsot::problem::did_you_mean(word, candidates);
   const std::string message =
       fmt::format("unknown command '{}': expected one of {}", word, fmt::join(candidates, ", "));
   return hint.empty() ? message : fmt::format("{} ({})", message, hint);
@@ -159,7 +159,7 @@ int main(int argument_count, char** arguments) {
   prepare_streams();
   try {
     return run(argument_count, arguments);
-  } catch (const poinsot::statement::StatementError& error) {
+  } catch (const poinsot::problem::StatementError& error) {
     write_message(error.what());
     return exit_wrong_input;
   } catch (const OutputError& error) {

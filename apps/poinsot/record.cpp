@@ -13,9 +13,9 @@
 
 namespace {
 
-using poinsot::answer::Recording;
-using poinsot::answer::RecordingError;
-using poinsot::answer::RecordingProgress;
+using poinsot::document::Recording;
+using poinsot::document::RecordingError;
+using poinsot::document::RecordingProgress;
 using Clock = std::chrono::steady_clock;
 
 std::string duration(double seconds) {
@@ -74,13 +74,13 @@ std::string summary(const Recording& recording) {
 
 int record(const RecordArguments& arguments) {
   ProgressLine line;
-  poinsot::answer::RecordOptions options;
+  poinsot::document::RecordOptions options;
   options.sets = arguments.sets;
   options.begun = catch_interrupts;
   options.interrupted = interrupted;
   options.progress = [&](const RecordingProgress& progress) { line.show(progress); };
   try {
-    const Recording recording = poinsot::answer::record_file(arguments.file, arguments.output, options);
+    const Recording recording = poinsot::document::record_file(arguments.file, arguments.output, options);
     line.erase();
     static_cast<void>(write_answer(summary(recording)));
     if (recording.complete) return exit_answered;

@@ -16,7 +16,7 @@ import unittest
 import jsonschema
 
 PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
-GOLDEN = SOURCE / "tests" / "answer" / "golden"
+GOLDEN = SOURCE / "tests" / "document" / "golden"
 EXAMPLES = sorted((SOURCE / "examples" / "textbook").glob("*.yaml"))
 
 

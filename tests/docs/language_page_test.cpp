@@ -14,23 +14,23 @@
 #include <vector>
 
 #include "docs/fenced_blocks.h"
-#include "poinsot/answer/run.h"
-#include "poinsot/answer/terminal.h"
-#include "poinsot/statement/evaluate.h"
-#include "poinsot/statement/keys.h"
-#include "poinsot/statement/solve_statement.h"
-#include "poinsot/statement/tree.h"
-#include "statement/failure.h"
-#include "statement/quantities.h"
-#include "statement/unit_table.h"
+#include "document/run.h"
+#include "document/terminal.h"
+#include "problem/answers/solve_statement.h"
+#include "problem/entries/keys.h"
+#include "problem/language/evaluate.h"
+#include "problem/language/failure.h"
+#include "problem/language/tree.h"
+#include "problem/language/unit_table.h"
+#include "problem/quantities/quantities.h"
 
 namespace poinsot {
 namespace {
 
 namespace fs = std::filesystem;
-using statement::Entry;
-using statement::KeyType;
-using statement::LanguageKey;
+using problem::Entry;
+using problem::KeyType;
+using problem::LanguageKey;
 
 constexpr const char* language_page = "docs/language.md";
 
@@ -74,7 +74,7 @@ TEST(Manual, ExamplesGiveTheAnswersThatTheyExpect) {
     const Folder folder;
     for (const FencedBlock& block : fenced_blocks(example.page))
       if (!block.name.empty() && block.kind != "yaml") folder.write(block.name, block.text);
-    const auto results = answer::check_paths({folder.write("example.yaml", example.block.text)});
+    const auto results = document::check_paths({folder.write("example.yaml", example.block.text)});
     ASSERT_EQ(results.size(), 1U);
     for (const std::string& failure : results.front().failures) ADD_FAILURE() << place(example) << ": " << failure;
     ++count;
@@ -88,7 +88,7 @@ using KeySet = std::set<std::pair<std::string, std::string>>;
 void collect_keys(const Entry& entry, const std::vector<std::string>& objects, KeySet& keys) {
   for (const auto& [key, value] : entry.members) {
     for (const std::string& object : objects) {
-      const LanguageKey* known = statement::find_key(object, key.text);
+      const LanguageKey* known = problem::find_key(object, key.text);
       if (!known) continue;
       keys.emplace(object, key.text);
       const auto objects_of = [](const LanguageKey& owner) {
@@ -113,8 +113,8 @@ TEST(LanguagePage, EveryKeyStandsInAnExample) {
   KeySet used;
   for (const Example& example : examples())
     if (example.page == language_page)
-      collect_keys(statement::read_tree(example.block.text, place(example)), {"problem"}, used);
-  for (const LanguageKey& key : statement::language_keys())
+      collect_keys(problem::read_tree(example.block.text, place(example)), {"problem"}, used);
+  for (const LanguageKey& key : problem::language_keys())
     EXPECT_TRUE(used.contains({std::string(key.object), std::string(key.key)}))
         << "the key '" << key.key << "' of a " << key.object;
 }
@@ -126,8 +126,8 @@ TEST(LanguagePage, EveryFunctionStandsInAnExampleAndInTheText) {
   for (const FencedBlock& block : fenced_blocks(language_page))
     if (const std::size_t at = prose.find(block.text); at != std::string::npos) prose.erase(at, block.text.size());
   std::vector<std::string> names;
-  for (const auto& function : statement::quantity_functions()) names.push_back(function.name);
-  for (const auto& function : statement::mathematical_functions()) names.push_back(function.name);
+  for (const auto& function : problem::quantity_functions()) names.push_back(function.name);
+  for (const auto& function : problem::mathematical_functions()) names.push_back(function.name);
   ASSERT_GT(names.size(), 40U);
   for (const std::string& name : names) {
     const std::regex call("\\b" + name + "\\(");
@@ -144,7 +144,7 @@ TEST(LanguagePage, EveryUnitIsListed) {
   const std::string list = page.substr(begin, end - begin);
   const std::regex word("[^\\s`,]+");
   for (std::sregex_iterator it(list.begin(), list.end(), word), none; it != none; ++it) listed.insert(it->str());
-  for (const statement::NamedUnit& unit : statement::unit_table())
+  for (const problem::NamedUnit& unit : problem::unit_table())
     EXPECT_TRUE(listed.contains(std::string(unit.name))) << unit.name;
 }
 
@@ -159,7 +159,7 @@ TEST(LanguagePage, WordsThatCannotBeNamesAreListed) {
   int count = 0;
   for (std::string word; words >> word; ++count) {
     const std::string text = "title: t\ngiven: {" + word + ": 1 m}\nask: {a: system}\n";
-    EXPECT_EQ(statement::failure_of([&] { statement::read_statement(text, "f"); }),
+    EXPECT_EQ(problem::failure_of([&] { problem::read_statement(text, "f"); }),
               "f:2:9: error: '" + word + "' is a word of the language and cannot be a name (choose another name)");
   }
   EXPECT_GT(count, 10);
@@ -183,8 +183,8 @@ TEST(LanguagePage, ShowsMessagesOfTheProgram) {
     if (block.kind == "text" && block.text.find("error:") != std::string::npos) shown += block.text;
   std::string found;
   for (const std::string& text : wrong)
-    found += statement::failure_of(
-                 [&] { statement::solve_statement(statement::read_statement("title: t\n" + text, "x.yaml"), {}); }) +
+    found += problem::failure_of(
+                 [&] { problem::solve_statement(problem::read_statement("title: t\n" + text, "x.yaml"), {}); }) +
              "\n";
   EXPECT_EQ(shown, found);
 }
@@ -211,7 +211,7 @@ TEST(LanguagePage, ShowsReasonsOfTheProgram) {
   const Folder folder;
   for (const auto& [text, reason] : cases) {
     EXPECT_NE(page.find(reason), std::string::npos) << reason;
-    const answer::Document document = answer::run_file(folder.write("reason.yaml", bar + text), {});
+    const document::Document document = document::run_file(folder.write("reason.yaml", bar + text), {});
     const std::string& found = document.solutions.at(0).answers.at(0).reason;
     EXPECT_NE(found.find(reason), std::string::npos) << text << "gives: " << found;
   }

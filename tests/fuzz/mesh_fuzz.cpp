@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "poinsot/mass/mesh_reader.h"
+#include "poinsot/engine/mass/mesh_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "poinsot/statement/problem.h"
-#include "poinsot/statement/solve_statement.h"
+#include "problem/answers/solve_statement.h"
+#include "problem/entries/statement.h"
 
-using namespace poinsot::statement;
+using namespace poinsot::problem;
 
 namespace {
 
@@ -18,7 +18,7 @@ constexpr std::size_t most_bytes = 3000, most_bodies = 6, most_stages = 0, most_
 bool small_enough(const Statement& statement) {
   if (statement.situations.size() > 3 || statement.asks.size() > 12) return false;
   for (const Situation& situation : statement.situations) {
-    const Problem& problem = situation.problem;
+    const Situation& problem = situation;
     if (problem.bodies.size() + problem.frames.size() > most_bodies || problem.joints.size() > 2 * most_bodies)
       return false;
     if (problem.find.size() > most_unknowns || !problem.choose.empty()) return false;

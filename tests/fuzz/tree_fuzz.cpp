@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "poinsot/statement/expression.h"
-#include "poinsot/statement/tree.h"
+#include "problem/language/expression.h"
+#include "problem/language/tree.h"
 
-using namespace poinsot::statement;
+using namespace poinsot::problem;
 
 namespace {
 

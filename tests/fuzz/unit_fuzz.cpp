@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "poinsot/statement/units.h"
+#include "problem/language/units.h"
 
-using namespace poinsot::statement;
+using namespace poinsot::problem;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);

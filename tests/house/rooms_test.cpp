@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -19,18 +20,52 @@ namespace fs = std::filesystem;
 
 using Lines = std::vector<std::string>;
 
-const Lines rooms{"math", "mass", "model", "dynamics", "motion", "solve", "statement", "answer"};
-constexpr std::size_t rooms_of_engine = 6;
+// The house from the ground up: each room may use those before it. A floor is the first part of a room's name.
+const Lines rooms{"engine/math/algebra",
+                  "engine/math/elliptic",
+                  "engine/math/formula",
+                  "engine/math/trace",
+                  "engine/mass",
+                  "engine/model",
+                  "engine/dynamics",
+                  "engine/motion/integrator",
+                  "engine/motion/closed_form",
+                  "engine/motion/rotation",
+                  "engine/motion/mechanism",
+                  "engine/solve/linear",
+                  "engine/solve/instant",
+                  "engine/solve/stability",
+                  "engine/solve/roots",
+                  "problem/language",
+                  "problem/entries",
+                  "problem/machine",
+                  "problem/quantities",
+                  "problem/results",
+                  "problem/instant",
+                  "problem/course",
+                  "problem/unknowns",
+                  "problem/formulas",
+                  "problem/claims",
+                  "problem/answers",
+                  "problem/equations",
+                  "problem/explanation",
+                  "document"};
+constexpr std::size_t most_files = 40;  // in one folder: more than a newcomer takes in
 
 std::size_t place_of(const std::string& room) {
   return static_cast<std::size_t>(std::ranges::find(rooms, room) - rooms.begin());
 }
 
-// The room of a project header as an include names it ("poinsot/mass/shapes.h", "mass/shape_check.h"), or "".
+bool is_room(const std::string& folder) { return place_of(folder) < rooms.size(); }
+
+bool is_engine(const std::string& room) { return room.starts_with("engine/"); }
+
+// The folder of a project header as an include names it ("poinsot/engine/mass/shapes.h", "problem/language/units.h"),
+// or "" for a header of another library or one that stands on top of the house ("poinsot/problem.h").
 std::string room_of(const std::string& include) {
   std::smatch match;
-  static const std::regex form("(?:poinsot/)?([a-z]+)/.*");
-  return std::regex_match(include, match, form) && place_of(match[1]) < rooms.size() ? match[1].str() : "";
+  static const std::regex form("(?:poinsot/)?((?:engine|problem|document)(?:/[a-z_]+)*)/[a-z_0-9]+\\.(?:h|inc)");
+  return std::regex_match(include, match, form) ? match[1].str() : "";
 }
 
 bool of_standard_library(const std::string& include) {
@@ -41,7 +76,6 @@ bool of_standard_library(const std::string& include) {
 // What breaks the rules in the source of a file, headed by the file's name and the line.
 Lines breaches(const std::string& file, const std::string& room, bool is_public, const std::string& source) {
   static const std::regex directive(R"re(\s*#\s*include\s*([<"])([^>"]*)[>"].*)re");
-  const bool engine = place_of(room) < rooms_of_engine;
   Lines found;
   std::istringstream lines(source);
   std::string line;
@@ -53,33 +87,45 @@ Lines breaches(const std::string& file, const std::string& room, bool is_public,
     const auto breach = [&](const std::string& rule) {
       found.push_back(fmt::format("{}:{}: {} {}", file, number, include, rule));
     };
-    if (!used.empty() && place_of(used) > place_of(room)) {
+    if (!used.empty() && !is_room(used)) {
+      breach("is of no room of the house");
+    } else if (!used.empty() && place_of(used) > place_of(room)) {
       breach(fmt::format("is of {}, which comes after {}", used, room));
     } else if (is_public && match[1] == "\"" && !include.starts_with("poinsot/")) {
       breach("is no public header, and stands in one");
-    } else if (is_public && engine && match[1] == "<" && !of_standard_library(include)) {
+    } else if (is_public && is_engine(room) && match[1] == "<" && !of_standard_library(include)) {
       breach("is of another library, in a public header of the engine");
     }
   }
   return found;
 }
 
-// Breaches in all files below a folder that holds one folder for each room.
-Lines breaches_below(const fs::path& folder, bool is_public, std::size_t& files) {
+// Files by the folder, relative to `root`, in which they stand.
+std::map<std::string, std::vector<fs::path>> files_by_folder(const fs::path& root) {
+  std::map<std::string, std::vector<fs::path>> folders;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root))
+    if (entry.is_regular_file())
+      folders[fs::relative(entry.path().parent_path(), root).generic_string()].push_back(entry.path());
+  return folders;
+}
+
+// Breaches in all files below a folder that holds the rooms.
+Lines breaches_below(const fs::path& root, bool is_public, std::size_t& files) {
   Lines found;
-  for (const fs::directory_entry& room : fs::directory_iterator(folder)) {
-    if (!room.is_directory()) continue;
-    if (place_of(room.path().filename()) == rooms.size()) {
-      found.push_back(room.path().string() + " is no room of the house");
+  for (const auto& [folder, paths] : files_by_folder(root)) {
+    const bool on_top = is_public && folder == ".";  // the public headers of problems and documents
+    if (!is_room(folder) && !on_top) {
+      found.push_back(folder + " is no room of the house");
       continue;
     }
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(room)) {
-      if (!entry.is_regular_file()) continue;
+    if (paths.size() > most_files) found.push_back(fmt::format("{} holds {} files", folder, paths.size()));
+    for (const fs::path& path : paths) {
       std::ostringstream source;
-      source << std::ifstream(entry.path()).rdbuf();
+      source << std::ifstream(path).rdbuf();
       ++files;
-      std::ranges::move(breaches(fs::relative(entry.path(), folder), room.path().filename(), is_public, source.str()),
-                        std::back_inserter(found));
+      std::ranges::move(
+          breaches(fs::relative(path, root).generic_string(), on_top ? rooms.back() : folder, is_public, source.str()),
+          std::back_inserter(found));
     }
   }
   return found;
@@ -97,32 +143,53 @@ TEST(House, sources_keep_the_rules) {
   EXPECT_GT(files, 20U);
 }
 
+TEST(House, tests_stand_in_the_rooms_that_they_test) {
+  const std::set<std::string> others{".",    "apps",  "docs",    "document/golden",
+                                     "fuzz", "house", "install", "install/client"};
+  for (const auto& [folder, paths] : files_by_folder(fs::path(POINSOT_SOURCE_DIR) / "tests")) {
+    EXPECT_TRUE(is_room(folder) || others.contains(folder)) << folder;
+    EXPECT_LE(paths.size(), most_files) << folder;
+  }
+}
+
 TEST(House, a_later_room_is_noticed) {
-  EXPECT_EQ(breaches("mass/a.cpp", "mass", false, "// text\n#include \"poinsot/model/model.h\"\n"),
-            Lines{"mass/a.cpp:2: poinsot/model/model.h is of model, which comes after mass"});
-  EXPECT_EQ(breaches("solve/a.cpp", "solve", false, " # include <statement/reader.h> // x"),
-            Lines{"solve/a.cpp:1: statement/reader.h is of statement, which comes after solve"});
-  EXPECT_EQ(breaches("model/a.cpp", "model", false, "#include \"poinsot/mass/shapes.h\"\n#include \"model/b.h\"\n"),
+  EXPECT_EQ(breaches("mass/a.cpp", "engine/mass", false, "// text\n#include \"poinsot/engine/model/model.h\"\n"),
+            Lines{"mass/a.cpp:2: poinsot/engine/model/model.h is of engine/model, which comes after engine/mass"});
+  EXPECT_EQ(breaches("solve/a.cpp", "engine/solve/linear", false, " # include <problem/entries/reader.h> // x"),
+            Lines{"solve/a.cpp:1: problem/entries/reader.h is of problem/entries, which comes after "
+                  "engine/solve/linear"});
+  EXPECT_EQ(breaches("a.cpp", "engine/math/elliptic", false, "#include \"engine/math/trace/residue.h\"\n"),
+            Lines{"a.cpp:1: engine/math/trace/residue.h is of engine/math/trace, which comes after "
+                  "engine/math/elliptic"});
+  EXPECT_EQ(breaches("mass/a.cpp", "engine/model", false,
+                     "#include \"poinsot/engine/mass/shapes.h\"\n#include \"engine/model/b.h\"\n"),
             Lines{});
 }
 
+TEST(House, an_unknown_room_is_noticed) {
+  EXPECT_EQ(breaches("a.cpp", "document", false, "#include \"problem/attic/a.h\"\n"),
+            Lines{"a.cpp:1: problem/attic/a.h is of no room of the house"});
+  EXPECT_EQ(breaches("a.cpp", "document", false, "#include \"engine/math/a.h\"\n").size(), 1U);
+}
+
 TEST(House, a_private_header_in_a_public_one_is_noticed) {
-  EXPECT_EQ(breaches("mass/a.h", "mass", true, "#include \"mass/shape_check.h\"\n"),
-            Lines{"mass/a.h:1: mass/shape_check.h is no public header, and stands in one"});
-  EXPECT_EQ(breaches("mass/a.h", "mass", true, "#include \"b.h\"\n").size(), 1U);
-  EXPECT_EQ(breaches("mass/a.cpp", "mass", false, "#include \"mass/shape_check.h\"\n"), Lines{});
+  EXPECT_EQ(breaches("mass/a.h", "engine/mass", true, "#include \"engine/mass/shape_check.h\"\n"),
+            Lines{"mass/a.h:1: engine/mass/shape_check.h is no public header, and stands in one"});
+  EXPECT_EQ(breaches("mass/a.h", "engine/mass", true, "#include \"b.h\"\n").size(), 1U);
+  EXPECT_EQ(breaches("mass/a.cpp", "engine/mass", false, "#include \"engine/mass/shape_check.h\"\n"), Lines{});
 }
 
 TEST(House, another_library_in_a_public_header_of_the_engine_is_noticed) {
   for (const char* include : {"Eigen/Dense", "fmt/format.h", "boost/math/constants/constants.hpp", "immintrin.h"}) {
     const std::string source = fmt::format("#include <{}>\n", include);
-    EXPECT_EQ(breaches("math/a.h", "math", true, source),
-              Lines{fmt::format("math/a.h:1: {} is of another library, in a public header of the engine", include)});
-    EXPECT_EQ(breaches("math/a.cpp", "math", false, source), Lines{});
-    EXPECT_EQ(breaches("answer/a.h", "answer", true, source), Lines{});
+    EXPECT_EQ(breaches("a.h", "engine/model", true, source),
+              Lines{fmt::format("a.h:1: {} is of another library, in a public header of the engine", include)});
+    EXPECT_EQ(breaches("a.cpp", "engine/model", false, source), Lines{});
+    EXPECT_EQ(breaches("a.h", "document", true, source), Lines{});
   }
-  EXPECT_EQ(breaches("math/a.h", "math", true, "#include <cmath>\n#include <experimental/simd>\n#include <version>\n"),
-            Lines{});
+  EXPECT_EQ(
+      breaches("a.h", "engine/model", true, "#include <cmath>\n#include <experimental/simd>\n#include <version>\n"),
+      Lines{});
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Uses installed headers (a template) and the installed library (principal axes); exits with 1 if an answer is wrong.
-#include <poinsot/mass/mass_properties.h>
-#include <poinsot/mass/principal_axes.h>
+#include <poinsot/engine/mass/mass_properties.h>
+#include <poinsot/engine/mass/principal_axes.h>
 
 #include <cmath>
 #include <cstdio>

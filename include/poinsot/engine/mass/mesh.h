@@ -1,0 +1,118 @@
+// Bodies given by closed triangle meshes: volume, centroid and inertia, and whether a mesh encloses a body.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "poinsot/engine/mass/particle_set.h"
+#include "poinsot/engine/mass/shape_properties.h"
+
+namespace poinsot {
+
+template <class Scalar = double>
+struct TriangleMesh {
+  std::vector<Vector3<Scalar>> vertices;                // m, unless the caller scales
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // vertex numbers, counter-clockwise seen from outside
+};
+
+// The mean of the vertices: a point near the mesh, from which its tetrahedra are measured so that bodies far from the
+// origin lose no digits.
+template <class Scalar>
+Vector3<Scalar> mean_vertex(const TriangleMesh<Scalar>& mesh) {
+  Vector3<Scalar> total = Vector3<Scalar>::zero();
+  for (const auto& vertex : mesh.vertices) total += vertex;
+  return total / Scalar(static_cast<double>(mesh.vertices.size()));
+}
+
+// The uniform solid inside a closed mesh: the signed tetrahedra between its triangles and a point near it. Inner
+// surfaces (cavities) face inward into the cavity. Nothing is checked here: see find_faults.
+template <class Scalar>
+ShapeProperties<Scalar> solid_of_mesh(const TriangleMesh<Scalar>& mesh) {
+  const Vector3<Scalar> reference = mean_vertex(mesh);
+  Scalar volume(0);
+  Vector3<Scalar> first_moment = Vector3<Scalar>::zero();
+  SymmetricMatrix3<Scalar> inertia = SymmetricMatrix3<Scalar>::zero();
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Vector3<Scalar> p = mesh.vertices[i] - reference;
+    const Vector3<Scalar> q = mesh.vertices[j] - reference;
+    const Vector3<Scalar> r = mesh.vertices[k] - reference;
+    const Vector3<Scalar> all = p + q + r;
+    const Scalar part = dot(p, cross(q, r)) / Scalar(6);
+    volume += part;
+    first_moment += (Scalar(0.25) * part) * all;
+    inertia += (Scalar(0.05) * part) *
+               (unit_mass_inertia(p) + unit_mass_inertia(q) + unit_mass_inertia(r) + unit_mass_inertia(all));
+  }
+  const Vector3<Scalar> offset = first_moment / volume;
+  return {volume, reference + offset, (Scalar(1) / volume) * inertia - unit_mass_inertia(offset)};
+}
+
+// The uniform sheet on a mesh, closed or not.
+template <class Scalar>
+ShapeProperties<Scalar> shell_of_mesh(const TriangleMesh<Scalar>& mesh) {
+  const Vector3<Scalar> reference = mean_vertex(mesh);
+  Scalar area(0);
+  Vector3<Scalar> first_moment = Vector3<Scalar>::zero();
+  SymmetricMatrix3<Scalar> inertia = SymmetricMatrix3<Scalar>::zero();
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Vector3<Scalar> p = mesh.vertices[i] - reference;
+    const Vector3<Scalar> q = mesh.vertices[j] - reference;
+    const Vector3<Scalar> r = mesh.vertices[k] - reference;
+    const Vector3<Scalar> all = p + q + r;
+    const Scalar part = Scalar(0.5) * norm(cross(q - p, r - p));
+    area += part;
+    first_moment += (part / Scalar(3)) * all;
+    inertia += (part / Scalar(12)) *
+               (unit_mass_inertia(p) + unit_mass_inertia(q) + unit_mass_inertia(r) + unit_mass_inertia(all));
+  }
+  const Vector3<Scalar> offset = first_moment / area;
+  return {area, reference + offset, (Scalar(1) / area) * inertia - unit_mass_inertia(offset)};
+}
+
+namespace particles {
+
+// Four particles in each tetrahedron between a triangle and the first vertex, with the sign of its volume (Keast's rule
+// of degree 2).
+template <class Scalar>
+ParticleSet<Scalar> solid_of_mesh(const TriangleMesh<Scalar>& mesh) {
+  const Scalar far = (5 - std::sqrt(Scalar(5))) / 20;
+  const Scalar near = 1 - 4 * far;
+  const Vector3<Scalar>& apex = mesh.vertices.front();
+  cubature::Gatherer<Scalar> gatherer;
+  for (const auto& triangle : mesh.triangles) {
+    const Vector3<Scalar>& A = mesh.vertices[triangle[0]];
+    const Vector3<Scalar>& B = mesh.vertices[triangle[1]];
+    const Vector3<Scalar>& C = mesh.vertices[triangle[2]];
+    const Scalar volume = determinant(Matrix3<Scalar>{A - apex, B - apex, C - apex}) / 6;
+    const Vector3<Scalar> all = far * (apex + A + B + C);
+    for (const auto& corner : {apex, A, B, C}) gatherer.add(all + near * corner, volume / 4);
+  }
+  return gatherer.finish();
+}
+
+}  // namespace particles
+
+enum class MeshRule {
+  has_triangles,
+  known_vertices,  // every triangle names vertices that exist
+  finite_vertices,
+  proper_triangles,        // three different corners that are not on one line
+  closed_surface,          // every edge belongs to two triangles
+  consistent_orientation,  // which run along it in opposite directions
+  outward_orientation,     // the volume is positive
+  separate_parts,          // lie apart, or as cavities in each other
+};
+
+struct MeshFault {
+  MeshRule rule{};
+  std::string message;    // what is wrong, how often, and where first
+  std::size_t count = 0;  // triangles, vertices or edges at fault
+};
+
+// Every rule that the mesh breaks, one entry for each; nothing for a mesh that encloses a body. `name` is the mesh's
+// name in the messages. Later rules are looked at only where earlier ones allow.
+std::vector<MeshFault> find_faults(const TriangleMesh<double>& mesh, const std::string& name);
+
+}  // namespace poinsot

@@ -1,0 +1,53 @@
+// A mechanism in a pose with velocities and accelerations, and what follows from them for its places and actions.
+#pragma once
+
+#include <vector>
+
+#include "poinsot/engine/dynamics/momentum.h"
+#include "poinsot/engine/math/algebra/dual.h"
+#include "poinsot/engine/model/mechanism.h"
+
+namespace poinsot::solve {
+
+// Scalar: double or Dual<1>.
+template <class Scalar>
+class MechanismStateOf {
+ public:
+  // mechanism must outlive the moment.
+  explicit MechanismStateOf(const Mechanism<Scalar>& mechanism);
+
+  // Places the bodies; velocities and accelerations become zero.
+  void set_positions(const std::vector<Scalar>& q);
+  void set_velocities(const std::vector<Scalar>& v);
+  void set_accelerations(const std::vector<Scalar>& a);
+
+  const Mechanism<Scalar>& mechanism() const { return mechanism_; }
+  const Workspace<Scalar>& workspace() const { return workspace_; }
+  const State<Scalar>& state() const { return state_; }
+  const std::vector<Scalar>& accelerations() const { return accelerations_; }
+
+  Vector3<Scalar> position(const Place<Scalar>& place) const;
+  Vector3<Scalar> velocity(const Place<Scalar>& place) const;
+  Vector3<Scalar> direction(const Direction<Scalar>& direction) const;
+  Vector3<Scalar> on_ground_axes(int axes, const Vector3<Scalar>& vector) const;
+
+  // About the ground's origin, on ground axes.
+  SpatialForce<Scalar> component_wrench(const Component<Scalar>& component) const;  // of size one
+  SpatialForce<Scalar> drive_wrench(const Drive<Scalar>& drive) const;              // of effort one
+  SpatialForce<Scalar> known_wrench(const KnownForce<Scalar>& force) const;
+  SpatialForce<Scalar> spring_wrench(const SpringLaw<Scalar>& spring) const;
+  // The part of a drive's effort that is known: what is stated, its spring and its damping.
+  Scalar known_effort(const Drive<Scalar>& drive) const;
+
+ private:
+  const Mechanism<Scalar>& mechanism_;
+  Workspace<Scalar> workspace_;
+  State<Scalar> state_;
+  std::vector<Scalar> accelerations_;
+};
+using MechanismState = MechanismStateOf<double>;
+
+extern template class MechanismStateOf<double>;
+extern template class MechanismStateOf<Dual<1>>;
+
+}  // namespace poinsot::solve

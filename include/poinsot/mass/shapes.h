@@ -1,9 +1,0 @@
-// Every uniform shape whose mass properties have a closed form: shapes::NAME(placement...) -> ShapeProperties, then
-// of_mass or of_density. The same names and arguments give particles in poinsot/mass/particles.h and checks in
-// poinsot/mass/shape_faults.h.
-#pragma once
-
-#include "poinsot/mass/lines.h"
-#include "poinsot/mass/plates.h"
-#include "poinsot/mass/shells.h"
-#include "poinsot/mass/solids.h"

@@ -1,0 +1,223 @@
+#include "document/check.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "document/datum_text.h"
+#include "document/rounding.h"
+
+namespace poinsot::document {
+namespace {
+
+using List = std::vector<Datum>;
+
+constexpr double scale_of_zero = 1e-3;  // SI
+constexpr int digits = 9;               // in messages: finer than the tolerances in use
+
+std::string text_of(const Datum& datum) { return datum_text(datum, "", digits); }
+
+double magnitude(const Datum& datum) {
+  const auto* number = std::get_if<double>(&datum.content);
+  return number == nullptr ? 0 : std::abs(*number);
+}
+
+// The first place where a datum differs from what is expected, in words.
+class Comparison {
+ public:
+  explicit Comparison(const Expectation& expectation) : expectation_(expectation) {}
+
+  std::optional<std::string> difference(const Datum& found, const Datum& expected) const {
+    if (const auto* list = std::get_if<List>(&expected.content)) {
+      const auto* found_list = std::get_if<List>(&found.content);
+      if (found_list == nullptr) return fmt::format("{}, expected the list {}", text_of(found), text_of(expected));
+      return list_difference(found, *found_list, expected, *list);
+    }
+    if (const auto* number = std::get_if<double>(&expected.content)) {
+      const auto* found_number = std::get_if<double>(&found.content);
+      if (found_number == nullptr) return fmt::format("{}, expected the number {}", text_of(found), text_of(expected));
+      const double tolerance = tolerance_at(std::abs(*number));
+      if (within(*found_number, *number, tolerance)) return std::nullopt;
+      return fmt::format("{}, expected {}{}", text_of(found), text_of(expected),
+                         distance(*found_number, *number, tolerance));
+    }
+    if (agrees_exactly(found, expected)) return std::nullopt;
+    return fmt::format("{}, expected {}", text_of(found), text_of(expected));
+  }
+
+  std::optional<std::string> table_difference(const std::vector<Column>& found) const {
+    if (found.size() != expectation_.columns.size()) {
+      return fmt::format("{} columns, expected {}", found.size(), expectation_.columns.size());
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const std::vector<double>& expected = expectation_.columns[i];
+      const Column& column = found[i];
+      if (column.si.size() != expected.size()) {
+        return fmt::format("column {} has {} rows, expected {}", column.name, column.si.size(), expected.size());
+      }
+      double largest = 0;
+      for (double number : expected) largest = std::max(largest, std::abs(number));
+      const double tolerance = tolerance_at(largest);
+      for (std::size_t row = 0; row < expected.size(); ++row) {
+        if (within(column.si[row], expected[row], tolerance)) continue;
+        return fmt::format("column {}, row {}: {}, expected {}{}", column.name, row + 1,
+                           rounded(column.si[row], digits), rounded(expected[row], digits),
+                           distance(column.si[row], expected[row], tolerance));
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  double tolerance_at(double largest) const {
+    return expectation_.relative_tolerance * (largest > 0 ? largest : scale_of_zero) + expectation_.absolute_tolerance;
+  }
+
+  // False for what is not a number.
+  static bool within(double found, double expected, double tolerance) {
+    return std::abs(found - expected) <= tolerance;
+  }
+
+  static std::string distance(double found, double expected, double tolerance) {
+    return fmt::format(" (off by {}, allowed {})", rounded(std::abs(found - expected), 2), rounded(tolerance, 2));
+  }
+
+  static bool agrees_exactly(const Datum& found, const Datum& expected) {
+    if (const auto* truth = std::get_if<bool>(&expected.content)) {
+      const auto* found_truth = std::get_if<bool>(&found.content);
+      return found_truth != nullptr && *found_truth == *truth;
+    }
+    if (const auto* text = std::get_if<std::string>(&expected.content)) {
+      const auto* found_text = std::get_if<std::string>(&found.content);
+      return found_text != nullptr && *found_text == *text;
+    }
+    return false;
+  }
+
+  std::optional<std::string> list_difference(const Datum& found, const List& found_list, const Datum& expected,
+                                             const List& expected_list) const {
+    const std::string both = fmt::format("{}, expected {}", text_of(found), text_of(expected));
+    if (found_list.size() != expected_list.size()) return both;
+    if (const std::optional<std::multiset<std::string>> names = texts_of(expected_list)) {
+      return texts_of(found_list) == names ? std::nullopt : std::optional(both);
+    }
+    double largest = 0;
+    for (const Datum& item : expected_list) largest = std::max(largest, magnitude(item));
+    const double tolerance = tolerance_at(largest);
+    for (std::size_t i = 0; i < expected_list.size(); ++i) {
+      const auto* number = std::get_if<double>(&expected_list[i].content);
+      const auto* found_number = std::get_if<double>(&found_list[i].content);
+      if (number != nullptr && found_number != nullptr) {
+        if (within(*found_number, *number, tolerance)) continue;
+        return both + distance(*found_number, *number, tolerance);
+      }
+      if (difference(found_list[i], expected_list[i])) return both;
+    }
+    return std::nullopt;
+  }
+
+  // The texts of a list that holds nothing else.
+  static std::optional<std::multiset<std::string>> texts_of(const List& list) {
+    std::multiset<std::string> texts;
+    for (const Datum& item : list) {
+      const auto* text = std::get_if<std::string>(&item.content);
+      if (text == nullptr) return std::nullopt;
+      texts.insert(*text);
+    }
+    return texts;
+  }
+
+  const Expectation& expectation_;
+};
+
+const Answer* find_answer(const Solution& solution, const std::string& name) {
+  const auto found = std::ranges::find(solution.answers, name, &Answer::name);
+  return found == solution.answers.end() ? nullptr : &*found;
+}
+
+// Why there is nothing to compare, if so.
+std::optional<std::string> missing(const Answer* answer) {
+  if (answer == nullptr) return "the file does not ask for it";
+  switch (answer->state) {
+    case AnswerState::found:
+      return std::nullopt;
+    case AnswerState::needs_letters:
+      return fmt::format("needs values for {}", fmt::join(answer->letters, ", "));
+    case AnswerState::undetermined:
+      return "not determined: " + answer->reason;
+    case AnswerState::refused:
+      return "refused: " + answer->reason;
+  }
+  return std::nullopt;
+}
+
+const Datum& si_of(const Answer& answer) { return answer.si.empty() ? answer.value : answer.si; }
+
+std::optional<std::string> answer_shortfall(const Answer* answer, const Expectation& expectation) {
+  if (std::optional<std::string> why = missing(answer)) return why;
+  const Comparison comparison(expectation);
+  if (!expectation.columns.empty()) return comparison.table_difference(answer->columns);
+  if (!answer->columns.empty()) return fmt::format("a table, expected {}", text_of(expectation.si));
+  // One name may answer by itself or as a list of one.
+  const auto* names = std::get_if<List>(&expectation.si.content);
+  if (names != nullptr && names->size() == 1 && std::holds_alternative<std::string>(si_of(*answer).content))
+    return comparison.difference(si_of(*answer), names->front());
+  return comparison.difference(si_of(*answer), expectation.si);
+}
+
+// The numbers found in all solutions against those expected, both in ascending order, each to its own magnitude.
+std::optional<std::string> root_shortfall(const Document& document, const Expectation& expectation) {
+  List roots;
+  for (const Solution& solution : document.solutions) {
+    const Answer* answer = find_answer(solution, expectation.part);
+    if (std::optional<std::string> why = missing(answer)) return why;
+    roots.push_back(si_of(*answer));
+  }
+  Datum expected = expectation.si;
+  auto* expected_roots = std::get_if<List>(&expected.content);
+  if (expected_roots == nullptr) return "the expected roots must be a list, not " + text_of(expected);
+  const auto number_of = [](const Datum& datum) {
+    const auto* number = std::get_if<double>(&datum.content);
+    return number == nullptr ? 0 : *number;
+  };
+  std::ranges::sort(roots, {}, number_of);
+  std::ranges::sort(*expected_roots, {}, number_of);
+  if (roots.size() != expected_roots->size()) {
+    return fmt::format("roots {}, expected {}", text_of(Datum{roots}), text_of(expected));
+  }
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    if (const auto why = Comparison(expectation).difference(roots[i], (*expected_roots)[i])) return "root " + *why;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> shortfalls(const Document& document, const std::vector<Expectation>& expectations) {
+  if (document.solutions.empty()) return {"no solution"};
+  std::vector<std::string> lines;
+  for (const Expectation& expectation : expectations) {
+    if (expectation.roots) {
+      if (const auto why = root_shortfall(document, expectation)) lines.push_back(expectation.part + ": " + *why);
+      continue;
+    }
+    for (std::size_t i = 0; i < document.solutions.size(); ++i) {
+      const auto why = answer_shortfall(find_answer(document.solutions[i], expectation.part), expectation);
+      if (!why) continue;
+      const std::string where = document.solutions.size() > 1 ? fmt::format(" (solution {})", i + 1) : "";
+      lines.push_back(fmt::format("{}{}: {}", expectation.part, where, *why));
+    }
+  }
+  for (const Answer& answer : document.solutions.front().answers) {
+    if (std::ranges::find(expectations, answer.name, &Expectation::part) == expectations.end()) {
+      lines.push_back(answer.name + ": no answer is expected");
+    }
+  }
+  return lines;
+}
+
+}  // namespace poinsot::document

@@ -1,0 +1,32 @@
+// Comparison of a document with answers that are known from elsewhere.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "document/document.h"
+
+namespace poinsot::document {
+
+// What the answer to one question should be. Of `si` and `columns` one is filled.
+struct Expectation {
+  std::string part;  // the name of the question
+
+  // In SI base units: a number, a list (vector), a list of lists (matrix); or a truth value, a text, or a list of
+  // texts, which may stand in any order.
+  Datum si;
+  std::vector<std::vector<double>> columns;  // of a table, in SI base units
+
+  // A number may be off by relative_tolerance times the larger of its own magnitude and the largest magnitude in its
+  // list, row or column, plus absolute_tolerance (SI). Where all that is expected is zero, the scale is 1e-3 in SI.
+  double relative_tolerance = 1e-6;
+  double absolute_tolerance = 0;
+
+  bool roots = false;  // `si` lists one number for each solution, in any order; otherwise every solution must agree
+};
+
+// What falls short, one line each; empty if everything agrees. A question of the document without expectation falls
+// short, and so does an expectation without question. Numbers are in SI base units.
+std::vector<std::string> shortfalls(const Document& document, const std::vector<Expectation>& expectations);
+
+}  // namespace poinsot::document

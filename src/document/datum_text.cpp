@@ -1,0 +1,140 @@
+#include "document/datum_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "document/display_text.h"
+#include "document/rounding.h"
+
+namespace poinsot::document {
+namespace {
+
+using List = std::vector<Datum>;
+
+// The numbers of a list that holds nothing else and is not empty.
+std::optional<std::vector<double>> numbers_of(const Datum& datum) {
+  const auto* list = std::get_if<List>(&datum.content);
+  if (list == nullptr || list->empty()) return std::nullopt;
+  std::vector<double> numbers;
+  for (const Datum& item : *list) {
+    const auto* number = std::get_if<double>(&item.content);
+    if (number == nullptr) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+// The rows of a matrix: at least two lists of equally many numbers.
+std::optional<std::vector<std::vector<double>>> rows_of(const Datum& datum) {
+  const auto* list = std::get_if<List>(&datum.content);
+  if (list == nullptr || list->size() < 2) return std::nullopt;
+  std::vector<std::vector<double>> rows;
+  for (const Datum& item : *list) {
+    std::optional<std::vector<double>> row = numbers_of(item);
+    if (!row || (!rows.empty() && row->size() != rows.front().size())) return std::nullopt;
+    rows.push_back(std::move(*row));
+  }
+  return rows;
+}
+
+// Rows rounded together, their columns right-aligned.
+std::vector<std::string> matrix_lines(const std::vector<std::vector<double>>& rows, int digits) {
+  std::vector<double> entries;
+  for (const std::vector<double>& row : rows) entries.insert(entries.end(), row.begin(), row.end());
+  const std::vector<std::string> texts = rounded_together(entries, digits);
+  const std::size_t columns = rows.front().size();
+  std::vector<std::string> lines(rows.size(), "[");
+  for (std::size_t column = 0; column < columns; ++column) {
+    std::size_t width = 0;
+    for (std::size_t row = 0; row < rows.size(); ++row) width = std::max(width, texts[row * columns + column].size());
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      lines[row] += (column > 0 ? "  " : "") + padded_left(texts[row * columns + column], width);
+    }
+  }
+  for (std::string& line : lines) line += "]";
+  return lines;
+}
+
+std::string text_without_unit(const Datum& datum, int digits, bool vector) {
+  if (const auto* number = std::get_if<double>(&datum.content)) return rounded(*number, digits);
+  if (const auto* truth = std::get_if<bool>(&datum.content)) return *truth ? "true" : "false";
+  if (const auto* text = std::get_if<std::string>(&datum.content)) return printable(*text);
+  const auto* list = std::get_if<List>(&datum.content);
+  if (list == nullptr || list->empty()) return "none";
+  if (const std::optional<std::vector<double>> numbers = numbers_of(datum)) {
+    if (vector && numbers->size() == 3) return fmt::format("({})", fmt::join(rounded_together(*numbers, digits), ", "));
+    std::vector<std::string> texts;
+    for (double number : *numbers) texts.push_back(rounded(number, digits));
+    return fmt::format("[{}]", fmt::join(texts, ", "));
+  }
+  std::vector<std::string> texts;
+  const auto only_texts = [](const List& items) {
+    return std::ranges::all_of(items,
+                               [](const Datum& item) { return std::holds_alternative<std::string>(item.content); });
+  };
+  for (const Datum& item : *list) {
+    const auto* row = std::get_if<List>(&item.content);
+    const std::string text = text_without_unit(item, digits, vector);
+    texts.push_back(row != nullptr && !row->empty() && only_texts(*row) ? "[" + text + "]" : text);
+  }
+  const std::string joined = fmt::format("{}", fmt::join(texts, ", "));
+  return only_texts(*list) ? joined : "[" + joined + "]";
+}
+
+// The rows of a matrix of texts: at least two lists of equally many, at least two.
+std::vector<std::string> text_matrix_lines(const Datum& datum) {
+  const auto* list = std::get_if<List>(&datum.content);
+  if (list == nullptr || list->size() < 2) return {};
+  std::vector<std::size_t> widths;
+  std::vector<std::vector<std::string>> rows;
+  for (const Datum& item : *list) {
+    const auto* row = std::get_if<List>(&item.content);
+    if (row == nullptr || row->size() < 2) return {};
+    rows.emplace_back();
+    for (const Datum& entry : *row) {
+      const auto* text = std::get_if<std::string>(&entry.content);
+      if (text == nullptr) return {};
+      rows.back().push_back(printable(*text));
+    }
+    widths.resize(rows.front().size());
+    if (rows.back().size() != widths.size()) return {};
+    for (std::size_t k = 0; k < widths.size(); ++k) widths[k] = std::max(widths[k], display_width(rows.back()[k]));
+  }
+  std::vector<std::string> lines;
+  for (const std::vector<std::string>& row : rows) {
+    std::string& line = lines.emplace_back("[");
+    for (std::size_t k = 0; k < row.size(); ++k) line += (k > 0 ? "  " : "") + padded_right(row[k], widths[k]);
+    line += "]";
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits, bool vector) {
+  const std::optional<std::vector<std::vector<double>>> rows = rows_of(datum);
+  std::vector<std::string> lines = rows ? matrix_lines(*rows, digits) : text_matrix_lines(datum);
+  if (lines.empty()) lines.push_back(text_without_unit(datum, digits, vector));
+  if (!unit.empty()) lines.back() += " " + unit;
+  return lines;
+}
+
+std::string datum_text(const Datum& datum, const std::string& unit, int digits) {
+  return text_without_unit(datum, digits, true) + (unit.empty() ? "" : " " + unit);
+}
+
+std::vector<std::string> assumptions_in_words(const Solution& solution) {
+  std::vector<std::string> words = solution.assumptions;
+  for (std::string& one : words)
+    for (const Condition& condition : solution.conditions)
+      if (condition.words == one) {
+        one += ": " + condition.formula;
+        break;
+      }
+  return words;
+}
+
+}  // namespace poinsot::document

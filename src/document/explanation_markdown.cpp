@@ -1,0 +1,126 @@
+#include "document/explanation_markdown.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string_view>
+#include <vector>
+
+#include "document/datum_text.h"
+#include "document/display_text.h"
+#include "document/rounding.h"
+
+namespace poinsot::document {
+namespace {
+
+constexpr int significant_digits = 6;
+
+// The first sides of an equation aligned with those of its neighbours.
+std::string aligned(const problem::ExplainedEquation& equation, bool names) {
+  const std::size_t sign = equation.tex.find(" = ");
+  std::string line = equation.tex;
+  if (sign != std::string::npos) line.replace(sign, 3, " &= ");
+  if (!names) return line;
+  return (equation.name.empty() ? "" : equation.name + ":") + std::string(" && ") + line;
+}
+
+std::string displayed(const std::vector<problem::ExplainedEquation>& equations) {
+  if (equations.empty()) return "";
+  bool names = false;
+  for (const problem::ExplainedEquation& equation : equations) names = names || !equation.name.empty();
+  if (equations.size() == 1 && !names) return "\n$$\n" + equations.front().tex + "\n$$\n";
+  std::string text = "\n$$\n\\begin{aligned}\n";
+  for (std::size_t i = 0; i < equations.size(); ++i)
+    text += aligned(equations[i], names) + (i + 1 < equations.size() ? " \\\\\n" : "\n");
+  return text + "\\end{aligned}\n$$\n";
+}
+
+// Lines of a text without power over a terminal.
+std::string printable_lines(std::string_view text) {
+  std::string result;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    result += printable(text.substr(begin, end - begin)) + "\n";
+    begin = end + 1;
+  }
+  return result;
+}
+
+std::string answer_value(const Answer& answer) {
+  switch (answer.state) {
+    case AnswerState::found:
+      break;
+    case AnswerState::needs_letters:
+      if (!answer.formula.empty()) {
+        const std::string formula = datum_text(answer.formula, "", significant_digits);
+        return answer.component_names.empty() || formula.starts_with("[") ? "`" + formula + "`" : "`(" + formula + ")`";
+      }
+      return fmt::format("needs values for {}", fmt::join(answer.letters, ", "));
+    case AnswerState::undetermined:
+      return "not determined: " + answer.reason;
+    case AnswerState::refused:
+      return "refused: " + answer.reason;
+  }
+  if (answer.claim) return answer.claim->holds ? "holds, " + answer.claim->how : "does not hold";
+  if (!answer.columns.empty()) {
+    std::vector<std::string> names;
+    for (const Column& column : answer.columns) names.push_back(column.name);
+    return fmt::format("a table of {}", fmt::join(names, ", "));
+  }
+  return "**" + datum_text(answer.value, answer.unit, significant_digits) + "**";
+}
+
+std::string answers_section(const Solution& solution) {
+  std::string text = "\n## Answers\n\n";
+  for (const Unknown& unknown : solution.unknowns)
+    text += printable(fmt::format("* *{}* = {}", unknown.name,
+                                  unknown.value.empty() ? "`" + datum_text(unknown.formula, "", significant_digits) + "`"
+                                                        : datum_text(unknown.value, unknown.unit, significant_digits))) +
+            "\n";
+  for (const Answer& answer : solution.answers)
+    text += printable(fmt::format("* *{}*, {}: {}", answer.name, answer.words.empty() ? answer.ask : answer.words,
+                                  answer_value(answer))) +
+            "\n";
+  if (!solution.assumptions.empty())
+    text += fmt::format("\nwhere {}\n", fmt::join(assumptions_in_words(solution), ", "));
+  for (const std::string& note : solution.notes) text += "\n" + printable(note) + "\n";
+  std::vector<std::string> checks;
+  for (const auto& [name, residual] : solution.checks)
+    checks.push_back((name == "newton_euler"   ? "Newton-Euler"
+                      : name == "energy_drift" ? "energy along the motion"
+                      : name == "motion_error" ? "error of the motion"
+                                               : name) +
+                     " " + rounded_residual(residual));
+  if (!checks.empty())
+    text += fmt::format("\nChecked with the bodies as particles, relative misfits: {}.\n", fmt::join(checks, ", "));
+  return text;
+}
+
+}  // namespace
+
+std::string to_markdown(const Document& document, std::size_t index) {
+  require_values(document);
+  const Solution& solution = document.solutions.at(index);
+  std::string text = "# " + printable(document.title.empty() ? document.file : document.title) + "\n";
+  if (document.solutions.size() > 1)
+    text += fmt::format("\nSolution {} of {}.\n", index + 1, document.solutions.size());
+  if (solution.explanation)
+    for (const problem::ExplainedSection& section : solution.explanation->sections) {
+      text += "\n## " + printable(section.heading) + "\n";
+      for (const problem::ExplainedStep& step : section.steps)
+        text += "\n" + printable_lines(step.text) + displayed(step.equations);
+    }
+  return text + answers_section(solution);
+}
+
+std::string to_markdown(const Document& document) {
+  std::string text;
+  for (std::size_t i = 0; i < document.solutions.size(); ++i) text += (i == 0 ? "" : "\n") + to_markdown(document, i);
+  if (document.solutions.empty()) {
+    text = "# " + printable(document.title) + "\n\nThere is no solution.\n";
+  }
+  for (const std::string& warning : document.warnings) text += "\nWarning: " + printable(warning) + "\n";
+  return text;
+}
+
+}  // namespace poinsot::document

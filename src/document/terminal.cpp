@@ -1,0 +1,237 @@
+#include "document/terminal.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+#include "document/datum_text.h"
+#include "document/display_text.h"
+#include "document/rounding.h"
+
+namespace poinsot::document {
+namespace {
+
+constexpr std::size_t widest_words = 60;  // a longer text stands on a line of its own
+
+enum class Role { heading, name, faint, failure, warning };
+
+class TerminalText {
+ public:
+  explicit TerminalText(const TerminalStyle& style) : style_(style) {}
+
+  std::string render(const Document& document) {
+    heading(document);
+    if (document.solutions.empty()) text_ += "\n  " + painted(Role::failure, "no solution") + "\n";
+    for (std::size_t i = 0; i < document.solutions.size(); ++i) solution(document.solutions[i], i, document);
+    open_letters(document);
+    for (const std::string& warning : document.warnings) {
+      text_ += "\n" + painted(Role::warning, "warning:") + " " + printable(warning) + "\n";
+    }
+    return text_;
+  }
+
+ private:
+  std::string painted(Role role, const std::string& text) const {
+    if (!style_.color) return text;
+    constexpr std::array<const char*, 5> codes{"1", "36", "2", "31", "33"};
+    return fmt::format("\x1b[{}m{}\x1b[0m", codes[static_cast<std::size_t>(role)], text);
+  }
+
+  void heading(const Document& document) {
+    const std::string file = document.file == "-" ? "standard input" : printable(document.file);
+    if (document.title.empty()) {
+      text_ += painted(Role::heading, file) + "\n";
+    } else {
+      text_ += painted(Role::heading, printable(document.title)) + "  " + painted(Role::faint, "(" + file + ")") + "\n";
+    }
+  }
+
+  void solution(const Solution& solution, std::size_t index, const Document& document) {
+    text_ += "\n";
+    std::vector<std::string> unknowns;
+    for (const Unknown& unknown : solution.unknowns) {
+      unknowns.push_back(fmt::format("{} = {}", printable(unknown.name),
+                                     unknown.value.empty()
+                                         ? datum_text(unknown.formula, "", style_.digits)
+                                         : datum_text(unknown.value, printable(unknown.unit), style_.digits)));
+    }
+    const std::size_t count = document.solutions.size();
+    if (count > 1 || !unknowns.empty()) {
+      const std::string number = count > 1 ? fmt::format("Solution {} of {}", index + 1, count) : "Solution";
+      text_ += painted(Role::heading, number);
+      text_ += unknowns.empty() ? "\n" : fmt::format(": {}\n", fmt::join(unknowns, ", "));
+    }
+    answers(solution.answers);
+    if (!solution.assumptions.empty())
+      text_ +=
+          "  " +
+          painted(Role::faint, printable(fmt::format("where {}", fmt::join(assumptions_in_words(solution), ", ")))) +
+          "\n";
+    for (const std::string& note : solution.notes) text_ += "  " + printable(note) + "\n";
+    if (!solution.checks.empty()) text_ += "  " + painted(Role::faint, check_line(solution.checks)) + "\n";
+  }
+
+  // The questions as rows of three columns: name, words, what was found.
+  void answers(const std::vector<Answer>& answers) {
+    std::size_t name_width = 0;
+    std::size_t words_width = 0;
+    for (const Answer& answer : answers) {
+      name_width = std::max(name_width, display_width(printable(answer.name)));
+      const std::size_t width = display_width(words_of(answer));
+      if (width <= widest_words) words_width = std::max(words_width, width);
+    }
+    const std::string indentation(2 + name_width + 2 + words_width + 2, ' ');
+    for (const Answer& answer : answers) {
+      const std::string words = words_of(answer);
+      text_ += "  " + painted(Role::name, padded_right(printable(answer.name), name_width)) + "  ";
+      const std::vector<std::string> lines = found_lines(answer);
+      const bool table = answer.state == AnswerState::found && !answer.columns.empty();
+      const bool below = table || display_width(words) > words_width;
+      text_ += below ? words + "\n" : padded_right(words, words_width) + "  ";
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        // A table starts below its name, for room.
+        if (i > 0 || below) text_ += table ? "    " : indentation;
+        text_ += lines[i] + "\n";
+      }
+    }
+  }
+
+  static std::string words_of(const Answer& answer) {
+    return printable(answer.words.empty() ? answer.ask : answer.words);
+  }
+
+  std::vector<std::string> found_lines(const Answer& answer) const {
+    switch (answer.state) {
+      case AnswerState::found:
+        break;
+      case AnswerState::needs_letters:
+        if (!answer.formula.empty()) return formula_lines(answer);
+        return {painted(
+            Role::warning,
+            "needs values for " + printable(fmt::format("{}{}", fmt::join(answer.letters, ", "),
+                                                        answer.no_formula.empty() ? "" : ": " + answer.no_formula)))};
+      case AnswerState::undetermined:
+        return {painted(Role::failure, "not determined: " + printable(answer.reason))};
+      case AnswerState::refused:
+        return {painted(Role::failure, "refused: " + printable(answer.reason))};
+    }
+    if (!answer.columns.empty()) return table_lines(answer.columns);
+    if (answer.claim) return claim_lines(*answer.claim);
+    std::vector<std::string> lines =
+        datum_lines(answer.value, printable(answer.unit), style_.digits, !answer.component_names.empty());
+    if (!answer.component_names.empty()) {
+      const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
+      lines.back() += "  " + painted(Role::faint, axes);
+    }
+    return lines;
+  }
+
+  std::vector<std::string> claim_lines(const ClaimOutcome& claim) const {
+    const auto number = [&](double value, const std::string& unit) {
+      return datum_text({value}, printable(unit), style_.digits);
+    };
+    std::vector<std::string> lines;
+    if (claim.holds) {
+      lines.push_back("holds, " + claim.how);
+    } else {
+      std::vector<std::string> values;
+      for (const ClaimOutcome::Value& item : claim.counterexample)
+        values.push_back(printable(item.letter) + " = " + number(item.value, item.unit));
+      lines.push_back(values.empty() ? "fails" : fmt::format("fails: for {}", fmt::join(values, ", ")));
+      if (claim.sides.size() == 2)
+        lines.push_back(fmt::format("the left side is {}, the right {}", number(claim.sides[0], claim.unit),
+                                    number(claim.sides[1], claim.unit)) +
+                        (claim.difference
+                             ? fmt::format("; the left is {} by {}", *claim.difference < 0 ? "less" : "more",
+                                           number(std::abs(*claim.difference), claim.unit))
+                             : ""));
+    }
+    if (!claim.assumptions.empty())
+      lines.push_back(painted(Role::faint, printable(fmt::format("if {}", fmt::join(claim.assumptions, ", ")))));
+    return lines;
+  }
+
+  std::vector<std::string> formula_lines(const Answer& answer) const {
+    std::vector<std::string> lines;
+    for (const std::string& line : datum_lines(answer.formula, "", style_.digits, false)) lines.push_back(line);
+    if (!answer.component_names.empty() && std::holds_alternative<std::vector<Datum>>(answer.formula.content)) {
+      const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
+      // A vector; the rows of a matrix have their brackets.
+      if (lines.size() == 1 && !lines.front().starts_with("[")) lines.front() = "(" + lines.front() + ")";
+      lines.back() += "  " + painted(Role::faint, axes);
+    }
+    return lines;
+  }
+
+  // Names and units head the columns; numbers are right-aligned.
+  std::vector<std::string> table_lines(const std::vector<Column>& columns) const {
+    std::size_t rows = 0;
+    for (const Column& column : columns) rows = std::max(rows, column.value.size());
+    std::vector<std::string> lines(rows + 2);
+    for (const Column& column : columns) {
+      std::vector<std::string> cells{printable(column.name), printable(column.unit)};
+      std::ranges::move(rounded_column(column.value, style_.digits), std::back_inserter(cells));
+      cells.resize(rows + 2);
+      std::size_t width = 0;
+      for (const std::string& cell : cells) width = std::max(width, display_width(cell));
+      for (std::size_t i = 0; i < cells.size(); ++i) lines[i] += "  " + padded_left(cells[i], width);
+    }
+    lines[0] = painted(Role::name, lines[0]);
+    lines[1] = painted(Role::faint, lines[1]);
+    return lines;
+  }
+
+  static std::string check_line(const std::map<std::string, double>& checks) {
+    std::vector<std::string> parts, of_motion;
+    for (const auto& [name, residual] : checks) {
+      if (name == "energy_drift" || name == "motion_error") {
+        of_motion.push_back((name == "energy_drift" ? "its energy kept to " : "its error below ") +
+                            (residual == 0 ? "rounding" : rounded_residual(residual)));
+        continue;
+      }
+      if (name == "facts") continue;
+      std::string words = name == "newton_euler" ? "Newton-Euler" : printable(name);
+      std::ranges::replace(words, '_', ' ');
+      parts.push_back(words + " " + rounded_residual(residual));
+    }
+    std::string line = fmt::format("checked on particles: {}", fmt::join(parts, ", "));
+    if (const auto facts = checks.find("facts"); facts != checks.end())
+      line += "; facts hold to " + rounded_residual(facts->second);
+    if (!of_motion.empty()) line += fmt::format("; the motion: {}", fmt::join(of_motion, ", "));
+    return line;
+  }
+
+  // How to give values to the letters that some answer needs.
+  void open_letters(const Document& document) {
+    std::vector<std::string> settings;
+    for (const Letter& letter : document.open_letters) {
+      const bool needed = std::ranges::any_of(document.solutions, [&](const Solution& solution) {
+        return std::ranges::any_of(solution.answers, [&](const Answer& answer) {
+          return answer.state == AnswerState::needs_letters && std::ranges::count(answer.letters, letter.name) > 0;
+        });
+      });
+      if (!needed) continue;
+      settings.push_back(letter.unit.empty() ? fmt::format("--set {}=...", letter.name)
+                                             : fmt::format("--set '{}=... {}'", letter.name, letter.unit));
+    }
+    if (settings.empty()) return;
+    text_ += printable(fmt::format("To give values: {}", fmt::join(settings, " "))).insert(0, "\n") + "\n";
+  }
+
+  TerminalStyle style_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string to_terminal(const Document& document, const TerminalStyle& style) {
+  require_values(document);
+  return TerminalText(style).render(document);
+}
+
+}  // namespace poinsot::document

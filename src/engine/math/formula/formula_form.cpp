@@ -1,0 +1,163 @@
+// Forms put together, and their lengths.
+#include "engine/math/formula/formula_form.h"
+
+#include <flint/fmpz.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace poinsot::symbolic {
+namespace {
+
+std::string shortest_digits(double number) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
+  return {buffer, end};
+}
+
+double nearest_double(const Integer& numerator, const Integer& denominator) {
+  slong n = 0;
+  slong d = 0;
+  // Each with 53 bits and more, so that the quotient has one rounding too many at most.
+  const double above = fmpz_get_d_2exp(&n, numerator.get());
+  const double below = fmpz_get_d_2exp(&d, denominator.get());
+  return std::ldexp(above / below, static_cast<int>(n - d));
+}
+
+// Numbers of many digits as decimals: a decimal of up to 17 digits exactly; what was a double by the digits that tell
+// it from other doubles; what has more than 40 digits by those of a double.
+std::optional<std::string> decimal_digits(const Integer& numerator, const Integer& denominator) {
+  constexpr int short_denominator = 1000;
+  if (fmpz_cmp_si(denominator.get(), short_denominator) <= 0) return std::nullopt;
+  Integer rest(denominator);
+  Integer prime(2);
+  const slong twos = fmpz_remove(rest.get(), rest.get(), prime.get());
+  fmpz_set_si(prime.get(), 5);
+  const slong fives = fmpz_remove(rest.get(), rest.get(), prime.get());
+  const bool decimal = fmpz_is_one(rest.get()) != 0;
+  if (decimal && fives == 0 && fmpz_bits(numerator.get()) <= 53 && fmpz_bits(numerator.get()) > 20) {
+    return shortest_digits(nearest_double(numerator, denominator));
+  }
+  const slong places = std::max(twos, fives);
+  if (decimal && places <= 25) {
+    Integer scale;
+    fmpz_set_ui(scale.get(), 10);
+    fmpz_pow_ui(scale.get(), scale.get(), static_cast<ulong>(places));
+    fmpz_mul(scale.get(), scale.get(), numerator.get());
+    fmpz_divexact(scale.get(), scale.get(), denominator.get());
+    std::string digits = scale.text();
+    if (digits.size() <= 17) {
+      const auto after = static_cast<std::size_t>(places);
+      if (digits.size() <= after) digits.insert(0, after + 1 - digits.size(), '0');
+      digits.insert(digits.size() - after, ".");
+      return digits;
+    }
+  }
+  if (numerator.text().size() + denominator.text().size() > 40) {
+    return shortest_digits(nearest_double(numerator, denominator));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Form number_form(const Integer& digits) { return {Form::Kind::number, digits.text()}; }
+Form call_form(const std::string& function, Form argument) {
+  return {Form::Kind::call, function, {std::move(argument)}};
+}
+Form power_form(Form base, int exponent) {
+  if (exponent == 1) return base;
+  return {Form::Kind::power, "", {std::move(base)}, exponent};
+}
+Form negative_form(Form positive) {
+  if (positive.kind == Form::Kind::negative) return positive.parts[0];
+  return {Form::Kind::negative, "", {std::move(positive)}};
+}
+Form sum_form(std::vector<Form> terms) {
+  if (terms.size() == 1) return terms[0];
+  return {Form::Kind::sum, "", std::move(terms)};
+}
+
+Form ordered_sum(std::vector<Form> terms) {
+  const auto positive =
+      std::find_if(terms.begin(), terms.end(), [](const Form& term) { return term.kind != Form::Kind::negative; });
+  if (positive != terms.end()) std::rotate(terms.begin(), positive, positive + 1);
+  return sum_form(std::move(terms));
+}
+Form negated_sum(const Form& sum) {
+  std::vector<Form> terms;
+  for (const Form& term : sum.parts) terms.push_back(negative_form(term));
+  return ordered_sum(std::move(terms));
+}
+
+Form product_form(const Integer& coefficient, const Integer& divisor, const std::vector<FormPower>& powers) {
+  std::vector<Form> above;
+  std::vector<Form> below;
+  bool any_above = false;
+  for (const FormPower& power : powers) any_above = any_above || power.exponent > 0;
+  if (auto digits = decimal_digits(coefficient, divisor)) {
+    above.push_back({Form::Kind::number, std::move(*digits)});
+  } else {
+    if (!fmpz_is_one(coefficient.get()) || !any_above) above.push_back(number_form(coefficient));
+    if (!fmpz_is_one(divisor.get())) below.push_back(number_form(divisor));
+  }
+  for (const FormPower& power : powers) {
+    if (power.exponent > 0) above.push_back(power_form(power.base, power.exponent));
+    if (power.exponent < 0) below.push_back(power_form(power.base, -power.exponent));
+  }
+  const auto product = [](std::vector<Form> parts) {
+    return parts.size() == 1 ? parts[0] : Form{Form::Kind::product, "", std::move(parts)};
+  };
+  Form top = product(std::move(above));
+  if (below.empty()) return top;
+  return {Form::Kind::quotient, "", {std::move(top), product(std::move(below))}};
+}
+
+int operators(const Form& form) {
+  int count = 0;
+  for (const Form& part : form.parts) count += operators(part);
+  switch (form.kind) {
+    case Form::Kind::number:
+    case Form::Kind::name:
+      return 0;
+    case Form::Kind::sum: {
+      // A minus counts once, as the sign of its term.
+      const bool first_negative = form.parts[0].kind == Form::Kind::negative;
+      const auto signs = std::count_if(form.parts.begin(), form.parts.end(),
+                                       [](const Form& part) { return part.kind == Form::Kind::negative; });
+      return count - static_cast<int>(signs) + static_cast<int>(form.parts.size()) - 1 + (first_negative ? 1 : 0);
+    }
+    case Form::Kind::product:
+      return count + static_cast<int>(form.parts.size()) - 1;
+    case Form::Kind::negative:
+    case Form::Kind::quotient:
+    case Form::Kind::power:
+    case Form::Kind::call:
+      break;
+  }
+  return count + 1;
+}
+
+namespace {
+
+double sum_of_numbers(const Form& form) {
+  double sum = form.exponent;
+  if (form.kind == Form::Kind::number) sum += std::stod(form.text);
+  for (const Form& part : form.parts) sum += sum_of_numbers(part);
+  return sum;
+}
+
+}  // namespace
+
+bool is_shorter(const Form& a, const Form& b) {
+  const int a_count = operators(a);
+  const int b_count = operators(b);
+  if (a_count != b_count) return a_count < b_count;
+  const std::size_t a_size = text_of(a).size();
+  const std::size_t b_size = text_of(b).size();
+  return a_size != b_size ? a_size < b_size : sum_of_numbers(a) < sum_of_numbers(b);
+}
+
+}  // namespace poinsot::symbolic

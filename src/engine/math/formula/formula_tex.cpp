@@ -1,0 +1,112 @@
+// Forms in the language of TeX.
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "engine/math/formula/formula_form.h"
+
+namespace poinsot::symbolic {
+namespace {
+
+// omega1 is \omega_{1}, Fdt is \mathit{Fdt}, theta' is \theta'; what is no name is text.
+std::string tex_name(const std::string& whole) {
+  const std::size_t end = whole.find_last_not_of('\'') + 1;
+  const std::string name = whole.substr(0, end), primes = whole.substr(end);
+  if (!std::all_of(name.begin(), name.end(),
+                   [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)); })) {
+    std::string words;
+    for (const char c : whole) words += c == '_' ? std::string("\\_") : std::string(1, c);
+    return "\\text{" + words + "}";
+  }
+  static constexpr std::array<const char*, 35> greek{
+      "alpha", "beta",  "gamma",  "delta", "epsilon", "zeta",  "eta",     "theta", "iota", "kappa", "lambda", "mu",
+      "nu",    "xi",    "pi",     "rho",   "sigma",   "tau",   "upsilon", "phi",   "chi",  "psi",   "omega",  "Gamma",
+      "Delta", "Theta", "Lambda", "Xi",    "Pi",      "Sigma", "Upsilon", "Phi",   "Psi",  "Omega", "varphi"};
+  std::size_t stem = name.size();
+  while (stem > 1 && std::isdigit(static_cast<unsigned char>(name[stem - 1]))) --stem;
+  std::string base = name.substr(0, stem);
+  std::string index = name.substr(stem);
+  if (const auto low = base.find('_'); low != std::string::npos && low > 0) {
+    index = base.substr(low + 1) + index;
+    base.resize(low);
+  }
+  std::string escaped;
+  for (const char c : index) escaped += c == '_' ? std::string("\\_") : std::string(1, c);
+  std::string letter;
+  for (const char c : base) letter += c == '_' ? std::string("\\_") : std::string(1, c);
+  if (std::find(greek.begin(), greek.end(), base) != greek.end()) {
+    letter = "\\" + base;
+  } else if (base.size() > 1) {
+    letter = "\\mathit{" + letter + "}";
+  }
+  return (index.empty() ? letter : letter + "_{" + escaped + "}") + primes;
+}
+
+std::string bracketed(const Form& form, bool brackets) {
+  return brackets ? "\\left(" + tex_of(form) + "\\right)" : tex_of(form);
+}
+
+std::string tex_function(const std::string& function) {
+  if (function == "asin") return "\\arcsin";
+  if (function == "acos") return "\\arccos";
+  if (function == "atan") return "\\arctan";
+  if (function == "atan2") return "\\operatorname{atan2}";
+  return "\\" + function;
+}
+
+std::string tex_call(const Form& form, const std::string& exponent) {
+  if (form.text == "sqrt") {
+    const std::string root = "\\sqrt{" + tex_of(form.parts[0]) + "}";
+    return exponent.empty() ? root : "\\left(" + root + "\\right)" + exponent;
+  }
+  const Form& argument = form.parts[0];
+  const bool bare = argument.kind == Form::Kind::name && form.parts.size() == 1;
+  std::string call = tex_function(form.text) + exponent + (bare ? " " : "\\left(") + tex_of(argument);
+  for (std::size_t i = 1; i < form.parts.size(); ++i) call += ", " + tex_of(form.parts[i]);
+  return call + (bare ? "" : "\\right)");
+}
+
+}  // namespace
+
+std::string tex_of(const Form& form) {
+  switch (form.kind) {
+    case Form::Kind::number:
+      return form.text;
+    case Form::Kind::name:
+      return tex_name(form.text);
+    case Form::Kind::negative:
+      return "-" + bracketed(form.parts[0], is_compound(form.parts[0]));
+    case Form::Kind::sum: {
+      std::string sum = tex_of(form.parts[0]);
+      for (std::size_t i = 1; i < form.parts.size(); ++i) {
+        const Form& part = form.parts[i];
+        const bool negative = part.kind == Form::Kind::negative;
+        sum += negative ? " - " + bracketed(part.parts[0], is_compound(part.parts[0])) : " + " + tex_of(part);
+      }
+      return sum;
+    }
+    case Form::Kind::product: {
+      std::string product;
+      for (std::size_t i = 0; i < form.parts.size(); ++i) {
+        const bool digits =
+            form.parts[i].kind == Form::Kind::number ||
+            (form.parts[i].kind == Form::Kind::power && form.parts[i].parts[0].kind == Form::Kind::number);
+        product += (i == 0 ? "" : digits ? " \\cdot " : " ") + bracketed(form.parts[i], is_compound(form.parts[i]));
+      }
+      return product;
+    }
+    case Form::Kind::quotient:
+      return "\\frac{" + tex_of(form.parts[0]) + "}{" + tex_of(form.parts[1]) + "}";
+    case Form::Kind::power: {
+      const Form& base = form.parts[0];
+      const std::string exponent = "^{" + std::to_string(form.exponent) + "}";
+      if (base.kind == Form::Kind::call) return tex_call(base, exponent);
+      return bracketed(base, base.kind != Form::Kind::number && base.kind != Form::Kind::name) + exponent;
+    }
+    case Form::Kind::call:
+      break;
+  }
+  return tex_call(form, "");
+}
+
+}  // namespace poinsot::symbolic

@@ -1,0 +1,173 @@
+#include "poinsot/engine/solve/instant/closure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/solve/instant/singular_pose.h"
+#include "poinsot/engine/dynamics/velocity_constraint.h"
+#include "poinsot/engine/math/algebra/plain.h"
+#include "poinsot/engine/math/formula/formula.h"
+
+namespace poinsot::solve {
+namespace {
+
+// By how much a constraint is open.
+template <class Scalar>
+Scalar gap_of(const MechanismStateOf<Scalar>& moment, std::size_t constraint) {
+  const Mechanism<Scalar>& mechanism = moment.mechanism();
+  return constraint_gap(mechanism.tree, moment.workspace(), mechanism.constraints[constraint],
+                        axis_left_free(mechanism.constraints, constraint));
+}
+
+template <class Scalar>
+std::vector<std::size_t> constraints_on_positions(const Mechanism<Scalar>& mechanism) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < mechanism.constraints.size(); ++i)
+    if (binds_positions(mechanism.constraints[i])) found.push_back(i);
+  return found;
+}
+
+// Velocity coordinates that may move: those of coordinates without a value.
+template <class Scalar>
+std::vector<bool> movable_coordinates(const Model<Scalar>& tree, const std::vector<bool>& given) {
+  std::vector<bool> movable(static_cast<std::size_t>(tree.velocity_size()), true);
+  for (const Body<Scalar>& body : tree.bodies())
+    for (int k = 0; k < velocity_size(body.joint); ++k)
+      if (position_size(body.joint) == 1 && given[static_cast<std::size_t>(body.q)])
+        movable[static_cast<std::size_t>(body.v + k)] = false;
+  return movable;
+}
+
+// One step of Newton's method: displacements of the movable coordinates that close the gaps of some constraints.
+class ClosingStep {
+ public:
+  // movable must outlive the step.
+  template <class Scalar>
+  ClosingStep(const Model<Scalar>& tree, double length, const std::vector<bool>& movable)
+      : length_(length), movable_(movable) {
+    for (int k = 0; k < tree.velocity_size(); ++k) system_.add_unknown("", coordinate_turns(tree, k) ? 1 : length);
+  }
+  double unit(VelocityConstraintKind kind) const { return kind == VelocityConstraintKind::angular ? 1 : length_; }
+  void add(VelocityConstraintKind kind, const std::vector<double>& coefficients, double gap) {
+    const std::size_t row = system_.add_equation("", unit(kind));
+    for (std::size_t k = 0; k < coefficients.size(); ++k)
+      if (movable_[k] && coefficients[k] != 0) system_.add(row, k, coefficients[k]);
+    system_.add_right_side(row, -gap);
+  }
+  std::vector<double> displacements() const { return system_.solve().value; }
+
+ private:
+  LinearSystem system_;
+  double length_;
+  const std::vector<bool>& movable_;
+};
+
+}  // namespace
+
+Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>& target,
+                   const std::vector<bool>& given) {
+  const Model<double>& tree = mechanism.tree;
+  Closure result;
+  result.q = neutral_state(tree).q;
+  const std::vector<std::size_t> rows = constraints_on_positions(mechanism);
+  bool moved = false;
+  for (std::size_t k = 0; k < target.size(); ++k) moved = moved || (given[k] && target[k] != result.q[k]);
+  if (rows.empty() || !moved) {
+    result.q = target;
+    return result;
+  }
+  const std::vector<bool> movable = movable_coordinates(tree, given);
+  const double length = natural_scales(mechanism).length;
+  MechanismState moment(mechanism);
+  double largest = 0;
+  for (std::size_t k = 0; k < target.size(); ++k)
+    if (given[k]) largest = std::max(largest, std::abs(target[k]));
+  const int steps = std::clamp(static_cast<int>(std::ceil(largest / 0.05)), 4, 400);
+  std::vector<double> before = result.q;
+  for (int step = 1; step <= steps; ++step) {
+    // The others go on as they went: through a pose in which the loop could part, and close to where they will be.
+    const std::vector<double> last = result.q;
+    for (const Body<double>& body : tree.bodies())
+      if (position_size(body.joint) == 1) {
+        const auto k = static_cast<std::size_t>(body.q);
+        result.q[k] += last[k] - before[k];
+      }
+    before = last;
+    for (std::size_t k = 0; k < target.size(); ++k)
+      if (given[k]) result.q[k] = target[k] * step / steps;
+    const int most = step == steps ? 60 : 6;
+    double previous = std::numeric_limits<double>::infinity();
+    for (int iteration = 0; iteration < most; ++iteration) {
+      moment.set_positions(result.q);
+      ClosingStep newton(tree, length, movable);
+      double worst = 0;
+      for (std::size_t i : rows) {
+        const VelocityConstraint<double>& c = mechanism.constraints[i];
+        const double gap = gap_of(moment, i);
+        if (std::abs(gap) / newton.unit(c.kind) >= worst) {
+          worst = std::abs(gap) / newton.unit(c.kind);
+          result.gap = std::abs(gap);
+          result.where = c.words;
+        }
+        newton.add(c.kind, constraint_coefficients(moment, c), gap);
+      }
+      // Near a pose in which the loop could part gaps are the squares of what the pose is off: the last steps count.
+      const bool closed = worst < 1e-14 && (step < steps || worst > 0.25 * previous);
+      if (closed || worst < 4 * std::numeric_limits<double>::epsilon()) break;
+      previous = worst;
+      integrate_position<double>(tree, result.q, newton.displacements(), 1.0);
+    }
+  }
+  settle_on_singular_pose(mechanism, rows, movable, length, result.q);
+  return result;
+}
+
+std::vector<Dual<1>> varied_pose(const Mechanism<Dual<1>>& mechanism, const std::vector<double>& closed,
+                                 const std::vector<Dual<1>>& target, const std::vector<bool>& given) {
+  const Model<Dual<1>>& tree = mechanism.tree;
+  const std::vector<std::size_t> rows = constraints_on_positions(mechanism);
+  if (rows.empty()) return target;
+  std::vector<Dual<1>> q(closed.begin(), closed.end());
+  for (std::size_t k = 0; k < q.size(); ++k)
+    if (given[k]) q[k].partial = target[k].partial;
+  // What varies opens the gaps while the other coordinates are held; one step of theirs closes them again.
+  const std::vector<bool> movable = movable_coordinates(tree, given);
+  MechanismStateOf<Dual<1>> moment(mechanism);
+  moment.set_positions(q);
+  ClosingStep newton(tree, natural_scales(mechanism).length, movable);
+  for (std::size_t i : rows) {
+    const VelocityConstraint<Dual<1>>& c = mechanism.constraints[i];
+    newton.add(c.kind, plain(constraint_coefficients(moment, c)), gap_of(moment, i).partial[0]);
+  }
+  std::vector<Dual<1>> step;
+  for (double displacement : newton.displacements()) step.push_back({0.0, {displacement}});
+  integrate_position<Dual<1>>(tree, q, step, Dual<1>(1));
+  return q;
+}
+
+template <class Scalar>
+void update_contacts(Mechanism<Scalar>& mechanism, const MechanismStateOf<Scalar>& moment) {
+  using Vector = Vector3<Scalar>;
+  const Model<Scalar>& tree = mechanism.tree;
+  const Workspace<Scalar>& w = moment.workspace();
+  for (VelocityConstraint<Scalar>& c : mechanism.constraints) {
+    if (c.kind != VelocityConstraintKind::rolling) continue;
+    const std::optional<Vector> r = detail::reach_of_rolling(tree, w, c);
+    if (!r) continue;
+    const Vector was = moment.position(c.at) - point_position(tree, w, c.on, c.center);
+    // What is nothing but rounding leaves the point where it is; its derivatives still count.
+    Vector change = *r - was;
+    if (norm(plain(change)) < 1e-12 * plain(c.radius)) change = change - lifted<Scalar>(plain(change));
+    if (vanishes(change.x) && vanishes(change.y) && vanishes(change.z)) continue;
+    c.at.point += direction_on_body(tree, w, c.on, change);
+    for (Component<Scalar>& component : mechanism.components)
+      if (component.action == c.action) component.at = c.at;
+  }
+}
+
+template void update_contacts(Mechanism<double>&, const MechanismStateOf<double>&);
+template void update_contacts(Mechanism<Dual<1>>&, const MechanismStateOf<Dual<1>>&);
+template void update_contacts(Mechanism<Formula>&, const MechanismStateOf<Formula>&);
+
+}  // namespace poinsot::solve

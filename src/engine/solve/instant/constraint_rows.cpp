@@ -1,0 +1,43 @@
+// The constraints of a mechanism as equations for its velocities and accelerations.
+#include "poinsot/engine/dynamics/velocity_constraint.h"
+#include "poinsot/engine/math/formula/formula.h"
+#include "poinsot/engine/solve/instant/equations.h"
+
+namespace poinsot::solve {
+template <class Scalar>
+ConstraintRow<Scalar> constraint_row(const MechanismStateOf<Scalar>& moment, const VelocityConstraint<Scalar>& c) {
+  const Model<Scalar>& tree = moment.mechanism().tree;
+  const Workspace<Scalar>& w = moment.workspace();
+  const ConstraintLine<Scalar> line = constraint_line(tree, w, c, moment.position(c.at));
+  ConstraintRow<Scalar> row;
+  row.coefficients.assign(static_cast<std::size_t>(tree.velocity_size()), Scalar(0));
+  row.bias = line.bias;
+  // A cord acts on its other end.
+  const auto add = [&](int body, const Vector3<Scalar>& p, double sign) {
+    for_each_coordinate_motion(tree, w, body, p, [&](int k, const SpatialMotion<Scalar>& S) {
+      row.coefficients[static_cast<std::size_t>(k)] +=
+          Scalar(sign) * (dot(line.unit.force, S.linear) + dot(line.unit.couple, S.angular));
+    });
+  };
+  add(c.on, line.unit.point, 1);
+  add(c.from, c.kind == VelocityConstraintKind::cord_length ? moment.position(c.toward) : line.unit.point, -1);
+  return row;
+}
+
+template <class Scalar>
+std::vector<Scalar> constraint_coefficients(const MechanismStateOf<Scalar>& moment,
+                                            const VelocityConstraint<Scalar>& constraint) {
+  return constraint_row(moment, constraint).coefficients;
+}
+
+template ConstraintRow<double> constraint_row(const MechanismStateOf<double>&, const VelocityConstraint<double>&);
+template ConstraintRow<Dual<1>> constraint_row(const MechanismStateOf<Dual<1>>&, const VelocityConstraint<Dual<1>>&);
+template std::vector<double> constraint_coefficients(const MechanismStateOf<double>&,
+                                                     const VelocityConstraint<double>&);
+template std::vector<Dual<1>> constraint_coefficients(const MechanismStateOf<Dual<1>>&,
+                                                      const VelocityConstraint<Dual<1>>&);
+template ConstraintRow<Formula> constraint_row(const MechanismStateOf<Formula>&, const VelocityConstraint<Formula>&);
+template std::vector<Formula> constraint_coefficients(const MechanismStateOf<Formula>&,
+                                                      const VelocityConstraint<Formula>&);
+
+}  // namespace poinsot::solve

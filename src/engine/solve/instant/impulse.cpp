@@ -1,0 +1,258 @@
+#include "poinsot/engine/solve/instant/impulse.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/solve/instant/equation_rows.h"
+#include "poinsot/engine/math/algebra/plain.h"
+#include "poinsot/engine/math/formula/formula.h"
+
+namespace poinsot::solve {
+namespace {
+
+
+template <class Scalar>
+Vector3<Scalar> point_rate(const MechanismStateOf<Scalar>& moment, int body, const Vector3<Scalar>& p) {
+  const BodyMotion<Scalar>& motion = moment.workspace().motion[static_cast<std::size_t>(body + 1)];
+  return motion.v + cross(motion.w, p - motion.p);
+}
+
+}  // namespace
+
+template <class Scalar>
+ImpulseUnknowns impulse_unknowns(const Mechanism<Scalar>& mechanism, const BlowOf<Scalar>& blow) {
+  ImpulseUnknowns unknowns;
+  unknowns.velocities = static_cast<std::size_t>(mechanism.tree.velocity_size());
+  unknowns.components = mechanism.components.size();
+  for (std::size_t i = 0; i < mechanism.drives.size(); ++i)
+    if (mechanism.drives[i].held) unknowns.drive_of_effort.push_back(i);
+  unknowns.efforts = unknowns.drive_of_effort.size();
+  unknowns.impacts = blow.impacts.size();
+  return unknowns;
+}
+
+template <class Scalar>
+LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before, const Scales& scales,
+                                         const BlowOf<Scalar>& blow, const std::vector<ConditionOf<Scalar>>& conditions,
+                                         const std::vector<bool>& acting) {
+  using Vector = Vector3<Scalar>;
+  using Wrench = SpatialForce<Scalar>;
+  const Mechanism<Scalar>& mechanism = before.mechanism();
+  const Model<Scalar>& tree = mechanism.tree;
+  const ImpulseUnknowns unknowns = impulse_unknowns(mechanism, blow);
+  const double impulse_scale = scales.mass * scales.length / scales.time;
+  const double couple_scale = impulse_scale * scales.length;
+
+  LinearSystemOf<Scalar> system;
+  for (int k = 0; k < tree.velocity_size(); ++k)
+    system.add_unknown({mechanism.coordinate_names[static_cast<std::size_t>(k)], " after the blow"},
+                       coordinate_turns(tree, k) ? 1 : scales.length);
+  for (const Component<Scalar>& component : mechanism.components) {
+    const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
+    system.add_unknown({component.couple ? "impulsive couple" : "impulse", "(", action.name, ")",
+                        component.axis.empty() ? "" : " along ", component.axis},
+                       component.couple ? couple_scale : impulse_scale);
+  }
+  for (std::size_t drive : unknowns.drive_of_effort)
+    system.add_unknown(
+        {"impulsive drive(", mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint, ")"},
+        mechanism.drives[drive].turning ? couple_scale : impulse_scale);
+  for (const ImpactOf<Scalar>& impact : blow.impacts) system.add_unknown({"impulse(", impact.name, ")"}, impulse_scale);
+
+  // System momenta before + external impulses = system momenta after (Eq. 17.4), body by body, about its mass center.
+  std::vector<std::size_t> first_row(static_cast<std::size_t>(tree.body_count()), 0);
+  std::vector<Vector> center(static_cast<std::size_t>(tree.body_count()));
+  for (int i = 0; i < tree.body_count(); ++i) {
+    if (!mechanism.takes_part[static_cast<std::size_t>(i)]) continue;
+    const Scalar& mass = tree.body(i).inertia.mass;
+    const bool massive = plain(mass) > 0;
+    const Vector G = massive ? body_mass_center(tree, before.workspace(), i)
+                             : before.workspace().motion[static_cast<std::size_t>(i + 1)].p;
+    center[static_cast<std::size_t>(i)] = G;
+    std::size_t row = 0;
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t added =
+          system.add_equation({"impulses on ", tree.name(i), " along ", axis_names[k]}, impulse_scale);
+      if (k == 0) row = added;
+    }
+    for (int k = 0; k < 3; ++k)
+      system.add_equation({"moments of the impulses on ", tree.name(i), " about ", axis_names[k]}, couple_scale);
+    first_row[static_cast<std::size_t>(i)] = row;
+    if (!massive) continue;
+    const Momentum<Scalar> momentum = body_momentum(tree, before.workspace(), i, G);
+    for (std::size_t k = 0; k < 3; ++k) {
+      system.add_right_side(row + k, momentum.linear[k]);
+      system.add_right_side(row + 3 + k, momentum.angular[k]);
+    }
+    const Matrix3<Scalar> R = before.workspace().motion[static_cast<std::size_t>(i + 1)].R;
+    const SpatialInertia<Scalar>& I = tree.body(i).inertia;
+    const SymmetricMatrix3<Scalar> I_G = I.inertia - mass * unit_mass_inertia(I.first_moment / mass);
+    for_each_coordinate_motion(tree, before.workspace(), i, G, [&](int coordinate, const SpatialMotion<Scalar>& S) {
+      const Vector H = R * (I_G * transpose_times(R, S.angular));
+      for (std::size_t k = 0; k < 3; ++k) {
+        system.add(row + k, static_cast<std::size_t>(coordinate), mass * S.linear[k]);
+        system.add(row + 3 + k, static_cast<std::size_t>(coordinate), H[k]);
+      }
+    });
+  }
+  const auto on_body = [&](int body, const Scalar& sign, const Wrench& wrench, auto&& add) {
+    if (body == ground || !mechanism.takes_part[static_cast<std::size_t>(body)]) return;
+    const std::size_t row = first_row[static_cast<std::size_t>(body)];
+    const Vector moment_G = wrench.moment - cross(center[static_cast<std::size_t>(body)], wrench.force);
+    for (std::size_t k = 0; k < 3; ++k) {
+      add(row + k, sign * wrench.force[k]);
+      add(row + 3 + k, sign * moment_G[k]);
+    }
+  };
+  const auto act = [&](std::size_t column, int on, int from, const Wrench& wrench) {
+    const auto add = [&](std::size_t row, const Scalar& value) { system.add(row, column, -value); };
+    on_body(on, Scalar(1), wrench, add);
+    on_body(from, Scalar(-1), wrench, add);
+  };
+  std::size_t column = unknowns.velocities;
+  for (const Component<Scalar>& component : mechanism.components) {
+    const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
+    act(column++, action.on, action.from, before.component_wrench(component));
+  }
+  for (std::size_t drive : unknowns.drive_of_effort) {
+    const Action& action = mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)];
+    act(column++, action.on, action.from, before.drive_wrench(mechanism.drives[drive]));
+  }
+  for (const ImpactOf<Scalar>& impact : blow.impacts)
+    act(column++, impact.on, impact.from, impact_wrench(before, impact));
+  for (const KnownImpulseOf<Scalar>& impulse : blow.impulses) {
+    on_body(impulse.on, Scalar(1), impulse.wrench,
+            [&](std::size_t row, const Scalar& value) { system.add_right_side(row, value); });
+    if (vanishes(impulse.absorbed)) continue;
+    const Vector P = before.position(impulse.at);
+    for_each_coordinate_motion(tree, before.workspace(), impulse.on, P, [&](int k, const SpatialMotion<Scalar>& S) {
+      const Vector taken = impulse.absorbed * S.linear;
+      on_body(impulse.on, Scalar(1), {cross(P, taken), taken},
+              [&](std::size_t row, const Scalar& value) { system.add(row, static_cast<std::size_t>(k), value); });
+    });
+  }
+
+  // What joints, contacts and taut cords forbid is still forbidden; what does not act gives no impulse.
+  for (std::size_t i = 0; i < mechanism.constraints.size(); ++i) {
+    const VelocityConstraint<Scalar>& constraint = mechanism.constraints[i];
+    if (constraint.action >= 0 && !acting[static_cast<std::size_t>(constraint.action)]) continue;
+    add_constraint(system, constraint, constraint_coefficients(before, constraint), scales);
+  }
+  for (std::size_t i = 0; i < mechanism.components.size(); ++i) {
+    const Component<Scalar>& component = mechanism.components[i];
+    if (acting[static_cast<std::size_t>(component.action)]) continue;
+    const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
+    system.add(system.add_equation({"no impulse of '", action.name, "'"}, impulse_scale), unknowns.velocities + i,
+               Scalar(1));
+  }
+  for (std::size_t drive : unknowns.drive_of_effort) {
+    const auto k = static_cast<std::size_t>(mechanism.drives[drive].coordinate);
+    const std::size_t row =
+        system.add_equation({mechanism.coordinate_names[k], " is held"},
+                            coordinate_turns(tree, mechanism.drives[drive].coordinate) ? 1 : scales.length);
+    system.add(row, k, Scalar(1));
+    system.add_right_side(row, before.state().v[k]);
+  }
+  for (int k : blow.held_coordinates) {
+    const std::size_t row = system.add_equation({mechanism.coordinate_names[static_cast<std::size_t>(k)], " is held"},
+                                                coordinate_turns(tree, k) ? 1 : scales.length);
+    system.add(row, static_cast<std::size_t>(k), Scalar(1));
+    system.add_right_side(row, before.state().v[static_cast<std::size_t>(k)]);
+  }
+  // Relative velocity after = -e times that before, along the push.
+  for (const ImpactOf<Scalar>& impact : blow.impacts) {
+    const std::size_t row = system.add_equation({"restitution at '", impact.name, "'"}, scales.length);
+    const Vector P = before.position(impact.at), n = before.direction(impact.push);
+    for (const auto& [body, sign] : {std::pair{impact.on, Scalar(1)}, std::pair{impact.from, Scalar(-1)}})
+      for_each_coordinate_motion(tree, before.workspace(), body, P,
+                                 [&, side = sign](int k, const SpatialMotion<Scalar>& S) {
+                                   system.add(row, static_cast<std::size_t>(k), side * dot(n, S.linear));
+                                 });
+    system.add_right_side(row, -impact.restitution * approach(before, impact));
+  }
+  for (const ConditionOf<Scalar>& condition : conditions) add_condition(system, condition);
+  return system;
+}
+
+LinearSolution solve_impulse(const MechanismState& before, const Scales& scales, const Blow& blow,
+                             const std::vector<Condition>& conditions, const std::vector<bool>& acting,
+                             LinearSystem* equations) {
+  LinearSystem system = impulse_equations(before, scales, blow, conditions, acting);
+  LinearSolution solution = system.solve();
+  if (equations) *equations = std::move(system);
+  return solution;
+}
+
+template <class Scalar>
+SpatialForce<Scalar> impact_wrench(const MechanismStateOf<Scalar>& moment, const ImpactOf<Scalar>& impact) {
+  const Vector3<Scalar> n = moment.direction(impact.push);
+  return {cross(moment.position(impact.at), n), n};
+}
+
+template <class Scalar>
+Scalar approach(const MechanismStateOf<Scalar>& moment, const ImpactOf<Scalar>& impact) {
+  const Vector3<Scalar> P = moment.position(impact.at);
+  return dot(moment.direction(impact.push), point_rate(moment, impact.on, P) - point_rate(moment, impact.from, P));
+}
+
+template <class Scalar>
+SpatialForce<Scalar> action_impulse(const MechanismStateOf<Scalar>& moment, const BlowOf<Scalar>& blow,
+                                    const std::vector<Scalar>& unknowns, std::size_t action) {
+  using Vector = Vector3<Scalar>;
+  using Wrench = SpatialForce<Scalar>;
+  const Mechanism<Scalar>& mechanism = moment.mechanism();
+  const ImpulseUnknowns order = impulse_unknowns(mechanism, blow);
+  const int index = static_cast<int>(action);
+  Wrench total = Wrench::zero();
+  std::size_t column = order.velocities;
+  for (const Component<Scalar>& component : mechanism.components) {
+    if (component.action == index) total += unknowns[column] * moment.component_wrench(component);
+    ++column;
+  }
+  for (std::size_t drive : order.drive_of_effort) {
+    if (mechanism.drives[drive].action == index)
+      total += unknowns[column] * moment.drive_wrench(mechanism.drives[drive]);
+    ++column;
+  }
+  for (const ImpactOf<Scalar>& impact : blow.impacts) {
+    if (impact.action == index) total += unknowns[column] * impact_wrench(moment, impact);
+    ++column;
+  }
+  for (const KnownImpulseOf<Scalar>& impulse : blow.impulses) {
+    if (impulse.action != index) continue;
+    total += impulse.wrench;
+    const Vector P = moment.position(impulse.at);
+    for_each_coordinate_motion(
+        mechanism.tree, moment.workspace(), impulse.on, P, [&](int k, const SpatialMotion<Scalar>& S) {
+          const Vector kept = (-impulse.absorbed * unknowns[static_cast<std::size_t>(k)]) * S.linear;
+          total += Wrench{cross(P, kept), kept};
+        });
+  }
+  return total;
+}
+
+template ImpulseUnknowns impulse_unknowns(const Mechanism<double>&, const BlowOf<double>&);
+template LinearSystemOf<double> impulse_equations(const MechanismStateOf<double>&, const Scales&, const BlowOf<double>&,
+                                                  const std::vector<ConditionOf<double>>&, const std::vector<bool>&);
+template SpatialForce<double> impact_wrench(const MechanismStateOf<double>&, const ImpactOf<double>&);
+template double approach(const MechanismStateOf<double>&, const ImpactOf<double>&);
+template SpatialForce<double> action_impulse(const MechanismStateOf<double>&, const BlowOf<double>&,
+                                             const std::vector<double>&, std::size_t);
+template ImpulseUnknowns impulse_unknowns(const Mechanism<Dual<1>>&, const BlowOf<Dual<1>>&);
+template LinearSystemOf<Dual<1>> impulse_equations(const MechanismStateOf<Dual<1>>&, const Scales&,
+                                                   const BlowOf<Dual<1>>&, const std::vector<ConditionOf<Dual<1>>>&,
+                                                   const std::vector<bool>&);
+template SpatialForce<Dual<1>> impact_wrench(const MechanismStateOf<Dual<1>>&, const ImpactOf<Dual<1>>&);
+template Dual<1> approach(const MechanismStateOf<Dual<1>>&, const ImpactOf<Dual<1>>&);
+template SpatialForce<Dual<1>> action_impulse(const MechanismStateOf<Dual<1>>&, const BlowOf<Dual<1>>&,
+                                              const std::vector<Dual<1>>&, std::size_t);
+template ImpulseUnknowns impulse_unknowns(const Mechanism<Formula>&, const BlowOf<Formula>&);
+template LinearSystemOf<Formula> impulse_equations(const MechanismStateOf<Formula>&, const Scales&,
+                                                   const BlowOf<Formula>&, const std::vector<ConditionOf<Formula>>&,
+                                                   const std::vector<bool>&);
+template SpatialForce<Formula> impact_wrench(const MechanismStateOf<Formula>&, const ImpactOf<Formula>&);
+template Formula approach(const MechanismStateOf<Formula>&, const ImpactOf<Formula>&);
+template SpatialForce<Formula> action_impulse(const MechanismStateOf<Formula>&, const BlowOf<Formula>&,
+                                              const std::vector<Formula>&, std::size_t);
+
+}  // namespace poinsot::solve

@@ -1,0 +1,109 @@
+#include "poinsot/engine/solve/instant/mechanism_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/engine/dynamics/action_forces.h"
+#include "poinsot/engine/math/algebra/plain.h"
+#include "poinsot/engine/math/formula/formula.h"
+
+namespace poinsot::solve {
+namespace {
+
+// About the ground's origin.
+template <class Scalar>
+SpatialForce<Scalar> wrench_of(const PlacedForce<Scalar>& f) {
+  return {f.couple + cross(f.point, f.force), f.force};
+}
+
+}  // namespace
+
+template <class Scalar>
+MechanismStateOf<Scalar>::MechanismStateOf(const Mechanism<Scalar>& mechanism)
+    : mechanism_(mechanism), workspace_(mechanism.tree), state_(neutral_state(mechanism.tree)) {
+  accelerations_.assign(static_cast<std::size_t>(mechanism.tree.velocity_size()), Scalar(0));
+  set_positions(state_.q);
+}
+
+template <class Scalar>
+void MechanismStateOf<Scalar>::set_positions(const std::vector<Scalar>& q) {
+  state_.q = q;
+  std::fill(state_.v.begin(), state_.v.end(), Scalar(0));
+  set_velocities(state_.v);
+}
+
+template <class Scalar>
+void MechanismStateOf<Scalar>::set_velocities(const std::vector<Scalar>& v) {
+  state_.v = v;
+  std::fill(accelerations_.begin(), accelerations_.end(), Scalar(0));
+  set_accelerations(accelerations_);
+}
+
+template <class Scalar>
+void MechanismStateOf<Scalar>::set_accelerations(const std::vector<Scalar>& a) {
+  accelerations_ = a;
+  update_accelerations<Scalar>(mechanism_.tree, workspace_, state_, accelerations_);
+}
+
+template <class Scalar>
+Vector3<Scalar> MechanismStateOf<Scalar>::position(const Place<Scalar>& place) const {
+  return point_position(mechanism_.tree, workspace_, place.body, place.point);
+}
+template <class Scalar>
+Vector3<Scalar> MechanismStateOf<Scalar>::velocity(const Place<Scalar>& place) const {
+  return point_velocity(mechanism_.tree, workspace_, place.body, place.point);
+}
+template <class Scalar>
+Vector3<Scalar> MechanismStateOf<Scalar>::direction(const Direction<Scalar>& direction) const {
+  return direction_on_ground(mechanism_.tree, workspace_, direction.body, direction.vector);
+}
+template <class Scalar>
+Vector3<Scalar> MechanismStateOf<Scalar>::on_ground_axes(int axes, const Vector3<Scalar>& vector) const {
+  return direction_on_ground(mechanism_.tree, workspace_, axes, vector);
+}
+
+template <class Scalar>
+SpatialForce<Scalar> MechanismStateOf<Scalar>::component_wrench(const Component<Scalar>& component) const {
+  return wrench_of(component_force(mechanism_.tree, workspace_, component));
+}
+
+// What a motor about one axis passes on through gimbals that turn freely: a couple with moment one about its own axis
+// and none about the others.
+template <class Scalar>
+SpatialForce<Scalar> MechanismStateOf<Scalar>::drive_wrench(const Drive<Scalar>& drive) const {
+  const Vector3<Scalar> d = direction(drive.along);
+  if (!drive.turning) return wrench_of<Scalar>({position(drive.at), d, Vector3<Scalar>::zero()});
+  Vector3<Scalar> couple = d;
+  if (drive.others.size() == 1) {
+    const Vector3<Scalar> other = direction(drive.others[0]);
+    couple = d - dot(d, other) * other;
+  } else if (drive.others.size() == 2) {
+    couple = cross(direction(drive.others[0]), direction(drive.others[1]));
+  }
+  // Axes in one plane leave no such couple; then it is that of the axis alone.
+  const Scalar about_own = dot(couple, d);
+  return {std::abs(plain(about_own)) < 1e-9 ? d : couple / about_own, Vector3<Scalar>::zero()};
+}
+
+template <class Scalar>
+SpatialForce<Scalar> MechanismStateOf<Scalar>::known_wrench(const KnownForce<Scalar>& force) const {
+  return wrench_of(known_force(mechanism_.tree, workspace_, force));
+}
+
+template <class Scalar>
+SpatialForce<Scalar> MechanismStateOf<Scalar>::spring_wrench(const SpringLaw<Scalar>& spring) const {
+  return wrench_of(spring_pull(mechanism_.tree, workspace_, spring).force);
+}
+
+template <class Scalar>
+Scalar MechanismStateOf<Scalar>::known_effort(const Drive<Scalar>& drive) const {
+  const Scalar& position = state_.q[static_cast<std::size_t>(drive.position)];
+  const Scalar& rate = state_.v[static_cast<std::size_t>(drive.coordinate)];
+  return drive.effort - drive.stiffness * (position - drive.free_position) - drive.damping * rate;
+}
+
+template class MechanismStateOf<double>;
+template class MechanismStateOf<Dual<1>>;
+template class MechanismStateOf<Formula>;
+
+}  // namespace poinsot::solve

@@ -1,0 +1,84 @@
+// A system of named equations as matrices in natural units.
+#pragma once
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+#include "poinsot/engine/math/algebra/dual.h"
+#include "poinsot/engine/math/algebra/plain.h"
+#include "poinsot/engine/solve/linear/linear_system.h"
+
+namespace poinsot::solve {
+
+// A pivot below this part of the largest is rounding: entries are near one after scaling.
+inline constexpr double rank_tolerance = 1e-11;
+
+// Sizes: m equations (at least one: without equations one that says nothing leaves every unknown open), n unknowns.
+template <class Scalar>
+struct AssembledSystem {
+  Eigen::MatrixXd A;            // coefficients that are rounding are zero
+  Eigen::VectorXd b, b_size;    // b_size: of the terms that b was made from
+  Eigen::VectorXd row, column;  // from the units of the caller to natural ones: A_ij = row_i a_ij column_j
+  Eigen::MatrixXd A_rate;       // over duals: how A varies, and b; else empty
+  Eigen::VectorXd b_rate;
+  std::vector<std::size_t> bad;  // equations whose numbers are not finite; then A is not cleaned of rounding
+
+  explicit AssembledSystem(const LinearSystemOf<Scalar>& system);
+};
+
+template <class Scalar>
+AssembledSystem<Scalar>::AssembledSystem(const LinearSystemOf<Scalar>& system) {
+  const auto m = static_cast<Eigen::Index>(std::max<std::size_t>(system.equations(), 1));
+  const auto n = static_cast<Eigen::Index>(system.unknowns());
+  A = Eigen::MatrixXd::Zero(m, n);
+  b = b_size = Eigen::VectorXd::Zero(m);
+  row = Eigen::VectorXd::Ones(m);
+  column.resize(n);
+  for (std::size_t i = 0; i < system.equations(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    row[k] = 1 / system.equations_[i].scale;
+    b[k] = plain(system.equations_[i].right_side) * row[k];
+    b_size[k] = system.equations_[i].right_size * row[k];
+  }
+  for (Eigen::Index j = 0; j < n; ++j) column[j] = system.unknowns_[static_cast<std::size_t>(j)].scale;
+  Eigen::MatrixXd rounding = Eigen::MatrixXd::Zero(m, n);
+  std::vector<bool> known_rounding(static_cast<std::size_t>(m), true);
+  for (const auto& entry : system.entries_) {
+    const auto i = static_cast<Eigen::Index>(entry.equation);
+    const auto j = static_cast<Eigen::Index>(entry.unknown);
+    A(i, j) += plain(entry.coefficient) * row[i] * column[j];
+    rounding(i, j) += entry.rounding.value_or(0) * row[i] * column[j];
+    if (!entry.rounding) known_rounding[entry.equation] = false;
+  }
+  if constexpr (std::is_same_v<Scalar, Dual<1>>) {
+    A_rate = Eigen::MatrixXd::Zero(m, n);
+    b_rate = Eigen::VectorXd::Zero(m);
+    for (std::size_t i = 0; i < system.equations(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      b_rate[k] = system.equations_[i].right_side.partial[0] * row[k];
+    }
+    for (const auto& entry : system.entries_) {
+      const auto i = static_cast<Eigen::Index>(entry.equation);
+      const auto j = static_cast<Eigen::Index>(entry.unknown);
+      A_rate(i, j) += entry.coefficient.partial[0] * row[i] * column[j];
+    }
+  }
+  if (!A.allFinite() || !b.allFinite()) {
+    for (Eigen::Index i = 0; i < m; ++i)
+      if (!A.row(i).allFinite() || !std::isfinite(b[i])) bad.push_back(static_cast<std::size_t>(i));
+    return;
+  }
+  for (Eigen::Index i = 0; i < m && n; ++i)
+    if (!known_rounding[static_cast<std::size_t>(i)])
+      // A row all of whose coefficients are rounding has no size of its own: then natural units tell.
+      rounding.row(i).setConstant(std::max(1e-14 * A.row(i).cwiseAbs().maxCoeff(), 1e-15));
+  A = (A.array().abs() <= rounding.array()).select(0, A);
+}
+
+// Ruiz's scaling: rows and columns are brought to a largest entry near one. A row or column without entries stays.
+void equilibrate(Eigen::MatrixXd& A, Eigen::VectorXd& rows, Eigen::VectorXd& columns);
+
+}  // namespace poinsot::solve

@@ -1,0 +1,85 @@
+// Polynomials in place of the equations of a root problem for one or two unknowns, on a part of the ranges.
+#pragma once
+
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "engine/solve/roots/chebyshev_pieces.h"
+#include "engine/solve/roots/chebyshev_series.h"
+#include "engine/solve/roots/compact_range.h"
+#include "engine/solve/roots/root_function.h"
+
+namespace poinsot::solve {
+
+// The equations as a function of t in the square |t_k| <= 1, see CompactRange; with one unknown t_1 plays no part.
+class CompactFunction {
+ public:
+  // Measures how the equations grow towards infinite ends. function must outlive it.
+  CompactFunction(RootFunction& function, double reach);
+
+  RootFunction& function() const { return function_; }
+  int unknowns() const { return static_cast<int>(ranges_.size()); }
+  Piece whole() const;
+
+  std::optional<RootSample> at(const Pair& t) const;  // weighted values and size
+  Eigen::VectorXd u(const Pair& t) const;
+  // d r / d u from the slopes of the weighted values by t, where they are zero.
+  Eigen::MatrixXd unweighted(const Pair& t, const Eigen::MatrixXd& slopes) const;
+
+ private:
+  void measure_growth(std::size_t variable, double reach);
+
+  RootFunction& function_;
+  std::vector<CompactRange> ranges_;
+};
+
+struct Fit {
+  enum class Outcome {
+    polynomial,  // series stands for the equations in the box, but for error
+    no_root,     // their values stay far from zero
+    no_value,    // they have no value at any place tried
+    divide,      // no polynomial of moderate degree: divide at `cut` across `across`
+  };
+  Outcome outcome = Outcome::divide;
+  ChebyshevSeries series;  // of combinations of equations: basis^T r
+  Eigen::MatrixXd basis;   // orthonormal columns
+  double error = 0;        // norm
+  double largest = 0;      // norm of the values met
+  double size = 0;         // of their terms
+  int across = 0;
+  double cut = 0;
+};
+
+class ChebyshevFitter {
+ public:
+  explicit ChebyshevFitter(const CompactFunction& function) : function_(function) {}
+
+  // depth: how often boxes around this one were divided. Deep ones are tried with lower degrees.
+  Fit fit(const Piece& box, int depth);
+
+ private:
+  struct Line;
+  struct Square {
+    Fit fit;
+    Pair tail{0, 0};  // sums of the norms of the last coefficients in each variable
+    bool valued = false, converged = false, excludes_zero = false;
+  };
+  Line along(const Piece& box, int variable, double other, int depth);
+  Fit fit_line(const Piece& box, int depth);
+  Fit fit_square(const Piece& box, int depth);
+  Square fit_square_with(const Piece& box, Eigen::Index count0, Eigen::Index count1);
+  void finish(Fit& fit, const Eigen::MatrixXd& values, double size) const;
+  // The largest difference between the series and the equations at random places; nothing where they have no value.
+  std::optional<double> mismatch(const Piece& box, const Fit& fit, int places);
+  bool no_value_anywhere(const Piece& box, int places);
+  bool far_from_zero(const Piece& box, double least, double largest) const;
+  static bool smooth_inverse(const Eigen::MatrixXd& values, double size);
+  Pair random_place(const Piece& box);
+
+  const CompactFunction& function_;
+  std::mt19937_64 random_{11};
+  double typical_ = 0;  // norm of values, in the first box
+};
+
+}  // namespace poinsot::solve

@@ -1,0 +1,320 @@
+#include "engine/solve/roots/chebyshev_roots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <string>
+#include <utility>
+
+#include "engine/solve/roots/chebyshev_fit.h"
+#include "engine/solve/roots/chebyshev_pieces.h"
+
+namespace poinsot::solve {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int most_zooms = 8;
+constexpr double least_box = 1e-11;    // half width, of the whole
+constexpr double noise_limited = 1e5;  // values within so many errors of zero gain little from a new polynomial
+constexpr double most_time = 0.5;      // part of the time allowed
+constexpr int most_vain_polishes = 5;
+constexpr double reach_of_line = 1e6, reach_of_plane = 1e4;
+
+bool touch(const Piece& a, const Piece& b) {
+  for (std::size_t k = 0; k < 2; ++k)
+    if (std::abs(a.middle[k] - b.middle[k]) > 1.1 * (a.half[k] + b.half[k])) return false;
+  return true;
+}
+
+Piece around(const Piece& a, const Piece& b) {
+  Piece box;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double lower = std::min(a.middle[k] - a.half[k], b.middle[k] - b.half[k]);
+    const double upper = std::max(a.middle[k] + a.half[k], b.middle[k] + b.half[k]);
+    box.middle[k] = (lower + upper) / 2;
+    box.half[k] = (upper - lower) / 2;
+  }
+  return box;
+}
+
+// Boxes that touch become one box around them; none is made much narrower than long, as polynomials on it would have
+// rounding for slopes.
+std::vector<Piece> clusters(std::vector<Piece> pieces) {
+  for (Piece& piece : pieces)
+    for (std::size_t k = 0; k < 2; ++k)
+      if (piece.half[k] > 0) piece.half[k] = std::max(piece.half[k], 0.05 * piece.half[1 - k]);
+  for (bool merged = true; merged;) {
+    merged = false;
+    std::vector<Piece> result;
+    for (const Piece& piece : pieces) {
+      const auto near =
+          std::find_if(result.begin(), result.end(), [&](const Piece& known) { return touch(known, piece); });
+      if (near == result.end()) {
+        result.push_back(piece);
+      } else {
+        *near = around(*near, piece);
+        merged = true;
+      }
+    }
+    pieces = std::move(result);
+  }
+  return pieces;
+}
+
+class Search {
+ public:
+  explicit Search(RootFunction& function)
+      : function_(function),
+        reach_(function.unknowns() == 1 ? reach_of_line : reach_of_plane),
+        compact_(function, reach_),
+        fitter_(compact_),
+        whole_(compact_.whole()),
+        most_evaluations_(function.evaluations() + (function.unknowns() == 1 ? 3000 : 4000)) {}
+
+  ChebyshevRoots run() {
+    begin_ = function_.evaluations();
+    boxes_.push_back({whole_, 0, 0});
+    while (!boxes_.empty() && !along_curve_) {
+      if (function_.evaluations() > most_evaluations_ || function_.time_spent() > most_time || hopeless()) {
+        for (const Box& box : boxes_) leave(box.piece, "the equations are too rough for polynomials");
+        break;
+      }
+      const Box box = boxes_.front();
+      boxes_.pop_front();
+      treat(box);
+    }
+    result_.reach = reach_;
+    if (!along_curve_)
+      for (const Pair& t : touching_)
+        if (vain_polishes_ < most_vain_polishes) touch_zero(t);
+    if (along_curve_) leave(whole_, "a curve of solutions");
+    merge_unresolved();
+    return std::move(result_);
+  }
+
+ private:
+  struct Box {
+    Piece piece;
+    int depth, zooms;
+  };
+
+  double part_of_whole(const Piece& piece) const {
+    double part = 1;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (whole_.half[k] > 0) part *= piece.half[k] / whole_.half[k];
+    return part;
+  }
+  double width(const Piece& piece) const {
+    double width = 0;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (whole_.half[k] > 0) width = std::max(width, piece.half[k] / whole_.half[k]);
+    return width;
+  }
+
+  // Two unknowns cost hundreds of evaluations for every level of division.
+  bool hopeless() const {
+    const std::size_t spent = function_.evaluations() - begin_;
+    if (function_.unknowns() == 1) return false;
+    return (spent > 500 && resolved_ < 0.02) || (spent > 2000 && resolved_ < 0.5);
+  }
+
+  void treat(const Box& box) {
+    const Fit fit = fitter_.fit(box.piece, box.depth);
+    switch (fit.outcome) {
+      case Fit::Outcome::no_root:
+      case Fit::Outcome::no_value:
+        resolved_ += part_of_whole(box.piece);
+        return;
+      case Fit::Outcome::divide:
+        divide(box, fit.across, fit.cut);
+        return;
+      case Fit::Outcome::polynomial:
+        resolved_ += part_of_whole(box.piece);
+        break;
+    }
+    const PieceZeros found = zeros_of_pieces(fit.series, fit.error, zero_tolerance * fit.size);
+    // A curve of solutions is long; elsewhere the polynomial may have one within its error.
+    if (found.curve && width(box.piece) > 1e-3)
+      for (const Pair& s : *found.curve)
+        if (follow(place(box.piece, s))) return;
+    for (const Pair& s : found.zeros) confirm(box.piece, fit, s);
+    for (const Piece& cluster : clusters(found.left)) zoom(box, fit, cluster);
+    for (const Pair& s : found.touching) touching_.push_back(place(box.piece, s));
+  }
+
+  static Pair place(const Piece& box, const Pair& s) {
+    return {box.middle[0] + box.half[0] * s[0], box.middle[1] + box.half[1] * s[1]};
+  }
+
+  void divide(const Box& box, int across, double cut) {
+    const auto k = static_cast<std::size_t>(across);
+    const double lower = box.piece.middle[k] - box.piece.half[k], upper = box.piece.middle[k] + box.piece.half[k];
+    if (width(box.piece) < least_box) {
+      leave(box.piece, "no polynomial stands for the equations");
+      return;
+    }
+    if (!(cut > lower && cut < upper)) cut = (lower + upper) / 2;
+    for (const auto& [from, to] : {std::pair{lower, cut}, std::pair{cut, upper}}) {
+      if (!(to - from > 1e-15)) continue;
+      Box part{box.piece, box.depth + 1, box.zooms};
+      part.piece.middle[k] = (from + to) / 2;
+      part.piece.half[k] = (to - from) / 2;
+      boxes_.push_back(part);
+    }
+  }
+
+  // A simple zero of the polynomial, on the equations themselves.
+  void confirm(const Piece& box, const Fit& fit, const Pair& s) {
+    const Pair t = place(box, s);
+    MatrixXd slopes;
+    fit.series.with_slopes(s, slopes);
+    for (std::size_t k = 0; k < 2; ++k) slopes.col(static_cast<Index>(k)) /= box.half[k] > 0 ? box.half[k] : 1;
+    const VectorXd u = compact_.u(t);
+    const MatrixXd J = compact_.unweighted(t, fit.basis * slopes);
+    auto root = polish_with(function_, u, J);
+    if (!root) return;  // without values there is no root
+    if (!root->zero) root = polish(function_, root->u);
+    if (!root || !root->zero) {
+      if (!function_.inside(u)) return;
+      Piece spot = box;
+      for (std::size_t k = 0; k < 2; ++k) {
+        spot.middle[k] = t[k];
+        spot.half[k] *= 1e-3;
+      }
+      leave(spot, "a root of the polynomial is none of the equations");
+      return;
+    }
+    note_idle(box, fit, s, *root);
+    result_.roots.add(function_, *root);
+  }
+
+  // An unknown without influence in the whole box is open at a root there.
+  void note_idle(const Piece& box, const Fit& fit, const Pair& s, const PolishedRoot& root) {
+    for (int k = 0; k < compact_.unknowns(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      if (fit.series.size(k) > 1 || box.half[i] < 1e-3 * whole_.half[i]) continue;
+      VectorXd u = root.u;
+      bool zero = true;
+      for (const double part : {-0.6, 0.3}) {
+        Pair other = s;
+        other[i] = part;
+        u[k] = compact_.u(place(box, other))[k];
+        const auto sample = function_.at(u);
+        zero = zero && sample && sample->values.norm() <= zero_tolerance * std::max(root.size, sample->size);
+      }
+      if (!zero) continue;
+      note_open(i);
+      result_.alternative = u;
+    }
+  }
+
+  void note_open(std::size_t unknown) {
+    auto& open = result_.open_unknowns;
+    if (std::find(open.begin(), open.end(), unknown) == open.end()) open.push_back(unknown);
+    std::sort(open.begin(), open.end());
+  }
+
+  // Whether there is a curve of solutions through a place.
+  bool follow(const Pair& t) {
+    const auto root = polish(function_, compact_.u(t));
+    if (!root || !root->zero || !function_.inside(root->u)) return false;
+    const auto family = family_through(function_, *root);
+    if (!family) return false;
+    result_.roots.add(function_, *root);
+    result_.alternative = family->other;
+    for (std::size_t k : family->open_unknowns) note_open(k);
+    along_curve_ = true;
+    return true;
+  }
+
+  // What one polynomial could not resolve: with a new one for a smaller box, until rounding is all that there is.
+  void zoom(const Box& box, const Fit& fit, const Piece& cluster) {
+    Piece inner;
+    bool smaller = false;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double lower = std::max(-1.0, cluster.middle[k] - 1.6 * cluster.half[k]);
+      const double upper = std::min(1.0, cluster.middle[k] + 1.6 * cluster.half[k]);
+      inner.middle[k] = box.piece.middle[k] + box.piece.half[k] * (lower + upper) / 2;
+      inner.half[k] = box.piece.half[k] * (upper - lower) / 2;
+      smaller = smaller || (box.piece.half[k] > 0 && upper - lower < 1);
+    }
+    const bool last =
+        box.zooms >= most_zooms || fit.largest <= noise_limited * fit.error || width(inner) < 100 * least_box;
+    if (!last) {
+      if (smaller)
+        boxes_.push_back({inner, box.depth, box.zooms + 1});
+      else
+        divide({inner, box.depth, box.zooms + 1},
+               inner.half[0] * whole_.half[1] >= inner.half[1] * whole_.half[0] ? 0 : 1,
+               std::numeric_limits<double>::quiet_NaN());
+      return;
+    }
+    if (width(inner) > 1e-3 && follow(inner.middle)) return;
+    auto root = polish(function_, compact_.u(inner.middle));
+    if (!root || !root->zero) {
+      leave(inner, "the misfit is too small to tell whether there is a root");
+      return;
+    }
+    // Several roots there cannot be told apart: one.
+    VectorXd extent = compact_.u(place(inner, {1, 1})) - compact_.u(place(inner, {-1, -1}));
+    root->radius = std::max(root->radius, extent.norm());
+    result_.roots.add(function_, *root);
+  }
+
+  // Values so small count as zero, if no root in the neighbourhood accounts for them.
+  void touch_zero(const Pair& t) {
+    const VectorXd u = compact_.u(t);
+    for (const PolishedRoot& root : result_.roots.roots())
+      if ((root.u - u).norm() <= 3e-3 * root.u.cwiseAbs().cwiseMax(1.0).norm()) return;
+    const auto root = polish(function_, u);
+    if (root && root->zero)
+      result_.roots.add(function_, *root);
+    else
+      ++vain_polishes_;
+  }
+
+  void leave(const Piece& piece, std::string reason) { unresolved_.emplace_back(piece, std::move(reason)); }
+
+  // A few parts are enough to tell where.
+  void merge_unresolved() {
+    constexpr std::size_t most_parts = 5;
+    std::vector<std::pair<Piece, std::string>> parts;
+    for (auto& [piece, reason] : unresolved_) {
+      const auto near = std::find_if(parts.begin(), parts.end(),
+                                     [&, &piece = piece](const auto& part) { return touch(part.first, piece); });
+      if (near != parts.end())
+        near->first = around(near->first, piece);
+      else if (parts.size() < most_parts)
+        parts.emplace_back(piece, reason);
+      else
+        parts.back().first = around(parts.back().first, piece);
+      if (result_.places.size() < 20) result_.places.push_back(compact_.u(piece.middle));
+    }
+    for (const auto& [piece, reason] : parts)
+      result_.unresolved.push_back({function_.unscaled(compact_.u(place(piece, {-1, -1}))),
+                                    function_.unscaled(compact_.u(place(piece, {1, 1}))), reason});
+  }
+
+  RootFunction& function_;
+  double reach_;
+  CompactFunction compact_;
+  ChebyshevFitter fitter_;
+  Piece whole_;
+  std::size_t most_evaluations_, begin_ = 0;
+  std::deque<Box> boxes_;
+  std::vector<Pair> touching_;
+  int vain_polishes_ = 0;
+  double resolved_ = 0;  // part of the whole
+  bool along_curve_ = false;
+  std::vector<std::pair<Piece, std::string>> unresolved_;
+  ChebyshevRoots result_;
+};
+
+}  // namespace
+
+ChebyshevRoots chebyshev_roots(RootFunction& function) { return Search(function).run(); }
+
+}  // namespace poinsot::solve

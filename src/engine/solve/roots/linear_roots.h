@@ -1,0 +1,16 @@
+// Linear equations among root problems: recognised by their values and solved at once.
+#pragma once
+
+#include <optional>
+
+#include "engine/solve/roots/root_function.h"
+
+namespace poinsot::solve {
+
+// A place well inside all ranges.
+Eigen::VectorXd middle_of_ranges(const RootProblem& problem);
+
+// Nothing if the equations are not linear.
+std::optional<Roots> linear_roots(RootFunction& function);
+
+}  // namespace poinsot::solve

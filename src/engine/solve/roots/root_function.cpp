@@ -1,0 +1,146 @@
+#include "engine/solve/roots/root_function.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace poinsot::solve {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+VectorXd vector_of(const std::vector<double>& v) {
+  return Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size()));
+}
+
+}  // namespace
+
+RootFunction::RootFunction(const RootProblem& problem, double seconds)
+    : problem_(problem),
+      unknowns_(static_cast<Index>(problem.ranges.size())),
+      begin_(now()),
+      end_(begin_ + seconds),
+      best_misfit_(std::numeric_limits<double>::infinity()) {}
+
+double RootFunction::now() const {
+  if (problem_.clock) return problem_.clock();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double RootFunction::time_spent() const { return (now() - begin_) / std::max(1e-9, end_ - begin_); }
+
+std::vector<double> RootFunction::unscaled(const VectorXd& u) const {
+  std::vector<double> x(problem_.ranges.size());
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] = u[static_cast<Index>(k)] * problem_.ranges[k].scale;
+  return x;
+}
+
+std::optional<RootSample> RootFunction::keep(const VectorXd& u, const std::optional<RootEquations>& equations) {
+  ++evaluations_;
+  if (!equations || !std::isfinite(equations->size)) return std::nullopt;
+  RootSample sample{vector_of(equations->values), equations->size};
+  if (!sample.values.allFinite()) return std::nullopt;
+  const double misfit = sample.values.size() ? sample.values.cwiseAbs().maxCoeff() : 0;
+  if (!equations->smooth.empty()) {
+    sample.misfit = sample.values.norm();
+    sample.allowed = zero_tolerance * sample.size;
+    sample.values = vector_of(equations->smooth);
+    sample.size = equations->smooth_size;
+    if (!sample.values.allFinite() || !std::isfinite(sample.size)) return std::nullopt;
+  }
+  if (misfit < best_misfit_ && inside(u)) {
+    best_misfit_ = misfit;
+    best_ = u;
+  }
+  return sample;
+}
+
+std::optional<RootSample> RootFunction::at(const VectorXd& u) { return keep(u, problem_.equations(unscaled(u))); }
+
+std::optional<RootSample> RootFunction::smooth_at(const VectorXd& u) {
+  if (!problem_.smooth) return at(u);
+  const auto equations = problem_.smooth(unscaled(u));
+  if (!equations || !equations->values.empty()) return keep(u, equations);
+  ++evaluations_;
+  RootSample sample{vector_of(equations->smooth), equations->smooth_size};
+  if (!sample.values.allFinite() || !std::isfinite(sample.size)) return std::nullopt;
+  if (inside(u)) unjudged_.emplace_back(sample.values.norm() / std::max(sample.size, 1e-300), u);
+  return sample;
+}
+
+const VectorXd& RootFunction::best() {
+  constexpr std::size_t most = 64;
+  auto places = std::exchange(unjudged_, {});
+  std::ranges::sort(places, {}, &std::pair<double, VectorXd>::first);
+  for (std::size_t i = 0; i < std::min(most, places.size()); ++i) {
+    if (best_.size() && out_of_time()) break;
+    at(places[i].second);
+  }
+  return best_;
+}
+
+std::optional<MatrixXd> RootFunction::slopes(const VectorXd& u, const RootSample& here) {
+  const Index rows = here.values.size();
+  MatrixXd J(rows, unknowns_);
+  if (problem_.slopes) {
+    std::vector<std::vector<double>> exact;
+    if (keep(u, problem_.slopes(unscaled(u), &exact)) && exact.size() == static_cast<std::size_t>(rows)) {
+      for (Index i = 0; i < rows; ++i)
+        for (Index k = 0; k < unknowns_; ++k)
+          J(i, k) =
+              exact[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] * problem_.ranges[std::size_t(k)].scale;
+      if (J.allFinite()) return J;
+    }
+  }
+  const auto values = [&](const VectorXd& v) -> std::optional<VectorXd> {
+    const auto sample = at(v);
+    if (!sample || sample->values.size() != rows) return std::nullopt;
+    return sample->values;
+  };
+  for (Index k = 0; k < unknowns_; ++k) {
+    // The cube root of rounding balances it against the third derivative.
+    const double h = 6e-6 * std::max(1.0, std::abs(u[k]));
+    VectorXd v = u;
+    v[k] = u[k] + h;
+    const auto ahead = values(v);
+    v[k] = u[k] - h;
+    const auto behind = values(v);
+    if (ahead && behind) {
+      J.col(k) = (*ahead - *behind) / (2 * h);
+      continue;
+    }
+    if (!ahead && !behind) return std::nullopt;
+    const double side = ahead ? h : -h;
+    v[k] = u[k] + 2 * side;
+    const auto further = values(v);
+    if (!further) return std::nullopt;
+    J.col(k) = (4 * (ahead ? *ahead : *behind) - 3 * here.values - *further) / (2 * side);
+  }
+  return J;
+}
+
+bool RootFunction::inside(const VectorXd& u) const {
+  for (Index k = 0; k < unknowns_; ++k) {
+    const RootRange& range = problem_.ranges[static_cast<std::size_t>(k)];
+    const double x = u[k] * range.scale, slack = 1e-9 * range.scale;
+    if (!(x >= range.lower - slack && x <= range.upper + slack)) return false;
+    if ((range.lower_open && x < range.lower + slack) || (range.upper_open && x > range.upper - slack)) return false;
+  }
+  return true;
+}
+
+VectorXd RootFunction::clamped(const VectorXd& u) const {
+  VectorXd v = u;
+  for (Index k = 0; k < unknowns_; ++k) {
+    const RootRange& range = problem_.ranges[static_cast<std::size_t>(k)];
+    v[k] = std::clamp(u[k], range.lower / range.scale, range.upper / range.scale);
+  }
+  return v;
+}
+
+}  // namespace poinsot::solve

@@ -1,0 +1,175 @@
+#include "engine/solve/roots/root_polish.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace poinsot::solve {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// Where all terms vanish at a root together, as at a pose of equilibrium, their sizes close to it are what its misfit
+// is measured by: it is one if the root of the tangent is no further away than epsilon leaves it.
+bool vanishes_with_its_terms(RootFunction& function, const VectorXd& u, const RootSample& sample, double least,
+                             double misfit) {
+  constexpr double aside = 1e-3;
+  if (!(misfit <= aside * zero_tolerance * least)) return false;
+  for (const double way : {aside, -aside}) {
+    const VectorXd beside = function.clamped(u + way * u.cwiseAbs().cwiseMax(1.0));
+    if ((beside - u).norm() < 0.5 * aside) continue;
+    const auto there = function.at(beside);
+    if (there && misfit <= zero_tolerance * there->size && sample.misfit <= std::max(sample.allowed, there->allowed))
+      return true;
+  }
+  return false;
+}
+
+PolishedRoot judged(RootFunction& function, VectorXd u, RootSample sample, MatrixXd slopes) {
+  PolishedRoot root;
+  root.size = std::max(sample.size, (slopes.cwiseAbs() * u.cwiseAbs()).norm());
+  const double misfit = sample.values.norm();
+  root.zero = misfit <= zero_tolerance * root.size && sample.misfit <= sample.allowed;
+  // A misfit moves a regular root by misfit / slope. Near a multiple root slope and misfit vanish together, and this
+  // is of the order of the distance to it.
+  const VectorXd stretch = u.cwiseAbs().cwiseMax(1.0);
+  double least = 0;
+  if (slopes.rows() >= slopes.cols()) least = (slopes * stretch.asDiagonal()).jacobiSvd().singularValues().minCoeff();
+  root.zero = root.zero || vanishes_with_its_terms(function, u, sample, least, misfit);
+  const double noise = misfit + 8 * epsilon * root.size;
+  root.radius = stretch.norm() * std::clamp(20 * noise / std::max(least, 1e-300), 1e-11, 1e-3);
+  root.u = std::move(u);
+  root.values = std::move(sample.values);
+  root.slopes = std::move(slopes);
+  return root;
+}
+
+// Where a step leads that would leave the ranges: most of the way to their end, so that the search goes on along it.
+VectorXd stepped(const RootFunction& function, const VectorXd& u, const VectorXd& step) {
+  constexpr double rest = 0.1, at_end = 1e-6;
+  VectorXd next = u + step;
+  for (Index k = 0; k < u.size(); ++k) {
+    const RootRange& range = function.problem().ranges[static_cast<std::size_t>(k)];
+    const double lower = range.lower / range.scale, upper = range.upper / range.scale;
+    const auto toward = [&](double end) { return std::abs(u[k] - end) > at_end ? end + rest * (u[k] - end) : end; };
+    if (u[k] >= lower && next[k] < lower) next[k] = toward(lower);
+    if (u[k] <= upper && next[k] > upper) next[k] = toward(upper);
+  }
+  return next;
+}
+
+}  // namespace
+
+std::optional<PolishedRoot> polish(RootFunction& function, const VectorXd& start, double enough) {
+  VectorXd u = start;
+  auto r = function.at(u);
+  if (!r) return std::nullopt;
+  const double first = std::max(r->values.norm(), 1e-300);
+  double lambda = 1e-3;
+  int creeping = 0;
+  for (int iteration = 0; iteration < 60 && !function.out_of_time(); ++iteration) {
+    const auto J = function.slopes(u, *r);
+    if (!J) return std::nullopt;
+    const MatrixXd A = J->transpose() * *J;
+    const VectorXd g = J->transpose() * r->values;
+    if (r->values.norm() <= enough * r->size) return judged(function, std::move(u), std::move(*r), *J);
+    bool moved = false;
+    double ratio = 1;
+    for (int attempt = 0; attempt < 12; ++attempt) {
+      MatrixXd damped = A;
+      damped.diagonal() += lambda * A.diagonal() + VectorXd::Constant(A.rows(), 1e-300);
+      const VectorXd step = damped.ldlt().solve(-g);
+      if (!step.allFinite() || step.norm() <= 2 * epsilon * (1 + u.norm())) break;
+      const VectorXd next = stepped(function, u, step);
+      const auto there = function.at(next);
+      if (there && there->values.size() == r->values.size() && there->values.norm() < r->values.norm()) {
+        ratio = there->values.norm() / r->values.norm();
+        u = next;
+        r = there;
+        lambda = std::max(lambda / 10, 1e-15);
+        moved = true;
+        break;
+      }
+      lambda *= 10;
+    }
+    // At epsilon, or where the misfit only creeps: the smallest that there is.
+    creeping = ratio > 0.99 ? creeping + 1 : 0;
+    if (moved && r->values.norm() <= enough * r->size) return judged(function, std::move(u), std::move(*r), *J);
+    if (!moved || r->values.norm() <= std::max(epsilon * first, 0.5 * epsilon * r->size) || creeping > 4) break;
+  }
+  const auto J = function.slopes(u, *r);
+  if (!J) return std::nullopt;
+  return judged(function, std::move(u), std::move(*r), *J);
+}
+
+std::optional<PolishedRoot> polish_with(RootFunction& function, const VectorXd& start, const MatrixXd& slopes) {
+  VectorXd u = function.clamped(start);
+  auto r = function.at(u);
+  if (!r || r->values.size() != slopes.rows()) return std::nullopt;
+  const auto solver = slopes.completeOrthogonalDecomposition();
+  for (int iteration = 0; iteration < 6; ++iteration) {
+    if (r->values.norm() <= 0.5 * epsilon * r->size) break;
+    const VectorXd next = function.clamped(u - solver.solve(r->values));
+    if ((next - u).norm() <= 2 * epsilon * (1 + u.norm())) break;
+    const auto there = function.at(next);
+    if (!there || there->values.size() != r->values.size() || there->values.norm() >= r->values.norm()) break;
+    const bool creeping = there->values.norm() > 0.5 * r->values.norm();
+    u = next;
+    r = there;
+    if (creeping) break;
+  }
+  return judged(function, std::move(u), std::move(*r), slopes);
+}
+
+std::optional<RootFamily> family_through(RootFunction& function, const PolishedRoot& root) {
+  const VectorXd stretch = root.u.cwiseAbs().cwiseMax(1.0);
+  const Eigen::JacobiSVD<MatrixXd> svd(root.slopes * stretch.asDiagonal(), Eigen::ComputeFullV);
+  const VectorXd sigma = svd.singularValues();
+  const double small = std::max(1e-6 * sigma[0], 1e-8 * root.size);
+  VectorXd direction = VectorXd::Zero(root.u.size());
+  for (Index k = 0; k < direction.size(); ++k)
+    if (k >= sigma.size() || sigma[k] <= small) direction += svd.matrixV().col(k);
+  if (direction.isZero()) return std::nullopt;
+  constexpr double walk = 0.05;
+  for (const double way : {walk, -walk}) {
+    VectorXd ahead = root.u;
+    ahead += way * stretch.cwiseProduct(direction);
+    if (!function.inside(ahead)) continue;
+    const auto other = polish(function, ahead);
+    if (!other || !other->zero || !function.inside(other->u)) continue;
+    // Back at the root, or on the way back to it, it stands alone.
+    const VectorXd moved = (other->u - root.u).cwiseQuotient(stretch);
+    if (moved.norm() < 0.5 * walk) continue;
+    RootFamily family;
+    family.other = other->u;
+    for (Index k = 0; k < moved.size(); ++k)
+      if (std::abs(moved[k]) > 1e-6 * moved.norm() || std::abs(direction[k]) > 1e-6)
+        family.open_unknowns.push_back(static_cast<std::size_t>(k));
+    return family;
+  }
+  return std::nullopt;
+}
+
+bool RootList::add(const RootFunction& function, PolishedRoot root) {
+  if (!function.inside(root.u)) return false;
+  for (PolishedRoot& known : roots_) {
+    if ((known.u - root.u).norm() > std::max(known.radius, root.radius)) continue;
+    if (root.values.norm() * known.size < known.values.norm() * root.size) known = std::move(root);
+    return false;
+  }
+  roots_.push_back(std::move(root));
+  return true;
+}
+
+std::vector<std::vector<double>> RootList::points(const RootFunction& function) const {
+  std::vector<std::vector<double>> points;
+  for (const PolishedRoot& root : roots_) points.push_back(function.unscaled(function.clamped(root.u)));
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+}  // namespace poinsot::solve

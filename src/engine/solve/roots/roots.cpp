@@ -1,0 +1,289 @@
+#include "poinsot/engine/solve/roots/roots.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/solve/roots/chebyshev_roots.h"
+#include "engine/solve/roots/few_evaluations.h"
+#include "engine/solve/roots/linear_roots.h"
+#include "engine/solve/roots/partly_linear.h"
+#include "engine/solve/roots/root_function.h"
+#include "engine/solve/roots/root_polish.h"
+#include "engine/solve/roots/scattered_starts.h"
+
+namespace poinsot::solve {
+namespace {
+
+using Eigen::VectorXd;
+
+class RootFinder {
+ public:
+  RootFinder(const RootProblem& problem, double seconds) : function_(problem, seconds), seconds_(seconds) {}
+
+  Roots find() {
+    Roots roots;
+    if (function_.problem().costly && function_.unknowns() > 0) {
+      from_few_evaluations(roots);
+    } else if (auto linear = linear_roots(function_)) {
+      roots = std::move(*linear);
+    } else if (function_.unknowns() <= 2) {
+      by_polynomials(roots);
+    } else if (!by_elimination(roots)) {
+      roots.search = RootSearch::many_starts;
+      from_random_starts(roots);
+    }
+    if (roots.search != RootSearch::linear) {
+      roots.points = found_.points(function_);
+      if (roots.points.empty()) roots.best_misfit = smallest_misfit();
+    }
+    if (roots.points.empty() && function_.best().size()) roots.best = function_.unscaled(function_.best());
+    roots.evaluations = function_.evaluations() + rough_evaluations_;
+    return roots;
+  }
+
+ private:
+  void by_polynomials(Roots& roots) {
+    ChebyshevRoots chebyshev = chebyshev_roots(function_);
+    found_ = std::move(chebyshev.roots);
+    roots.reach = chebyshev.reach;
+    roots.unresolved = std::move(chebyshev.unresolved);
+    roots.open = !chebyshev.open_unknowns.empty();
+    roots.open_unknowns = std::move(chebyshev.open_unknowns);
+    if (chebyshev.alternative.size()) roots.alternative = function_.unscaled(chebyshev.alternative);
+    if (roots.open) look_for_other_families(roots);
+    roots.search = roots.unresolved.empty() && function_.valued() ? RootSearch::certified : RootSearch::many_starts;
+    if (roots.search == RootSearch::certified || roots.open) return;
+    std::vector<VectorXd> starts = starts_on_grid(function_);
+    starts.insert(starts.begin(), chebyshev.places.begin(), chebyshev.places.end());
+    for (const VectorXd& start : starts) {
+      if (function_.out_of_time() || roots.open) break;
+      from_start(start, roots);
+    }
+  }
+
+  // Of more unknowns, where all but one or two enter linearly. Whether that is all there is to find; where nothing was
+  // found, a search from many starts has the last word.
+  bool by_elimination(Roots& roots) {
+    const auto found = partly_linear_roots(function_, 0.25 * function_.seconds_left());
+    if (!found) return false;
+    bool complete = found->complete && function_.valued();
+    for (const VectorXd& place : found->places) {
+      const auto root = polish(function_, place);
+      if (!root || !root->zero) continue;
+      // What has neighbours is for the search from many starts to judge.
+      if (family_through(function_, *root))
+        complete = false;
+      else
+        found_.add(function_, *root);
+    }
+    if (!complete) return false;
+    if (found_.roots().empty()) {
+      from_random_starts(roots);
+      roots.search = RootSearch::many_starts;
+      if (roots.open || !found_.roots().empty()) return true;
+      roots.starts = 0;
+    }
+    roots.reach = found->reach;
+    roots.search = RootSearch::certified;
+    return true;
+  }
+
+  // Whether a root differs from one that is known in open unknowns only.
+  bool lies_along_a_known_one(const PolishedRoot& root, const std::vector<std::size_t>& open) const {
+    const auto differs = [&](const PolishedRoot& other, Eigen::Index k) {
+      return std::find(open.begin(), open.end(), static_cast<std::size_t>(k)) == open.end() &&
+             std::abs(other.u[k] - root.u[k]) > root.radius + 1e-6 * (1e-3 + std::abs(root.u[k]));
+    };
+    return std::any_of(found_.roots().begin(), found_.roots().end(), [&](const PolishedRoot& other) {
+      for (Eigen::Index k = 0; k < root.u.size(); ++k)
+        if (differs(other, k)) return false;
+      return true;
+    });
+  }
+
+  // Curves of solutions may be several, and other unknowns be open along another.
+  void look_for_other_families(Roots& roots) {
+    constexpr std::size_t starts = 10;
+    for (const VectorXd& start : starts_at_random(function_.problem(), starts)) {
+      if (function_.out_of_time() || roots.open_unknowns.size() == function_.problem().ranges.size()) return;
+      const auto root = polish(function_, start);
+      if (!root || !root->zero || !function_.inside(root->u)) continue;
+      const auto family = family_through(function_, *root);
+      std::vector<std::size_t> open = roots.open_unknowns;
+      if (family) open.insert(open.end(), family->open_unknowns.begin(), family->open_unknowns.end());
+      if (!lies_along_a_known_one(*root, open)) found_.add(function_, *root);
+      if (!family) continue;
+      const std::size_t before = roots.open_unknowns.size();
+      for (const std::size_t k : family->open_unknowns)
+        if (std::find(roots.open_unknowns.begin(), roots.open_unknowns.end(), k) == roots.open_unknowns.end())
+          roots.open_unknowns.push_back(k);
+      std::sort(roots.open_unknowns.begin(), roots.open_unknowns.end());
+      if (roots.open_unknowns.size() > before) roots.alternative = function_.unscaled(family->other);
+    }
+  }
+
+  void from_few_evaluations(Roots& roots) {
+    roots.search = RootSearch::few_evaluations;
+    for (const PolishedRoot& place : rough_roots()) {
+      if (function_.out_of_time() || roots.open) return;
+      from_rough(place, roots);
+    }
+    if (!found_.roots().empty()) return;
+    for (const VectorXd& start : starts_from_few_evaluations(function_)) {
+      if (function_.out_of_time() || roots.open) break;
+      from_start(start, roots);
+    }
+  }
+
+  // From the most promising of many places and from any, in turn. When a few starts have all led to one place in the
+  // ranges, it is taken for the only one; where nothing is found, more are tried.
+  void from_random_starts(Roots& roots) {
+    constexpr int enough = 12;
+    constexpr std::size_t most_used = 24, most_in_vain = 120;
+    constexpr double most_time_in_vain = 0.6;
+    std::optional<VectorXd> only;
+    int led_there = 0;
+    for (const VectorXd& start : promising_starts()) {
+      const bool found = !found_.roots().empty();
+      if (function_.out_of_time() || led_there >= enough || roots.open) break;
+      if (roots.starts >= (found ? most_used : most_in_vain)) break;
+      if (!found && roots.starts >= most_used && function_.time_spent() > most_time_in_vain) break;
+      const auto root = from_start(start, roots);
+      if (!root || !function_.inside(root->u)) continue;
+      if (!only) only = root->u;
+      const bool same = (root->u - *only).norm() <= root->radius + 1e-6 * (1e-3 + only->norm());
+      led_there = same && led_there >= 0 ? led_there + 1 : -1;  // two places: never enough
+    }
+    if (roots.open) look_for_other_families(roots);
+  }
+
+  // The middle of the ranges, then places at random: those of the smallest misfit and the others alternate.
+  std::vector<VectorXd> promising_starts() {
+    constexpr std::size_t places = 160;
+    constexpr double most_time = 0.2;
+    const std::vector<VectorXd> list = starts_at_random(function_.problem(), places);
+    std::vector<std::pair<double, std::size_t>> by_misfit;
+    for (std::size_t i = 0; i < list.size() && function_.time_spent() < most_time; ++i)
+      if (const auto sample = function_.smooth_at(list[i]))
+        by_misfit.emplace_back(sample->values.norm() / std::max(sample->size, 1e-300), i);
+    std::sort(by_misfit.begin(), by_misfit.end());
+    std::vector<VectorXd> starts{middle_of_ranges(function_.problem())};
+    std::vector<bool> taken(list.size(), false);
+    const auto take = [&](std::size_t i) {
+      if (!taken[i]) starts.push_back(list[i]);
+      taken[i] = true;
+    };
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (i < by_misfit.size()) take(by_misfit[i].second);
+      take(i);
+    }
+    return starts;
+  }
+
+  // Roots of the rough equations, each once.
+  std::vector<PolishedRoot> rough_roots() {
+    constexpr double near_zero = 1e-4, enough = 1e-6, same = 1e-5;
+    std::vector<PolishedRoot> found;
+    if (!function_.problem().rough) return found;
+    RootProblem problem = function_.problem();
+    problem.equations = std::exchange(problem.rough, nullptr);
+    problem.slopes = nullptr;
+    problem.smooth = nullptr;
+    RootFunction rough(problem, seconds_ * (1 - function_.time_spent()));
+    for (const VectorXd& start : starts_from_few_evaluations(rough)) {
+      if (rough.out_of_time()) break;
+      auto root = polish(rough, start, enough);
+      if (!root || root->values.norm() > near_zero * root->size) continue;
+      const bool known = std::any_of(found.begin(), found.end(), [&](const PolishedRoot& other) {
+        return (other.u - root->u).norm() <= same * (1 + root->u.norm());
+      });
+      if (!known) found.push_back(std::move(*root));
+    }
+    rough_evaluations_ = rough.evaluations();
+    return found;
+  }
+
+  // One unknown needs no better slopes; those of several tell what is open.
+  void from_rough(const PolishedRoot& rough, Roots& roots) {
+    auto root = polish_with(function_, rough.u, rough.slopes);
+    if (root && root->zero && function_.unknowns() > 1) {
+      RootSample here;
+      here.values = root->values;
+      if (auto slopes = function_.slopes(root->u, here)) root->slopes = std::move(*slopes);
+    }
+    if (!root || !root->zero) root = polish(function_, rough.u);
+    ++roots.starts;
+    keep(root, roots);
+  }
+
+  std::optional<PolishedRoot> from_start(const VectorXd& start, Roots& roots) {
+    ++roots.starts;
+    return keep(polish(function_, start), roots);
+  }
+
+  std::optional<PolishedRoot> keep(std::optional<PolishedRoot> root, Roots& roots) {
+    if (!root || !root->zero) return std::nullopt;
+    if (found_.add(function_, *root))
+      if (const auto family = family_through(function_, *root)) {
+        roots.open = true;
+        roots.open_unknowns = family->open_unknowns;
+        roots.alternative = function_.unscaled(family->other);
+      }
+    return root;
+  }
+
+  // Where nothing was found: how close the equations come.
+  double smallest_misfit() {
+    if (function_.best().size() && !function_.out_of_time()) polish(function_, VectorXd(function_.best()));
+    return function_.best_misfit();
+  }
+
+  RootFunction function_;
+  double seconds_;
+  std::size_t rough_evaluations_ = 0;
+  RootList found_;
+};
+
+// The same with wider natural sizes for unknowns without end that the equations notice only far away, if there are
+// such.
+std::optional<RootProblem> widened(const RootProblem& problem) {
+  constexpr double noticed = 1e-6, near = 1e3, far = 1e18;
+  RootProblem wider = problem;
+  RootFunction function(problem, 1);
+  const VectorXd u = middle_of_ranges(problem);
+  const auto here = function.at(u);
+  if (!here) return std::nullopt;
+  bool any = false;
+  for (Eigen::Index k = 0; k < function.unknowns(); ++k) {
+    RootRange& range = wider.ranges[static_cast<std::size_t>(k)];
+    if (std::isfinite(range.lower) && std::isfinite(range.upper)) continue;
+    for (double step = 1; step < far; step *= near) {
+      VectorXd moved = u;
+      moved[k] += std::isinf(range.upper) ? step : -step;
+      const auto there = function.at(moved);
+      if (!there || there->values.size() != here->values.size()) break;
+      if ((there->values - here->values).norm() <= noticed * std::max(here->size, there->size)) continue;
+      any = any || step > 1;
+      range.scale *= step;
+      break;
+    }
+  }
+  if (!any) return std::nullopt;
+  return wider;
+}
+
+}  // namespace
+
+Roots find_roots(const RootProblem& problem, double seconds) {
+  const RootFunction time(problem, seconds);
+  Roots roots = RootFinder(problem, seconds).find();
+  if (!roots.points.empty() || problem.costly || time.out_of_time()) return roots;
+  // The equations may be moved only by values that are far larger than what is natural elsewhere.
+  if (const auto wider = widened(problem))
+    if (Roots far = RootFinder(*wider, time.seconds_left()).find(); !far.points.empty()) return far;
+  return roots;
+}
+
+}  // namespace poinsot::solve

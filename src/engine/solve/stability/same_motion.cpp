@@ -1,0 +1,165 @@
+#include "engine/solve/stability/same_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace poinsot::solve {
+namespace {
+
+using Index = Eigen::Index;
+// How closely displacements depend on each other, or keep to what constraints allow.
+constexpr Real within = 1e-9L;
+
+// A matrix A and what is uncertain of A x.
+class Uncertain {
+ public:
+  explicit Uncertain(const Doubted& A) : A_(A.value) {
+    constexpr Real closely = 1e-9L;
+    doubt_of_terms_ = 10 * A.doubt + closely * A_.cwiseAbs();
+    const Index n = A_.rows() / 2;
+    const Real stiffness = n > 0 ? A_.bottomLeftCorner(n, n).cwiseAbs().maxCoeff() : 0;
+    // A spinning body whose center is on its axis but for rounding pulls as it turns, by as little of the square of the
+    // pace. What is no small part of the stiffness there is, is taken for that of a slow motion.
+    unbalance_ = std::min<Real>(20 * std::numeric_limits<double>::epsilon(), 1e-4L * stiffness);
+  }
+  Index size() const { return A_.rows(); }
+  Matrix times(const Matrix& x) const { return A_ * x; }
+  // With the sizes of x.
+  Vector uncertainty(const Vector& sizes) const {
+    return doubt_of_terms_ * sizes + Vector::Constant(A_.rows(), unbalance_);
+  }
+
+ private:
+  const Matrix& A_;
+  Matrix doubt_of_terms_;
+  Real unbalance_ = 0;
+};
+bool is_within(const Vector& left, const Vector& allowed) { return ((left.cwiseAbs() - allowed).array() <= 0).all(); }
+bool is_symmetry(const Uncertain& A, const Vector& x) { return is_within(A.times(x), A.uncertainty(x.cwiseAbs())); }
+
+// By how much a deviation of length one would break what deviations satisfy, beyond what is uncertain of that.
+Vector breach(const DeviationRows& rows, const Vector& x) {
+  const Vector off = (rows.value * x).cwiseAbs() - 10 * rows.doubt;
+  return (off.array() > within).select(rows.value * x, Vector::Zero(off.size()));
+}
+bool is_possible(const DeviationRows& rows, const Vector& x) { return breach(rows, x).isZero(0); }
+
+// The columns of both that do not depend on those before.
+Matrix joined(const Matrix& one, const Matrix& other) {
+  Matrix found = one;
+  for (Index i = 0; i < other.cols(); ++i) {
+    Matrix more(other.rows(), found.cols() + 1);
+    more << found, other.col(i);
+    Eigen::ColPivHouseholderQR<Matrix> qr(more);
+    qr.setThreshold(within);
+    if (qr.rank() == more.cols()) found = more;
+  }
+  return found;
+}
+
+// Those displacements that are possible and do lead to the same motion again, independent of each other. What is left
+// of A x must be no more than the uncertainty of the terms that cancel in it: a slow motion beside a fast one has
+// small entries that are not zero.
+Matrix symmetries_of(const Uncertain& A, const DeviationRows& rows, const std::vector<Vector>& displacements) {
+  const Matrix none(A.size(), 0);
+  Matrix found = none, impossible = none;
+  for (const Vector& x : displacements) {
+    if (!is_symmetry(A, x)) continue;
+    Matrix& list = is_possible(rows, x) ? found : impossible;
+    list = joined(list, x);
+  }
+  if (impossible.cols() == 0) return found;
+  // Together they may be possible: shifts along and across a slope.
+  Matrix breaches(rows.value.rows(), impossible.cols());
+  for (Index i = 0; i < impossible.cols(); ++i) breaches.col(i) = breach(rows, impossible.col(i));
+  const Matrix together = (impossible * complement(breaches.transpose())).colwise().normalized();
+  return joined(found, together);
+}
+
+// A times each of some deviations as a sum of columns; nothing if it is none.
+std::optional<Matrix> parts_among(const Matrix& columns, const Uncertain& A, const Matrix& deviations) {
+  const Eigen::ColPivHouseholderQR<Matrix> qr(columns);
+  const Matrix led = A.times(deviations), parts = qr.solve(led), left = led - columns * parts;
+  const Index n = columns.cols();
+  const Vector size = columns.cwiseAbs().rowwise().sum();
+  std::optional<Matrix> inverse_size;
+  for (Index i = 0; i < left.cols(); ++i) {
+    const Vector rounding = A.uncertainty(size + deviations.col(i).cwiseAbs());
+    // What is uncertain goes into the parts too, and with them elsewhere. Mostly it cannot be enough: the inverse of R
+    // is at most sqrt(n) 2^(n-1) / r_nn (Higham, SIAM Review 29, 575, 1987).
+    const Real most = std::sqrt(Real(n)) * std::ldexp(Real(1), static_cast<int>(n) - 1) * rounding.norm();
+    const Real least = std::abs(qr.matrixR()(n - 1, n - 1));
+    if (!is_within(least * left.col(i), least * rounding + most * size)) return std::nullopt;
+    if (!inverse_size) inverse_size = qr.solve(Matrix::Identity(columns.rows(), columns.rows())).cwiseAbs();
+    if (!is_within(left.col(i), rounding + columns.cwiseAbs() * (*inverse_size * rounding))) return std::nullopt;
+  }
+  return parts;
+}
+
+// In a frame that turns, displacements across its axis that lead to the same motion elsewhere go round in it: pairs
+// that go over into each other. At a steady rate they go round ever farther away, where such velocities are possible.
+// Neither is any of the motion.
+Matrix goings_round(const Uncertain& A, const DeviationRows& rows, const std::vector<Vector>& displacements,
+                    std::vector<double>& frequencies) {
+  Matrix found(A.size(), 0);
+  std::vector<Vector> all = displacements;
+  std::erase_if(all, [&](const Vector& x) { return !is_possible(rows, x) || is_symmetry(A, x); });
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = i + 1; k < all.size(); ++k) {
+      const Real common = all[i].dot(all[k]);
+      const Vector &x = all[i], y = all[k] - common * x;
+      if (!(y.norm() > 1e-6L)) continue;
+      const Vector u = y.normalized();
+      Matrix pair(A.size(), 2);
+      pair << x, u;
+      const std::optional<Matrix> turned = parts_among(pair, A, pair);
+      if (!turned || !((*turned)(0, 1) * (*turned)(1, 0) < 0)) continue;
+      const auto add = [&](const Matrix& more) {
+        const Index before = found.cols();
+        found = joined(found, more);
+        if (found.cols() > before)
+          frequencies.push_back(static_cast<double>(std::sqrt(-(*turned)(0, 1) * (*turned)(1, 0))));
+      };
+      add(pair);
+      Matrix drifts = Matrix::Zero(A.size(), 2), both(A.size(), 4);
+      drifts.bottomRows(A.size() / 2) = pair.topRows(A.size() / 2);
+      both << pair, drifts;
+      if (!is_possible(rows, drifts.col(0)) || !is_possible(rows, drifts.col(1))) continue;
+      // They go round as the displacements do. (Velocities of turning wobble.)
+      const std::optional<Matrix> drifted = parts_among(both, A, drifts);
+      if (drifted && (drifted->bottomRows(2) - *turned).norm() <= 1e-6L * turned->norm()) add(drifts);
+    }
+  return found;
+}
+
+// With such displacements also those that let them change steadily: rolling in another direction.
+Matrix leading_to(Matrix elsewhere, const Uncertain& A, const DeviationRows& rows,
+                  const std::vector<Vector>& displacements) {
+  if (elsewhere.cols() == 0) return elsewhere;
+  for (const Vector& x : displacements)
+    if (is_possible(rows, x) && parts_among(elsewhere, A, x)) elsewhere = joined(elsewhere, x);
+  return elsewhere;
+}
+
+}  // namespace
+
+Matrix complement(const Matrix& columns) {
+  Eigen::ColPivHouseholderQR<Matrix> qr(columns);
+  qr.setThreshold(1e-9L);
+  const Matrix Q = qr.householderQ() * Matrix::Identity(columns.rows(), columns.rows());
+  return Q.rightCols(columns.rows() - qr.rank());
+}
+
+SameMotion same_motion(const Doubted& doubted, const DeviationRows& rows, const std::vector<Vector>& displacements) {
+  const Uncertain A(doubted);
+  const Matrix symmetries = symmetries_of(A, rows, displacements);
+  SameMotion found;
+  const Matrix going = joined(symmetries, goings_round(A, rows, displacements, found.going_round));
+  found.elsewhere = leading_to(going, A, rows, displacements);
+  found.momenta = symmetries.cols() + found.elsewhere.cols() - going.cols();
+  return found;
+}
+
+}  // namespace poinsot::solve

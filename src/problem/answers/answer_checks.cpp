@@ -1,0 +1,216 @@
+#include "problem/answers/answer_checks.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "problem/answers/fact_check.h"
+#include "problem/claims/claim_letters.h"
+#include "problem/quantities/quantity_functions.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr double check_tolerance = 1e-8;   // residual on the road of particles, relative
+constexpr double seen_error = 5e-7;        // in the six digits that answers are shown with
+constexpr double fact_tolerance = 1e-6;    // of a fact, relative; unknowns make it hold as far as rounding lets them
+constexpr double motion_tolerance = 1e-5;  // error of a motion, relative; as measured some sixteen times what it is
+
+// Whether forces enter only as the question whether contacts touch and cords are taut, which is answered where they do
+// not as well.
+bool tells_whether_it_holds(const std::vector<Expression>& asked) {
+  std::set<std::string> functions;
+  for (const Expression& expression : asked) collect_functions(expression, functions, true);
+  bool holds = false;
+  for (const std::string& name : functions) {
+    const QuantityFunction* function = find_quantity(name);
+    if (!function || function->level != Level::force) continue;
+    if (function->kind != QuantityKind::holding) return false;
+    holds = true;
+  }
+  return holds;
+}
+
+bool names_unknown(const Situation& situation, const Expression& expression) {
+  std::set<std::string> names;
+  collect_names(expression, names, true);
+  return std::any_of(situation.find.begin(), situation.find.end(),
+                     [&](const Unknown& unknown) { return names.contains(unknown.name); });
+}
+
+std::string stability_words(const solve::Linearisation& near) {
+  char text[60];
+  switch (solve::stability(near)) {
+    case solve::Stability::unstable:
+      std::snprintf(text, sizeof text, "unstable: a disturbance grows as exp(%.4g t/s)", solve::growth_rate(near));
+      return text;
+    case solve::Stability::undecided:
+      return "neither stable nor unstable by the linearised equations, which do not decide it";
+    case solve::Stability::stable:
+      break;
+  }
+  std::string words;
+  for (double frequency : solve::frequencies(near)) {
+    std::snprintf(text, sizeof text, "%.4g", frequency);
+    words += (words.empty() ? "" : ", ") + std::string(text);
+  }
+  return words.empty() ? "stable" : "stable: disturbed, it swings at " + words + " rad/s";
+}
+
+// How far a motion may be off, in the units of the problem.
+std::string words_of(const MotionError& error, const Situation& situation) {
+  std::string words;
+  const auto add = [&](double size, const Dimension& dimension) {
+    if (size <= 0) return;
+    const Unit unit = situation.habits.unit_for(dimension);
+    char text[40];
+    std::snprintf(text, sizeof text, "%.1g ", size / unit.factor);
+    words += (words.empty() ? "" : " and ") + (text + unit.text);
+  };
+  add(error.angle, dimensions::angle);
+  add(error.length, dimensions::length);
+  return "the motion is sensitive: its coordinates may be off by " + words;
+}
+
+}  // namespace
+
+void refuse_unphysical(const Statement& statement, const AskValues& asked, Sample& sample, Solution& result) {
+  const auto refuse = [](SolvedAsk& ask, const std::string& reason) {
+    ask.state = AskState::refused;
+    ask.reason = reason;
+  };
+  std::size_t extremum = 0;
+  for (std::size_t i = 0; i < statement.asks.size(); ++i) {
+    const Ask& ask = statement.asks[i];
+    SolvedAsk& solved = result.asks[i];
+    const Sample* at_extremum = ask.extremum && asked.values[i] && extremum < asked.extremal.size()
+                                    ? asked.extremal[extremum++].get()
+                                    : nullptr;
+    if (solved.state != AskState::found || ask.when) continue;
+    if (ask.table) {
+      if (const auto row = sample.unphysical_rows().find(ask.name); row != sample.unphysical_rows().end())
+        refuse(solved, row->second);
+      continue;
+    }
+    if (ask.extremum) {
+      if (!at_extremum || tells_whether_it_holds(ask.extremum->conditions)) continue;
+      for (const auto& [home, instant] : at_extremum->instants())
+        if (instant->forces_solved())
+          for (const std::string& reason : instant->unphysical()) refuse(solved, "at it, " + reason);
+      continue;
+    }
+    if (tells_whether_it_holds(ask.of)) continue;
+    SolvedInstant& instant = sample.instant_of(ask);
+    const Situation& situation = sample.situation_at(ask);
+    // Where stated forces fix unknowns, whether they are possible concerns these as well.
+    const bool forces_stated = states_forces(situation) && situation.neglect.empty() && !situation.has_blow() &&
+                               !(situation.contacts.empty() && situation.cords.empty());
+    const bool needs_forces = std::any_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) {
+      return level_of(situation, e, true) == Level::force || (forces_stated && names_unknown(situation, e));
+    });
+    if (!needs_forces) continue;
+    if (forces_stated) instant.solve_forces();
+    if (!instant.forces_solved()) continue;
+    for (const std::string& reason : instant.unphysical()) refuse(solved, reason);
+  }
+}
+
+void check_answers(const Statement& statement, Sample& sample, const std::vector<std::unique_ptr<Sample>>& extremal,
+                   Solution& result) {
+  std::map<std::size_t, double> latest;
+  for (const auto& [home, instant] : sample.instants())
+    if (home.time) latest[home.situation] = std::max(latest[home.situation], *home.time);
+  // Some instants of each motion.
+  for (const auto& [situation, motion] : sample.motions())
+    for (const double part : {0.31, 0.67, 1.0}) sample.instant_at(situation, part * motion->reached()).solve_forces();
+  std::vector<SolvedInstant*> instants;
+  for (const auto& [key, instant] : sample.instants()) instants.push_back(instant.get());
+  for (const std::unique_ptr<Sample>& other : extremal)
+    for (const auto& [key, instant] : other->instants()) instants.push_back(instant.get());
+  for (SolvedInstant* instant : instants) {
+    const SolvedInstant::Residuals residuals = instant->check();
+    const solve::CheckResult& residual = residuals.particles;
+    const auto keep = [&](const char* name, double value) {
+      auto [entry, fresh] = result.checks.emplace(name, value);
+      if (!fresh) entry->second = std::max(entry->second, value);
+    };
+    keep("momentum", residual.momentum);
+    keep("energy", residual.energy);
+    if (instant->forces_solved()) keep("newton_euler", residual.newton_euler);
+    if (instant->after_blow()) keep("impulse", residuals.impulse);
+  }
+  if (const std::optional<double> facts = largest_fact_misfit(statement, sample)) result.checks["facts"] = *facts;
+  for (const auto& [situation, motion] : sample.motions())
+    if (const auto drift = motion->energy_drift()) {
+      auto [entry, fresh] = result.checks.emplace("energy_drift", *drift);
+      if (!fresh) entry->second = std::max(entry->second, *drift);
+    }
+  for (const auto& [situation, motion] : sample.motions()) {
+    const double at_times = std::max(motion->values_until(), latest[situation]);
+    std::optional<MotionError> error = motion->error(std::max(at_times, motion->extremes_until()));
+    if (error && error->relative > motion_tolerance && motion->extremes_until() > at_times) {
+      // How far an extreme goes need not depend on when it comes.
+      const double apart = motion->extremes_error();
+      if (apart > motion_tolerance) {
+        error->relative = apart;
+      } else {
+        result.notes.push_back("the motion is sensitive: when it comes to the extremes found is not certain");
+        error = at_times > 0 ? motion->error(at_times) : std::nullopt;
+      }
+    }
+    if (!error) continue;
+    if (error->relative > seen_error && error->relative <= motion_tolerance)
+      result.notes.push_back(words_of(*error, motion->situation()));
+    auto [entry, fresh] = result.checks.emplace("motion_error", error->relative);
+    if (!fresh) entry->second = std::max(entry->second, error->relative);
+  }
+  for (const auto& [name, residual] : result.checks) {
+    const bool of_motion = name == "motion_error";
+    if (residual <= (of_motion ? motion_tolerance : name == "facts" ? fact_tolerance : check_tolerance)) continue;
+    for (SolvedAsk& ask : result.asks) {
+      if (ask.state != AskState::found) continue;
+      ask.state = AskState::refused;
+      if (of_motion) {
+        char text[120];
+        std::snprintf(text, sizeof text,
+                      "the motion is so sensitive that it may be off by %.1g of its size: let it last shorter",
+                      residual);
+        ask.reason = text;
+        continue;
+      }
+      if (name == "facts") {
+        ask.reason = "what is stated does not hold in what was found";
+        continue;
+      }
+      char size[40];
+      std::snprintf(size, sizeof size, "%.2g", residual);
+      ask.reason = "the independent check with particles does not confirm it (" + name + " off by " + size + ")";
+    }
+  }
+}
+
+void add_notes(const Statement& statement, const Sample& sample, Solution& result) {
+  for (const auto& [home, instant] : sample.instants()) {
+    const Situation& situation = statement.situations[home.situation];
+    if (!situation.steady || home.time || home.instant > 0) continue;
+    try {
+      result.notes.push_back("the steady motion" + (situation.name.empty() ? "" : " @ " + situation.name) + " is " +
+                             stability_words(instant->linearisation(situation.steady->mark)));
+    } catch (const StatementError&) {
+      // The statement does not say enough of what holds the motion: stability is not told.
+    }
+  }
+  for (const auto& [situation, motion] : sample.motions()) {
+    constexpr std::size_t most_told = 12;
+    const std::vector<std::string>& happenings = motion->happenings();
+    const std::size_t told = std::min(happenings.size(), most_told);
+    result.notes.insert(result.notes.end(), happenings.begin(), happenings.begin() + static_cast<std::ptrdiff_t>(told));
+    if (told < happenings.size())
+      result.notes.push_back("and so on, " + std::to_string(happenings.size() - told) + " times more");
+    const std::string& name = statement.situations[situation].name;
+    for (const std::string& method : motion->methods())
+      result.notes.push_back("the motion" + (name.empty() ? "" : " @ " + name) + ": " + method);
+  }
+}
+
+}  // namespace poinsot::problem

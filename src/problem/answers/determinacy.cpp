@@ -1,0 +1,333 @@
+#include "problem/answers/determinacy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "problem/instant/open_words.h"
+#include "problem/language/compare_values.h"
+#include "problem/language/diagnostic.h"
+#include "problem/unknowns/extremum.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr double same_tolerance = 1e-9;     // between two choices of what is open, relative
+constexpr double refound_tolerance = 1e-7;  // the same where unknowns are found anew
+
+using Values = std::vector<std::optional<WatchedValue>>;
+
+class Variation {
+ public:
+  Variation(const AnswersFound& found, Solution& result)
+      : found_(found), result_(result), fixed_(found.asked.values.size(), {true, true, true}) {}
+
+  std::set<std::string> mark() {
+    bool any = false, gravity = false;
+    for (const Situation& situation : found_.statement.situations) gravity = gravity || !situation.gravity;
+    for (const auto& [home, instant] : found_.sample.instants()) any = any || instant->uses_any();
+    for (const std::unique_ptr<Sample>& sample : found_.asked.extremal)
+      for (const auto& [home, instant] : sample->instants()) any = any || instant->uses_any();
+    if (any) vary({.seed = 11, .any = true}, [reason = reason_of_any()](const Ask&) { return reason; });
+    if (gravity)
+      vary({.seed = 12, .gravity = true}, [](const Ask&) {
+        return std::string("it depends on gravity, of which nothing is said: write gravity: -y or gravity: none");
+      });
+    // Every open direction by itself, so that only what moves an answer is named.
+    std::size_t velocities = 0, forces = 0;
+    for (const auto& [home, instant] : found_.sample.instants()) {
+      velocities = std::max(velocities, instant->velocities().open.size());
+      if (instant->forces_solved()) forces = std::max(forces, instant->motion().open.size());
+      if (instant->after_blow()) forces = std::max(forces, instant->blow().open.size());
+    }
+    std::size_t turnings = 0;
+    for (const auto& [situation, motion] : found_.sample.motions()) {
+      turnings = std::max(turnings, motion->open_turnings().size());
+      forces = std::max(forces, motion->open_impulses());
+    }
+    vary_velocities(std::min(velocities, most_directions));
+    // Of a motion from its start on they are varied together: each means following it anew.
+    if (velocities == 0 && turnings > 0)
+      vary(
+          {.seed = 13, .velocities = true, .direction = OpenChoice::every},
+          [&](const Ask& ask) {
+            std::vector<std::string> names;
+            for (std::size_t d = 0; d < turnings; ++d) add_open_names(ask, d, names);
+            return open_velocities(names, turnings);
+          },
+          [&](std::size_t i, const auto& other) { return differs_beyond_following(i, other); });
+    for (std::size_t d = 0; d < std::min(forces, most_directions); ++d)
+      vary({.seed = 14, .forces = true, .direction = d},
+           [&](const Ask& ask) { return open_force(found_.sample.instant_of(ask), d); });
+    if (any + gravity + velocities + forces > 1) vary_together(any, gravity, velocities > 0, forces > 0);
+    tell_fixed_components();
+    return moved_unknowns_;
+  }
+
+ private:
+  static constexpr std::size_t most_directions = 60;
+
+  std::string reason_of_any() const {
+    std::vector<std::string> bodies;
+    for (const Body& body : found_.statement.situations.front().bodies)
+      if (body.inertia && body.inertia->rest_any && body.inertia->mark == body.mark)
+        bodies.push_back("'" + body.name + "'");
+    const std::string reason = "it depends on a value that is given as `any`";
+    return bodies.empty() ? reason
+                          : reason + ", or on the inertia of " + listed(bodies, "and") + ", which is not stated";
+  }
+
+  // The unknowns found anew where they may depend on what is chosen; none if they cannot be.
+  std::optional<AllSettings> settings_for(const OpenChoice& choice) {
+    if (found_.search.unknowns().empty() || !(choice.any || choice.gravity || choice.velocities))
+      return found_.settings;
+    if (found_.search.still_holds(found_.settings, choice)) return found_.settings;
+    Settings known = found_.settings.front();
+    for (const Unknown& unknown : found_.search.unknowns()) known.erase(unknown.name);
+    const RootsFound found = found_.search.find(known, choice);
+    const auto distance = [&](const AllSettings& root) {
+      double sum = 0;
+      for (std::size_t i = 0; i < root.size(); ++i)
+        for (const Unknown& unknown : found_.search.unknowns())
+          if (const auto moved = distance_of(unknown, root[i], i)) sum += *moved / unknown.unit.factor;
+      return sum;
+    };
+    const auto nearest =
+        std::min_element(found.roots.begin(), found.roots.end(),
+                         [&](const AllSettings& a, const AllSettings& b) { return distance(a) < distance(b); });
+    if (nearest == found.roots.end()) return std::nullopt;
+    return *nearest;
+  }
+  // How far an unknown of a situation is from where it was found; nothing if it has no value.
+  std::optional<double> distance_of(const Unknown& unknown, const Settings& settings, std::size_t situation) const {
+    const auto& base = std::as_const(found_.settings[situation]);
+    const auto a = settings.find(unknown.name);
+    const auto b = base.find(unknown.name);
+    if (a == settings.end() || b == base.end()) return std::nullopt;
+    return std::abs(a->second.number - b->second.number) + norm(a->second.vector - b->second.vector);
+  }
+  void note_moved_unknowns(const AllSettings& settings) {
+    for (const Unknown& unknown : found_.search.unknowns())
+      for (std::size_t i = 0; i < settings.size(); ++i) {
+        const std::optional<double> moved = distance_of(unknown, settings[i], i);
+        if (!moved) continue;
+        const Value<double>& base = found_.settings[i].at(unknown.name);
+        const double size = std::max({std::abs(base.number), norm(base.vector), 1e-6 * unknown.unit.factor});
+        if (*moved > refound_tolerance * size) moved_unknowns_.insert(unknown.name);
+      }
+  }
+
+  Values varied(const OpenChoice& choice) {
+    const std::vector<Ask>& asks = found_.statement.asks;
+    const Values& base = found_.asked.values;
+    const std::optional<AllSettings> settings = settings_for(choice);
+    if (!settings) return Values(asks.size(), std::nullopt);
+    note_moved_unknowns(*settings);
+    Sample sample(found_.statement, *settings, choice);
+    Values values;
+    for (std::size_t i = 0; i < asks.size(); ++i) {
+      // What forces are open changes nothing but forces.
+      if (choice.forces && !choice.any && !choice.gravity && !choice.velocities && !rests_on_forces(asks[i])) {
+        values.push_back(base[i]);
+        continue;
+      }
+      try {
+        if (!asks[i].extremum)
+          values.emplace_back(watched_value(found_.statement, sample, asks[i]));
+        else if (base[i] && ExtremumSearch(found_.statement, asks[i], *settings, choice).is_at(base[i]->answer.number))
+          values.push_back(base[i]);
+        else
+          values.emplace_back(std::nullopt);
+      } catch (const StatementError&) {
+        values.emplace_back(std::nullopt);
+      }
+    }
+    return values;
+  }
+
+  bool rests_on_forces(const Ask& ask) const {
+    std::vector<const Expression*> asked;
+    for (const Expression& expression : ask.of) asked.push_back(&expression);
+    if (ask.extremum)
+      for (const Expression& expression : ask.extremum->conditions) asked.push_back(&expression);
+    if (ask.when) asked.push_back(&ask.when->condition);
+    if (ask.table) {
+      asked.push_back(&ask.table->values);
+      for (const NamedExpression& column : ask.table->columns) asked.push_back(&column.value);
+    }
+    const Situation& situation = found_.statement.situations.front();
+    return situation.has_blow() || std::any_of(asked.begin(), asked.end(), [&](const Expression* expression) {
+             return asks_forces(situation, *expression);
+           });
+  }
+
+  template <class Reason>
+  void vary(const OpenChoice& choice, const Reason& reason) {
+    vary(choice, reason, [&](std::size_t i, const auto& other) { return differs(found_, i, other); });
+  }
+  template <class Reason, class Differs>
+  void vary(const OpenChoice& choice, const Reason& reason, const Differs& differs_here) {
+    const Values other = varied(choice);
+    for (std::size_t i = 0; i < other.size(); ++i) {
+      if (!differs_here(i, other[i])) continue;
+      SolvedAsk& ask = result_.asks[i];
+      ask.state = AskState::undetermined;
+      if (const std::string why = reason(found_.statement.asks[i]); ask.reason.find(why) == std::string::npos)
+        add_reason(ask, why);
+      note_fixed_components(i, other[i]);
+    }
+  }
+
+  // Whether an ask is about a state that a motion reaches. It starts only where all that moves mass is fixed.
+  bool follows_motion(const Ask& ask) {
+    if (found_.sample.motions().empty()) return false;
+    return ask.when || ask.table || found_.sample.instant_of(ask).velocities().open.empty() ||
+           std::any_of(ask.of.begin(), ask.of.end(), asks_motion_feature);
+  }
+  // What moves no mass changes a motion by nothing but the errors with which it is followed.
+  bool differs_beyond_following(std::size_t i, const std::optional<WatchedValue>& other) const {
+    constexpr double following = 1e-5;
+    const std::optional<WatchedValue>& base = found_.asked.values[i];
+    if (!base || !differs(found_, i, other)) return false;
+    if (!other) return true;
+    const double size = std::max(size_of(base->answer), size_of(other->answer));
+    return !same(base->answer, other->answer, following * size + 1e-9 * found_.natural_sizes[i]);
+  }
+
+  bool differs_by_velocities(std::size_t i, const std::optional<WatchedValue>& other) {
+    return follows_motion(found_.statement.asks[i]) ? differs_beyond_following(i, other) : differs(found_, i, other);
+  }
+
+  // The coordinates in one of the open directions, at the instant of an ask or at the start of its motion.
+  void add_open_names(const Ask& ask, std::size_t direction, std::vector<std::string>& names) {
+    const auto add = [&](std::string_view name) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+    };
+    const SolvedInstant& instant = found_.sample.instant_of(ask);
+    if (direction < instant.velocities().share.size()) {
+      for (std::size_t k : instant.velocities().share[direction]) add(instant.velocity_equations().name(k));
+      return;
+    }
+    for (const auto& [situation, motion] : found_.sample.motions())
+      if (direction < motion->open_turnings().size())
+        for (const std::string& name : motion->open_turnings()[direction]) add(name);
+  }
+
+  void vary_velocities(std::size_t directions) {
+    const std::size_t asks = found_.statement.asks.size();
+    std::vector<std::vector<std::string>> rates(asks);  // that an ask depends on and nothing fixes
+    std::vector<std::size_t> missing(asks, 0);
+    for (std::size_t d = 0; d < directions; ++d) {
+      const Values other = varied({.seed = 13, .velocities = true, .direction = d});
+      for (std::size_t i = 0; i < asks; ++i) {
+        if (!differs_by_velocities(i, other[i])) continue;
+        result_.asks[i].state = AskState::undetermined;
+        ++missing[i];
+        add_open_names(found_.statement.asks[i], d, rates[i]);
+        note_fixed_components(i, other[i]);
+      }
+    }
+    for (std::size_t i = 0; i < asks; ++i)
+      if (missing[i] > 0) add_reason(result_.asks[i], open_velocities(rates[i], missing[i]));
+  }
+
+  // What rests on several of them at once, as the product of gravity and a velocity, moves with none by itself.
+  void vary_together(bool any, bool gravity, bool velocities, bool forces) {
+    const Values other = varied({.seed = 15,
+                                 .any = any,
+                                 .gravity = gravity,
+                                 .velocities = velocities,
+                                 .forces = forces,
+                                 .direction = OpenChoice::every});
+    std::vector<std::string> open;
+    if (any) open.emplace_back("the values given as `any`");
+    if (gravity) open.emplace_back("gravity");
+    if (velocities) open.emplace_back("velocities");
+    if (forces) open.emplace_back("accelerations or forces");
+    for (std::size_t i = 0; i < other.size(); ++i) {
+      if (result_.asks[i].state != AskState::found) continue;
+      if (!(velocities ? differs_by_velocities(i, other[i]) : differs(found_, i, other[i]))) continue;
+      result_.asks[i].state = AskState::undetermined;
+      result_.asks[i].reason = "it depends on several things that are left open: " + listed(open, "and");
+      fixed_[i] = {false, false, false};
+    }
+  }
+
+  static void add_reason(SolvedAsk& ask, const std::string& why) {
+    ask.reason += (ask.reason.empty() ? "" : "; ") + why;
+  }
+
+  // Of a vector that is not determined, the components that are.
+  void note_fixed_components(std::size_t i, const std::optional<WatchedValue>& varied) {
+    const Value<double>& base = found_.asked.values[i]->answer;
+    const Value<double>* other = varied ? &varied->answer : nullptr;
+    for (std::size_t k = 0; k < 3; ++k)
+      fixed_[i][k] = fixed_[i][k] && base.is_vector() && other && other->is_vector() &&
+                     std::abs(base.vector[k] - other->vector[k]) <= same_answer_tolerance(found_, i, base, *other);
+  }
+  void tell_fixed_components() {
+    for (std::size_t i = 0; i < fixed_.size(); ++i) {
+      const Ask& ask = found_.statement.asks[i];
+      if (result_.asks[i].state != AskState::undetermined || found_.asked.unanswered.contains(ask.name)) continue;
+      std::vector<std::string> names;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (fixed_[i][k]) names.push_back("." + found_.sample.situation_at(ask).axes[k]);
+      if (names.empty()) continue;
+      const bool several = names.size() > 1;
+      result_.asks[i].reason += "; its component" + std::string(several ? "s " : " ") + listed(names, "and") +
+                                (several ? " are" : " is") + " fixed: ask for " + (several ? "them" : "it");
+    }
+  }
+
+  const AnswersFound& found_;
+  Solution& result_;
+  std::vector<std::array<bool, 3>> fixed_;  // components of each ask that no variation moves
+  std::set<std::string> moved_unknowns_;
+};
+
+}  // namespace
+
+double same_answer_tolerance(const AnswersFound& found, std::size_t index, const Value<double>& a,
+                             const Value<double>& b) {
+  return (found.search.unknowns().empty() ? same_tolerance : refound_tolerance) * std::max(size_of(a), size_of(b)) +
+         1e-11 * found.natural_sizes[index];
+}
+
+namespace {
+
+// Beside what rounding in the whole machine may be, only the numbers themselves tell what is rounding.
+bool is_rounding(const AnswersFound& found, std::size_t index, const Value<double>& a, const Value<double>& b) {
+  const Ask& ask = found.statement.asks[index];
+  if (ask.table || ask.when || ask.extremum || !found.sample.motions().empty()) return false;
+  const double natural = found.sample.instant_of(ask).natural_size(dimension_of(a));
+  if (!same(a, b, 1e-11 * natural)) return false;
+  return same(a, b, 1e2 * found.rounded.spread(ask, a));
+}
+
+}  // namespace
+
+bool differs(const AnswersFound& found, std::size_t index, const std::optional<WatchedValue>& other) {
+  const std::optional<WatchedValue>& base = found.asked.values[index];
+  if (!base) return false;
+  if (!other || other->deciding.size() != base->deciding.size()) return true;
+  const Value<double>&answer = base->answer, &another = other->answer;
+  for (std::size_t k = 0; k < base->deciding.size(); ++k) {
+    const Value<double>&a = base->deciding[k], &b = other->deciding[k];
+    const double natural = found.sample.instant_of(found.statement.asks[index]).natural_size(dimension_of(a));
+    if (!same(a, b, same_tolerance * std::max(size_of(a), size_of(b)) + 1e-11 * natural)) return true;
+  }
+  // Alone, without unknowns and motions, the numbers tell better than sizes what is rounding.
+  const bool told = base->deciding.empty() && found.search.unknowns().empty() && found.sample.motions().empty();
+  if (!told) return !same(answer, another, same_answer_tolerance(found, index, answer, another));
+  const double tolerance =
+      same_tolerance * std::max(size_of(answer), size_of(another)) + 1e-14 * found.natural_sizes[index];
+  return !same(answer, another, tolerance) && !is_rounding(found, index, answer, another);
+}
+
+std::set<std::string> mark_undetermined(const AnswersFound& found, Solution& result) {
+  return Variation(found, result).mark();
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,99 @@
+#include "problem/answers/fact_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "problem/language/compare_values.h"
+
+namespace poinsot::problem {
+namespace {
+
+class FactCheck {
+ public:
+  // before: the instant before a blow, if this is the one after it.
+  FactCheck(const Situation& situation, SolvedInstant& instant, const SolvedInstant* before,
+            SolvedInstant::Elsewhere elsewhere)
+      : situation_(situation), instant_(instant), before_(before), elsewhere_(std::move(elsewhere)) {}
+
+  std::optional<double> largest;
+
+  void add(const Fact& fact) {
+    const Level level = level_of(situation_, fact.quantity);
+    if (level == Level::motion || (level == Level::force && !instant_.forces_solved())) return;
+    if (is_any(fact.value)) return;
+    const Value<double> quantity = at(fact.quantity);
+    const List* list = fact.value.as<List>();
+    if (quantity.is_number()) {
+      compare(quantity.number, at(fact.value).number, std::abs(quantity.number), quantity.dimension);
+    } else if (quantity.is_vector() && list && list->items.size() == 3) {
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!is_any(list->items[k]))
+          compare(quantity.vector[k], at(list->items[k]).number, size_of(quantity), quantity.dimension);
+    } else if (quantity.is_vector()) {
+      // The number 0 stands for no vector at all.
+      const Value<double> value = at(fact.value);
+      for (std::size_t k = 0; k < 3; ++k)
+        compare(quantity.vector[k], value.is_vector() ? value.vector[k] : 0, size_of(quantity), quantity.dimension);
+    }
+  }
+
+  void add_stated_rates() {
+    const MotionState state = instant_.state();
+    for (const StatedRate& rate : instant_.machine().rates)
+      compare(state.v[static_cast<std::size_t>(rate.velocity)], rate.value, 0,
+              (rate.turning ? dimensions::none : dimensions::length) / dimensions::time);
+    if (!instant_.forces_solved()) return;
+    for (const StatedRate& rate : instant_.machine().accelerations)
+      compare(instant_.motion().value[static_cast<std::size_t>(rate.velocity)], rate.value, 0,
+              (rate.turning ? dimensions::none : dimensions::length) / dimensions::time / dimensions::time);
+  }
+
+ private:
+  Value<double> at(const Expression& expression) { return instant_.raw(expression, std::nullopt, elsewhere_); }
+
+  void compare(double found, double stated, double size, const Dimension& dimension) {
+    // What comes to rest, or never moved, has no size of its own.
+    constexpr double at_rest = 1e-6;
+    double beside = std::max({size, std::abs(found), std::abs(stated), instant_.natural_size(dimension),
+                              at_rest * natural_unit(instant_.scales(), dimension)});
+    if (before_) beside = std::max(beside, before_->natural_size(dimension));
+    const double misfit = std::abs(found - stated) / beside;
+    largest = std::max(largest.value_or(0), misfit);
+  }
+
+  const Situation& situation_;
+  SolvedInstant& instant_;
+  const SolvedInstant* before_;
+  SolvedInstant::Elsewhere elsewhere_;
+};
+
+}  // namespace
+
+std::optional<double> largest_fact_misfit(const Statement& statement, Sample& sample) {
+  std::optional<double> largest;
+  std::vector<std::pair<Sample::Home, SolvedInstant*>> solved;
+  for (const auto& [home, instant] : sample.instants())
+    if (!home.time && !home.ending) solved.emplace_back(home, instant.get());
+  for (const auto& [home, instant] : solved) {
+    const Situation& situation = statement.situations[home.situation];
+    const bool after_blow = instant->after_blow();
+    if (home.instant > 0 && !after_blow) continue;
+    const SolvedInstant* before = after_blow ? &sample.instant({home.situation, 0, std::nullopt}) : nullptr;
+    FactCheck check(situation, *instant, before, [&sample](const At& past, const Mark& mark) {
+      return sample.instant(sample.resolve(past.instant, mark)).raw(past.expression, std::nullopt, nullptr);
+    });
+    if (after_blow) {
+      for (const Instant& one : situation.instants)
+        if (one.name == "after")
+          for (const Fact& fact : one.facts) check.add(fact);
+    } else {
+      for (const Instant* one : instants_at_start(situation))
+        for (const Fact& fact : one->facts) check.add(fact);
+      check.add_stated_rates();
+    }
+    if (check.largest) largest = std::max(largest.value_or(0), *check.largest);
+  }
+  return largest;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,148 @@
+#include "problem/answers/finished_ask.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "problem/instant/asked_size.h"
+#include "problem/language/compare_values.h"
+#include "problem/language/diagnostic.h"
+#include "problem/quantities/describe.h"
+
+namespace poinsot::problem {
+namespace {
+
+bool asks_energy(const Expression& expression) {
+  const std::string text = to_string(expression);
+  return text.find("energy(") != std::string::npos;
+}
+
+const Unit* unknown_unit(const Situation& situation, const std::string& name) {
+  for (const Unknown& unknown : situation.find)
+    if (unknown.name == name) return &unknown.unit;
+  return nullptr;
+}
+
+bool dimension_is_text(const Value<double>& value) {
+  return value.is_list() && !value.items.empty() && value.items.front().is_text();
+}
+
+SolvedAsk finished_extremum(const Statement& statement, const Ask& ask, const Value<double>* value,
+                            const AskValues& asked) {
+  const Situation& situation = statement.situations[situation_of(statement, ask)];
+  SolvedAsk solved;
+  solved.words = describe(ask, situation, false);
+  if (!value) {
+    solved.state = AskState::refused;
+    solved.reason = asked.no_extremum.at(ask.name);
+    return solved;
+  }
+  solved.value = *value;
+  if (ask.unit && !same_kind(ask.unit->dimension, value->dimension))
+    fail(situation.file, ask.mark,
+         "'" + ask.extremum->name + "' is " + to_string(value->dimension) + ", but " + ask.unit->text +
+             " is a unit of " + to_string(ask.unit->dimension),
+         "ask for it in a unit such as " + situation.habits.unit_for(value->dimension).text);
+  solved.unit = ask.unit ? *ask.unit : situation.habits.unit_for(value->dimension);
+  return solved;
+}
+
+SolvedAsk finished_table(const Statement& statement, const Ask& ask, const Value<double>& value) {
+  const Situation& situation = statement.situations.front();
+  SolvedAsk solved;
+  solved.words = describe(ask, situation, false);
+  const std::size_t count = ask.table->columns.size();
+  for (std::size_t c = 0; c < count; ++c) {
+    const NamedExpression& stated = ask.table->columns[c];
+    SolvedColumn column;
+    column.name = stated.name;
+    std::optional<Dimension> dimension;
+    for (std::size_t row = c; row < value.items.size(); row += count) {
+      column.values.push_back(value.items[row].number);
+      if (!dimension || dimension == dimensions::none) dimension = value.items[row].dimension;
+    }
+    const auto unit = ask.table->units.find(stated.name);
+    if (unit != ask.table->units.end()) {
+      if (dimension && !same_kind(unit->second.dimension, *dimension))
+        fail(situation.file, stated.mark,
+             "column '" + stated.name + "' is " + to_string(*dimension) + ", but " + unit->second.text +
+                 " is a unit of " + to_string(unit->second.dimension));
+      column.unit = unit->second;
+    } else {
+      column.unit = situation.habits.unit_for(dimension.value_or(dimensions::none), asks_energy(stated.value));
+    }
+    solved.columns.push_back(std::move(column));
+  }
+  solved.value = value;
+  return solved;
+}
+
+// Whether any number is small enough to be rounding.
+bool has_small_numbers(const Value<double>& value, double size) {
+  const auto small = [&](double x) { return x != 0 && std::abs(x) < size; };
+  if (value.is_number()) return small(value.number);
+  if (value.is_vector()) return small(value.vector.x) || small(value.vector.y) || small(value.vector.z);
+  return std::any_of(value.items.begin(), value.items.end(),
+                     [&](const Value<double>& item) { return has_small_numbers(item, size); });
+}
+
+FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& sample, RoundedValues& rounded) {
+  FinishedAsk result;
+  SolvedAsk& solved = result.solved;
+  const Situation& situation = sample.situation_at(ask);
+  if (!ask.when &&
+      std::none_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) { return asks_model(situation, e); }))
+    fail(situation.file, ask.mark, "'" + ask.name + "' asks nothing of the model: it is a formula of the data",
+         "ask for a quantity, such as angular_momentum(BODY about POINT)");
+  solved.value = value;
+  const Dimension dimension = dimension_of(value);
+  SolvedInstant& instant = sample.instant_of(ask);
+  result.natural_size = asked_size(instant, situation, ask, dimension);
+  const double size = std::max({size_of(value), instant.natural_size(dimension), result.natural_size});
+  if (has_small_numbers(value, 1e-14 * size)) {
+    const bool moved = !sample.motions().empty();
+    drop_noise(solved.value, size, result.natural_size, moved ? std::vector<Value<double>>{} : rounded.of(ask));
+  }
+  for (const Value<double>& item : value.items)
+    if (!same_kind(dimension_of(item), dimension))
+      fail(situation.file, ask.mark,
+           "the items of this list are of different kinds: " + to_string(dimension) + " and " +
+               to_string(dimension_of(item)),
+           "ask them one by one");
+  if (ask.unit) {
+    if (!same_kind(ask.unit->dimension, dimension))
+      fail(situation.file, ask.mark,
+           "the answer is " + to_string(dimension) + ", but " + ask.unit->text + " is a unit of " +
+               to_string(ask.unit->dimension),
+           "ask for it in a unit such as " + situation.habits.unit_for(dimension).text);
+    solved.unit = *ask.unit;
+  } else if (const Name* name = ask.of.size() == 1 ? ask.of.front().as<Name>() : nullptr;
+             name && unknown_unit(situation, name->name)) {
+    solved.unit = *unknown_unit(situation, name->name);
+  } else if (!value.is_boolean() && !value.is_text() && !dimension_is_text(value)) {
+    solved.unit = situation.habits.unit_for(dimension, std::all_of(ask.of.begin(), ask.of.end(), asks_energy));
+  }
+  solved.words = describe(ask, situation, has_vector(value));
+  if (has_vector(value)) solved.component_names.assign(situation.axes.begin(), situation.axes.end());
+  return result;
+}
+
+}  // namespace
+
+FinishedAsk finished_ask(const Statement& statement, std::size_t index, const AskValues& asked, Sample& sample,
+                         RoundedValues& rounded) {
+  const Ask& ask = statement.asks[index];
+  if (const auto missing = asked.unanswered.find(ask.name); missing != asked.unanswered.end()) {
+    const Diagnostic& why = missing->second;
+    FinishedAsk result;
+    result.solved.state = AskState::undetermined;
+    result.solved.reason = why.message + (why.hint.empty() ? "" : ": " + why.hint);
+    result.solved.words = describe(ask, statement.situations.front(), false);
+    return result;
+  }
+  const std::optional<WatchedValue>& value = asked.values[index];
+  if (ask.extremum) return {finished_extremum(statement, ask, value ? &value->answer : nullptr, asked)};
+  if (ask.table) return {finished_table(statement, ask, value->answer)};
+  return finished_value(ask, value->answer, sample, rounded);
+}
+
+}  // namespace poinsot::problem

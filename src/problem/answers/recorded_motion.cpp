@@ -1,0 +1,247 @@
+#include "problem/answers/recorded_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "problem/answers/solve_statement.h"
+#include "problem/course/course.h"
+#include "problem/language/diagnostic.h"
+#include "problem/machine/data.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr double recording_tolerance = 1e-8;  // residual on the road of particles, relative
+// A block is long beside the making of its equations, and short beside the patience of who waits for its end.
+constexpr double most_block_rows = 500;
+constexpr double block_paces = 500;  // times in which the motion changes noticeably
+
+// What a motion does not tell is no fault of the file.
+template <class Function>
+auto answered(Function&& function) {
+  try {
+    return function();
+  } catch (const UnansweredError& error) {
+    throw UnansweredRecord(error.what());
+  }
+}
+
+std::string in_seconds(double time) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g s", time);
+  return text;
+}
+
+const Record& record_of(const Statement& statement) {
+  if (!statement.record)
+    fail(statement.file, Mark{1, 1}, "the file does not say what to record",
+         "write record: {every: 1 ms, for: 10 s, columns: {t: time, theta: theta}}");
+  if (statement.situations.size() > 1)
+    fail(statement.file, statement.record->mark, "a recording is of a file with one situation",
+         "state the situations in files of their own");
+  return *statement.record;
+}
+
+// The columns at some times, as a question like any other.
+SolvedStatement solve_at(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
+                         const std::vector<double>& times) {
+  const Record& record = *statement.record;
+  Statement trial = statement;
+  trial.expected.clear();
+  Ask ask;
+  ask.name = ask.text = "record";
+  ask.mark = record.mark;
+  ask.axes = record.axes;
+  ask.table.emplace();
+  ask.table->columns = record.columns;
+  ask.table->units = record.units;
+  ask.table->over = "time";
+  ask.table->over_mark = record.mark;
+  std::string list;
+  for (double time : times) list += (list.empty() ? "[" : ", ") + in_seconds(time);
+  ask.table->values = parse_expression(list + "]", statement.file, record.mark);
+  trial.asks = {std::move(ask)};
+  SolvedStatement solved = solve_statement(trial, sets);
+  const auto unanswered = [&](const std::string& why) {
+    throw UnansweredRecord(statement.file + ": what is to be recorded has no answer: " + why);
+  };
+  std::string warnings;
+  for (const std::string& warning : solved.warnings) warnings += (warnings.empty() ? "" : "; ") + warning;
+  if (solved.solutions.empty()) unanswered("there is no solution" + (warnings.empty() ? "" : ": " + warnings));
+  if (solved.solutions.size() > 1)
+    unanswered("there are " + std::to_string(solved.solutions.size()) +
+               " solutions: tell by where:, or by --set, which one is meant");
+  const SolvedAsk& found = solved.solutions.front().asks.front();
+  if (found.state != AskState::found) unanswered(found.reason);
+  return solved;
+}
+
+}  // namespace
+
+struct RecordedMotion::Parts {
+  explicit Parts(Statement stated) : statement(std::move(stated)) {}
+
+  Statement statement;
+  Settings settings;
+  std::unique_ptr<Course> motion;
+  std::vector<RecordedColumn> columns;
+  RecordedState start;
+  double every = 0;
+  std::optional<std::uint64_t> rows;
+  std::uint64_t block_rows = 1;
+
+  const Situation& situation() const { return statement.situations.front(); }
+  double time_of(std::uint64_t row) const { return every * static_cast<double>(row); }
+  void read_times();
+  void read_row(double time, std::vector<double>& values);
+  RecordedChecks check(double time);
+};
+
+// every: and for:, and when the stages end.
+void RecordedMotion::Parts::read_times() {
+  const Record& record = *statement.record;
+  DataScope<double> data(situation(), settings);
+  every = data.number(record.every, dimensions::time);
+  if (!(every > 0)) fail(statement.file, record.every.mark(), "the rows of a recording need a time between them");
+  double last = std::numeric_limits<double>::infinity();
+  if (record.lasts) {
+    last = data.number(*record.lasts, dimensions::time);
+    if (!(last >= 0)) fail(statement.file, record.lasts->mark(), "a recording lasts no negative time");
+  }
+  bool ends = !situation().stages.empty() && (situation().stages.back().lasts || situation().stages.back().until);
+  bool known = ends;
+  double end = 0;
+  for (const Stage& stage : situation().stages) {
+    known = known && stage.lasts;
+    if (stage.lasts) end += data.number(*stage.lasts, dimensions::time);
+  }
+  if (known) last = std::min(last, end);
+  if (!ends && !record.lasts)
+    fail(statement.file, record.mark, "the motion has no end", "say how long it is recorded: for: 10 s");
+  if (std::isinf(last)) return;
+  const double count = std::floor(last / every * (1 + 1e-12) + 1e-9);
+  if (count > 1e15)
+    fail(statement.file, record.every.mark(), "the recording would have more rows than can be counted",
+         "take a larger step");
+  rows = static_cast<std::uint64_t>(count) + 1;
+}
+
+RecordedMotion::RecordedMotion(Statement statement, const std::vector<std::pair<std::string, std::string>>& sets)
+    : parts_(std::make_unique<Parts>(std::move(statement))) {
+  Parts& parts = *parts_;
+  const Statement& stated = parts.statement;
+  record_of(stated);
+  parts.settings = read_settings(stated, sets);
+  std::string letters;
+  for (const Letter& letter : parts.situation().letters)
+    if (!parts.settings.contains(letter.name)) letters += (letters.empty() ? "" : ", ") + letter.name;
+  if (!letters.empty())
+    throw UnansweredRecord(stated.file + ": what is to be recorded needs values for " + letters + ": --set '" +
+                           letters.substr(0, letters.find(',')) + "=...'");
+  if (!parts.situation().find.empty() || !parts.situation().choose.empty()) {
+    const SolvedStatement solved = solve_at(stated, sets, {0});
+    for (const SolvedUnknown& unknown : solved.solutions.front().unknowns)
+      parts.settings.insert_or_assign(unknown.name, unknown.value);
+  }
+  parts.read_times();
+
+  // What the columns rest on shows when the motion has changed noticeably.
+  const double reached = answered([&] {
+    parts.motion = std::make_unique<Course>(parts.situation(), parts.settings, OpenChoice{});
+    const MotionCheckpoint start = parts.motion->checkpoint();
+    parts.start = {start.state.time, start.state.stage, start.stage_start,
+                   start.state.q,    start.state.v,     start.state.acting};
+    const double span = parts.rows ? parts.time_of(*parts.rows - 1) : std::numeric_limits<double>::infinity();
+    return parts.motion->follow(std::min(parts.motion->pace_time(), span));
+  });
+  const SolvedStatement solved = solve_at(stated, sets, {0, reached / 3, reached});
+  for (const SolvedColumn& column : solved.solutions.front().asks.front().columns)
+    parts.columns.push_back({column.name, column.unit});
+
+  // Whoever records waits as long as it takes; the time that has passed must not decide what is recorded.
+  parts.motion->set_time_limit(std::numeric_limits<double>::infinity());
+  parts.block_rows = static_cast<std::uint64_t>(
+      std::clamp(std::floor(block_paces * parts.motion->pace_time() / parts.every), 1.0, most_block_rows));
+}
+
+RecordedMotion::~RecordedMotion() = default;
+RecordedMotion::RecordedMotion(RecordedMotion&&) noexcept = default;
+RecordedMotion& RecordedMotion::operator=(RecordedMotion&&) noexcept = default;
+
+const std::vector<RecordedColumn>& RecordedMotion::columns() const { return parts_->columns; }
+double RecordedMotion::every() const { return parts_->every; }
+std::optional<std::uint64_t> RecordedMotion::rows() const { return parts_->rows; }
+std::uint64_t RecordedMotion::block_rows() const { return parts_->block_rows; }
+RecordedState RecordedMotion::start() const { return parts_->start; }
+
+void RecordedMotion::Parts::read_row(double time, std::vector<double>& values) {
+  const Record& record = *statement.record;
+  SolvedInstant& instant = motion->instant_at(time);
+  for (const NamedExpression& column : record.columns) {
+    const Value<double> value = instant.ask(column.value, record.axes, nullptr);
+    if (!value.is_number() || !std::isfinite(value.number))
+      fail(statement.file, column.mark, "column '" + column.name + "' is no number at " + in_seconds(time));
+    values.push_back(value.number);
+  }
+}
+
+RecordedChecks RecordedMotion::Parts::check(double time) {
+  SolvedInstant& instant = motion->instant_at(time);
+  instant.solve_forces();
+  const solve::CheckResult residual = instant.check().particles;
+  const RecordedChecks checks{residual.momentum, residual.energy, residual.newton_euler,
+                              motion->energy_drift().value_or(0)};
+  const double largest = std::max({checks.momentum, checks.energy, checks.newton_euler, checks.energy_drift});
+  if (!(largest <= recording_tolerance))
+    throw UnansweredRecord(statement.file + ": the independent check does not confirm the motion at " +
+                           in_seconds(time) + ": off by " + std::to_string(largest));
+  return checks;
+}
+
+RecordedBlock RecordedMotion::block(std::uint64_t first_row, const RecordedState& from) {
+  Parts& parts = *parts_;
+  Course& motion = *parts.motion;
+  return answered([&] {
+    motion.continue_from(
+        {{from.time, static_cast<std::size_t>(from.stage), from.q, from.v, from.acting}, from.stage_start});
+    std::uint64_t end_row = first_row + parts.block_rows;
+    const bool last = parts.rows && end_row >= *parts.rows;
+    if (last) end_row = *parts.rows;
+    const double reached = motion.follow(parts.time_of(last ? end_row - 1 : end_row));
+    const bool over = motion.is_over();
+    // The end of the motion belongs to it, whatever rounding says.
+    const double allowed = reached * (1 + 1e-12) + 1e-12;
+    if (over && !last) ++end_row;
+
+    RecordedBlock block;
+    for (std::uint64_t row = first_row; row < end_row; ++row) {
+      const double time = parts.time_of(row);
+      if (over && time > allowed) break;
+      parts.read_row(over ? std::min(time, reached) : time, block.values);
+    }
+    block.checks = parts.check(reached);
+    block.notes = motion.happenings();
+    if (over || last) return block;
+    const MotionCheckpoint next = motion.checkpoint();
+    block.next = {next.state.time, next.state.stage, next.stage_start, next.state.q, next.state.v, next.state.acting};
+    return block;
+  });
+}
+
+std::vector<std::string> mesh_paths(const Statement& statement) {
+  namespace fs = std::filesystem;
+  const fs::path folder = statement.file == "-" ? fs::path() : fs::path(statement.file).parent_path();
+  std::vector<std::string> paths;
+  for (const Situation& situation : statement.situations)
+    for (const Body& body : situation.bodies)
+      for (const std::vector<Part>* parts : {&body.parts, &body.added})
+        for (const Part& part : *parts) {
+          const std::string path = (folder / part.shape.file).string();
+          if (!part.shape.file.empty() && std::ranges::find(paths, path) == paths.end()) paths.push_back(path);
+        }
+  return paths;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,99 @@
+#include "problem/answers/rounded_values.h"
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+
+#include "problem/language/compare_values.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr double noise = 1e-14;       // rounding, relative to the natural size of a quantity
+constexpr double last_digit = 4e-16;  // the same of one operation
+constexpr double another = 0.3;       // a number that moves by more than this part of itself is another one
+
+class RoundingScope {
+ public:
+  explicit RoundingScope(int direction) : before_(std::fegetround()) { std::fesetround(direction); }
+  ~RoundingScope() { std::fesetround(before_); }
+  RoundingScope(const RoundingScope&) = delete;
+  RoundingScope& operator=(const RoundingScope&) = delete;
+
+ private:
+  int before_;
+};
+
+// Calls visit(number, size of its vector, the same numbers of `others`) for every number of a value.
+template <class Visit>
+void for_each_number(Value<double>& value, const std::vector<const Value<double>*>& others, const Visit& visit) {
+  std::vector<double> there(others.size());
+  if (value.is_number()) {
+    for (std::size_t i = 0; i < others.size(); ++i) there[i] = others[i]->number;
+    visit(value.number, std::abs(value.number), there);
+  }
+  if (value.is_vector()) {
+    const double size = size_of(value);
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < others.size(); ++i) there[i] = others[i]->vector[k];
+      visit(value.vector[k], size, there);
+    }
+  }
+  for (std::size_t k = 0; k < value.items.size(); ++k) {
+    std::vector<const Value<double>*> items;
+    for (const Value<double>* other : others) items.push_back(&other->items[k]);
+    for_each_number(value.items[k], items, visit);
+  }
+}
+
+bool same_shape(const Value<double>& a, const Value<double>& b) {
+  if (a.kind != b.kind || a.items.size() != b.items.size()) return false;
+  for (std::size_t i = 0; i < a.items.size(); ++i)
+    if (!same_shape(a.items[i], b.items[i])) return false;
+  return true;
+}
+
+std::vector<const Value<double>*> of_same_shape(const Value<double>& value, const std::vector<Value<double>>& others) {
+  std::vector<const Value<double>*> found;
+  for (const Value<double>& other : others)
+    if (same_shape(value, other)) found.push_back(&other);
+  return found;
+}
+
+}  // namespace
+
+const std::vector<Value<double>>& RoundedValues::of(const Ask& ask) {
+  const auto [entry, fresh] = known_.try_emplace(ask.name);
+  if (!fresh) return entry->second;
+  for (const int direction : {FE_UPWARD, FE_DOWNWARD}) {
+    const RoundingScope scope(direction);
+    try {
+      Sample sample(statement_, settings_, OpenChoice{});
+      entry->second.push_back(sample.value(ask));
+    } catch (const StatementError&) {
+      // What hangs on the last digit so has no value; the other way may have one.
+    }
+  }
+  return entry->second;
+}
+
+double RoundedValues::spread(const Ask& ask, const Value<double>& value) {
+  double largest = 0;
+  Value<double> own = value;
+  for_each_number(own, of_same_shape(value, of(ask)), [&](double x, double /*size*/, const std::vector<double>& there) {
+    for (const double other : there) largest = std::max(largest, std::abs(other - x));
+  });
+  return largest;
+}
+
+void drop_noise(Value<double>& value, double size, double asked_size, const std::vector<Value<double>>& rounded) {
+  for_each_number(value, of_same_shape(value, rounded), [&](double& x, double own, const std::vector<double>& there) {
+    if (!(std::abs(x) < noise * size)) return;
+    const double near = std::max(own, asked_size);
+    const bool moved = std::any_of(there.begin(), there.end(),
+                                   [&](double other) { return !(std::abs(other - x) <= another * std::abs(x)); });
+    if (moved || std::abs(x) < (there.empty() ? noise : last_digit) * near) x = 0;
+  });
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,392 @@
+#include "problem/answers/solve_statement.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <random>
+#include <set>
+
+#include "problem/answers/answer_checks.h"
+#include "problem/answers/ask_values.h"
+#include "problem/answers/determinacy.h"
+#include "problem/answers/finished_ask.h"
+#include "problem/answers/rounded_values.h"
+#include "problem/claims/claims.h"
+#include "problem/formulas/formula_reach.h"
+#include "problem/formulas/formula_search.h"
+#include "problem/formulas/law_search.h"
+#include "problem/language/compare_values.h"
+#include "problem/language/diagnostic.h"
+#include "problem/unknowns/sample.h"
+#include "problem/unknowns/unknown_search.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr int most_first_draws = 32;  // of letters, until unknowns have a solution
+constexpr double most_draw_seconds = 8;
+
+// spread: how far from one unit later draws reach.
+double draw(const Letter& letter, std::mt19937_64& random, int spread = 0) {
+  // Beyond four decades nothing is drawn.
+  const double reach = std::min(0.7 + 0.4 * spread, 9.2);
+  if (spread > 0 && letter.unit.dimension != dimensions::angle)
+    return letter.unit.factor * std::exp(reach * std::uniform_real_distribution<double>(-1, 1)(random));
+  if (letter.unit.dimension == dimensions::angle) return std::uniform_real_distribution<double>(0.2, 1.2)(random);
+  return letter.unit.factor * std::uniform_real_distribution<double>(0.5, 2)(random);
+}
+
+// Letters without value.
+std::vector<Letter> open_letters(const Statement& statement, const Settings& settings) {
+  std::vector<Letter> open;
+  for (const Situation& situation : statement.situations)
+    for (const Letter& letter : situation.letters)
+      if (!settings.contains(letter.name) &&
+          std::none_of(open.begin(), open.end(), [&](const Letter& known) { return known.name == letter.name; }))
+        open.push_back(letter);
+  return open;
+}
+
+// Draws letters, finds unknowns and answers the asks at each root.
+class StatementSolver {
+ public:
+  // exact: the settings as formulas.
+  StatementSolver(const Statement& statement, Settings settings, FormulaValues exact)
+      : statement_(statement),
+        settings_(std::move(settings)),
+        exact_(std::move(exact)),
+        search_(statement, settings_),
+        open_(open_letters(statement, settings_)) {}
+
+  SolvedStatement solve() {
+    SolvedStatement result;
+    result.open_letters = open_;
+    if (search_.unknowns().empty()) {
+      if (open_.empty()) hold_later_facts();
+      result.solutions.push_back(solve_one(AllSettings(statement_.situations.size(), settings_)));
+      if (!open_.empty()) add_formulas(result.solutions.back());
+      return result;
+    }
+    // With letters open, roots are sought at drawn values, to see which answers depend on which letters.
+    std::optional<StatementError> refusal;
+    RootsFound found = roots_at_draw(search_, refusal);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(most_draw_seconds);
+    while (!open_.empty() && !makes_sense(found) && ++first_draw_ < most_first_draws &&
+           std::chrono::steady_clock::now() < end) {
+      UnknownSearch anew(statement_, settings_);
+      found = roots_at_draw(anew, refusal);
+    }
+    if (found.roots.empty() && refusal) throw StatementError(*refusal);
+    result.warnings = found.warnings;
+    if (!open_.empty() && found.roots.empty()) tell_draws(result.warnings);
+    for (const AllSettings& root : found.roots) {
+      Solution solution = solve_one(root);
+      list_unknowns(root, solution);
+      if (!open_.empty()) {
+        leave_to_letters(solution);
+        if (found.open.empty()) add_formulas(solution);
+      }
+      if (!found.open.empty()) mark_what_unknowns_leave_open(found, solution);
+      result.solutions.push_back(std::move(solution));
+    }
+    return result;
+  }
+
+ private:
+  AnswersFound answers_found() { return {statement_, search_, base_, *sample_, asked_, natural_, *rounded_}; }
+
+  void add_formulas(Solution& solution) {
+    const FormulaTask task{statement_, open_, exact_, settings_, search_.unknowns(), base_, *sample_, natural_};
+    hold_far_off(task, find_formulas(task, solution), solution);
+    tell_laws(statement_, solution);
+  }
+
+  // None at letters for which the statement makes no sense (a body that cannot be); the first reason is kept.
+  RootsFound roots_at_draw(UnknownSearch& search, std::optional<StatementError>& refusal) const {
+    try {
+      return search.find(settings_with_letters());
+    } catch (const StatementError& error) {
+      if (open_.empty()) throw;
+      if (!refusal) refusal = error;
+      return {};
+    }
+  }
+
+  // What holds at drawn letters only is told with them.
+  void tell_draws(std::vector<std::string>& warnings) const {
+    const int draws = std::min(first_draw_ + 1, most_first_draws);
+    std::string values;
+    const Settings drawn = settings_with_letters();
+    for (const Letter& letter : open_) {
+      char text[60];
+      std::snprintf(text, sizeof text, "%.4g", drawn.at(letter.name).number / letter.unit.factor);
+      values += (values.empty() ? "" : ", ") + letter.name + " = " + text +
+                (letter.unit.text.empty() ? "" : " " + letter.unit.text);
+    }
+    for (std::string& warning : warnings)
+      warning += "; the letters have no values: they were drawn " + std::to_string(draws) +
+                 (draws == 1 ? " time" : " times") + ", the last time " + values +
+                 "; at other values there may be solutions: give them by --set";
+  }
+
+  // Where unknowns were found at drawn letters: they, and all answers, follow the letters.
+  void leave_to_letters(Solution& solution) const {
+    for (SolvedAsk& ask : solution.asks) {
+      ask.state = AskState::needs_letters;
+      ask.letters.clear();
+      for (const Letter& letter : open_) ask.letters.push_back(letter.name);
+    }
+    solution.unknowns.clear();
+  }
+
+  // What another solution of the conditions changes is not determined.
+  void mark_what_unknowns_leave_open(const RootsFound& found, Solution& solution) {
+    const std::vector<double> natural = natural_;
+    const Solution other = found.alternative ? solve_one(*found.alternative) : Solution{};
+    natural_ = natural;
+    std::string names;
+    for (const std::string& name : found.open) names += (names.empty() ? "'" : ", '") + name + "'";
+    for (std::size_t i = 0; i < solution.asks.size(); ++i) {
+      SolvedAsk& ask = solution.asks[i];
+      // What varies with something else that is open may only follow the unknowns.
+      if (ask.state != AskState::found && ask.state != AskState::undetermined) continue;
+      if (found.alternative && same(ask.value, other.asks[i].value,
+                                    same_answer_tolerance(answers_found(), i, ask.value, other.asks[i].value)))
+        continue;
+      ask.state = AskState::undetermined;
+      ask.reason = "the conditions leave " + names + " open: one more fact is needed";
+    }
+    std::erase_if(solution.unknowns, [&](const SolvedUnknown& unknown) {
+      return std::find(found.open.begin(), found.open.end(), unknown.name) != found.open.end();
+    });
+  }
+
+  // What is stated of later instants, of extremes and periods follows from the rest: it must be true.
+  void hold_later_facts() const {
+    for (const Situation& situation : statement_.situations) {
+      if (!has_later_facts(situation)) continue;
+      for (const double misfit : later_misfits(situation, settings_, OpenChoice{})) {
+        if (std::abs(misfit) <= 1e-7) continue;
+        const auto later = std::find_if(
+            situation.instants.begin(), situation.instants.end(),
+            [&](const Instant& instant) { return is_later(situation, instant) && !instant.facts.empty(); });
+        fail(situation.file, later != situation.instants.end() ? later->mark : situation.instants.front().mark,
+             "what is stated of the motion after its start does not hold: it follows from the start and the loads",
+             "correct it, or list under find: a datum that it fixes");
+      }
+    }
+  }
+
+  void list_unknowns(const AllSettings& root, Solution& solution) const {
+    for (const Unknown& unknown : search_.unknowns()) {
+      if (undetermined_.contains(unknown.name)) continue;
+      if (search_.is_common(unknown.name))
+        solution.unknowns.push_back({unknown.name, unknown.unit, root.front().at(unknown.name)});
+      for (std::size_t i = 0; i < root.size(); ++i)
+        if (search_.is_own(i, unknown.name))
+          solution.unknowns.push_back(
+              {unknown.name + " @ " + statement_.situations[i].name, unknown.unit, root[i].at(unknown.name)});
+    }
+  }
+
+  Settings settings_with_letters() const {
+    Settings settings = settings_;
+    std::mt19937_64 random(1000 + static_cast<std::uint64_t>(first_draw_));
+    for (const Letter& letter : open_)
+      settings[letter.name] = Value<double>::of_number(draw(letter, random, first_draw_), letter.unit.dimension);
+    return settings;
+  }
+
+  // The answers with everything known that will be known.
+  Solution solve_one(const AllSettings& settings) {
+    base_ = settings;
+    sample_.reset();
+    natural_.clear();
+    asked_ = with_letters(nullptr);
+    rounded_.emplace(statement_, base_);
+    Solution result;
+    for (std::size_t i = 0; i < statement_.asks.size(); ++i) {
+      FinishedAsk finished = finished_ask(statement_, i, asked_, *sample_, *rounded_);
+      result.asks.push_back(std::move(finished.solved));
+      natural_.push_back(finished.natural_size);
+    }
+    mark_letters(result);
+    undetermined_ = mark_undetermined(answers_found(), result);
+    if (open_.empty()) refuse_unphysical(statement_, asked_, *sample_, result);
+    check_answers(statement_, *sample_, asked_.extremal, result);
+    if (open_.empty()) add_notes(statement_, *sample_, result);
+    result.notes.insert(result.notes.end(), asked_.notes.begin(), asked_.notes.end());
+    return result;
+  }
+
+  // On which letters the answers depend. Where there are unknowns, they follow the letters: solve() tells.
+  void mark_letters(Solution& result) {
+    if (!search_.unknowns().empty()) return;
+    for (const Letter& letter : open_) {
+      const AskValues other = with_letters(&letter.name);
+      for (std::size_t i = 0; i < other.values.size(); ++i) {
+        if (!differs(answers_found(), i, other.values[i])) continue;
+        result.asks[i].state = AskState::needs_letters;
+        result.asks[i].letters.push_back(letter.name);
+      }
+    }
+  }
+
+  // Whether there are roots, at letters for which the statement can be solved.
+  bool makes_sense(const RootsFound& found) {
+    try {
+      for (const AllSettings& root : found.roots) {
+        Sample sample(statement_, root, OpenChoice{});
+        ask_values(statement_, sample, root, OpenChoice{});
+      }
+    } catch (const StatementError&) {
+      return false;
+    }
+    return !found.roots.empty();
+  }
+
+  // With open letters drawn at random until the statement makes sense; the draw is kept in base_ and sample_. only: the
+  // letter that is drawn anew.
+  AskValues with_letters(const std::string* only) {
+    constexpr int most_draws = 40;
+    for (int attempt = 0;; ++attempt) {
+      AllSettings settings = base_;
+      std::mt19937_64 random(1000 + static_cast<std::uint64_t>(first_draw_ + attempt) + (only ? 500 : 0));
+      for (const Letter& letter : open_) {
+        const double value = draw(letter, random, first_draw_);
+        // A root comes with the values of the letters at which it was found.
+        if (!search_.unknowns().empty() || (only && *only != letter.name)) continue;
+        for (Settings& one : settings) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
+      }
+      try {
+        auto sample = std::make_unique<Sample>(statement_, settings, OpenChoice{});
+        AskValues values = ask_values(statement_, *sample, settings, OpenChoice{});
+        if (!only && !sample_) {
+          sample_ = std::move(sample);
+          base_ = settings;
+        }
+        return values;
+      } catch (const StatementError&) {
+        if (open_.empty() || !search_.unknowns().empty() || attempt == most_draws) throw;
+      }
+    }
+  }
+
+  const Statement& statement_;
+  Settings settings_;
+  FormulaValues exact_;
+  UnknownSearch search_;
+  std::vector<Letter> open_;
+  AllSettings base_;
+  int first_draw_ = 0;  // of letters at which unknowns have a solution
+  std::unique_ptr<Sample> sample_;
+  AskValues asked_;  // at sample_
+  std::optional<RoundedValues> rounded_;
+  std::vector<double> natural_;
+  std::set<std::string> undetermined_;  // unknowns that a variation moves
+};
+
+}  // namespace
+
+Settings read_settings(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets) {
+  Settings settings;
+  for (const auto& [name, text] : sets) {
+    std::vector<std::string> known;
+    const Situation* owner = nullptr;
+    for (const Situation& situation : statement.situations) {
+      const std::vector<std::string> names = settable_names(situation);
+      if (!owner && std::find(names.begin(), names.end(), name) != names.end()) owner = &situation;
+      known.insert(known.end(), names.begin(), names.end());
+    }
+    if (!owner) {
+      std::string all;
+      std::set<std::string> unique(known.begin(), known.end());
+      for (const std::string& word : unique) all += (all.empty() ? "" : ", ") + word;
+      const std::string hint = did_you_mean(name, known);
+      fail("--set " + name, {}, "the problem has no letter or datum '" + name + "'",
+           !hint.empty() ? hint
+           : all.empty() ? "it has none at all"
+                         : "it has " + all);
+    }
+    settings[name] = read_setting(*owner, name, text);
+  }
+  return settings;
+}
+
+namespace {
+
+// Without the situations that claims alone speak of: their letters are no data of the questions.
+Statement for_questions(const Statement& statement) {
+  Statement result = statement;
+  std::erase_if(result.situations, [&](const Situation& situation) {
+    const bool claimed = std::any_of(statement.claims.begin(), statement.claims.end(),
+                                     [&](const Claim& claim) { return claim.situation == situation.name; });
+    return claimed && !situation.name.empty() &&
+           std::none_of(statement.asks.begin(), statement.asks.end(), [&](const Ask& ask) {
+             return ask.table || ask.when || (ask.extremum && ask.extremum->situation == situation.name) ||
+                    ask.text.find("@ " + situation.name) != std::string::npos;
+           });
+  });
+  return result.situations.empty() ? statement : result;
+}
+
+// The settings with the unknowns found, in each situation.
+AllSettings settings_of_root(const Statement& statement, const Settings& settings, const Solution& solution) {
+  AllSettings all(statement.situations.size(), settings);
+  for (const SolvedUnknown& unknown : solution.unknowns)
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::string own = " @ " + statement.situations[i].name;
+      const std::string name = unknown.name.substr(0, unknown.name.find(" @ "));
+      if (!unknown.formula && (unknown.name == name || unknown.name == name + own)) all[i][name] = unknown.value;
+    }
+  return all;
+}
+
+// The unknowns that follow open letters, in each situation.
+std::vector<FormulaValues> formulas_of_root(const Statement& statement, const Solution& solution) {
+  std::vector<FormulaValues> all(statement.situations.size());
+  for (const SolvedUnknown& unknown : solution.unknowns)
+    for (std::size_t i = 0; i < all.size() && unknown.formula; ++i) {
+      const std::string name = unknown.name.substr(0, unknown.name.find(" @ "));
+      if (unknown.name == name || unknown.name == name + " @ " + statement.situations[i].name)
+        all[i][name] = *unknown.formula;
+    }
+  return all;
+}
+
+}  // namespace
+
+SolvedStatement solve_statement(const Statement& statement,
+                                const std::vector<std::pair<std::string, std::string>>& sets, bool tell_claims) {
+  if (statement.asks.empty() && statement.claims.empty())
+    fail(statement.file, Mark{1, 1}, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
+  Settings settings = read_settings(statement, sets);
+  FormulaValues exact;
+  for (const auto& [name, text] : sets)
+    for (const Situation& situation : statement.situations) {
+      const std::vector<std::string> names = settable_names(situation);
+      if (std::find(names.begin(), names.end(), name) == names.end()) continue;
+      exact[name] = exact_setting(situation, name, text);
+      break;
+    }
+  SolvedStatement solved;
+  const bool only_claims =
+      statement.asks.empty() && std::all_of(statement.situations.begin(), statement.situations.end(),
+                                            [](const Situation& s) { return s.find.empty(); });
+  if (only_claims) {
+    solved.open_letters = open_letters(statement, settings);
+    solved.solutions.emplace_back();
+  } else {
+    const Statement questions = for_questions(statement);
+    solved = StatementSolver(questions, settings, exact).solve();
+  }
+  for (Solution& solution : solved.solutions)
+    solution.claims = solve_claims(statement, settings_of_root(statement, settings, solution), exact,
+                                   formulas_of_root(statement, solution), tell_claims);
+  return solved;
+}
+
+}  // namespace poinsot::problem

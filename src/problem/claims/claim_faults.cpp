@@ -1,0 +1,56 @@
+#include "problem/claims/claim_faults.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace poinsot::problem {
+namespace {
+
+// ", as at m = 2 kg, L = 0.5 m".
+std::string at_values(const std::vector<Letter>& letters, const Point& point) {
+  std::string words;
+  for (const Letter& letter : letters) {
+    const auto value = point.find(letter.name);
+    if (value == point.end()) continue;
+    char text[40];
+    std::snprintf(text, sizeof text, "%.4g", value->second / letter.unit.factor);
+    words += (words.empty() ? ", as at " : ", ") + letter.name + " = " + text +
+             (letter.unit.text.empty() ? "" : " " + letter.unit.text);
+  }
+  return words;
+}
+
+// The message without its numbers, which differ from point to point.
+std::string kind_of(const StatementError& error) {
+  std::string kind = error.what();
+  std::erase_if(kind, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; });
+  return kind;
+}
+
+}  // namespace
+
+void ClaimFaults::note(const StatementError& error, const Point& point) {
+  const std::string kind = kind_of(error);
+  for (Met& known : met_)
+    if (kind_of(known.error) == kind) {
+      ++known.times;
+      return;
+    }
+  met_.push_back({error, point});
+}
+
+const ClaimFaults::Met& ClaimFaults::chief() const {
+  return *std::max_element(met_.begin(), met_.end(), [](const Met& a, const Met& b) { return a.times < b.times; });
+}
+
+StatementError ClaimFaults::most_frequent(const std::vector<Letter>& letters) const {
+  std::vector<Diagnostic> diagnostics = chief().error.diagnostics();
+  diagnostics.front().message += at_values(letters, chief().point);
+  return StatementError(std::move(diagnostics));
+}
+
+std::string ClaimFaults::words(const std::vector<Letter>& letters) const {
+  return most_frequent(letters).diagnostics().front().message;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,35 @@
+// Why a statement could not be solved at the points at which a claim is tried.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problem/claims/claim_points.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+
+// The fault that comes most often, the first of several, with the point at which it came first.
+class ClaimFaults {
+ public:
+  void note(const StatementError& error, const Point& point);
+  bool empty() const { return met_.empty(); }
+
+  // The fault, with the values of the letters there in its message.
+  StatementError most_frequent(const std::vector<Letter>& letters) const;
+  // The same in words: "a moment of inertia is negative, as at m = 2 kg".
+  std::string words(const std::vector<Letter>& letters) const;
+
+ private:
+  struct Met {
+    StatementError error;
+    Point point;
+    int times = 1;
+  };
+  const Met& chief() const;
+
+  std::vector<Met> met_;
+};
+
+}  // namespace poinsot::problem

@@ -1,0 +1,149 @@
+#include "problem/claims/claim_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "problem/claims/claim_letters.h"
+#include "problem/formulas/formula_answers.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+
+ClaimGround::ClaimGround(const Situation& situation, const Settings& settings, const FormulaValues& exact,
+                         const FormulaValues& unknowns)
+    : situation_(situation), settings_(settings), exact_(exact), unknowns_(unknowns) {
+  for (const Letter& letter : situation.letters)
+    if (!settings.contains(letter.name)) letters_.push_back(letter);
+}
+
+Settings ClaimGround::with_letters(const Point& point) const {
+  Settings settings = settings_;
+  for (const Letter& letter : situation_.letters)
+    if (const auto value = point.find(letter.name); value != point.end())
+      settings[letter.name] = Value<double>::of_number(value->second, letter.unit.dimension);
+  for (const auto& [name, formula] : unknowns_) {
+    Value<double>& value = settings[name];
+    value = formula.is_vector() ? Value<double>::of_vector(Vector3<double>::zero(), formula.dimension)
+                                : Value<double>::of_number(0, formula.dimension);
+    for (std::size_t k = 0; k < (formula.is_vector() ? 3U : 1U); ++k) {
+      double& number = formula.is_vector() ? value.vector[k] : value.number;
+      number = value_at(formula.is_vector() ? formula.vector[k] : formula.number, point);
+      if (!std::isfinite(number)) fail(situation_.file, {}, "the unknown '" + name + "' has no value there");
+    }
+  }
+  return settings;
+}
+
+// The statement solved at some point; where it holds for special values of the letters only, at one at which its
+// bodies are possible; else as a trial.
+void ClaimGround::find_base() {
+  if (base_) return;
+  std::unique_ptr<SolvedInstant> possible;
+  Point possible_point;
+  const When when{0, situation_.has_blow()};
+  for (int attempt = 0; attempt < most_solved_points && !base_; ++attempt) {
+    base_point_ = draw_point(letters_, attempt);
+    std::unique_ptr<SolvedInstant> found;
+    try {
+      // What refers to the settings must find them at their place.
+      bases_.push_back(with_letters(base_point_));
+      if (neglects()) break;
+      found = std::make_unique<SolvedInstant>(situation_, bases_.back(), when, OpenChoice{});
+      if (states_forces(situation_)) found->solve_forces();
+      base_ = std::move(found);
+    } catch (const StatementError&) {
+      if (!found || possible) continue;
+      possible = std::move(found);
+      possible_point = base_point_;
+    }
+  }
+  if (base_) return;
+  if (possible) {
+    base_ = std::move(possible);
+    base_point_ = possible_point;
+    return;
+  }
+  if (bases_.empty()) throw NoFormula("no letters were found at which the unknowns have values");
+  OpenChoice choice;
+  choice.trial = true;
+  base_ = std::make_unique<SolvedInstant>(situation_, bases_.back(), when, choice);
+}
+
+ClaimFormulas* ClaimGround::formulas(bool all_poses) {
+  Road& road = all_poses ? along_ : drawn_;
+  if (road.tried) return road.formulas.get();
+  road.tried = true;
+  // What was found by numbers has no formula.
+  // Where squares are neglected, formulas are found anew.
+  const auto is_found_anew = [&](const std::string& name) {
+    return neglects() && std::any_of(situation_.find.begin(), situation_.find.end(),
+                                     [&](const Unknown& unknown) { return unknown.name == name; });
+  };
+  if (std::any_of(settings_.begin(), settings_.end(), [&](const auto& setting) {
+        return !exact_.contains(setting.first) && !is_found_anew(setting.first);
+      }))
+    return nullptr;
+  for (const Letter& letter : letters_) values_[letter.name] = formula_of(letter);
+  for (const auto& [name, value] : unknowns_) values_[name] = value;
+  for (const auto& [name, value] : exact_) values_[name] = value;
+  find_base();
+  for (const Unknown& unknown : situation_.find) {
+    if (!is_found_anew(unknown.name) || exact_.contains(unknown.name)) continue;
+    if (unknown.vector) throw NoFormula("squares are neglected beside an unknown vector");
+    values_[unknown.name] =
+        Value<Formula>::of_number(Formula::letter(unknown.name, poinsot::Sign::real), unknown.unit.dimension);
+    base_point_[unknown.name] = bases_.back().at(unknown.name).number;
+  }
+  const PlainPointScope decisions(base_point_);
+  road.formulas = std::make_unique<ClaimFormulas>(situation_, values_, bases_.back(), *base_, all_poses);
+  return road.formulas.get();
+}
+
+std::optional<Verdict> ClaimGround::verdict_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point) {
+  try {
+    const Settings settings = with_letters(point);
+    MotionState state;
+    if (const auto time = point.find("time"); time != point.end()) state.time = time->second;
+    for (const Formula& q : formulas.positions()) state.q.push_back(value_at(q, point));
+    for (const Formula& v : formulas.velocities()) state.v.push_back(value_at(v, point));
+    OpenChoice choice;
+    choice.trial = neglects();
+    SolvedInstant instant(situation_, settings, state, choice);
+    SolvedInstant before(situation_, settings, state, choice);
+    if (situation_.has_blow()) instant.strike();
+    Verdict verdict;
+    if (takes_derivatives(situation_, claim) || neglects()) return verdict;
+    const ClaimElsewhere elsewhere = [&](const At& at, const Mark&) {
+      return (at.instant == "before" ? before : instant).raw(at.expression, claim.axes, nullptr);
+    };
+    for (const Expression& expression : claim.of)
+      judge_numbers(verdict, situation_, instant, elsewhere, expression, claim.axes);
+    return verdict;
+  } catch (const StatementError& error) {
+    faults_.note(error, point);
+    return std::nullopt;
+  }
+}
+
+std::vector<std::string> assumed_holds(const Situation& situation, const Claim& claim) {
+  std::vector<std::string> holds;
+  std::set<std::string> functions;
+  for (const Expression& expression : claim.of) collect_functions(expression, functions, true);
+  const bool rests_on_them = std::any_of(claim.of.begin(), claim.of.end(), [&](const Expression& expression) {
+    return asks_forces(situation, expression);
+  });
+  if (!rests_on_them || situation.has_blow() || functions.contains("touching") || functions.contains("taut"))
+    return holds;
+  for (const Contact& contact : situation.contacts) {
+    const bool one_sided =
+        !contact.carries || std::any_of(contact.carries->begin(), contact.carries->end(), [](const Expression& e) {
+          return e.as<Name>() && e.as<Name>()->name == "push";
+        });
+    if (one_sided) holds.push_back(holding_words(contact.name, false));
+  }
+  for (const Cord& cord : situation.cords) holds.push_back(holding_words(cord.name, true));
+  return holds;
+}
+
+}  // namespace poinsot::problem

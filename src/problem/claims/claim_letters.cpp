@@ -1,0 +1,160 @@
+#include "problem/claims/claim_letters.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "problem/instant/instant.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+namespace {
+
+bool is_literal_zero(const Expression& expression) {
+  const Number* number = expression.as<Number>();
+  return number && number->value == 0;
+}
+
+// Puts letters in place of `any`.
+class AnyReplacer {
+ public:
+  explicit AnyReplacer(Situation& situation) : situation_(situation) {}
+
+  void replace(std::optional<Expression>& expression, const std::string& name, const Dimension& dimension,
+               bool either_sign = false) {
+    if (expression) replace(*expression, name, dimension, either_sign);
+  }
+  void replace(Expression& expression, const std::string& name, const Dimension& dimension, bool either_sign = false) {
+    if (is_any(expression)) expression = letter(name, dimension, expression.mark(), either_sign);
+  }
+  // What is not stated at all.
+  void make(std::optional<Expression>& expression, const std::string& name, const Dimension& dimension,
+            const Mark& mark, bool either_sign = false) {
+    if (!expression) expression = letter(name, dimension, mark, either_sign);
+  }
+  Expression letter(const std::string& name, const Dimension& dimension, const Mark& mark, bool either_sign) {
+    situation_.letters.push_back({name, si_unit(dimension), mark, either_sign});
+    return {std::make_shared<const Node>(Node{Name{name, 0}, mark, 1})};
+  }
+
+ private:
+  Situation& situation_;
+};
+
+// Whether a rate is taken in an expression, also behind define:.
+struct RateFinder {
+  const Situation& situation;
+  int depth = 0;
+  bool in(const Expression& expression) const {
+    return expression && depth < 100 && std::visit(RateFinder{situation, depth + 1}, expression->content);
+  }
+  bool in(const std::vector<Expression>& items) const {
+    return std::any_of(items.begin(), items.end(), [&](const Expression& item) { return in(item); });
+  }
+  bool operator()(const Name& name) const {
+    for (const NamedExpression& item : situation.define)
+      if (item.name == name.name) return name.primes > 0 || in(item.value);
+    return false;
+  }
+  bool operator()(const Member& member) const { return in(member.object); }
+  bool operator()(const Unary& unary) const { return in(unary.operand); }
+  bool operator()(const Binary& binary) const { return in(binary.left) || in(binary.right); }
+  bool operator()(const Call& call) const {
+    return call.function == "rate" || std::any_of(call.arguments.begin(), call.arguments.end(),
+                                                  [&](const Argument& argument) { return in(argument.value); });
+  }
+  bool operator()(const List& list) const { return in(list.items); }
+  bool operator()(const Comparison& comparison) const { return in(comparison.operands); }
+  template <class Other>
+  bool operator()(const Other&) const {
+    return false;
+  }
+};
+
+// The functions called in an expression, also behind define:.
+void functions_behind(const Situation& situation, const Expression& expression, std::set<std::string>& functions,
+                      int depth = 0) {
+  collect_functions(expression, functions);
+  std::set<std::string> names;
+  collect_names(expression, names);
+  for (const NamedExpression& item : situation.define)
+    if (names.contains(item.name) && depth < 50) functions_behind(situation, item.value, functions, depth + 1);
+}
+
+// Moments and products are letters of their own: which of them a body can have together is asked of every sample, and
+// what is proved holds for more than these.
+void replace_inertia(StatedInertia& inertia, const std::string& of, AnyReplacer& replacer) {
+  const Dimension& dimension = inertia.radii ? dimensions::length : dimensions::moment_of_inertia;
+  const std::string moment = inertia.radii ? "radius of gyration " : "I";
+  const char* axes[3] = {"x", "y", "z"};
+  const char* pairs[3] = {"xy", "yz", "zx"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string moment_name = moment + axes[k] + of, product_name = std::string("I") + pairs[k] + of;
+    replacer.replace(inertia.moments[k], moment_name, dimension);
+    replacer.replace(inertia.products[k], product_name, dimensions::moment_of_inertia, true);
+    if (!inertia.rest_any) continue;
+    replacer.make(inertia.moments[k], moment_name, dimension, inertia.mark);
+    if (!inertia.radii)
+      replacer.make(inertia.products[k], product_name, dimensions::moment_of_inertia, inertia.mark, true);
+  }
+  replacer.replace(inertia.axial, (inertia.radii ? moment + "axial" : "axial") + of, dimension);
+  replacer.replace(inertia.transverse, (inertia.radii ? moment + "transverse" : "transverse") + of, dimension);
+}
+
+}  // namespace
+
+Situation with_letters_for_any(const Situation& situation) {
+  Situation result = situation;
+  AnyReplacer replacer(result);
+  for (Body& body : result.bodies) {
+    const std::string of = "(" + body.name + ")";
+    replacer.replace(body.amount.mass, "mass" + of, dimensions::mass);
+    replacer.replace(body.amount.weight, "weight" + of, dimensions::force);
+    for (Part& part : body.parts) {
+      replacer.replace(part.amount.mass, "mass(" + part.name + " of " + body.name + ")", dimensions::mass);
+      replacer.replace(part.amount.weight, "weight(" + part.name + " of " + body.name + ")", dimensions::force);
+    }
+    if (const List* list = body.center ? body.center->as<List>() : nullptr) {
+      List center = *list;
+      for (std::size_t k = 0; k < center.items.size() && k < 3; ++k)
+        replacer.replace(center.items[k], "center" + of + "." + result.axes[k], dimensions::length, true);
+      body.center = Expression{std::make_shared<const Node>(Node{center, body.center->mark(), (*body.center)->height})};
+    }
+    if (body.inertia) replace_inertia(*body.inertia, of, replacer);
+  }
+  if (!result.gravity) {
+    List gravity;
+    for (const std::string& axis : result.axes) {
+      const std::string name = "gravity." + axis;
+      result.letters.push_back({name, si_unit(dimensions::acceleration), {1, 1}, true});
+      gravity.items.push_back({std::make_shared<const Node>(Node{Name{name, 0}, {1, 1}, 1})});
+    }
+    result.gravity = Expression{std::make_shared<const Node>(Node{gravity, {1, 1}, 2})};
+  }
+  return result;
+}
+
+bool is_along_motion(const Situation& situation, const Claim& claim) {
+  return std::any_of(claim.of.begin(), claim.of.end(), [&](const Expression& expression) {
+    const Comparison* comparison = expression.as<Comparison>();
+    return comparison && RateFinder{situation}.in(comparison->operands) &&
+           std::any_of(comparison->operands.begin(), comparison->operands.end(), is_literal_zero);
+  });
+}
+
+bool states_forces(const Situation& situation) {
+  if (situation.steady) return true;
+  for (const Instant* instant : instants_at_start(situation))
+    for (const Fact& fact : instant->facts)
+      if (level_of(situation, fact.quantity) >= Level::force) return true;
+  return false;
+}
+
+bool takes_derivatives(const Situation& situation, const Claim& claim) {
+  std::set<std::string> functions;
+  for (const auto* list : {&claim.of, &claim.assume, &situation.assume})
+    for (const Expression& expression : *list) functions_behind(situation, expression, functions);
+  return functions.contains("derivative");
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,186 @@
+#include "problem/claims/claim_numbers.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include "problem/claims/claim_letters.h"
+#include "problem/language/diagnostic.h"
+#include "problem/unknowns/sample.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr int most_seconds = 10;     // for the samples of a claim
+constexpr int most_motions = 10;     // along which one that is meant so is tried
+constexpr int most_edge_points = 4;  // from which the edges of the assumptions are looked for, letter by letter
+constexpr int most_edge_steps = 6, most_edge_halvings = 10;
+// Without letters nothing varies but what is open.
+constexpr int most_points_without_letters = 10;
+
+// The steady motion's rates of growth.
+std::size_t modes_of(const Situation& situation, SolvedInstant& start) {
+  std::size_t modes = 0;
+  for (const solve::Mode& mode : start.linearisation(situation.steady->mark).modes) modes += mode.frequency > 0 ? 2 : 1;
+  return modes;
+}
+
+class NumberTrier {
+ public:
+  NumberTrier(const Statement& statement, std::size_t situation_index, const Claim& claim, ClaimGround& ground)
+      : statement_(statement),
+        situation_index_(situation_index),
+        situation_(ground.situation()),
+        claim_(claim),
+        ground_(ground) {}
+
+  NumberTrials run() {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(most_seconds);
+    const int most = ground_.letters().empty() ? most_points_without_letters : most_solved_points;
+    ClaimFaults faults;
+    for (int attempt = 0; attempt < most && !found_.refuted && std::chrono::steady_clock::now() < end; ++attempt) {
+      const Point point = draw_point(ground_.letters(), attempt);
+      try {
+        try_at(point, attempt);
+      } catch (const StatementError& error) {
+        faults.note(error, point);
+      }
+    }
+    // A claim may fail where its assumptions are just met, and nowhere else.
+    for (int attempt = 0, tried = 0; attempt < most && tried < most_edge_points && !found_.refuted; ++attempt) {
+      if (std::chrono::steady_clock::now() > end) break;
+      tried += try_at_edges(attempt, end);
+    }
+    // What fails everywhere, before it is looked whether the assumptions hold, is no matter of values.
+    const bool assumes = !claim_.assume.empty() || !situation_.assume.empty();
+    if (!found_.possible && !faults.empty() && !(understood_ && assumes))
+      throw StatementError(faults.most_frequent(ground_.letters()));
+    return std::move(found_);
+  }
+
+ private:
+  static OpenChoice choice_of(int attempt) {
+    return {.seed = 100 + static_cast<std::uint64_t>(attempt), .velocities = true, .direction = OpenChoice::every};
+  }
+
+  bool is_assumed_at(const Point& point, int attempt) {
+    const Settings settings = ground_.with_letters(point);  // the instant looks them up
+    try {
+      SolvedInstant start(situation_, settings, When{0, situation_.has_blow()}, choice_of(attempt));
+      if (states_forces(situation_)) start.solve_forces();
+      Verdict assumed;
+      for (const Expression& expression : situation_.assume)
+        judge_numbers(assumed, situation_, start, nullptr, expression, std::nullopt);
+      for (const Expression& expression : claim_.assume)
+        judge_numbers(assumed, situation_, start, nullptr, expression, claim_.axes);
+      return assumed.holds && !assumed.close;
+    } catch (const StatementError&) {
+      return false;
+    }
+  }
+
+  // From a point that satisfies the assumptions one letter at a time is moved up to where they end. Whether it does.
+  bool try_at_edges(int attempt, std::chrono::steady_clock::time_point end) {
+    if (situation_.has_blow() || (claim_.assume.empty() && situation_.assume.empty())) return false;
+    const Point from = draw_point(ground_.letters(), attempt);
+    if (!is_assumed_at(from, attempt)) return false;
+    for (const Letter& letter : ground_.letters())
+      for (const double step : {0.5, 2.0}) {
+        if (found_.refuted || std::chrono::steady_clock::now() > end) return true;
+        Point inside = from, outside = from;
+        bool ends = false;
+        for (int i = 0; i < most_edge_steps && !ends; ++i) {
+          outside[letter.name] *= step;
+          ends = !is_assumed_at(outside, attempt);
+          if (!ends) inside = outside;
+        }
+        if (!ends) continue;
+        for (int i = 0; i < most_edge_halvings; ++i) {
+          Point middle = inside;
+          middle[letter.name] = (inside[letter.name] + outside[letter.name]) / 2;
+          (is_assumed_at(middle, attempt) ? inside : outside) = middle;
+        }
+        try {
+          try_at(inside, attempt);
+        } catch (const StatementError&) {
+          // There nothing is claimed.
+        }
+      }
+    return true;
+  }
+
+  void try_at(const Point& point, int attempt) {
+    const Settings settings = ground_.with_letters(point);
+    const OpenChoice choice = choice_of(attempt);
+    SolvedInstant start(situation_, settings, When{0, situation_.has_blow()}, choice);
+    if (states_forces(situation_)) start.solve_forces();
+    std::unique_ptr<SolvedInstant> before;
+    const ClaimElsewhere elsewhere = [&](const At& at, const Mark& mark) {
+      if (!situation_.has_blow() || (at.instant != "before" && at.instant != "after"))
+        fail(situation_.file, mark, "a claim is made of one instant, or of those before and after a blow",
+             "remove @ " + at.instant);
+      if (at.instant == "after") return start.raw(at.expression, claim_.axes, nullptr);
+      if (!before) before = std::make_unique<SolvedInstant>(situation_, settings, When{0, false}, choice);
+      return before->raw(at.expression, claim_.axes, nullptr);
+    };
+    const auto judge = [&](Verdict& verdict, const Expression& expression, const std::optional<Expression>& axes) {
+      judge_numbers(verdict, situation_, start, elsewhere, expression, axes);
+    };
+    Verdict assumed;
+    for (const Expression& expression : situation_.assume) judge(assumed, expression, std::nullopt);
+    for (const Expression& expression : claim_.assume) judge(assumed, expression, claim_.axes);
+    understood_ = true;
+    if (!assumed.holds || assumed.close) return;
+    Verdict verdict;
+    for (const Expression& expression : claim_.of) judge(verdict, expression, claim_.axes);
+    if (verdict.holds && attempt < most_motions && is_along_motion(situation_, claim_))
+      verdict = further_on(settings, choice);
+    if (verdict.close && verdict.holds) {
+      found_.close = true;
+      return;
+    }
+    found_.possible = true;
+    if (!verdict.holds)
+      found_.refuted = {point, verdict};
+    else if (claims_stability(situation_, claim_))
+      found_.most_modes = std::max(found_.most_modes, modes_of(situation_, start));
+  }
+
+  // Further on along the motion the pose is another.
+  Verdict further_on(const Settings& settings, const OpenChoice& choice) const {
+    AllSettings all(statement_.situations.size(), settings);
+    Sample sample(statement_, all, choice);
+    Verdict verdict;
+    for (const double time : {0.3, 0.8}) {
+      verdict = {};
+      for (const Expression& expression : claim_.of)
+        judge_numbers(verdict, situation_, sample.instant_at(situation_index_, time), nullptr, expression, claim_.axes);
+      if (!verdict.holds) break;
+    }
+    return verdict;
+  }
+
+  const Statement& statement_;
+  std::size_t situation_index_;
+  const Situation& situation_;
+  const Claim& claim_;
+  ClaimGround& ground_;
+  bool understood_ = false;
+  NumberTrials found_;
+};
+
+}  // namespace
+
+bool claims_stability(const Situation& situation, const Claim& claim) {
+  return situation.steady && std::all_of(claim.of.begin(), claim.of.end(), [](const Expression& expression) {
+           const Call* call = expression.as<Call>();
+           return call && call->function == "stable";
+         });
+}
+
+NumberTrials try_by_numbers(const Statement& statement, std::size_t situation_index, const Claim& claim,
+                            ClaimGround& ground) {
+  return NumberTrier(statement, situation_index, claim, ground).run();
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,56 @@
+#include "problem/claims/claim_points.h"
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace poinsot::problem {
+namespace {
+
+using Random = std::mt19937_64;
+
+int among(Random& random, int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); }
+
+// Moments of inertia alike, products and offsets small beside them; or, of a slender body, one moment that is small.
+double likely_of_a_body(const Letter& letter, int attempt, double value, Random& random) {
+  const Dimension& kind = letter.unit.dimension;
+  if (kind == dimensions::moment_of_inertia)
+    value = letter.either_sign ? among(random, 1, 4) / 4.0 : 4 + among(random, 0, 8) / 4.0;
+  if (kind == dimensions::mass) value = among(random, 1, 4) / 2.0;
+  if (kind == dimensions::length) value = among(random, 1, 4) / 8.0;
+  if (attempt % 4 != 3) return value;
+  if (kind == dimensions::moment_of_inertia)
+    value = among(random, 0, 2) == 0 ? among(random, 1, 2) / 4.0 : 3 + attempt % 3;
+  if (kind == dimensions::mass) value = among(random, 1, 2) / 4.0;
+  if (letter.either_sign && (kind == dimensions::moment_of_inertia || kind == dimensions::length)) value = 0;
+  return value;
+}
+
+}  // namespace
+
+// Small whole numbers first, then quarters; angles in multiples of 15 deg or quarters of a radian, now and then beyond
+// half a turn. At every other point numbers that a rigid body is likely to have; at some, numbers that are large or
+// small.
+Point draw_point(const std::vector<Letter>& letters, int attempt) {
+  Random random(7000 + static_cast<std::uint64_t>(attempt));
+  Point point;
+  for (const Letter& letter : letters) {
+    double value = attempt < simple_points ? among(random, 1, 3 + attempt / 10) : among(random, 1, 24) / 4.0;
+    const bool angle = letter.unit.dimension == dimensions::angle;
+    if (attempt % 2 == 1) value = likely_of_a_body(letter, attempt, value, random);
+    if (angle) {
+      const bool degrees = letter.unit.text == "deg";
+      value = degrees ? 15 * among(random, 1, 11) : among(random, 1, 12) / 4.0;
+      if (attempt % 5 == 4) value += (degrees ? 360 : 6.25) * among(random, 0, 2) + (degrees ? 90 : 1.5);
+    } else if (attempt % 8 == 6) {
+      value *= std::pow(10.0, among(random, -4, 4));
+    }
+    if ((letter.either_sign || (angle && attempt % 3 == 2)) && among(random, 0, 1) == 0) value = -value;
+    if (letter.either_sign && attempt % 4 == 2 && among(random, 0, 3) == 0) value = 0;
+    if (letter.either_sign && attempt % 16 == 12) value = 0;
+    point[letter.name] = value * letter.unit.factor;
+  }
+  return point;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,348 @@
+#include "problem/claims/claim_proof.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "poinsot/engine/math/formula/formula_sign.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr std::size_t most_cases = 12;
+constexpr int most_tries = 60;  // cases that prove impossible included
+
+bool contains(const std::vector<std::string>& list, const std::string& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+// x = slope * letter + rest, both without the letter.
+struct Line {
+  Formula slope, rest;
+  Formula root() const { return -rest / slope; }
+};
+
+// x as a line in the letter; nothing where it is none.
+std::optional<Line> line_in(const Formula& x, const std::string& letter, poinsot::Sign sign) {
+  const Formula slope = derivative(x, letter);
+  if (slope.is_zero() || contains(slope.letters(), letter)) return std::nullopt;
+  const Formula rest = x - slope * Formula::letter(letter, sign);
+  if (contains(rest.letters(), letter)) return std::nullopt;
+  return Line{slope, rest};
+}
+
+bool never_zero(const Formula& x) {
+  const SeenSign seen = seen_sign(x);
+  return seen.sign != 0 && seen.strict;
+}
+
+}  // namespace
+
+// Works assumptions into letters, one after the other.
+class AssumptionWorker {
+ public:
+  AssumptionWorker(const std::vector<FormulaComparison>& assumptions, const std::vector<std::string>& positive)
+      : positive_(positive.begin(), positive.end()) {
+    for (const FormulaComparison& assumption : assumptions) {
+      const Formula difference = assumption.difference();
+      switch (assumption.relation) {
+        case Relation::equal:
+          if (!difference.is_zero()) equations_.push_back(difference);
+          break;
+        case Relation::greater:
+        case Relation::greater_equal:
+          orders_.push_back({difference, assumption.relation == Relation::greater_equal});
+          break;
+        case Relation::less:
+        case Relation::less_equal:
+          orders_.push_back({-difference, assumption.relation == Relation::less_equal});
+          break;
+      }
+    }
+  }
+
+  std::vector<WorkedCase> work(bool& complete) {
+    State start;
+    start.equations = equations_;
+    start.orders = orders_;
+    take_ranges(start);
+    // Ranges of letters that equations hold in angles: then it is seen what of these equations cannot vanish.
+    work_in_ranges(start, false);
+    open_.push_back(std::move(start));
+    std::vector<WorkedCase> cases;
+    for (int tries = 0; !open_.empty(); ++tries) {
+      if (tries == most_tries || cases.size() + open_.size() > most_cases) {
+        complete = false;
+        break;
+      }
+      State state = std::move(open_.back());
+      open_.pop_back();
+      if (!work_in_equations(state)) continue;
+      work_in_ranges(state, true);
+      if (!work_in_orders(state)) continue;
+      complete = complete && state.worked.unsolved_.empty() && !state.dropped;
+      cases.push_back(std::move(state.worked));
+    }
+    std::reverse(cases.begin(), cases.end());
+    // That in which no letter was taken for special comes first.
+    std::stable_sort(cases.begin(), cases.end(), [](const WorkedCase& one, const WorkedCase& other) {
+      return one.values_.size() < other.values_.size();
+    });
+    return cases;
+  }
+
+ private:
+  struct Order {
+    Formula difference;  // > 0
+    bool weak = false;   // or >= 0
+  };
+  struct Range {
+    std::optional<Formula> low, high;
+    bool weak = false;
+  };
+  struct State {
+    WorkedCase worked;
+    std::vector<Formula> equations;  // each vanishes
+    std::vector<Order> orders;
+    std::map<std::string, Range> ranges;
+    std::set<std::string> parts;  // letters of its own
+    bool dropped = false;         // whether a case of it could not be followed
+  };
+
+  bool is_positive(const State& state, const std::string& letter) const {
+    return positive_.contains(letter) || state.parts.contains(letter);
+  }
+  poinsot::Sign sign_of(const State& state, const std::string& letter) const {
+    return is_positive(state, letter) ? poinsot::Sign::positive : poinsot::Sign::real;
+  }
+  static Formula fresh_letter(State& state) {
+    std::vector<std::string>& letters = state.worked.letters_;
+    letters.push_back("part " + std::to_string(letters.size() + 1));
+    state.parts.insert(letters.back());
+    return Formula::letter(letters.back(), poinsot::Sign::positive);
+  }
+  static void set(State& state, const std::string& letter, const Formula& value) {
+    for (auto& [name, known] : state.worked.values_) known = poinsot::substituted(known, {{letter, value}});
+    state.worked.values_[letter] = value;
+  }
+
+  // Letters of either sign that are compared with numbers.
+  void take_ranges(State& state) const {
+    std::vector<Order> others;
+    for (const Order& order : state.orders) {
+      const std::vector<std::string> letters = order.difference.letters();
+      const auto line = letters.size() == 1 && !is_positive(state, letters.front())
+                            ? line_in(order.difference, letters.front(), poinsot::Sign::real)
+                            : std::nullopt;
+      if (!line || !line->slope.is_number() || !line->rest.is_number()) {
+        others.push_back(order);
+        continue;
+      }
+      Range& range = state.ranges[letters.front()];
+      const Formula bound = line->root();
+      const bool rising = plain(line->slope) > 0;
+      std::optional<Formula>& end = rising ? range.low : range.high;
+      if (!end || (rising ? plain(bound) > plain(*end) : plain(bound) < plain(*end))) end = bound;
+      range.weak = range.weak || order.weak;
+    }
+    state.orders = std::move(others);
+  }
+
+  // Letters between numbers. From 0 to at most 180 deg: tan(b/2) goes from 0 to a number or without end; other letters
+  // go from a number up or down, or between two. all: also those that stand in equations by themselves, by which these
+  // might be solved.
+  void work_in_ranges(State& state, bool all) const {
+    for (auto entry = state.ranges.begin(); entry != state.ranges.end();) {
+      const auto& letter = entry->first;
+      const auto& range = entry->second;
+      const bool solvable = std::any_of(state.equations.begin(), state.equations.end(), [&](const Formula& equation) {
+        return line_in(equation, letter, poinsot::Sign::real).has_value();
+      });
+      if (!all && solvable) {
+        ++entry;
+        continue;
+      }
+      if (state.worked.values_.contains(letter)) {
+        // An equation has given it a value: what it must keep to is an order like others.
+        const Formula x = state.worked.values_.at(letter);
+        if (range.low) state.orders.push_back({x - *range.low, range.weak});
+        if (range.high) state.orders.push_back({*range.high - x, range.weak});
+      } else {
+        set_range(state, letter, range);
+        state.worked.weak_ = state.worked.weak_ || range.weak;
+      }
+      entry = state.ranges.erase(entry);
+    }
+  }
+  static void set_range(State& state, const std::string& letter, const Range& range) {
+    const Formula s = fresh_letter(state);
+    if (!range.high) {
+      set(state, letter, *range.low + s);
+      return;
+    }
+    if (!range.low) {
+      set(state, letter, *range.high - s);
+      return;
+    }
+    const Formula part = s / (Formula(1) + s);
+    if (range.low->is_zero() && *range.high == Formula::pi())
+      set(state, letter, Formula(2) * atan(s));
+    else if (range.low->is_zero() && plain(*range.high) < 3.1415 && plain(*range.high) > 0)
+      set(state, letter, Formula(2) * atan(tan(*range.high / Formula(2)) * part));
+    else
+      set(state, letter, *range.low + (*range.high - *range.low) * part);
+  }
+
+  // False where the equations cannot hold.
+  bool work_in_equations(State& state) {
+    while (!state.equations.empty()) {
+      const Formula equation = state.worked.apply(state.equations.back());
+      state.equations.pop_back();
+      if (equation.is_zero()) continue;
+      // A product vanishes where one of its factors does.
+      const std::vector<Formula> factors = vanishing_factors(equation);
+      if (factors.empty()) return false;
+      for (std::size_t k = 1; k < factors.size(); ++k) {
+        State other = state;
+        other.equations.push_back(factors[k]);
+        follow(std::move(other), state);
+      }
+      solve_for_letter(state, factors.front());
+    }
+    return true;
+  }
+  // To be followed later, as a case of its own.
+  void follow(State other, State& from) {
+    if (open_.size() < most_cases)
+      open_.push_back(std::move(other));
+    else
+      from.dropped = true;
+  }
+
+  // By a letter that it holds without a root: one that stays positive by its look, or whose factor cannot vanish,
+  // first.
+  void solve_for_letter(State& state, const Formula& equation) {
+    struct Way {
+      std::string letter;
+      Line line;
+      int cost;
+    };
+    std::optional<Way> best;
+    for (const std::string& letter : equation.letters()) {
+      const auto line = line_in(equation, letter, sign_of(state, letter));
+      if (!line) continue;
+      const bool stays = !is_positive(state, letter) || (!line->rest.is_zero() && seen_sign(line->root()).sign > 0);
+      const int cost = 2 * !never_zero(line->slope) + !stays;
+      if (!best || cost < best->cost) best = Way{letter, *line, cost};
+    }
+    if (!best) {
+      state.worked.unsolved_.push_back(equation);
+      return;
+    }
+    if (best->cost >= 2) {
+      // Where the factor vanishes the rest must, and the letter is free.
+      State special = state;
+      special.equations.push_back(best->line.slope);
+      special.equations.push_back(best->line.rest);
+      follow(std::move(special), state);
+    }
+    const Formula root = best->line.root();
+    // A positive letter that becomes something else leaves behind that this is positive.
+    if (is_positive(state, best->letter) && (root.is_zero() || seen_sign(root).sign <= 0))
+      state.orders.push_back({root, false});
+    set(state, best->letter, root);
+  }
+
+  // False where one of them cannot hold.
+  bool work_in_orders(State& state) const {
+    std::vector<Order> left = std::move(state.orders);
+    for (bool progress = true; progress;) {
+      progress = false;
+      std::vector<Order> again;
+      for (const Order& order : left) {
+        const Formula difference = state.worked.apply(order.difference);
+        if (difference.is_zero()) {
+          if (!order.weak) return false;
+          continue;
+        }
+        const SeenSign seen = seen_sign(difference);
+        if (seen.sign < 0 && (!order.weak || seen.strict)) return false;
+        if (work_in_order(state, order))
+          progress = true;
+        else
+          again.push_back(order);
+      }
+      left = std::move(again);
+    }
+    return true;
+  }
+
+  // Whether a letter was found to hold it.
+  bool work_in_order(State& state, const Order& order) const {
+    const Formula difference = sign_part(state.worked.apply(order.difference), order.weak);
+    for (const std::string& letter : difference.letters()) {
+      const auto line = line_in(difference, letter, sign_of(state, letter));
+      if (!line) continue;
+      const SeenSign rising = seen_sign(line->slope);
+      if (rising.sign == 0 || !rising.strict) continue;
+      const Formula bound = line->root();
+      const bool positive = is_positive(state, letter);
+      if (rising.sign > 0) {
+        // letter > bound
+        if (positive && !bound.is_zero() && seen_sign(bound).sign <= 0) continue;
+        set(state, letter, bound + fresh_letter(state));
+      } else if (!positive) {
+        set(state, letter, bound - fresh_letter(state));
+      } else {
+        // 0 < letter < bound
+        const SeenSign upper = bound.is_zero() ? SeenSign{} : seen_sign(bound);
+        if (upper.sign <= 0 || !upper.strict) continue;
+        const Formula s = fresh_letter(state);
+        set(state, letter, bound * s / (Formula(1) + s));
+      }
+      state.worked.weak_ = state.worked.weak_ || order.weak;
+      return true;
+    }
+    return false;
+  }
+
+  std::set<std::string> positive_;
+  std::vector<Formula> equations_;
+  std::vector<Order> orders_;
+  std::vector<State> open_;
+};
+
+bool WorkedCase::proves(const FormulaComparison& comparison) const {
+  if (!unsolved_.empty()) return false;
+  const Formula difference = apply(comparison.difference());
+  if (comparison.relation == Relation::equal) return difference.is_zero();
+  const bool greater = comparison.relation == Relation::greater || comparison.relation == Relation::greater_equal;
+  const bool strict = comparison.relation == Relation::greater || comparison.relation == Relation::less;
+  if (difference.is_zero()) return !strict;
+  const SeenSign seen = seen_sign(difference);
+  return seen.sign == (greater ? 1 : -1) && (!strict || (seen.strict && !weak_));
+}
+
+bool WorkedCase::keeps_sign(const Formula& x, int sign) const {
+  if (!unsolved_.empty()) return false;
+  const Formula applied = apply(x);
+  return applied.is_zero() || seen_sign(applied).sign == sign;
+}
+
+WorkedAssumptions::WorkedAssumptions(const std::vector<FormulaComparison>& assumptions,
+                                     const std::vector<std::string>& positive) {
+  cases_ = AssumptionWorker(assumptions, positive).work(complete_);
+}
+
+bool WorkedAssumptions::proves(const FormulaComparison& comparison) const {
+  return complete_ &&
+         std::all_of(cases_.begin(), cases_.end(), [&](const WorkedCase& one) { return one.proves(comparison); });
+}
+
+bool WorkedAssumptions::keeps_sign(const Formula& x, int sign) const {
+  return complete_ &&
+         std::all_of(cases_.begin(), cases_.end(), [&](const WorkedCase& one) { return one.keeps_sign(x, sign); });
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,315 @@
+#include "problem/claims/claim_solver.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "poinsot/engine/math/formula/formula_decision.h"
+#include "problem/claims/claim_letters.h"
+#include "problem/claims/claim_numbers.h"
+#include "problem/claims/claim_rates.h"
+#include "problem/claims/claim_steady.h"
+#include "problem/claims/claim_trials.h"
+#include "problem/formulas/formula_answers.h"
+#include "problem/formulas/formula_deadline.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int most_points = 400;      // at which a claim is tried that is not proved
+constexpr int confirming_points = 2;  // at which the numbers must confirm a proof
+constexpr int most_seconds = 10;      // for the samples of a claim
+constexpr int most_edge_points = 4;   // from which edges are sought
+constexpr double most_telling_seconds = 1;
+
+class ClaimSolver {
+ public:
+  ClaimSolver(const Statement& statement, std::size_t situation_index, const Claim& claim, ClaimGround& ground,
+              bool tell)
+      : statement_(statement),
+        situation_index_(situation_index),
+        situation_(ground.situation()),
+        claim_(claim),
+        ground_(ground),
+        tell_(tell) {}
+
+  SolvedClaim solve() {
+    require_quantity();
+    if (!find_formulas())
+      decide_by_numbers();
+    else if (const auto unfixed = formulas_->unfixed(); !unfixed.empty())
+      undetermined("it speaks of " + unfixed.front() + ", which the statement does not fix");
+    else
+      decide_by_formulas();
+    if (tell_ && formulas_ && result_.state == AskState::found) tell_formulas();
+    return std::move(result_);
+  }
+
+ private:
+  void require_quantity() const {
+    for (const Expression& expression : claim_.of)
+      if (asks_model(situation_, expression)) return;
+    fail(situation_.file, claim_.mark,
+         "'" + claim_.name + "' claims nothing of the model: it compares formulas of the data",
+         "claim something of a quantity, such as angular_momentum(BODY about POINT)");
+  }
+
+  void undetermined(const std::string& reason) {
+    result_.state = AskState::undetermined;
+    result_.reason = reason;
+  }
+
+  // The claim as formulas, proved or not; false where it has none.
+  bool find_formulas() {
+    const FormulaLimitScope limits({most_formula_terms, formula_deadline(most_formula_seconds)});
+    try {
+      ClaimFormulas* formulas = ground_.formulas(is_along_motion(situation_, claim_));
+      if (!formulas) return false;
+      const PlainPointScope decisions(ground_.base_point());
+      formulas_ = std::make_unique<ClaimInstant>(*formulas, claim_);
+      std::vector<std::string> positive;
+      for (const Letter& letter : all_letters())
+        if (is_positive(letter)) positive.push_back(letter.name);
+      worked_ = std::make_unique<WorkedAssumptions>(formulas_->assumptions(), positive);
+      letters_ = all_letters();
+      trials_ = std::make_unique<ClaimTrials>(*formulas_, *worked_, letters_);
+    } catch (const NoFormula&) {
+      return formulas_ = nullptr, false;
+    } catch (const std::domain_error&) {
+      return formulas_ = nullptr, false;
+    } catch (const FormulaTooLarge&) {
+      return formulas_ = nullptr, false;
+    } catch (const StatementError&) {
+      // The same fault is found by numbers, or it is none there.
+      return formulas_ = nullptr, false;
+    }
+    try {
+      proved_ = is_proved();
+    } catch (const FormulaTooLarge&) {
+      // The reduction does not end within its bounds.
+    } catch (const std::domain_error&) {
+      // It needs a formula where there is none.
+    }
+    return true;
+  }
+
+  bool is_proved() const {
+    const Decisions& decisions = formulas_->decisions();
+    if (decisions.zeros_by_digits) return false;
+    const DecisionScope reduction;
+    for (const Formula& sign : decisions.signs)
+      if (!worked_->keeps_sign(sign, base_sign(sign))) return false;
+    const bool all = std::all_of(formulas_->terms().begin(), formulas_->terms().end(), [&](const ClaimTerm& term) {
+      return worked_->proves(term.comparison) || (term.by_cosines && worked_->proves(*term.by_cosines));
+    });
+    return all && !reduction.zeros_by_digits();
+  }
+
+  // Where the formulas were decided.
+  int base_sign(const Formula& sign) const {
+    const PlainPointScope base(ground_.base_point());
+    return plain(sign) < 0 ? -1 : 1;
+  }
+
+  // Letters without value, and what the statement leaves open.
+  std::vector<Letter> all_letters() const {
+    std::vector<Letter> all = ground_.letters();
+    if (formulas_) all.insert(all.end(), formulas_->open().begin(), formulas_->open().end());
+    return all;
+  }
+
+  // Whether the formulas hold there: they were decided on signs.
+  bool decided_alike(const Point& point) const {
+    return std::all_of(formulas_->decisions().signs.begin(), formulas_->decisions().signs.end(),
+                       [&](const Formula& sign) {
+                         const std::vector<std::string> letters = sign.letters();
+                         return std::all_of(letters.begin(), letters.end(),
+                                            [&](const std::string& letter) { return point.contains(letter); }) &&
+                                value_at(sign, point) * base_sign(sign) >= 0;
+                       });
+  }
+
+  enum class Outcome { skipped, holds, decided };
+
+  Outcome try_at(const ClaimTrials::Drawn& drawn, int& confirmed_points, bool& possible) {
+    const bool by_digits = formulas_->decisions().zeros_by_digits;
+    const bool formulas_hold = decided_alike(drawn.point) && !by_digits;
+    Verdict verdict = trials_->verdict(drawn);
+    if (verdict.close && verdict.holds && formulas_hold) return Outcome::skipped;
+    const bool check =
+        !formulas_hold || !verdict.holds || (proved_ && confirmed_points < confirming_points) || !possible;
+    if (!check) return proved_ ? Outcome::decided : Outcome::holds;
+    const std::optional<Verdict> numbers = ground_.verdict_at(claim_, formulas_->formulas(), drawn.point);
+    if (!numbers) return Outcome::skipped;
+    if (takes_derivatives(situation_, claim_) || ground_.neglects()) {
+      // They have no numbers: where the statement makes sense, the formulas count.
+      if (!formulas_hold) return Outcome::skipped;
+    } else if (!formulas_hold) {
+      if (numbers->close) return Outcome::skipped;
+      verdict = *numbers;
+    } else if (verdict.difference && numbers->holds) {
+      // The numbers cannot see what the exact ones tell.
+    } else if (numbers->close ? !verdict.close : numbers->holds != verdict.holds) {
+      if (numbers->close) return Outcome::skipped;
+      undetermined("formulas and numbers do not agree on it");
+      return Outcome::decided;
+    }
+    possible = true;
+    ++confirmed_points;
+    if (proved_ && !verdict.holds) {
+      undetermined("formulas and numbers do not agree on it");
+      return Outcome::decided;
+    }
+    if (verdict.holds) return Outcome::holds;
+    refute(drawn.point, verdict);
+    return Outcome::decided;
+  }
+
+  void decide_by_formulas() {
+    int confirmed_points = 0, searched_edges = 0;
+    bool possible = false;
+    const auto end = Clock::now() + std::chrono::seconds(most_seconds);
+    // While it lives, what vanishes at one point alone is not taken for zero.
+    const DecisionScope elsewhere;
+    for (int attempt = 0; attempt < most_points && Clock::now() < end; ++attempt) {
+      const std::optional<ClaimTrials::Drawn> drawn = trials_->draw(attempt);
+      if (!drawn) continue;
+      const Outcome outcome = try_at(*drawn, confirmed_points, possible);
+      if (outcome == Outcome::decided && !proved_) return;
+      if (outcome == Outcome::decided && result_.state == AskState::undetermined) return;
+      if (outcome == Outcome::decided) break;
+      if (proved_ || attempt % 3 != 0 || searched_edges++ >= most_edge_points) continue;
+      for (const ClaimTrials::Drawn& edge : trials_->at_edges(*drawn, attempt / 3))
+        if (try_at(edge, confirmed_points, possible) == Outcome::decided) return;
+    }
+    finish(possible);
+  }
+
+  void finish(bool possible) {
+    if (!possible) {
+      const ClaimFaults& faults = ground_.faults();
+      undetermined((claim_.assume.empty() && situation_.assume.empty()
+                        ? "no values of the letters were found for which the statement makes sense"
+                        : "no values of the letters were found that satisfy what is assumed") +
+                   (faults.empty() ? "" : ": " + faults.words(ground_.letters())));
+      return;
+    }
+    result_.holds = true;
+    result_.proved = proved_;
+    list_assumptions();
+    for (std::string& hold : assumed_holds(situation_, claim_)) result_.assumptions.push_back(std::move(hold));
+  }
+
+  // Where there are no formulas.
+  void decide_by_numbers() {
+    if (takes_derivatives(situation_, claim_))
+      return undetermined("the claim takes a derivative by a letter, which formulas tell, and this has none");
+    if (ground_.neglects())
+      return undetermined(
+          "squares of unknowns are neglected, and it has no formula from which these could be left out");
+    const NumberTrials trials = try_by_numbers(statement_, situation_index_, claim_, ground_);
+    if (trials.refuted) return refute(trials.refuted->first, trials.refuted->second);
+    if (!trials.possible && trials.close)
+      return undetermined(claims_stability(situation_, claim_)
+                              ? "the linearised equations do not decide it"
+                              : "wherever it was tried, it is too near the edge to be decided by numbers");
+    finish(trials.possible);
+    if (result_.holds && claims_stability(situation_, claim_))
+      result_.proved =
+          proves_steady_stability(claim_, ground_, trials.most_modes, tell_ ? &result_.stability : nullptr);
+  }
+
+  void refute(const Point& point, const Verdict& verdict) {
+    result_.holds = false;
+    std::set<std::string> used;
+    if (formulas_)
+      for (const ClaimTerm& term : formulas_->terms())
+        for (const Formula* side : {&term.comparison.left, &term.comparison.right})
+          for (const std::string& letter : side->letters()) used.insert(letter);
+    for (const Letter& letter : all_letters()) {
+      // Those that the file declares, and what it leaves open where the claim depends on it.
+      const std::vector<Letter>& own = ground_.letters();
+      const bool declared = std::any_of(own.begin(), own.end(), [&](const Letter& known) {
+        return known.name == letter.name && is_name(known.name);
+      });
+      if (!declared && formulas_ && !used.contains(letter.name)) continue;
+      const auto value = point.find(letter.name);
+      if (value != point.end()) result_.counterexample.push_back({letter.name, letter.unit, value->second});
+    }
+    if (!verdict.sides) return;
+    result_.unit = situation_.habits.unit_for(verdict.dimension);
+    result_.sides = {verdict.sides->first / result_.unit.factor, verdict.sides->second / result_.unit.factor};
+    if (verdict.difference) result_.difference = *verdict.difference / result_.unit.factor;
+    list_assumptions();
+  }
+
+  void list_assumptions() {
+    for (const auto* list : {&situation_.assume, &claim_.assume})
+      for (const Expression& assumption : *list) result_.assumptions.push_back(to_string(assumption));
+    for (const Expression& square : situation_.neglect)
+      result_.assumptions.push_back(to_string(square) + " is neglected");
+    // Where roots that the unknowns are have values.
+    std::set<std::string> known(result_.assumptions.begin(), result_.assumptions.end());
+    for (const auto& [name, value] : ground_.unknowns())
+      for (std::size_t k = 0; k < (value.is_vector() ? 3U : 1U); ++k)
+        for (const std::string& one : (value.is_vector() ? value.vector[k] : value.number).assumptions())
+          if (one.ends_with(">= 0") && known.insert(one).second) result_.assumptions.push_back(one);
+  }
+
+  // What a reader needs to follow it.
+  void tell_formulas() {
+    const FormulaLimitScope limits({most_formula_terms, formula_deadline(most_telling_seconds)});
+    const PlainPointScope decisions(ground_.base_point());
+    const DecisionScope elsewhere;
+    const WorkedCase* one = worked_->cases().size() == 1 ? &worked_->cases().front() : nullptr;
+    // Under simple names.
+    std::map<std::string, Formula> parts;
+    for (std::size_t k = 0; one && k < one->letters().size(); ++k)
+      parts[one->letters()[k]] = Formula::letter("p" + std::to_string(k + 1), poinsot::Sign::positive);
+    for (std::size_t k = 0; one && k < letters_.size(); ++k)
+      if (parts.contains("part 1") && letters_[k].name.starts_with("p")) one = nullptr;
+    try {
+      if (one)
+        for (const auto& [letter, value] : one->values())
+          result_.assumed.emplace_back(letter, poinsot::substituted(value, parts));
+      for (const ClaimTerm& term : formulas_->terms()) {
+        const FormulaComparison& comparison = term.comparison;
+        SolvedClaim::Comparison told{comparison.left, comparison.right, std::string(symbol(comparison.relation)),
+                                     term.dimension,  std::nullopt,     {}};
+        if (one) told.reduced = poinsot::substituted(one->apply(comparison.difference()), parts);
+        result_.comparisons.push_back(std::move(told));
+      }
+      add_rate_parts(formulas_->formulas(), claim_, result_.comparisons);
+    } catch (const std::domain_error&) {
+    } catch (const FormulaTooLarge&) {
+      // What could be told stands.
+    }
+  }
+
+  const Statement& statement_;
+  std::size_t situation_index_;
+  const Situation& situation_;
+  const Claim& claim_;
+  ClaimGround& ground_;
+  bool tell_;
+  std::unique_ptr<ClaimInstant> formulas_;
+  std::unique_ptr<WorkedAssumptions> worked_;
+  std::vector<Letter> letters_;  // all that the formulas may have
+  std::unique_ptr<ClaimTrials> trials_;
+  bool proved_ = false;
+  SolvedClaim result_;
+};
+
+}  // namespace
+
+SolvedClaim solve_claim(const Statement& statement, std::size_t situation_index, const Claim& claim,
+                        ClaimGround& ground, bool tell) {
+  return ClaimSolver(statement, situation_index, claim, ground, tell).solve();
+}
+
+}  // namespace poinsot::problem

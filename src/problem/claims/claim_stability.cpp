@@ -1,0 +1,383 @@
+#include "problem/claims/claim_stability.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "poinsot/engine/dynamics/equations_of_motion.h"
+#include "poinsot/engine/math/formula/formula_sign.h"
+#include "poinsot/engine/model/convert_mechanism.h"
+
+namespace poinsot::problem {
+namespace {
+
+using FormulaDual = Dual<1, Formula>;
+using Matrix = std::vector<std::vector<Formula>>;
+
+constexpr std::size_t most_freedoms = 5;
+constexpr std::size_t highest_power = 6;  // of rates of growth
+
+Matrix zeros(std::size_t n) { return Matrix(n, std::vector<Formula>(n)); }
+
+Matrix product(const Matrix& A, const Matrix& B) {
+  Matrix C = zeros(A.size());
+  for (std::size_t i = 0; i < A.size(); ++i)
+    for (std::size_t k = 0; k < A.size(); ++k) {
+      if (A[i][k].is_zero()) continue;
+      for (std::size_t j = 0; j < A.size(); ++j)
+        if (!B[k][j].is_zero()) C[i][j] += A[i][k] * B[k][j];
+    }
+  return C;
+}
+Matrix sum(const Matrix& A, const Matrix& B, int sign = 1) {
+  Matrix C = A;
+  for (std::size_t i = 0; i < A.size(); ++i)
+    for (std::size_t j = 0; j < A.size(); ++j) C[i][j] += Formula(sign) * B[i][j];
+  return C;
+}
+bool vanishes(const Matrix& A) {
+  return std::all_of(A.begin(), A.end(), [](const auto& row) {
+    return std::all_of(row.begin(), row.end(), [](const Formula& x) { return x.is_zero(); });
+  });
+}
+
+// By the first row.
+Formula determinant(const Matrix& A) {
+  if (A.empty()) return Formula(1);
+  if (A.size() == 1) return A[0][0];
+  Formula total;
+  for (std::size_t k = 0; k < A.size(); ++k) {
+    if (A[0][k].is_zero()) continue;
+    Matrix minor;
+    for (std::size_t i = 1; i < A.size(); ++i) {
+      minor.emplace_back();
+      for (std::size_t j = 0; j < A.size(); ++j)
+        if (j != k) minor.back().push_back(A[i][j]);
+    }
+    const Formula part = A[0][k] * determinant(minor);
+    total += k % 2 == 0 ? part : -part;
+  }
+  return total;
+}
+
+// Seen to be more than zero.
+bool is_positive(const Formula& x) {
+  const SeenSign seen = seen_sign(x);
+  return seen.sign > 0 && seen.strict;
+}
+
+// Whether a check says so of each leading minor.
+template <class Check>
+bool leading_minors(const Matrix& A, const Check& check) {
+  for (std::size_t n = 1; n <= A.size(); ++n) {
+    Matrix minor;
+    for (std::size_t i = 0; i < n; ++i) minor.emplace_back(A[i].begin(), A[i].begin() + static_cast<std::ptrdiff_t>(n));
+    if (!check(determinant(minor))) return false;
+  }
+  return true;
+}
+
+// The matrices of the linearised equations M x'' + C x' + K x = 0 of the free coordinates.
+struct Linearised {
+  Matrix M, C, K;
+  bool follows_spin = false;    // axes that turn beside the coordinates' own
+  std::vector<Formula> unrest;  // vanishes if the motion is steady
+};
+
+class FormulaLineariser {
+ public:
+  explicit FormulaLineariser(const SteadyFormulas& motion)
+      : motion_(motion), tree_(motion.machine.mechanism.tree), n_(motion.v.size()) {
+    for (std::size_t k = 0; k < n_; ++k)
+      if (std::find(motion.held.begin(), motion.held.end(), static_cast<int>(k)) == motion.held.end())
+        free_.push_back(k);
+  }
+
+  std::size_t freedoms() const { return free_.size(); }
+
+  Linearised linearised() {
+    Workspace<Formula> workspace(tree_);
+    update_velocities(tree_, workspace, State<Formula>{motion_.q, motion_.v});
+    Linearised result;
+    Matrix S = zeros(n_), D = zeros(n_);
+    for (int i = 0; i < tree_.body_count(); ++i) {
+      const auto& body = tree_.body(i);
+      if (body.joint != JointType::ball && body.joint != JointType::free) continue;
+      const auto first = static_cast<std::size_t>(body.v);
+      SpatialMotion<Formula> twist = SpatialMotion<Formula>::zero();
+      for (std::size_t k = 0; k < 3; ++k) {
+        twist.angular[k] = motion_.v[first + k];
+        if (body.joint == JointType::free) twist.linear[k] = motion_.v[first + 3 + k];
+      }
+      put_adjoint(D, first, body.joint, twist);
+      const Vector3<Formula> turning =
+          motion_.frame == ground ? Vector3<Formula>::zero() : angular_velocity(workspace, motion_.frame);
+      const Vector3<Formula> own = direction_on_body(tree_, workspace, i, angular_velocity(workspace, i) - turning);
+      if (looks_the_same(body.inertia, own)) put_adjoint(S, first, body.joint, about_center(body.inertia, own));
+    }
+    // Accelerations of a steady motion: v is constant on axes that do not spin.
+    std::vector<Formula> a(n_);
+    for (std::size_t i = 0; i < n_; ++i)
+      for (std::size_t k = 0; k < n_; ++k) a[i] -= S[i][k] * motion_.v[k];
+    for (const auto& rate : motion_.machine.accelerations) a[static_cast<std::size_t>(rate.velocity)] = rate.value;
+
+    // Derivatives of what is left of the equations, F - M a.
+    Matrix by_position = zeros(n_), by_velocity = zeros(n_);
+    const EquationsOfMotion<Formula> here =
+        equations_of_motion(motion_.machine.mechanism, State<Formula>{motion_.q, motion_.v});
+    for (const std::size_t i : free_) {
+      Formula left = here.right_side[i];
+      for (std::size_t k = 0; k < n_; ++k) left -= here.mass[i * n_ + k] * a[k];
+      result.unrest.push_back(left);
+    }
+    const Mechanism<FormulaDual> mechanism =
+        convert_mechanism<FormulaDual>(motion_.machine.mechanism, [](const Formula& x) { return FormulaDual(x); });
+    for (const std::size_t k : free_)
+      for (const bool position : {true, false}) {
+        std::vector<Formula> along(n_), rate(motion_.q.size());
+        along[k] = Formula(1);
+        position_rate<Formula>(tree_, motion_.q, along, rate);
+        State<FormulaDual> state;
+        for (std::size_t i = 0; i < motion_.q.size(); ++i)
+          state.q.push_back(moved(motion_.q[i], position ? rate[i] : Formula(0)));
+        for (std::size_t i = 0; i < n_; ++i) state.v.push_back(moved(motion_.v[i], position ? Formula(0) : along[i]));
+        const EquationsOfMotion<FormulaDual> near = equations_of_motion(mechanism, state);
+        for (const std::size_t i : free_) {
+          Formula change = near.right_side[i].partial[0];
+          for (std::size_t j = 0; j < n_; ++j) change -= near.mass[i * n_ + j].partial[0] * a[j];
+          (position ? by_position : by_velocity)[i][k] = change;
+        }
+      }
+    // l y = A_q x + (A_v + S) y with y = (l - S + D) x, times M.
+    Matrix mass = zeros(n_);
+    for (std::size_t i = 0; i < n_; ++i)
+      for (std::size_t k = 0; k < n_; ++k) mass[i][k] = here.mass[i * n_ + k];
+    const Matrix spin = of_free(S), drift = of_free(sum(D, S, -1));
+    const Matrix M = of_free(mass), Fv = of_free(by_velocity), Fq = of_free(by_position);
+    result.M = M;
+    result.C = sum(product(M, sum(drift, spin, -1)), Fv, -1);
+    result.K = sum(sum(zeros(M.size()), product(product(M, spin), drift), -1), sum(product(Fv, drift), Fq), -1);
+    result.follows_spin = !vanishes(spin) || !vanishes(drift);
+    return result;
+  }
+
+ private:
+  static FormulaDual moved(const Formula& value, const Formula& change) {
+    FormulaDual x(value);
+    x.partial[0] = change;
+    return x;
+  }
+  static Vector3<Formula> center_of(const SpatialInertia<Formula>& I) {
+    return I.mass.is_zero() ? Vector3<Formula>::zero() : Vector3<Formula>(I.first_moment / I.mass);
+  }
+  static SpatialMotion<Formula> about_center(const SpatialInertia<Formula>& I, const Vector3<Formula>& w) {
+    return {w, cross(center_of(I), w)};
+  }
+  // Whether a body looks the same however far it has turned about its mass center along w.
+  static bool looks_the_same(const SpatialInertia<Formula>& I, const Vector3<Formula>& w) {
+    if (w.x.is_zero() && w.y.is_zero() && w.z.is_zero()) return false;
+    if (I.mass.is_zero()) return true;
+    const Matrix3<Formula> central = as_matrix(I.inertia - I.mass * unit_mass_inertia(center_of(I)));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3<Formula> e = Vector3<Formula>::unit(k);
+      const Vector3<Formula> difference = central * cross(w, e) - cross(w, central * e);
+      if (!difference.x.is_zero() || !difference.y.is_zero() || !difference.z.is_zero()) return false;
+    }
+    return true;
+  }
+  static void put_adjoint(Matrix& A, std::size_t at, JointType joint, const SpatialMotion<Formula>& twist) {
+    const auto put = [&](std::size_t row, std::size_t column, const Vector3<Formula>& w) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vector3<Formula> turned = cross(w, Vector3<Formula>::unit(k));
+        for (std::size_t i = 0; i < 3; ++i) A[at + row + i][at + column + k] = turned[i];
+      }
+    };
+    put(0, 0, twist.angular);
+    if (joint != JointType::free) return;
+    put(3, 0, twist.linear);
+    put(3, 3, twist.angular);
+  }
+  Matrix of_free(const Matrix& A) const {
+    Matrix part;
+    for (const std::size_t i : free_) {
+      part.emplace_back();
+      for (const std::size_t k : free_) part.back().push_back(A[i][k]);
+    }
+    return part;
+  }
+
+  const SteadyFormulas& motion_;
+  const Model<Formula>& tree_;
+  std::size_t n_;
+  std::vector<std::size_t> free_;
+};
+
+// det(M l^2 + C l + K) as a polynomial in l, from the lowest power on.
+std::vector<Formula> characteristic_polynomial(const Linearised& near) {
+  const std::string name = "rate of growth";
+  const Formula l = Formula::letter(name, poinsot::Sign::real);
+  Matrix P = near.K;
+  for (std::size_t i = 0; i < P.size(); ++i)
+    for (std::size_t k = 0; k < P.size(); ++k) P[i][k] += l * near.C[i][k] + l * l * near.M[i][k];
+  Formula rest = numerator(determinant(P));
+  std::vector<Formula> coefficients;
+  Formula factorial(1);
+  for (std::size_t k = 0; !rest.is_zero() && k <= 2 * P.size(); ++k) {
+    if (k > 0) factorial *= Formula(static_cast<std::int64_t>(k));
+    coefficients.push_back(poinsot::substituted(rest, {{name, Formula(0)}}) / factorial);
+    rest = derivative(rest, name);
+  }
+  return coefficients;
+}
+
+// By what stability is seen; each asks that some formulas are positive, which a check tells of each.
+enum class Criterion { negative_squares, hurwitz, energy };
+
+// All roots are negative and differ: coefficients of one sign, and as many real roots as can be.
+template <class Check>
+bool negative_roots(const std::vector<Formula>& c, const Check& check) {
+  if (!std::all_of(c.begin(), c.end(), check)) return false;
+  switch (c.size()) {
+    case 1:
+    case 2:
+      return true;
+    case 3:
+      return check(c[1] * c[1] - Formula(4) * c[0] * c[2]);
+    case 4: {
+      const Formula &d = c[0], &e = c[1], &b = c[2], &a = c[3];
+      return check(Formula(18) * a * b * e * d - Formula(4) * b * b * b * d + b * b * e * e -
+                   Formula(4) * a * e * e * e - Formula(27) * a * a * d * d);
+    }
+    default:
+      return false;
+  }
+}
+
+// Hurwitz: all roots have negative real parts.
+template <class Check>
+bool roots_on_the_left(const std::vector<Formula>& c, const Check& check) {
+  if (!std::all_of(c.begin(), c.end(), check) || c.size() > highest_power + 1) return false;
+  const std::size_t n = c.size() - 1;
+  Matrix H = zeros(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto power =
+          static_cast<std::ptrdiff_t>(n) - 2 * static_cast<std::ptrdiff_t>(k + 1) + static_cast<std::ptrdiff_t>(i + 1);
+      if (power >= 0 && power <= static_cast<std::ptrdiff_t>(n)) H[i][k] = c[static_cast<std::size_t>(power)];
+    }
+  return leading_minors(H, check);
+}
+
+// The polynomial without its rates that vanish everywhere, from the lowest power on; `vanishing` counts these.
+struct Polynomial {
+  std::vector<Formula> c;
+  std::size_t vanishing = 0;
+
+  std::vector<Formula> even() const {
+    std::vector<Formula> powers;
+    for (std::size_t k = 0; k < c.size(); k += 2) powers.push_back(c[k]);
+    return powers;
+  }
+  bool is_even() const {
+    for (std::size_t k = 1; k < c.size(); k += 2)
+      if (!c[k].is_zero()) return false;
+    return true;
+  }
+};
+
+Polynomial polynomial_of(const Linearised& near) {
+  Polynomial polynomial{characteristic_polynomial(near), 0};
+  std::vector<Formula>& c = polynomial.c;
+  while (polynomial.vanishing < c.size() && c[polynomial.vanishing].is_zero()) ++polynomial.vanishing;
+  c.erase(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(polynomial.vanishing));
+  if (!c.empty() && plain(c.back()) < 0)
+    for (Formula& coefficient : c) coefficient = -coefficient;
+  return polynomial;
+}
+
+template <class Check>
+bool holds(Criterion criterion, const Linearised& near, const Polynomial& polynomial, const Check& check) {
+  switch (criterion) {
+    case Criterion::negative_squares:
+      return polynomial.is_even() && negative_roots(polynomial.even(), check);
+    case Criterion::hurwitz:
+      return !polynomial.is_even() && roots_on_the_left(polynomial.c, check);
+    case Criterion::energy:
+      break;
+  }
+  // The energy x' M x' + x K x stays what it is, and bounds both.
+  if (!polynomial.is_even() || near.follows_spin || polynomial.vanishing > 0) return false;
+  Matrix symmetric = near.C, skew = near.K;
+  for (std::size_t i = 0; i < near.K.size(); ++i)
+    for (std::size_t k = 0; k < near.K.size(); ++k) {
+      symmetric[i][k] = near.C[i][k] + near.C[k][i];
+      skew[i][k] = near.K[i][k] - near.K[k][i];
+    }
+  return vanishes(symmetric) && vanishes(skew) && leading_minors(near.K, check);
+}
+
+std::optional<Criterion> stable_by(const Linearised& near, std::size_t symmetries) {
+  const Polynomial polynomial = polynomial_of(near);
+  // Rates that vanish everywhere: those of the symmetries, and no others.
+  if (polynomial.vanishing != symmetries || polynomial.c.empty()) return std::nullopt;
+  for (const Criterion criterion : {Criterion::negative_squares, Criterion::hurwitz, Criterion::energy})
+    if (holds(criterion, near, polynomial, is_positive)) return criterion;
+  return std::nullopt;
+}
+
+const char* words_of(Criterion criterion) {
+  switch (criterion) {
+    case Criterion::negative_squares:
+      return "all squares of the rates are negative and differ if the coefficients and the discriminant are positive";
+    case Criterion::hurwitz:
+      return "all real parts are negative if the coefficients and Hurwitz's determinants are positive";
+    case Criterion::energy:
+      break;
+  }
+  return "the energy of a disturbance, which stays what it is, bounds it if the leading minors of its matrix are "
+         "positive";
+}
+
+StabilityShown shown_of(const Linearised& near, std::optional<Criterion> criterion) {
+  Polynomial polynomial = polynomial_of(near);
+  if (polynomial.c.empty()) return {};
+  const Formula first = polynomial.c.back();
+  for (Formula& coefficient : polynomial.c) coefficient /= first;
+  const Criterion looked = criterion.value_or(polynomial.is_even() ? Criterion::negative_squares : Criterion::hurwitz);
+  StabilityShown shown{polynomial.c, polynomial.vanishing, words_of(looked), {}};
+  holds(looked, near, polynomial, [&](const Formula& x) {
+    if (!x.is_number() && std::find(shown.positive.begin(), shown.positive.end(), x) == shown.positive.end())
+      shown.positive.push_back(x);
+    return true;
+  });
+  return shown;
+}
+
+}  // namespace
+
+bool proves_stability(const SteadyFormulas& motion, const WorkedAssumptions& assumptions,
+                      std::optional<StabilityShown>* shown) {
+  const Mechanism<Formula>& mechanism = motion.machine.mechanism;
+  if (!mechanism.constraints.empty() || !assumptions.complete()) return false;
+  FormulaLineariser lineariser(motion);
+  if (lineariser.freedoms() > most_freedoms) return false;
+  const Linearised near = lineariser.linearised();
+  if (!std::all_of(near.unrest.begin(), near.unrest.end(), [&](const Formula& unrest) {
+        return assumptions.proves({unrest, Formula(0), Relation::equal});
+      }))
+    return false;
+  std::optional<Criterion> criterion;
+  const bool proved = std::all_of(assumptions.cases().begin(), assumptions.cases().end(), [&](const WorkedCase& one) {
+    // Where an assumption allows equality the signs may vanish.
+    if (!one.unsolved().empty() || one.is_weak()) return false;
+    Linearised applied = near;
+    for (Matrix* matrix : {&applied.M, &applied.C, &applied.K})
+      for (auto& row : *matrix)
+        for (Formula& entry : row) entry = one.apply(entry);
+    criterion = stable_by(applied, motion.symmetries);
+    return criterion.has_value();
+  });
+  if (shown) *shown = shown_of(near, proved ? criterion : std::nullopt);
+  return proved;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,69 @@
+#include "problem/claims/claim_steady.h"
+
+#include <algorithm>
+
+#include "poinsot/engine/math/formula/formula_decision.h"
+#include "problem/claims/claim_stability.h"
+#include "problem/claims/claim_trials.h"
+#include "problem/formulas/formula_answers.h"
+#include "problem/formulas/formula_deadline.h"
+
+namespace poinsot::problem {
+namespace {
+
+// The motion as formulas; nothing where it cannot be.
+std::optional<SteadyFormulas> steady_formulas(const ClaimFormulas& formulas, ClaimGround& ground,
+                                              std::size_t most_modes) {
+  const MachineOf<Formula>& machine = formulas.instant().machine();
+  SteadyFormulas motion{machine,
+                        formulas.positions(),
+                        formulas.velocities(),
+                        machine.index.at(ground.situation().steady->frame),
+                        still_coordinates(ground.base().machine()),
+                        0};
+  for (const auto& rate : machine.accelerations) motion.held.push_back(rate.velocity);
+  std::sort(motion.held.begin(), motion.held.end());
+  motion.held.erase(std::unique(motion.held.begin(), motion.held.end()), motion.held.end());
+  // What has no rate of growth among the modes are displacements to the same motion.
+  const std::size_t all = 2 * (motion.v.size() - motion.held.size());
+  if (most_modes > all) return std::nullopt;
+  motion.symmetries = all - most_modes;
+  return motion;
+}
+
+}  // namespace
+
+bool proves_steady_stability(const Claim& claim, ClaimGround& ground, std::size_t most_modes,
+                             std::optional<SolvedClaim::Stability>* told) {
+  const Situation& situation = ground.situation();
+  if (most_modes == 0 || situation.has_blow()) return false;
+  for (const Frame& frame : situation.frames)
+    if (frame.name == situation.steady->frame && !frame.rides_on.empty()) return false;
+  const FormulaLimitScope limits({most_formula_terms, formula_deadline(most_formula_seconds)});
+  try {
+    ClaimFormulas* formulas = ground.formulas(false);
+    if (!formulas) return false;
+    const PlainPointScope decisions(ground.base_point());
+    const DecisionScope taken;
+    Claim assumed = claim;
+    assumed.of.clear();
+    const ClaimInstant instant(*formulas, assumed);
+    std::vector<std::string> positive;
+    for (const Letter& letter : ground.letters())
+      if (is_positive(letter)) positive.push_back(letter.name);
+    const WorkedAssumptions worked(instant.assumptions(), positive);
+    const std::optional<SteadyFormulas> motion = steady_formulas(*formulas, ground, most_modes);
+    if (!motion) return false;
+    const bool decided =
+        instant.decisions().signs.empty() && !instant.decisions().zeros_by_digits && taken.signs().empty();
+    return proves_stability(*motion, worked, told) && decided && !taken.zeros_by_digits();
+  } catch (const NoFormula&) {
+  } catch (const std::domain_error&) {
+  } catch (const FormulaTooLarge&) {
+  } catch (const StatementError&) {
+    // Then it stays with the samples.
+  }
+  return false;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,194 @@
+#include "problem/claims/claim_trials.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/engine/math/formula/formula_sign.h"
+#include "problem/formulas/formula_deadline.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr std::size_t most_edge_terms = 60;
+constexpr std::size_t most_edge_letters = 3;  // that are moved, in turn
+constexpr double most_edge_seconds = 0.05;
+constexpr int most_exact_equalities = 8;  // of a claim, where numbers cannot tell the sides apart
+constexpr double most_exact_seconds = 0.2;
+constexpr std::size_t most_exact_terms = 20000;
+
+bool is_strict(Relation relation) { return relation == Relation::less || relation == Relation::greater; }
+
+// The difference of two sides at a point, where rounding cannot tell it from zero.
+std::optional<Formula> exactly(const Formula& difference, const ClaimTrials::Drawn& drawn) {
+  std::map<std::string, Formula> numbers;
+  for (const auto& [letter, value] : drawn.free) numbers[letter] = Formula(value);
+  const FormulaLimitScope limits({most_exact_terms, formula_deadline(most_exact_seconds)});
+  try {
+    return poinsot::substituted(drawn.of->apply(difference), numbers);
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  } catch (const FormulaTooLarge&) {
+    // As the sine of a number with many digits.
+    return std::nullopt;
+  }
+}
+
+bool is_identity(const WorkedCase& one, const FormulaComparison& comparison) {
+  try {
+    return one.proves(comparison);
+  } catch (const std::domain_error&) {
+    return false;
+  } catch (const FormulaTooLarge&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+bool is_positive(const Letter& letter) { return !letter.either_sign && letter.unit.dimension != dimensions::angle; }
+
+std::optional<ClaimTrials::Drawn> ClaimTrials::draw(int attempt) {
+  const std::vector<WorkedCase>& cases = worked_.cases();
+  if (cases.empty()) return std::nullopt;
+  const WorkedCase& one = cases[attempt % 3 != 0 ? 0 : static_cast<std::size_t>(attempt / 3) % cases.size()];
+  std::vector<Letter> letters;
+  for (const Letter& letter : letters_)
+    if (!one.values().contains(letter.name)) letters.push_back(letter);
+  for (const std::string& part : one.letters())
+    if (!one.values().contains(part)) letters.push_back({part, {}, {}});
+  Point free = draw_point(letters, attempt);
+  // Parts of a letter are small as often as large.
+  if (attempt % 2 == 1)
+    for (const std::string& part : one.letters())
+      if (free.contains(part)) free[part] /= 4;
+  return completed(one, std::move(free));
+}
+
+std::optional<ClaimTrials::Drawn> ClaimTrials::completed(const WorkedCase& one, Point free, bool edge) {
+  Point all = free;
+  for (const auto& [letter, value] : one.values()) {
+    all[letter] = value_at(value, free);
+    if (!std::isfinite(all[letter])) return std::nullopt;
+  }
+  for (const std::string& part : one.letters()) all.erase(part);
+  for (const Letter& letter : letters_)
+    if (is_positive(letter) && !(all.at(letter.name) > 0)) return std::nullopt;
+  Drawn drawn{std::move(all), &one, std::move(free), edge};
+  // Equations that are worked into the letters hold but for rounding.
+  for (const FormulaComparison& assumption : formulas_.assumptions())
+    if (assumption.relation != Relation::equal || !one.unsolved().empty()) {
+      const Verdict assumed = compared(assumption, drawn, {});
+      if (!assumed.holds || (assumed.close && !assumed.exact)) return std::nullopt;
+    }
+  return drawn;
+}
+
+// One comparison at a point; where rounding might decide, and at edges, it is exact if that can be had.
+Verdict ClaimTrials::compared(const FormulaComparison& comparison, const Drawn& drawn, const Dimension& dimension) {
+  Verdict verdict;
+  const double left = value_at(comparison.left, drawn.point), right = value_at(comparison.right, drawn.point);
+  if (!std::isfinite(left) || !std::isfinite(right)) {
+    verdict.close = true;
+    return verdict;
+  }
+  verdict.judge(left, right, comparison.relation, 0, dimension);
+  if (comparison.relation == Relation::equal) {
+    if (!verdict.holds || exact_equalities_ >= most_exact_equalities) return verdict;
+    // Decimals may differ where rounding does not see it.
+    ++exact_equalities_;
+    const auto difference = exactly(comparison.difference(), drawn);
+    if (!difference || !difference->is_number() || difference->is_zero()) return verdict;
+    verdict.refute(left, right, dimension);
+    verdict.exact = true;
+    verdict.difference = plain(*difference);
+    return verdict;
+  }
+  if (!verdict.close && !drawn.edge) return verdict;
+  const auto difference = exactly(comparison.difference(), drawn);
+  if (!difference || !difference->is_number()) return verdict;
+  verdict = {};
+  verdict.close = verdict.exact = true;
+  const double exact = plain(*difference);
+  const bool greater = comparison.relation == Relation::greater || comparison.relation == Relation::greater_equal;
+  if (exact == 0 ? is_strict(comparison.relation) : (exact > 0) != greater) verdict.refute(left, right, dimension);
+  return verdict;
+}
+
+Verdict ClaimTrials::verdict(const Drawn& drawn) {
+  Verdict verdict;
+  for (const ClaimTerm& term : formulas_.terms()) {
+    // What vanishes identically does so but for rounding.
+    if (term.comparison.relation == Relation::equal && is_identity(*drawn.of, term.comparison)) continue;
+    const Verdict own = compared(term.comparison, drawn, term.dimension);
+    if (!own.holds && verdict.holds) {
+      verdict = own;
+    } else if (own.holds && own.close && !own.exact) {
+      verdict.close = true;
+    }
+  }
+  return verdict;
+}
+
+const std::vector<ClaimTrials::Edge>& ClaimTrials::edges() {
+  if (edges_) return *edges_;
+  edges_.emplace();
+  const FormulaLimitScope limits({most_edge_terms, formula_deadline(most_edge_seconds)});
+  // Of what is claimed, and of what is assumed.
+  std::vector<FormulaComparison> comparisons;
+  for (const ClaimTerm& term : formulas_.terms()) comparisons.push_back(term.comparison);
+  for (const FormulaComparison& assumption : formulas_.assumptions()) comparisons.push_back(assumption);
+  for (const WorkedCase& one : worked_.cases())
+    for (const FormulaComparison& comparison : comparisons) {
+      if (comparison.relation == Relation::equal) continue;
+      try {
+        const Formula difference = one.apply(comparison.difference());
+        if (difference.terms() > most_edge_terms) continue;
+        for (const Formula& factor : vanishing_factors(difference)) edges_->push_back({&one, factor});
+      } catch (const std::domain_error&) {
+      } catch (const FormulaTooLarge&) {
+        // Such a case is tried at random points alone.
+      }
+    }
+  return *edges_;
+}
+
+std::vector<ClaimTrials::Drawn> ClaimTrials::at_edges(const Drawn& from, int attempt) {
+  std::vector<Drawn> found;
+  const auto add = [&](const std::string& letter, double place) {
+    Point moved = from.free;
+    moved[letter] = place;
+    if (auto drawn = completed(*from.of, std::move(moved), true)) found.push_back(std::move(*drawn));
+  };
+  const std::vector<std::string>& parts = from.of->letters();
+  const auto is_part = [&](const std::string& letter) {
+    return std::find(parts.begin(), parts.end(), letter) != parts.end();
+  };
+  if (from.of->is_weak())
+    for (const auto& [letter, value] : from.free)
+      if (is_part(letter)) add(letter, 0);
+  const FormulaLimitScope limits({most_edge_terms, formula_deadline(most_edge_seconds)});
+  for (const Edge& edge : edges()) {
+    if (edge.of != from.of) continue;
+    const std::vector<std::string> letters = edge.factor.letters();
+    for (std::size_t k = 0; k < std::min(letters.size(), most_edge_letters); ++k) try {
+        const std::string& letter = letters[(static_cast<std::size_t>(attempt) + k) % letters.size()];
+        std::map<std::string, Formula> others;
+        for (const auto& [name, number] : from.free)
+          if (name != letter) others[name] = Formula(number);
+        const Formula line = poinsot::substituted(edge.factor, others);
+        const Formula slope = derivative(line, letter);
+        if (!slope.is_number() || slope.is_zero()) continue;
+        const Formula start = poinsot::substituted(line, {{letter, Formula(0)}});
+        if (!start.is_number()) continue;
+        const double root = plain(-start / slope);
+        for (const double place : {root, root * (1 + 1e-6) + 1e-9, root * (1 - 1e-6) - 1e-9})
+          if (!is_part(letter) || place > 0) add(letter, place);
+      } catch (const std::domain_error&) {
+      } catch (const FormulaTooLarge&) {
+        // No value there, or none that is found soon.
+      }
+  }
+  return found;
+}
+
+}  // namespace poinsot::problem

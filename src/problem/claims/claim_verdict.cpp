@@ -1,0 +1,84 @@
+#include "problem/claims/claim_verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "problem/language/diagnostic.h"
+#include "problem/language/evaluate_support.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr double equal_tolerance = 1e-9;  // between two sides, relative
+
+}  // namespace
+
+void Verdict::judge(double left, double right, Relation relation, double natural, const Dimension& of) {
+  const double size = std::max({std::abs(left), std::abs(right), natural});
+  const bool equal = std::abs(left - right) <= equal_tolerance * size;
+  bool holds_here = false;
+  switch (relation) {
+    case Relation::equal:
+      holds_here = equal;
+      break;
+    case Relation::less:
+    case Relation::less_equal:
+      holds_here = left < right;
+      break;
+    case Relation::greater:
+    case Relation::greater_equal:
+      holds_here = left > right;
+      break;
+  }
+  if (relation != Relation::equal && equal)
+    close = true;
+  else if (!holds_here)
+    refute(left, right, of);
+}
+
+void Verdict::refute(double left, double right, const Dimension& of) {
+  if (!holds) return;
+  holds = false;
+  sides = {left, right};
+  dimension = of;
+}
+
+void judge_numbers(Verdict& verdict, const Situation& situation, SolvedInstant& instant,
+                   const ClaimElsewhere& elsewhere, const Expression& expression,
+                   const std::optional<Expression>& axes) {
+  const auto value = [&](const Expression& part) { return instant.raw(part, axes, elsewhere); };
+  const Comparison* comparison = expression.as<Comparison>();
+  if (!comparison) {
+    const Value<double> truth = value(expression);
+    if (!truth.is_boolean())
+      fail(situation.file, expression.mark(), "'" + to_string(expression) + "' claims nothing",
+           "compare it with something");
+    const Call* call = expression.as<Call>();
+    if (!truth.truth && call && call->function == "stable" && value(stability_of(*call, expression)).text != "unstable")
+      verdict.close = true;
+    else
+      verdict.holds = verdict.holds && truth.truth;
+    return;
+  }
+  std::vector<Value<double>> sides;
+  for (const Expression& operand : comparison->operands) sides.push_back(as_vector(value(operand)));
+  for (std::size_t i = 0; i < comparison->relations.size(); ++i) {
+    const Value<double>&left = sides[i], &right = sides[i + 1];
+    const bool zero = (left.is_vector() && right.is_number() && right.bare && right.number == 0) ||
+                      (right.is_vector() && left.is_number() && left.bare && left.number == 0);
+    if (i == 0 && !zero) value(expression);
+    const Dimension dimension = left.bare ? right.dimension : left.dimension;
+    const double natural = instant.natural_size(dimension);
+    if (!left.is_vector() && !right.is_vector()) {
+      verdict.judge(left.number, right.number, comparison->relations[i], natural, dimension);
+      continue;
+    }
+    const double size = std::max({natural, norm(left.vector), norm(right.vector)});
+    for (std::size_t k = 0; k < 3; ++k)
+      verdict.judge(left.vector[k], right.vector[k], comparison->relations[i], size, dimension);
+  }
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,94 @@
+#include "problem/claims/claims.h"
+
+#include <algorithm>
+#include <map>
+
+#include "problem/claims/claim_letters.h"
+#include "problem/claims/claim_solver.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+namespace {
+
+std::size_t situation_of_claim(const Statement& statement, const Claim& claim) {
+  if (claim.situation.empty()) {
+    if (statement.situations.size() == 1) return 0;
+    fail(statement.file, claim.mark, "in which situation does claim '" + claim.name + "' hold?",
+         "write {claim: ..., situation: " + statement.situations.front().name + "}");
+  }
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < statement.situations.size(); ++i) {
+    if (statement.situations[i].name == claim.situation) return i;
+    names.push_back(statement.situations[i].name);
+  }
+  fail(statement.file, claim.situation_mark, "there is no situation '" + claim.situation + "'",
+       did_you_mean(claim.situation, names));
+}
+
+// The first unknown that is known neither as number nor as formula.
+const std::string* without_value(const Situation& situation, const Settings& settings, const FormulaValues& formulas) {
+  for (const Unknown& unknown : situation.find)
+    if (!settings.contains(unknown.name) && !formulas.contains(unknown.name)) return &unknown.name;
+  return nullptr;
+}
+
+// Whether g stands for the number of standard gravity.
+bool has_standard_gravity(const Situation& situation, const Settings& settings) {
+  const auto is_g = [](const auto& item) { return item.name == "g"; };
+  return situation.gravity && situation.find.empty() && !settings.contains("g") &&
+         std::none_of(situation.given.begin(), situation.given.end(), is_g) &&
+         std::none_of(situation.letters.begin(), situation.letters.end(), is_g);
+}
+
+// The claim made for any g: what is proved of it is proved of the number too. And formulas are easier to follow with
+// the letter in them, where the claim is decided alike.
+void decide_with_letter_for_gravity(const Statement& prepared, std::size_t k, const Claim& claim,
+                                    const Settings& settings, const FormulaValues& exact, bool tell,
+                                    SolvedClaim& solved) {
+  if (!has_standard_gravity(prepared.situations[k], settings)) return;
+  Statement lettered = prepared;
+  lettered.situations[k].letters.push_back({"g", si_unit(dimensions::acceleration), {}});
+  const FormulaValues no_unknowns;
+  try {
+    ClaimGround ground(lettered.situations[k], settings, exact, no_unknowns);
+    SolvedClaim told = solve_claim(lettered, k, claim, ground, tell);
+    if (told.proved && told.holds && solved.holds) solved.proved = true;
+    if (told.state != solved.state || told.holds != solved.holds || told.proved != solved.proved) return;
+    solved.comparisons = std::move(told.comparisons);
+    solved.assumed = std::move(told.assumed);
+    solved.stability = std::move(told.stability);
+  } catch (const StatementError&) {
+    // The size of gravity is stated in another way.
+  }
+}
+
+}  // namespace
+
+std::vector<SolvedClaim> solve_claims(const Statement& statement, const std::vector<Settings>& settings,
+                                      const FormulaValues& exact, const std::vector<FormulaValues>& unknowns,
+                                      bool tell) {
+  if (statement.claims.empty()) return {};
+  Statement prepared = statement;
+  for (Situation& situation : prepared.situations) situation = with_letters_for_any(situation);
+  std::map<std::size_t, ClaimGround> grounds;
+  std::vector<SolvedClaim> solved;
+  for (const Claim& claim : prepared.claims) {
+    const std::size_t k = situation_of_claim(prepared, claim);
+    const Situation& situation = prepared.situations[k];
+    if (const std::string* unknown = without_value(situation, settings[k], unknowns[k])) {
+      solved.emplace_back();
+      solved.back().state = AskState::undetermined;
+      solved.back().reason = "it depends on the unknown '" + *unknown +
+                             "', of which no formula was found: give values to the letters by --set";
+      continue;
+    }
+    ClaimGround& ground = grounds.try_emplace(k, situation, settings[k], exact, unknowns[k]).first->second;
+    solved.push_back(solve_claim(prepared, k, claim, ground, tell));
+    const SolvedClaim& last = solved.back();
+    if (last.state == AskState::found && (tell || (last.holds && !last.proved)))
+      decide_with_letter_for_gravity(prepared, k, claim, settings[k], exact, tell, solved.back());
+  }
+  return solved;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,260 @@
+#include "problem/course/course.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "poinsot/engine/motion/mechanism/lone_body.h"
+#include "problem/entries/absorbed_particles.h"
+#include "problem/instant/massless_turning.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+
+Course::Course(const Situation& situation, const Settings& settings, const OpenChoice& choice)
+    : stated_(situation),
+      changed_(with_absorbed_particles(situation)),
+      situation_(changed_ ? *changed_ : situation),
+      settings_(settings),
+      choice_(choice),
+      timed_(follows_time(situation)) {
+  start_ = std::make_unique<SolvedInstant>(situation, settings, When{0, situation.has_blow()}, choice);
+  std::vector<std::vector<double>> open = start_->velocities().open;
+  const std::vector<std::vector<double>> moving_nothing = take_massless(start_->machine(), open);
+  if (!choice.trial && !choice.velocities && !open.empty())
+    throw UnansweredError(
+        situation.file, mark_of(0),
+        words_of(0) + " is not fixed at its start: " +
+            std::string(start_->velocity_equations().name(start_->velocities().share.front().front())) + " is unknown",
+        "state it under instants: {start: {...}}");
+  for (const std::vector<std::size_t>& share : start_->velocities().share) {
+    std::vector<std::string>& names = open_turnings_.emplace_back();
+    for (const std::size_t k : share) names.emplace_back(start_->velocity_equations().name(k));
+  }
+  if (start_->after_blow()) open_impulses_ = start_->blow().open.size();
+  stages_.resize(std::max<std::size_t>(1, situation.stages.size()));
+  StageRun& first = stages_.front();
+  MotionState state = start_->state();
+  if (!choice.velocities) remove_components(moving_nothing, state.v);
+  if (start_->after_blow()) state.acting = start_->blow_acting();
+  if (changed_) start_ = std::make_unique<SolvedInstant>(situation_, settings, state, choice);
+  if (!state.acting.empty()) state.acting.resize(start_->machine().mechanism.actions.size());
+  // A small push where the undisturbed motion would stay.
+  for (const Instant& instant : situation.instants)
+    for (const auto& [name, mark] : instant.nudged) {
+      const NamedCoordinate* coordinate = start_->machine().coordinate(name);
+      if (!coordinate) {
+        std::vector<std::string> names;
+        for (const NamedCoordinate& c : start_->machine().coordinates)
+          if (!c.name.empty()) names.push_back(c.name);
+        fail(situation.file, mark, "'" + name + "' is no coordinate", did_you_mean(name, names));
+      }
+      constexpr double nudge = 1e-7;
+      state.q[static_cast<std::size_t>(coordinate->position)] +=
+          nudge * (coordinate->turning ? 1 : start_->natural_size(dimensions::length));
+    }
+  first.q = state.q;
+  first.v = state.v;
+  if (std::ranges::find(state.acting, false) != state.acting.end()) {
+    first.pieces.emplace_back();
+    first.acting.push_back(state.acting);
+  }
+  probe_ = std::make_unique<SolvedInstant>(situation_, settings, state, choice);
+  set_pace(state);
+}
+
+// From rest, the loads set the pace.
+void Course::set_pace(const MotionState& state) {
+  SolvedInstant pushed(situation_, settings_, state, choice_);
+  try {
+    pushed.solve_forces();
+  } catch (const StatementError&) {
+    // At the pole of Eulerian angles no forces can be found, but what a body does by itself is known there too.
+    const Machine& machine = pushed.machine();
+    if (timed_ || !machine.accelerations.empty() || !LoneBody::find(machine.mechanism)) throw;
+  }
+  const double pace = pushed.pace();
+  pace_time_ = pace > 0 ? 1 / pace : 1;
+}
+
+Course::~Course() = default;
+
+const Mark& Course::mark_of(std::size_t stage) const {
+  static const Mark beginning{1, 1};
+  return stage < situation_.stages.size() ? situation_.stages[stage].mark
+         : situation_.instants.empty()    ? beginning
+                                          : situation_.instants.front().mark;
+}
+std::string Course::words_of(std::size_t stage) const {
+  return stage < situation_.stages.size() ? "stage '" + situation_.stages[stage].name + "'" : "the motion";
+}
+
+bool Course::dissipates() const {
+  const Machine machine =
+      start_->machine_at(0, situation_.stages.empty() ? std::nullopt : situation_.stages.back().loads);
+  const auto& drives = machine.mechanism.drives;
+  const auto& springs = machine.mechanism.springs;
+  return !timed_ && machine.accelerations.empty() && machine.mechanism.forces.empty() &&
+         std::ranges::all_of(drives, [](const Drive<double>& drive) { return drive.effort == 0; }) &&
+         (std::ranges::any_of(drives, [](const Drive<double>& drive) { return drive.damping != 0; }) ||
+          std::ranges::any_of(springs, [](const SpringLaw<double>& spring) { return spring.damping != 0; }));
+}
+bool Course::has_springs() const {
+  const auto& mechanism = start_->machine().mechanism;
+  return !mechanism.springs.empty() ||
+         std::ranges::any_of(mechanism.drives, [](const Drive<double>& drive) { return drive.stiffness != 0; });
+}
+
+double Course::reached() const {
+  double time = 0;
+  for (const StageRun& stage : stages_)
+    if (stage.begun) time = std::max(time, stage.time);
+  return time;
+}
+
+bool Course::followed_enough(double until) const {
+  constexpr std::size_t enough = 100'000;  // steps
+  std::size_t steps = 0;
+  for (const StageRun& stage : stages_)
+    for (const Trajectory& piece : stage.pieces)
+      if (!piece.empty() && piece.start_time() < until) steps += piece.step_count();
+  return (steps >= enough && until >= reached()) || until > 1e6 * pace_time_;
+}
+
+void Course::begin(std::size_t stage) {
+  StageRun& now = stages_[stage];
+  if (now.begun) return;
+  if (stage > 0) {
+    begin(stage - 1);
+    StageRun& before = stages_[stage - 1];
+    if (!before.done) run(stage - 1, before.end ? *before.end : std::numeric_limits<double>::infinity());
+    now.start = *before.end;
+    now.q = before.q;
+    now.v = before.v;
+  }
+  now.begun = true;
+  now.time = now.start;
+  if (stage >= situation_.stages.size()) return;
+  const Stage& stated = situation_.stages[stage];
+  if (stated.lasts) {
+    const double duration = start_->data_number(*stated.lasts, dimensions::time);
+    if (!(duration >= 0)) fail(situation_.file, stated.lasts->mark(), "a stage lasts no negative time");
+    now.end = now.start + duration;
+    if (duration == 0) now.done = true;
+  } else if (!stated.until && stage + 1 < situation_.stages.size()) {
+    fail(situation_.file, stated.mark, "stage '" + stated.name + "' does not say how long it lasts",
+         "write lasts: 2 s, or until: theta == 30 deg");
+  }
+}
+
+double Course::stage_start(std::size_t stage) {
+  begin(stage);
+  return stages_[stage].start;
+}
+
+std::optional<double> Course::stage_end(std::size_t stage) {
+  begin(stage);
+  if (!stages_[stage].end && stage < situation_.stages.size() && situation_.stages[stage].until)
+    run(stage, std::numeric_limits<double>::infinity());
+  return stages_[stage].end;
+}
+
+std::size_t Course::stage_at(double time) {
+  for (std::size_t stage = 0; stage + 1 < stages_.size(); ++stage) {
+    begin(stage);
+    // An event that ends a stage is not sought beyond what has been followed.
+    if (!stages_[stage].done && time <= stages_[stage].time) return stage;
+    const std::optional<double> end = stage_end(stage);
+    if (end && time < *end) return stage;
+  }
+  begin(stages_.size() - 1);
+  return stages_.size() - 1;
+}
+
+MotionState Course::end_of(std::size_t stage) {
+  const std::optional<double> end = stage_end(stage);
+  StageRun& now = stages_[stage];
+  if (end && !now.done) run(stage, *end);
+  MotionState state{now.time, stage, now.q, now.v, {}};
+  if (!now.acting.empty()) state.acting = now.acting.back();
+  return state;
+}
+
+MotionState Course::at(double time) {
+  const std::size_t stage = stage_at(time);
+  StageRun& now = stages_[stage];
+  const auto beyond = [&] { return now.end && time > *now.end * (1 + 1e-12) + 1e-12; };
+  if (!beyond() && time > now.time) run(stage, time);
+  if (beyond())
+    throw UnansweredError(situation_.file, mark_of(stage), words_of(stage) + " ends before that time",
+                          "let it last longer");
+  MotionState state{time, stage, now.q, now.v, {}};
+  for (std::size_t i = 0; i < now.pieces.size(); ++i) {
+    const Trajectory& piece = now.pieces[i];
+    if (piece.empty() || time > piece.end_time() || time < piece.start_time()) continue;
+    State<double> there = piece.state(time);
+    state.q = std::move(there.q);
+    state.v = std::move(there.v);
+    state.acting = now.acting[i];
+    return state;
+  }
+  if (!now.acting.empty()) state.acting = now.acting.back();
+  return state;
+}
+
+// The piece of the motion followed so far that a time falls into, if it is one of those with steps; `at` is the judge
+// of all others.
+const Trajectory* Course::piece_at(double time) const {
+  for (std::size_t k = 0; k < stages_.size(); ++k) {
+    const StageRun& stage = stages_[k];
+    // At the end of a stage the next one begins.
+    if (stage.done && k + 1 < stages_.size() && time >= stage.time) continue;
+    if (!stage.begun || time < stage.start || time > stage.time) return nullptr;
+    for (const Trajectory& piece : stage.pieces)
+      if (!piece.empty() && time >= piece.start_time() && time <= piece.end_time()) return &piece;
+    return nullptr;
+  }
+  return nullptr;
+}
+
+double Course::follow(double time) {
+  for (std::size_t stage = 0;; ++stage) {
+    begin(stage);
+    StageRun& now = stages_[stage];
+    if (!now.done && now.time < time) run(stage, time);
+    if (!now.done || stage + 1 == stages_.size()) return now.time;
+  }
+}
+
+MotionCheckpoint Course::checkpoint() const {
+  std::size_t stage = stages_.size() - 1;
+  while (stage > 0 && !stages_[stage].begun) --stage;
+  const StageRun& now = stages_[stage];
+  return {{now.time, stage, now.q, now.v, now.acting.empty() ? std::vector<bool>() : now.acting.back()}, now.start};
+}
+
+void Course::continue_from(const MotionCheckpoint& checkpoint) {
+  const MotionState& state = checkpoint.state;
+  stages_.assign(stages_.size(), {});
+  for (std::size_t stage = 0; stage < state.stage; ++stage) {
+    StageRun& before = stages_[stage];
+    before.begun = before.done = true;
+    before.end = before.time = checkpoint.stage_start;
+    before.q = state.q;
+    before.v = state.v;
+  }
+  StageRun& now = stages_[state.stage];
+  now.q = state.q;
+  now.v = state.v;
+  begin(state.stage);
+  now.time = state.time;
+  if (!state.acting.empty()) {
+    now.pieces.emplace_back();
+    now.acting.push_back(state.acting);
+  }
+  happenings_.clear();
+  energy_drift_.reset();
+  // Where contacts were before leaves traces of rounding.
+  probe_ = std::make_unique<SolvedInstant>(situation_, settings_, state, choice_);
+}
+
+}  // namespace poinsot::problem

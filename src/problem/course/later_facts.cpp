@@ -1,0 +1,64 @@
+// Facts of later instants and of the motion itself.
+#include <algorithm>
+
+#include "problem/course/course.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+
+bool has_later_facts(const Situation& situation) {
+  return std::any_of(situation.instants.begin(), situation.instants.end(), [&](const Instant& instant) {
+    if (is_later(situation, instant)) return instant.rest || !instant.facts.empty();
+    return std::any_of(instant.facts.begin(), instant.facts.end(),
+                       [&](const Fact& fact) { return level_of(situation, fact.quantity) == Level::motion; });
+  });
+}
+
+std::vector<double> later_misfits(const Situation& situation, const Settings& settings, const OpenChoice& choice,
+                                  std::optional<double> tolerance) {
+  std::vector<double> misfits;
+  Course motion(situation, settings, choice);
+  if (tolerance) motion.set_tolerance(*tolerance);
+  // At trial values a motion may be one that nobody would follow.
+  if (choice.trial) motion.set_time_limit(1);
+  for (const Instant& instant : situation.instants) {
+    const bool later = is_later(situation, instant);
+    if (later && instant.found_when) continue;
+    std::vector<const Fact*> facts;
+    for (const Fact& fact : instant.facts)
+      if (later || level_of(situation, fact.quantity) == Level::motion) facts.push_back(&fact);
+    if (later && instant.rest)
+      fail(situation.file, instant.mark, "rest at a later instant is not sought",
+           "state the velocities that vanish there");
+    if (facts.empty()) continue;
+    const std::vector<double> more = motion.fact_misfits(later ? motion.time_of_instant(instant) : 0, facts);
+    misfits.insert(misfits.end(), more.begin(), more.end());
+  }
+  return misfits;
+}
+
+double Course::time_of_instant(const Instant& instant) {
+  for (std::size_t k = 0; k < situation_.stages.size(); ++k) {
+    const std::string& name = situation_.stages[k].name;
+    if (instant.name == name || instant.name == name + ".start") return stage_start(k);
+    if (instant.name == name + ".end") {
+      if (const auto end = stage_end(k)) return *end;
+      fail(situation_.file, instant.mark, "stage '" + name + "' has no end", "write lasts: or until:");
+    }
+  }
+  if (instant.found_when) return times(*instant.found_when, std::nullopt, 0, std::nullopt).front();
+  return start_->data_number(parse_expression(instant.name, situation_.file, instant.mark), dimensions::time);
+}
+
+std::vector<double> Course::fact_misfits(double time, const std::vector<const Fact*>& facts) {
+  const MotionState state = at(time);
+  probe_->move_to(state);
+  // Features move the probe themselves: they are asked of another.
+  SolvedInstant here(situation_, settings_, state, choice_);
+  here.set_motion([this](const Call& call, const std::optional<Expression>& axes, const Mark& mark) {
+    return feature(call, axes, mark);
+  });
+  return here.fact_misfits(facts);
+}
+
+}  // namespace poinsot::problem

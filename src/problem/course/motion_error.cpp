@@ -1,0 +1,92 @@
+// How far a motion may be from the true one.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "problem/course/course.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+
+// Sixteen times less closely, and what drives is looked at elsewhere, and more often: what one of the two overlooks the
+// other may see.
+void Course::follow_less_closely(Course& coarse) const {
+  coarse.tolerance_ = 16 * tolerance_;
+  coarse.looks_ = 2 * looks_ + 617;
+  coarse.most_seconds_ = most_seconds_;
+}
+
+double Course::extremes_error() {
+  double largest = 0;
+  try {
+    Course coarse(stated_, settings_, choice_);
+    follow_less_closely(coarse);
+    for (const AskedExtreme& asked : asked_extremes_) {
+      const double other = coarse.feature(asked.call, asked.axes, asked.mark).number;
+      const double size = std::max(std::abs(asked.value), std::abs(other));
+      if (size > 0) largest = std::max(largest, std::abs(other - asked.value) / size);
+    }
+  } catch (const StatementError&) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return largest;
+}
+
+std::optional<MotionError> Course::error(double until) {
+  const bool known = std::all_of(methods_.begin(), methods_.end(),
+                                 [](const std::string& method) { return method.starts_with("closed form"); });
+  // When a nudged motion departs is as arbitrary as the nudge.
+  const bool nudged = std::any_of(situation_.instants.begin(), situation_.instants.end(),
+                                  [](const Instant& instant) { return !instant.nudged.empty(); });
+  if (nudged) return std::nullopt;
+  MotionError error;
+  if (known) {
+    // Of a closed form only rounding is left: that of rates, which counts at all times.
+    constexpr double noticed = 1e-9;
+    error.angle = error.relative = std::numeric_limits<double>::epsilon() * until / pace_time_;
+    return error.relative > noticed ? std::optional(error) : std::nullopt;
+  }
+  constexpr int instants = 200;
+  until = std::min(until, reached());
+  const double length = start_->natural_size(dimensions::length);
+  try {
+    Course coarse(stated_, settings_, choice_);
+    follow_less_closely(coarse);
+    try {
+      until = std::min(until, coarse.follow(until));
+    } catch (const UnansweredError&) {
+      // Where one of them can be followed no farther, so can the other, but for their errors.
+      if (coarse.reached() < 0.99 * until) throw;
+      until = coarse.reached();
+    }
+    for (int i = 1; i <= instants; ++i) {
+      const double time = i == instants ? until : until * i / instants;
+      const MotionState a = at(time), b = coarse.at(time);
+      for (const auto& body : start_->machine().mechanism.tree.bodies()) {
+        const auto q = static_cast<std::size_t>(body.q);
+        const int size = position_size(body.joint);
+        double sign = 1;
+        if (size > 1) {
+          double same = 0;
+          for (std::size_t k = q; k < q + 4; ++k) same += a.q[k] * b.q[k];
+          if (same < 0) sign = -1;
+        }
+        for (int k = 0; k < size; ++k) {
+          const auto place = q + static_cast<std::size_t>(k);
+          const bool turning = k < 4 && body.joint != JointType::prismatic;
+          // Twice a difference of quaternions is an angle.
+          const double apart = std::abs(a.q[place] - (k < 4 ? sign : 1) * b.q[place]) * (size > 1 && k < 4 ? 2 : 1);
+          double& largest = turning ? error.angle : error.length;
+          largest = std::max(largest, apart);
+        }
+      }
+    }
+  } catch (const StatementError&) {
+    error.relative = std::numeric_limits<double>::infinity();
+    return error;
+  }
+  error.relative = std::max(error.angle, error.length / length);
+  return error;
+}
+
+}  // namespace poinsot::problem

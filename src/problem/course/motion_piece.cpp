@@ -1,0 +1,282 @@
+#include "problem/course/motion_piece.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+namespace {
+
+// 1: the event is a rise through zero, -1: a fall, 0: either.
+int sense_of(Relation relation) {
+  if (relation == Relation::less || relation == Relation::less_equal) return -1;
+  return relation == Relation::greater || relation == Relation::greater_equal ? 1 : 0;
+}
+
+bool conserves_energy(const Machine& machine) {
+  const Mechanism<double>& mechanism = machine.mechanism;
+  return machine.accelerations.empty() && mechanism.forces.empty() &&
+         std::none_of(mechanism.drives.begin(), mechanism.drives.end(),
+                      [](const Drive<double>& drive) { return drive.damping != 0 || drive.effort != 0; }) &&
+         std::none_of(mechanism.springs.begin(), mechanism.springs.end(),
+                      [](const SpringLaw<double>& spring) { return spring.damping != 0; });
+}
+
+}  // namespace
+
+Course::Piece::Piece(Course& motion, std::size_t stage, const Driving::Span& span)
+    : motion_(motion),
+      stage_(stage),
+      span_(span),
+      now_(motion.stages_[stage]),
+      loads_(stage < motion.situation_.stages.size() ? motion.situation_.stages[stage].loads : std::nullopt),
+      machine_(motion.start_->machine_at(inside(now_.time), loads_)),
+      limit_moment_(machine_.mechanism),
+      acting_(now_.acting.empty() ? std::vector<bool>() : now_.acting.back()) {
+  for (VelocityConstraint<double>& constraint : machine_.mechanism.constraints) {
+    constraint.carried_by.reset();
+    if (constraint.shape_unknown)
+      fail(motion_.situation_.file, motion_.mark_of(stage),
+           "how a contact moves is not known (" + constraint.words +
+               "): the surfaces there are no circle, sphere or corner on a plane",
+           "give the body a round shape");
+  }
+  if (acting_.empty()) acting_.assign(machine_.mechanism.actions.size(), true);
+  set_up_dynamics();
+  set_up_equations();
+}
+
+void Course::Piece::set_given_motion() {
+  for (const StatedRate& rate : machine_.accelerations) dynamics_->set_held_acceleration(rate.velocity, rate.value);
+  for (std::size_t i = 0; i < acting_.size(); ++i) dynamics_->set_acting(static_cast<int>(i), acting_[i]);
+}
+
+void Course::Piece::set_up_dynamics() {
+  std::vector<int> held;
+  for (const StatedRate& rate : machine_.accelerations) held.push_back(rate.velocity);
+  dynamics_.emplace(machine_.mechanism, held);
+  set_given_motion();
+  // The turning of a particle, or of a rod about its own line, moves nothing: it rests.
+  while (const std::optional<int> massless = massless_coordinate(machine_, dynamics_->open_coordinates(now_.q))) {
+    held.push_back(*massless);
+    const std::optional<MasslessSpin> spin = massless_spin(machine_, *massless);
+    if (spin && spin->alone) spins_.push_back(*spin);
+    dynamics_.emplace(machine_.mechanism, held);
+    set_given_motion();
+    // A couple on what has no inertia would turn it without bound.
+    if (!turns_particle(machine_, *massless)) continue;
+    std::vector<double> accelerations(now_.v.size());
+    dynamics_->accelerations(now_.q, now_.v, accelerations);
+    const double couple = motion_.start_->natural_size(dimensions::force * dimensions::length);
+    if (std::abs(dynamics_->held_effort(*massless)) > 1e-9 * couple)
+      fail(motion_.situation_.file, motion_.mark_of(stage_),
+           "a couple acts on " + machine_.mechanism.coordinate_names[static_cast<std::size_t>(*massless)] +
+               ", which moves no mass",
+           "let loads and springs act at the particle itself, or give the body a size");
+  }
+  // What a body does by itself needs no coordinates that are good everywhere: Eulerian angles may start at their pole.
+  if (!motion_.timed_ && machine_.accelerations.empty()) lone_ = LoneBody::find(machine_.mechanism);
+  if (lone_) return;
+  for (const OpenCoordinate& open : dynamics_->open_coordinates(now_.q)) {
+    const std::string& name = machine_.mechanism.coordinate_names[static_cast<std::size_t>(open.coordinate)];
+    fail(motion_.situation_.file, motion_.mark_of(stage_),
+         motion_.words_of(stage_) + " is not determined: nothing fixes " + (name.starts_with("the ") ? "" : "the ") +
+             name + (open.without_inertia ? ", which moves no mass" : ""),
+         "say what drives it, give it mass, or hold it");
+  }
+}
+
+// What drives may change abruptly at the ends of its span: there it counts as it is just inside.
+double Course::Piece::inside(double time) const {
+  if (!motion_.timed_) return time;
+  const double margin =
+      1e-13 * (span_.end - span_.begin) + 1e-15 * std::max(std::abs(span_.begin), std::abs(span_.end));
+  return std::clamp(time, span_.begin + margin, std::max(span_.begin + margin, span_.end - margin));
+}
+
+// Loads and given motions that follow the time.
+void Course::Piece::refresh(double time) {
+  if (!motion_.timed_) return;
+  const Machine then = motion_.start_->machine_at(inside(time), loads_);
+  for (const StatedRate& rate : then.accelerations) dynamics_->set_held_acceleration(rate.velocity, rate.value);
+  for (std::size_t i = 0; i < then.mechanism.forces.size(); ++i)
+    dynamics_->set_force(i, then.mechanism.forces[i].vector);
+  for (std::size_t i = 0; i < then.mechanism.drives.size(); ++i)
+    dynamics_->set_effort(i, then.mechanism.drives[i].effort);
+}
+
+void Course::Piece::set_up_equations() {
+  const Model<double>& tree = machine_.mechanism.tree;
+  equations_.position_size = tree.position_size();
+  equations_.velocity_size = tree.velocity_size();
+  acceleration_.resize(static_cast<std::size_t>(equations_.velocity_size));
+  equations_.position_rate = [&tree](double, std::span<const double> q, std::span<const double> v,
+                                     std::span<double> rate) { position_rate<double>(tree, q, v, rate); };
+  equations_.accelerations = [this](double time, std::span<const double> q, std::span<const double> v,
+                                    std::span<double> a) {
+    refresh(time);
+    dynamics_->accelerations(q, v, a);
+    for (const MasslessSpin& spin : spins_) take_out(spin, a);
+  };
+  if (!machine_.mechanism.constraints.empty())
+    equations_.project = [this](double, std::span<double> q, std::span<double> v) { dynamics_->hold(q, v); };
+  const double length = motion_.start_->natural_size(dimensions::length);
+  for (const auto& body : tree.bodies()) {
+    const int size = position_size(body.joint);
+    if (size > 1) equations_.quaternions.push_back(body.q);
+    for (int k = 0; k < size; ++k) {
+      const bool shift = body.joint == JointType::prismatic || (body.joint == JointType::free && k >= 4);
+      equations_.position_sizes.push_back(shift ? length : 1);
+    }
+  }
+  if (!motion_.timed_ && conserves_energy(machine_))
+    equations_.conserved.push_back({"energy", [this](double, std::span<const double> q, std::span<const double> v) {
+                                      return dynamics_->kinetic_energy(q, v) + dynamics_->potential_energy(q);
+                                    }});
+}
+
+bool Course::Piece::add_ending(const Expression& condition) {
+  const std::string& file = motion_.situation_.file;
+  const Comparison* comparison = condition.as<Comparison>();
+  if (!comparison || comparison->operands.size() != 2)
+    fail(file, condition.mark(), "the event that ends a stage is a comparison", "write until: theta == 30 deg");
+  Event event;
+  event.name = "until";
+  event.terminal = true;
+  event.value = [this, comparison](double time, std::span<const double> q, std::span<const double> v) {
+    SolvedInstant& probe = *motion_.probe_;
+    probe.move_to({time, stage_, {q.begin(), q.end()}, {v.begin(), v.end()}, acting_});
+    const double left = probe.number(comparison->operands[0], std::nullopt),
+                 right = probe.number(comparison->operands[1], std::nullopt);
+    compared_size_ = std::max({compared_size_, std::abs(left), std::abs(right)});
+    return left - right;
+  };
+  // It may have been met just where the motion was followed to before.
+  for (const Trajectory& piece : now_.pieces) {
+    if (piece.empty()) continue;
+    const State<double> before = piece.state(piece.start_time());
+    event.value(piece.start_time(), before.q, before.v);  // for the size of what is compared
+  }
+  const double value = event.value(now_.time, now_.q, now_.v);
+  if (now_.time == now_.start && sense_of(comparison->relations.front()) * value > 1e-11 * compared_size_)
+    throw UnansweredError(file, condition.mark(), "what ends " + motion_.words_of(stage_) + " holds from its start on",
+                          "turn the comparison round, or leave the stage out");
+  if (now_.time > now_.start && std::abs(value) <= 1e-11 * compared_size_) return false;
+  events_.push_back(std::move(event));
+  event_action_.push_back(std::nullopt);
+  event_limit_.push_back(nullptr);
+  return true;
+}
+
+Event Course::Piece::slack(std::size_t component) {
+  Event event;
+  event.name = "slack";
+  event.crossing = Crossing::falling;
+  event.size = motion_.start_->natural_size(dimensions::force);
+  event.value = [this, component](double time, std::span<const double> q, std::span<const double> v) {
+    refresh(time);
+    dynamics_->accelerations(q, v, acceleration_);
+    return dynamics_->component_force(component);
+  };
+  return event;
+}
+
+std::optional<Event> Course::Piece::taut(const Component<double>& component) {
+  const auto& constraints = machine_.mechanism.constraints;
+  const auto constraint =
+      std::find_if(constraints.begin(), constraints.end(), [&](const VelocityConstraint<double>& c) {
+        return c.action == component.action && (c.normal || c.kind == VelocityConstraintKind::cord_length);
+      });
+  if (constraint == constraints.end()) return std::nullopt;
+  Event event;
+  event.name = "taut";
+  event.crossing = constraint->kind == VelocityConstraintKind::cord_length ? Crossing::rising : Crossing::falling;
+  event.size = motion_.start_->natural_size(dimensions::length);
+  event.value = [this, index = static_cast<std::size_t>(constraint - constraints.begin())](
+                    double, std::span<const double> q, std::span<const double>) { return dynamics_->gap(index, q); };
+  return event;
+}
+
+std::optional<std::size_t> Course::Piece::add_holds() {
+  for (std::size_t k = 0; k < machine_.mechanism.components.size(); ++k) {
+    const Component<double>& component = machine_.mechanism.components[k];
+    if (!component.one_sided) continue;
+    const auto action = static_cast<std::size_t>(component.action);
+    std::optional<Event> event = acting_[action] ? slack(k) : taut(component);
+    if (!event) continue;
+    event->terminal = true;
+    if (acting_[action] && event->value(now_.time, now_.q, now_.v) < -1e-9 * event->size) return action;
+    events_.push_back(std::move(*event));
+    event_action_.emplace_back(action);
+    event_limit_.push_back(nullptr);
+  }
+  add_ends_of_surfaces();
+  return std::nullopt;
+}
+
+// A contact that acts holds while it is on its surface.
+void Course::Piece::add_ends_of_surfaces() {
+  for (const ContactLimit& limit : machine_.contact_limits) {
+    if (!acting_[static_cast<std::size_t>(limit.action)] || norm(limit.middle) == 0) continue;
+    Event event;
+    event.name = "end of surface";
+    event.crossing = Crossing::falling;
+    event.terminal = true;
+    event.size = 1;
+    event.value = [this, &limit](double, std::span<const double> q, std::span<const double>) {
+      limit_moment_.set_positions({q.begin(), q.end()});
+      return left_of_surface(limit, limit_moment_).value_or(1);
+    };
+    events_.push_back(std::move(event));
+    event_action_.push_back(std::nullopt);
+    event_limit_.push_back(&limit);
+  }
+}
+
+const ContactLimit* Course::Piece::beyond_surface() const {
+  solve::MechanismState moment(machine_.mechanism);
+  moment.set_positions(now_.q);
+  moment.set_velocities(now_.v);
+  for (const ContactLimit& limit : machine_.contact_limits)
+    if (acting_[static_cast<std::size_t>(limit.action)] && goes_beyond(limit, moment)) return &limit;
+  return nullptr;
+}
+
+void Course::Piece::check_sides(const Trajectory* way) const {
+  constexpr std::size_t looks = 64;
+  solve::MechanismState moment(machine_.mechanism);
+  const auto check = [&](const std::vector<double>& q, const std::vector<double>& v) {
+    moment.set_positions(q);
+    moment.set_velocities(v);
+    for (const ContactLimit& limit : machine_.contact_limits)
+      if (acting_[static_cast<std::size_t>(limit.action)] && leaves_plane(limit, moment))
+        throw UnansweredError(motion_.situation_.file, limit.mark, words_of_side(limit), hint_of_side(limit));
+  };
+  if (std::ranges::all_of(machine_.contact_limits, [](const ContactLimit& limit) { return limit.straight.empty(); }))
+    return;
+  if (!way) return check(now_.q, now_.v);
+  if (way->empty()) return;
+  for (std::size_t k = 1; k <= looks; ++k) {
+    const double part = static_cast<double>(k) / looks;
+    const State<double> then = way->state(way->start_time() + part * (way->end_time() - way->start_time()));
+    check(then.q, then.v);
+  }
+}
+
+IntegrationResult Course::Piece::follow(double end, double seconds) {
+  IntegrationOptions options;
+  options.tolerance = motion_.tolerance_;
+  options.most_steps = most_steps;
+  options.seconds = std::max(seconds, 0.0);
+  options.largest_step = span_.largest_step;
+  if (lone_) {
+    IntegrationOptions fine = options;
+    fine.largest_step = motion_.pace_time_;
+    if (auto by_itself = lone_->follow(equations_, now_.time, now_.q, now_.v, end, fine, events_)) return *by_itself;
+  }
+  return integrate(equations_, now_.time, now_.q, now_.v, end, options, events_);
+}
+
+}  // namespace poinsot::problem

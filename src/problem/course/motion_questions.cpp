@@ -1,0 +1,201 @@
+// What is asked of a motion: numbers along it, extremes, periods and the times of events.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "problem/course/course.h"
+#include "problem/course/motion_features.h"
+#include "problem/language/diagnostic.h"
+#include "problem/quantities/state_scope.h"
+
+namespace poinsot::problem {
+
+SolvedInstant& Course::instant_at(double time) {
+  probe_->move_to(at(time));
+  return *probe_;
+}
+
+Value<double> Course::value(double time, const Expression& expression, const std::optional<Expression>& axes) {
+  values_until_ = std::max(values_until_, time);
+  probe_->move_to(at(time));
+  return probe_->ask(expression, axes, nullptr);
+}
+
+NumberInTime Course::number(const Expression& expression, const std::optional<Expression>& axes) {
+  if (const std::optional<StateEntry> entry = state_entry(expression))
+    return [this, entry](double time) { return state_number(time, *entry); };
+  if (is_of_state(situation_, start_->machine(), expression))
+    return [this, expression, data = std::make_shared<DataScope<double>>(situation_, settings_)](double time) {
+      data->set_time(time);
+      StateScope scope(start_->machine(), *data, state_at(time));
+      return evaluate(expression, static_cast<Scope<double>&>(scope), situation_.file).number;
+    };
+  return [this, expression, axes](double time) {
+    probe_->move_to(at(time));
+    return probe_->number(expression, axes);
+  };
+}
+
+NumberWithRate Course::with_rate(const Expression& expression, const std::optional<Expression>& axes) {
+  NumberWithRate both{number(expression, axes), {}, start_->natural_size(dimension(expression, axes))};
+  const Name* name = expression.as<Name>();
+  const NamedCoordinate* coordinate = name && name->primes == 0 ? start_->machine().coordinate(name->name) : nullptr;
+  if (coordinate)
+    both.rate = [this, entry = StateEntry{true, static_cast<std::size_t>(coordinate->velocity)}](double time) {
+      return state_number(time, entry);
+    };
+  return both;
+}
+
+// Coordinates and their rates stand in the state itself.
+std::optional<Course::StateEntry> Course::state_entry(const Expression& expression) const {
+  const Name* name = expression.as<Name>();
+  const NamedCoordinate* coordinate = name && name->primes < 2 ? start_->machine().coordinate(name->name) : nullptr;
+  if (!coordinate) return std::nullopt;
+  const bool rate = name->primes == 1;
+  return StateEntry{rate, static_cast<std::size_t>(rate ? coordinate->velocity : coordinate->position)};
+}
+
+double Course::state_number(double time, const StateEntry& entry) {
+  const State<double>& state = state_at(time);
+  return entry.rate ? state.v[entry.place] : state.q[entry.place];
+}
+
+const State<double>& Course::state_at(double time) {
+  if (const Trajectory* piece = piece_at(time)) {
+    state_.q.resize(static_cast<std::size_t>(piece->position_size()));
+    state_.v.resize(static_cast<std::size_t>(piece->velocity_size()));
+    piece->state(time, state_.q, state_.v);
+  } else {
+    MotionState state = at(time);
+    state_.q = std::move(state.q);
+    state_.v = std::move(state.v);
+  }
+  return state_;
+}
+
+Dimension Course::dimension(const Expression& expression, const std::optional<Expression>& axes) {
+  probe_->move_to(at(0));
+  const Value<double> value = probe_->ask(expression, axes, nullptr);
+  if (!value.is_number())
+    fail(situation_.file, expression.mark(),
+         "'" + to_string(expression) + "' is no number that could be compared in time",
+         "ask for a component or norm(...)");
+  return value.dimension;
+}
+
+std::vector<double> Course::nodes(double from, double to) {
+  at(to);
+  std::vector<double> nodes{from};
+  for (const StageRun& stage : stages_)
+    for (const Trajectory& piece : stage.pieces)
+      for (std::size_t i = 0; i < piece.step_count(); ++i) {
+        const StepView step = piece.step(i);
+        if (step.end <= from || step.start >= to) continue;
+        // Along a closed form steps may be long.
+        const double span = step.end - step.start, natural = step.flow ? step.flow->natural_time() : INFINITY;
+        const double parts = std::max(1.0, std::ceil(span / natural * (1 - 1e-9)));
+        for (double part = std::max(0.0, std::floor((from - step.start) / span * parts)); part < parts; ++part) {
+          const double time = step.start + span * (part / parts);
+          if (time >= to || nodes.size() > most_nodes) break;
+          if (time > nodes.back()) nodes.push_back(time);
+        }
+      }
+  if (to > nodes.back()) nodes.push_back(to);
+  return nodes;
+}
+
+Value<double> Course::feature(const Call& call, const std::optional<Expression>& axes, const Mark& mark) {
+  const Expression& of = call.arguments.front().value;
+  const Dimension kind = dimension(of, axes);
+  const MotionFeatures features(*this, with_rate(of, axes), to_string(of), situation_.file, mark);
+  if (call.function == "period") {
+    const double period = features.period();
+    values_until_ = std::max(values_until_, features.latest());
+    return Value<double>::of_number(period, dimensions::time);
+  }
+  const ExtremeFound found = call.function == "min" ? features.smallest() : features.largest();
+  extremes_until_ = std::max(extremes_until_, features.latest());
+  asked_extremes_.push_back({call, axes, mark, found.value});
+  tell_how(found, call);
+  return Value<double>::of_number(found.value, kind);
+}
+
+void Course::tell_how(const ExtremeFound& found, const Call& call) {
+  const std::string words = call.function + "(" + to_string(call.arguments.front().value) + ")";
+  char text[60];
+  std::string note;
+  if (found.settled > 0) {
+    std::snprintf(text, sizeof text, " was told from %.4g s", found.settled);
+    note = words + text + " of a motion that does not repeat";
+  } else if (const std::optional<double> last = end(); last && found.time > 0 && found.time >= *last * (1 - 1e-12)) {
+    std::snprintf(text, sizeof text, ", at %.4g s", *last);
+    note = words + " is at the end of the motion" + text;
+  }
+  if (!note.empty() && std::ranges::find(happenings_, note) == happenings_.end()) happenings_.push_back(note);
+}
+
+std::vector<double> Course::times(const Expression& condition, const std::optional<Expression>& axes, double from,
+                                  std::optional<double> to) {
+  const Comparison* comparison = condition.as<Comparison>();
+  if (!comparison || comparison->operands.size() != 2)
+    fail(situation_.file, condition.mark(), "when something happens is told by one comparison",
+         "write first_time: reaction(A).z == 0");
+  // theta == min(theta): a touching of the extreme.
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Call* call = comparison->operands[side].as<Call>();
+    const Expression& other = comparison->operands[1 - side];
+    if (!call || (call->function != "min" && call->function != "max") || call->arguments.size() != 1) continue;
+    if (to_string(call->arguments[0].value) != to_string(other)) continue;
+    const MotionFeatures features(*this, with_rate(other, axes), to_string(other), situation_.file, condition.mark());
+    const std::vector<double> found = features.times_of_extreme(call->function == "max", from, to);
+    values_until_ = std::max(values_until_, features.latest());
+    return found;
+  }
+  const NumberInTime left = number(comparison->operands[0], axes), right = number(comparison->operands[1], axes);
+  if (!same_kind(dimension(comparison->operands[0], axes), dimension(comparison->operands[1], axes)) &&
+      left(from) != 0 && right(from) != 0)
+    fail(situation_.file, condition.mark(), "the two sides of this comparison are of different kinds");
+  const MotionFeatures features(*this, {[left, right](double time) { return left(time) - right(time); }, {}},
+                                to_string(condition), situation_.file, condition.mark());
+  const Relation relation = comparison->relations.front();
+  const int sense = relation == Relation::less || relation == Relation::less_equal         ? -1
+                    : relation == Relation::greater || relation == Relation::greater_equal ? 1
+                                                                                           : 0;
+  const std::vector<double> found = features.zeros(from, to, sense);
+  values_until_ = std::max(values_until_, features.latest());
+  return found;
+}
+
+double Course::time_of(const Expression& quantity, double value, const Mark& mark) {
+  const NumberInTime number_at = number(quantity, std::nullopt);
+  const MotionFeatures features(*this, {[number_at, value](double time) { return number_at(time) - value; }, {}},
+                                to_string(quantity), situation_.file, mark);
+  try {
+    const double time = features.zeros(0, std::nullopt, 0).front();
+    values_until_ = std::max(values_until_, time);
+    return time;
+  } catch (const UnansweredError&) {
+    double least = number_at(0), most = least;
+    for (const double time : nodes(0, reached())) {
+      least = std::min(least, number_at(time));
+      most = std::max(most, number_at(time));
+    }
+    // A motion that could not be followed is another matter.
+    if (least > value || most < value) {
+      const bool turning = same_kind(dimension(quantity, std::nullopt), dimensions::angle);
+      const double unit = turning ? std::numbers::pi / 180 : 1;
+      char text[200];
+      std::snprintf(text, sizeof text, "'%s' does not come to %.6g %s up to %.4g s: it runs from %.6g to %.6g %s",
+                    to_string(quantity).c_str(), value / unit, turning ? "deg" : "m", reached(), least / unit,
+                    most / unit, turning ? "deg" : "m");
+      throw UnansweredError(situation_.file, mark, text, "let the table run over what is reached");
+    }
+    throw;
+  }
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,200 @@
+// A stage of a motion, followed piece by piece.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problem/course/course.h"
+#include "problem/course/motion_piece.h"
+#include "problem/language/diagnostic.h"
+#include "problem/machine/gimbal_lock.h"
+
+namespace poinsot::problem {
+namespace {
+
+// "crank at 180 deg, joint 'B' at 0 deg".
+std::string pose_in_words(const std::vector<NamedCoordinate>& coordinates, const IntegrationResult& result) {
+  constexpr double degree = std::numbers::pi / 180;
+  char number[40];
+  std::string words;
+  for (const NamedCoordinate& c : coordinates) {
+    const double value = result.q[static_cast<std::size_t>(c.position)];
+    std::snprintf(number, sizeof number, c.turning ? " at %.4g deg" : " at %.4g m", c.turning ? value / degree : value);
+    words += (words.empty() ? "" : ", ") + (c.name.empty() ? "joint '" + c.joint + "'" : c.name) + number;
+  }
+  return words;
+}
+
+}  // namespace
+
+// From where the stage stands, to a time or to where what drives is no longer smooth.
+Driving::Span Course::smooth_span(std::size_t stage, double until) {
+  const StageRun& now = stages_[stage];
+  if (!timed_) return {now.time, until, 0};
+  driving_.resize(stages_.size());
+  if (!driving_[stage]) {
+    const auto loads = stage < situation_.stages.size() ? situation_.stages[stage].loads : std::nullopt;
+    const std::optional<double> lasts = now.end ? std::optional(*now.end - now.start) : std::nullopt;
+    driving_[stage] = std::make_unique<Driving>(situation_, settings_, loads, now.start, lasts, pace_time_, looks_);
+  }
+  Driving::Span span = driving_[stage]->span_from(now.time);
+  // What would be left is rounding.
+  if (span.end > until - 1e-13 * std::abs(until)) span.end = until;
+  return span;
+}
+
+// Integrates a stage up to a time, or up to the event that ends it.
+void Course::run(std::size_t stage, double until) {
+  begin(stage);
+  StageRun& now = stages_[stage];
+  const Expression* ending =
+      stage < situation_.stages.size() && situation_.stages[stage].until ? &*situation_.stages[stage].until : nullptr;
+  // Towards an event in growing spans, until it happens or the motion has been followed long enough.
+  double span = 20 * pace_time_;
+  double target = now.end ? std::min(until, *now.end) : ending ? std::min(until, now.time + span) : until;
+  using Clock = std::chrono::steady_clock;
+  const auto begun = Clock::now();
+  const auto taken = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
+  while (!now.done && now.time < target) {
+    if (now.slips) throw_slip(now);
+    const Driving::Span smooth = smooth_span(stage, target);
+    Piece piece(*this, stage, smooth);
+    if (ending && !piece.add_ending(*ending)) {
+      now.end = now.time;
+      now.done = true;
+      return;
+    }
+    const std::optional<std::size_t> released = piece.add_holds();
+    if (released) {
+      change_holds(stage, *released, piece);
+    }
+    if (happenings_.size() > choice_.most_changes)
+      throw UnansweredError(situation_.file, mark_of(stage),
+                            "cords and contacts give way and catch again without end in " + words_of(stage),
+                            "ask for earlier times");
+    if (released) continue;
+    if (const ContactLimit* limit = piece.beyond_surface()) comes_to_end(stage, *limit);
+    piece.check_sides(nullptr);
+    const IntegrationResult result =
+        piece.follow(std::min(smooth.end, now.end.value_or(target)), most_seconds_ - taken());
+    piece.check_sides(&result.trajectory);
+    keep(stage, piece, result);
+    if (result.ending == Ending::terminal_event) {
+      if (const std::optional<std::size_t> action = piece.action_of(result.hits.back().event)) {
+        change_holds(stage, *action, piece);
+      } else if (const ContactLimit* limit = piece.end_of_surface(result.hits.back().event)) {
+        comes_to_end(stage, *limit);
+      } else {
+        now.end = now.time;
+        now.done = true;
+      }
+    } else if (now.end && now.time >= *now.end) {
+      now.done = true;
+    } else if (ending && now.time >= target && until > target && !followed_enough(target)) {
+      target = std::min(until, now.time + (span *= 2));
+    }
+  }
+  if (!now.done && ending && until > target) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.4g s", now.time - now.start);
+    throw UnansweredError(situation_.file, ending->mark(),
+                          "what ends " + words_of(stage) + " has not happened after " + text,
+                          "check the condition, or write lasts:");
+  }
+}
+
+// What an integration has reached belongs to the stage. Throws UnansweredError if it did not come to its end.
+void Course::keep(std::size_t stage, Piece& piece, const IntegrationResult& result) {
+  methods_.insert(result.method);
+  constexpr double nearly = 1e-3;
+  if (!result.complete())
+    if (const auto lock = gimbal_lock(piece.machine(), result.q, nearly))
+      throw UnansweredError(situation_.file, mark_of(stage),
+                            words_of(stage) + " comes at " + std::to_string(result.time) + " s to a pose in which " +
+                                *lock + ", and is followed no farther",
+                            beside_gimbal_lock);
+  const std::string steps = ": that took " + std::to_string(Piece::most_steps) + " steps";
+  if (result.ending == Ending::step_limit && result.method.starts_with("closed form"))
+    throw UnansweredError(situation_.file, mark_of(stage),
+                          "how often the angles go round is counted turn by turn, in " + words_of(stage) +
+                              " no farther than to " + std::to_string(result.time) + " s" + steps,
+                          "ask for earlier times, or leave the angles of the joint out and ask for places, velocities "
+                          "and directions");
+  if (result.ending == Ending::step_limit)
+    throw UnansweredError(
+        situation_.file, mark_of(stage),
+        words_of(stage) + " moves too much to be followed farther than " + std::to_string(result.time) + " s" + steps,
+        "ask for earlier times");
+  if (result.ending == Ending::singular_pose)
+    throw UnansweredError(situation_.file, mark_of(stage),
+                          words_of(stage) + " comes at " + std::to_string(result.time) +
+                              " s to a pose from which it can go on in more than one way, or in none: " +
+                              pose_in_words(piece.machine().coordinates, result),
+                          "ask for earlier times, or draw the mechanism without this pose on its way");
+  if (!result.complete())
+    throw UnansweredError(situation_.file, mark_of(stage),
+                          words_of(stage) + " cannot be followed: " + poinsot::describe(result), "let it last shorter");
+  if (!result.drift.empty()) {
+    const double size = std::max(std::abs(result.drift[0].start), piece.kinetic_energy(result.q, result.v));
+    energy_drift_ = std::max(energy_drift_.value_or(0), size > 0 ? result.drift[0].largest / size : 0);
+  }
+  StageRun& now = stages_[stage];
+  now.pieces.push_back(result.trajectory);
+  now.acting.push_back(piece.acting());
+  now.q = result.q;
+  now.v = result.v;
+  now.time = result.time;
+}
+
+// A cord or contact gives way, or catches again: then the motion changes as by a blow without rebound. The next piece
+// begins with the other hold.
+void Course::change_holds(std::size_t stage, std::size_t action, Piece& piece) {
+  StageRun& now = stages_[stage];
+  std::vector<bool>& acting = piece.acting();
+  if (acting[action] && piece.would_press_in(action)) slips(stage, action);
+  probe_->move_to({now.time, stage, now.q, now.v, std::vector<bool>(acting.size(), true)});
+  const Action& named = probe_->machine().mechanism.actions[action];
+  const bool cord = named.kind == ActionKind::cord;
+  char time[40];
+  std::snprintf(time, sizeof time, " at %.6g s", now.time);
+  acting[action] = !acting[action];
+  const std::string change =
+      acting[action] ? (cord ? "goes taut" : "touches again") : (cord ? "goes slack" : "is lost");
+  happenings_.push_back((cord ? "the cord '" : "the contact '") + named.name + "' " + change + time +
+                        (acting[action] ? ", without rebound" : ""));
+  if (acting[action]) now.v = probe_->caught(acting);
+  now.pieces.emplace_back();
+  now.acting.push_back(acting);
+}
+
+// Nothing is stated of how a contact slips: there the motion ends.
+void Course::slips(std::size_t stage, std::size_t action) {
+  StageRun& run = stages_[stage];
+  const std::string& name = start_->machine().mechanism.actions[action].name;
+  const auto contact = std::ranges::find(situation_.contacts, name, &Contact::name);
+  char time[40];
+  std::snprintf(time, sizeof time, " at %.6g s", run.time);
+  run.slips = Slip{contact == situation_.contacts.end() ? mark_of(stage) : contact->mark,
+                   "the contact '" + name + "' presses no more" + time +
+                       ", where the motion still needs its friction: it slips before, and how is not stated"};
+  throw_slip(run);
+}
+
+// Nor how a body goes on over the end of its round surface.
+void Course::comes_to_end(std::size_t stage, const ContactLimit& limit) {
+  StageRun& run = stages_[stage];
+  char time[40];
+  std::snprintf(time, sizeof time, "from %.6g s on ", run.time);
+  run.slips = Slip{limit.mark, time + words_of_end(limit)};
+  throw_slip(run);
+}
+
+void Course::throw_slip(const StageRun& run) const {
+  throw UnansweredError(situation_.file, run.slips->mark, run.slips->words, "let the motion end before");
+}
+
+}  // namespace poinsot::problem

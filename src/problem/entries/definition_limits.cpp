@@ -1,0 +1,98 @@
+#include "problem/entries/definition_limits.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "problem/entries/reader.h"
+
+namespace poinsot::problem {
+namespace {
+
+struct Extent {
+  double size = 0;  // operations
+  int depth = 0;    // names behind names
+};
+
+class Measure {
+ public:
+  explicit Measure(const Situation& situation) : situation_(situation) {
+    for (const auto* items : {&situation.given, &situation.points, &situation.directions})
+      for (const NamedExpression& item : *items) items_.emplace(item.name, &item);
+    for (const NamedExpression& item : situation.define) {
+      items_.emplace(item.name, &item);
+      defined_.insert(item.name);
+    }
+  }
+
+  Extent of_name(const std::string& name) {
+    const auto item = items_.find(name);
+    if (item == items_.end()) return {1, 0};
+    if (const auto known = known_.find(name); known != known_.end()) return known->second;
+    if (!pending_.insert(name).second) return {1, 0};
+    const NamedExpression& stated = *item->second;
+    if (static_cast<int>(pending_.size()) > DefinitionLimits::depth) too_deep(stated);
+    Extent extent = of(stated.value);
+    pending_.erase(name);
+    ++extent.depth;
+    if (extent.depth > DefinitionLimits::depth) too_deep(stated);
+    if (extent.size > DefinitionLimits::size)
+      fail(situation_.file, stated.mark,
+           "'" + name + "' stands for an expression of more than " +
+               std::to_string(static_cast<int>(DefinitionLimits::size)) + " operations",
+           "define it with fewer of the other definitions");
+    // The value of a datum or point is found once, that of a definition wherever it stands.
+    if (!defined_.contains(name)) extent.size = 1;
+    return known_[name] = extent;
+  }
+
+  Extent of(const Expression& expression) { return expression ? std::visit(*this, expression->content) : Extent{}; }
+
+  Extent operator()(const Number&) { return {1, 0}; }
+  Extent operator()(const Name& name) { return of_name(name.name); }
+  Extent operator()(const Member& member) { return all({member.object}); }
+  Extent operator()(const Arrow& arrow) { return all({arrow.from, arrow.to}); }
+  Extent operator()(const Of& item) { return all({item.point, item.body}); }
+  Extent operator()(const Call& call) {
+    std::vector<Expression> arguments;
+    for (const Argument& argument : call.arguments) arguments.push_back(argument.value);
+    return all(arguments);
+  }
+  Extent operator()(const Unary& unary) { return all({unary.operand}); }
+  Extent operator()(const Binary& binary) { return all({binary.left, binary.right}); }
+  Extent operator()(const Comparison& comparison) { return all(comparison.operands); }
+  Extent operator()(const At& at) { return all({at.expression}); }
+  Extent operator()(const List& list) { return all(list.items); }
+  Extent operator()(const Range& range) { return all({range.from, range.to, range.step}); }
+
+ private:
+  Extent all(const std::vector<Expression>& parts) {
+    Extent extent{1, 0};
+    for (const Expression& part : parts) {
+      const Extent one = of(part);
+      extent.size += one.size;
+      extent.depth = std::max(extent.depth, one.depth);
+    }
+    return extent;
+  }
+  [[noreturn]] void too_deep(const NamedExpression& item) {
+    fail(situation_.file, item.mark,
+         "'" + item.name + "' is defined through more than " + std::to_string(DefinitionLimits::depth) + " other names",
+         "define it more directly");
+  }
+
+  const Situation& situation_;
+  std::map<std::string, const NamedExpression*> items_;
+  std::set<std::string> defined_, pending_;
+  std::map<std::string, Extent> known_;
+};
+
+}  // namespace
+
+void check_definition_limits(const Situation& situation) {
+  Measure measure(situation);
+  for (const auto* items : {&situation.given, &situation.points, &situation.directions, &situation.define})
+    for (const NamedExpression& item : *items) measure.of_name(item.name);
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,19 @@
+// Reads what acts on bodies or carries them: frames, contacts, cords, springs, loads and everything sudden.
+#pragma once
+
+#include <string>
+
+#include "problem/entries/statement.h"
+
+namespace poinsot::problem {
+
+Frame read_frame(const Key& name, const Entry& entry, const std::string& file);
+Contact read_contact(const Key& name, const Entry& entry, const std::string& file);
+Cord read_cord(const Key& name, const Entry& entry, const std::string& file);
+Spring read_spring(const Key& name, const Entry& entry, const std::string& file);
+Load read_load(const Key& name, const Entry& entry, const std::string& file);
+Impulse read_impulse(const Key& name, const Entry& entry, const std::string& file);
+Impact read_impact(const Key& name, const Entry& entry, const std::string& file);
+Strike read_strike(const Key& name, const Entry& entry, const std::string& file);
+
+}  // namespace poinsot::problem

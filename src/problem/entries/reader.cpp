@@ -1,0 +1,110 @@
+#include "problem/entries/reader.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "problem/entries/keys.h"
+
+namespace poinsot::problem {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+Members::Members(const Entry& entry, const std::string& file, std::vector<std::string_view> objects,
+                 std::vector<std::string> extra)
+    : entry_(&entry), file_(&file), object_(objects.front()) {
+  std::vector<std::string> known = std::move(extra);
+  for (std::string_view object : objects)
+    for (std::string& key : keys_of(object)) known.push_back(std::move(key));
+  if (entry.kind != Entry::Kind::map)
+    fail(file, entry.mark, "expected a map of keys for '" + object_ + "'", "its keys are " + joined(known));
+  for (const auto& [key, value] : entry.members) {
+    if (std::find(known.begin(), known.end(), key.text) != known.end()) continue;
+    const std::string near = nearest(key.text, known);
+    fail(file, key.mark, "unknown key '" + key.text + "' in a " + object_,
+         near.empty() ? "known keys: " + joined(known) : "did you mean '" + near + "'?");
+  }
+}
+
+const Entry* Members::find(std::string_view key) const { return entry_->find(key); }
+
+Mark Members::mark_of(std::string_view key) const {
+  const Entry* found = find(key);
+  return found ? found->mark : entry_->mark;
+}
+
+const Entry& Members::require(std::string_view key, std::string_view example) const {
+  if (const Entry* found = find(key)) return *found;
+  fail(*file_, entry_->mark, "a " + object_ + " needs the key '" + std::string(key) + "'",
+       "write " + std::string(example));
+}
+
+std::optional<Expression> Members::expression(std::string_view key) const {
+  const Entry* found = find(key);
+  if (!found) return std::nullopt;
+  return parse_expression(*found, *file_);
+}
+
+Expression Members::require_expression(std::string_view key, std::string_view example) const {
+  return parse_expression(require(key, example), *file_);
+}
+
+std::vector<Expression> Members::list(std::string_view key) const {
+  const Entry* found = find(key);
+  return found ? expression_list(*found, *file_) : std::vector<Expression>{};
+}
+
+std::optional<bool> Members::boolean(std::string_view key) const {
+  const Entry* found = find(key);
+  if (!found) return std::nullopt;
+  const std::string& word = scalar_text(*found, *file_, "true or false");
+  if (word == "true") return true;
+  if (word == "false") return false;
+  fail(*file_, found->mark, "'" + word + "' is neither true nor false");
+}
+
+std::string Members::text(std::string_view key) const {
+  const Entry* found = find(key);
+  return found ? scalar_text(*found, *file_, "a text") : "";
+}
+
+const std::string& scalar_text(const Entry& entry, const std::string& file, std::string_view what) {
+  if (entry.kind != Entry::Kind::scalar) fail(file, entry.mark, "expected " + std::string(what));
+  return entry.text;
+}
+
+void check_name(const std::string& name, Mark mark, const std::string& file) {
+  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; };
+  bool good = !name.empty() && letter(name.front());
+  for (char c : name) good = good && (letter(c) || std::isdigit(static_cast<unsigned char>(c)));
+  if (!good)
+    fail(file, mark, "'" + name + "' cannot be a name", "names are letters, digits and _, and begin with a letter");
+  for (const char* word : {"any", "pi", "time", "ground", "system", "rest", "none", "about", "along", "to", "with",
+                           "from", "of", "on", "at", "by", "relative"})
+    if (name == word)
+      fail(file, mark, "'" + name + "' is a word of the language and cannot be a name", "choose another name");
+}
+
+std::vector<Expression> expression_list(const Entry& entry, const std::string& file) {
+  if (entry.kind != Entry::Kind::list) fail(file, entry.mark, "expected a list in brackets [..., ...]");
+  std::vector<Expression> items;
+  for (const Entry& item : entry.items) items.push_back(parse_expression(item, file));
+  return items;
+}
+
+Unit read_unit(const Entry& entry, const std::string& file) {
+  try {
+    return parse_unit(scalar_text(entry, file, "a unit, such as kg, m or rad/s"));
+  } catch (const std::invalid_argument& error) {
+    fail(file, entry.mark, error.what());
+  }
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,50 @@
+// Helpers to read a tree of entries: known keys only, and every complaint at its place.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problem/language/diagnostic.h"
+#include "problem/language/expression.h"
+#include "problem/language/tree.h"
+
+namespace poinsot::problem {
+
+// One map of the file, read as the `object` of the language's table of keys.
+class Members {
+ public:
+  // Throws StatementError unless `entry` is a map whose keys are all known to one of `objects` or are in `extra`.
+  Members(const Entry& entry, const std::string& file, std::vector<std::string_view> objects,
+          std::vector<std::string> extra = {});
+
+  const Entry* find(std::string_view key) const;
+  Mark mark_of(std::string_view key) const;
+  const Entry& require(std::string_view key, std::string_view example) const;
+  std::optional<Expression> expression(std::string_view key) const;
+  Expression require_expression(std::string_view key, std::string_view example) const;
+  std::vector<Expression> list(std::string_view key) const;  // empty when absent
+  std::optional<bool> boolean(std::string_view key) const;
+  std::string text(std::string_view key) const;  // "" when absent
+  const Entry& entry() const { return *entry_; }
+
+ private:
+  const Entry* entry_;
+  const std::string* file_;
+  std::string object_;
+};
+
+// Throws StatementError if the entry is no unit.
+Unit read_unit(const Entry& entry, const std::string& file);
+
+// The text of a scalar; throws if the entry is anything else. `what` names it in the message.
+const std::string& scalar_text(const Entry& entry, const std::string& file, std::string_view what);
+
+// Throws unless `name` can be a name in expressions.
+void check_name(const std::string& name, Mark mark, const std::string& file);
+
+// The items of a list as expressions; throws if the entry is no list.
+std::vector<Expression> expression_list(const Entry& entry, const std::string& file);
+
+}  // namespace poinsot::problem

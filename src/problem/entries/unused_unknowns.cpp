@@ -1,0 +1,43 @@
+#include "problem/entries/unused_unknowns.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "problem/entries/reader.h"
+#include "problem/language/entry_words.h"
+
+namespace poinsot::problem {
+namespace {
+
+// What is asked, claimed or expected of an unknown does not fix it. sections: of the file, or of one of its situations.
+void collect_fixing_words(const Entry& sections, std::set<std::string>& words) {
+  static constexpr std::array asking{"ask", "claim", "expect", "find", "title"};
+  for (const auto& [key, section] : sections.members) {
+    if (std::ranges::find(asking, key.text) != asking.end()) continue;
+    if (key.text != "situations") {
+      collect_words(section, Keys::too, words);
+      continue;
+    }
+    for (const auto& [name, situation] : section.members) collect_fixing_words(situation, words);
+  }
+}
+
+}  // namespace
+
+void check_unused_unknowns(const Entry& root, const Statement& statement) {
+  std::set<std::string> words;
+  collect_fixing_words(root, words);
+  std::vector<std::string> names(words.begin(), words.end());
+  std::erase_if(names, [](const std::string& word) { return word.front() >= '0' && word.front() <= '9'; });
+  for (const Situation& situation : statement.situations)
+    for (const Unknown& unknown : situation.find)
+      if (!words.contains(unknown.name) && nearest(unknown.name, names).empty())
+        fail(statement.file, unknown.mark,
+             "the unknown '" + unknown.name + "' stands nowhere in the figure and the facts: nothing can fix it",
+             "write it where its value belongs, or remove it");
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,243 @@
+#include "problem/equations/equations.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "poinsot/engine/model/state.h"
+#include "problem/answers/solve_statement.h"
+#include "problem/equations/traced_machine.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr std::size_t longest_assumption = 20;  // operations
+
+const Situation& chosen_situation(const Statement& statement, const std::string& name) {
+  if (name.empty() && statement.situations.size() == 1) return statement.situations.front();
+  std::string all;
+  std::vector<std::string> names;
+  for (const Situation& situation : statement.situations) {
+    if (!name.empty() && situation.name == name) return situation;
+    all += (all.empty() ? "" : ", ") + situation.name;
+    names.push_back(situation.name);
+  }
+  if (name.empty())
+    fail(statement.file, {}, "the file states several situations: " + all, "choose one: --situation " + names.front());
+  const std::string hint = did_you_mean(name, names);
+  fail("--situation " + name, {}, "the file has no situation '" + name + "'",
+       !hint.empty()      ? hint
+       : names[0].empty() ? "it states none"
+                          : "it has " + all);
+}
+
+bool contains(const std::vector<EquationPart>& parts, EquationPart part) {
+  return std::find(parts.begin(), parts.end(), part) != parts.end();
+}
+
+// Blocks of results with their numbers.
+class Equations {
+ public:
+  Equations(TracedMachine& machine, std::vector<EquationPart> parts) : machine_(machine), parts_(std::move(parts)) {
+    const TraceScope scope(machine.trace);
+    for (const TextInput& input : machine.inputs) taken_.insert(input.name);
+    for (const EquationPart part : parts_)
+      if (part <= EquationPart::reduced) {
+        matrices();
+        break;
+      }
+    if (contains(parts_, EquationPart::position_rate)) position_rates();
+    if (contains(parts_, EquationPart::forward_dynamics)) forward();
+    if (contains(parts_, EquationPart::inverse_dynamics)) inverse();
+  }
+
+  const std::vector<Traced>& outputs() const { return outputs_; }
+  const std::vector<TextBlock>& blocks() const { return blocks_; }
+  const std::vector<int>& independent() const { return independent_; }
+
+ private:
+  // The first name that no letter has.
+  std::string name(const std::string& brief, const std::string& whole) const {
+    return taken_.contains(brief) ? whole : brief;
+  }
+  void add(const std::string& brief, const std::string& whole, const std::string& meaning, std::size_t rows,
+           std::size_t columns, const std::vector<Traced>& values, bool symmetric = false) {
+    blocks_.push_back({name(brief, whole), meaning, rows, columns, symmetric});
+    outputs_.insert(outputs_.end(), values.begin(), values.end());
+  }
+
+  void matrices() {
+    const EquationsOfMotion<Traced> equations = equations_of_motion(machine_.mechanism, machine_.state);
+    const auto n = static_cast<std::size_t>(equations.size);
+    if (contains(parts_, EquationPart::mass_matrix)) add("M", "mass_matrix", "mass matrix", n, n, equations.mass, true);
+    if (contains(parts_, EquationPart::right_side))
+      add("F", "right_side", "right-hand side, M dv/dt = F" + std::string(equations.jacobian.empty() ? "" : " + J^T y"),
+          n, 1, equations.right_side);
+    const std::size_t rows = equations.jacobian.size();
+    if (contains(parts_, EquationPart::constraint_matrix) && rows > 0) {
+      std::vector<Traced> J, b;
+      for (const std::vector<Traced>& row : equations.jacobian) J.insert(J.end(), row.begin(), row.end());
+      for (const Traced& bias : equations.bias) b.push_back(-bias);
+      add("J", "constraint_matrix", "constraints on the velocities, J v = 0", rows, n, J);
+      add("b", "constraint_side", "of their rates, J dv/dt = b", rows, 1, b);
+    }
+    if (!contains(parts_, EquationPart::reduced)) return;
+    const ReducedEquations<Traced> reduced = reduced_equations(equations, machine_.held, machine_.third);
+    const std::size_t m = reduced.independent.size();
+    independent_ = reduced.independent;
+    std::vector<Traced> N;
+    for (const std::vector<Traced>& row : reduced.basis) N.insert(N.end(), row.begin(), row.end());
+    add("N", "basis", "dv/dt = N du/dt + g for the independent velocities u", n, m, N);
+    add("g", "offset", "the rest of it", n, 1, reduced.offset);
+    add("M_u", "reduced_mass", "N^T M N", m, m, reduced.mass, true);
+    add("F_u", "reduced_side", "N^T (F - M g): M_u du/dt = F_u", m, 1, reduced.right_side);
+  }
+
+  void position_rates() {
+    std::vector<Traced> rate(machine_.state.q.size());
+    position_rate<Traced>(machine_.mechanism.tree, machine_.state.q, machine_.state.v, rate);
+    add("q_dot", "position_rate", "rates of the positions", rate.size(), 1, rate);
+  }
+
+  // By the articulated bodies, or by elimination in the mass matrix: the shorter one, as a quick count tells.
+  void forward() {
+    const auto n = machine_.third.size();
+    std::vector<Traced> best;
+    std::size_t operations = 0;
+    const auto take = [&](const std::function<std::vector<Traced>()>& road) {
+      try {
+        const std::vector<Traced> accelerations = road();
+        const std::size_t count =
+            StraightLine(machine_.trace, accelerations, StraightLine::Shortening::quick).operations();
+        if (best.empty() || count < operations) {
+          best = accelerations;
+          operations = count;
+        }
+      } catch (const std::domain_error& error) {
+        why_ = error.what();
+      }
+    };
+    if (machine_.mechanism.constraints.empty()) take([&] { return by_tree(); });
+    if (!machine_.mechanism.constraints.empty() || n <= 8) take([&] { return by_elimination(); });
+    if (best.empty()) throw NoEquations("the accelerations are not determined: " + why_);
+    add("dv_dt", "accelerations", "accelerations dv/dt", n, 1, best);
+  }
+  std::vector<Traced> by_elimination() {
+    EquationsOfMotion<Traced> equations = equations_of_motion(machine_.mechanism, machine_.state);
+    for (std::size_t k = 0; k < machine_.third.size(); ++k)
+      if (!machine_.held[k]) equations.right_side[k] += machine_.third[k];
+    return solved_accelerations(reduced_equations(equations, machine_.held, machine_.third));
+  }
+  std::vector<Traced> by_tree() {
+    const Model<Traced>& stated = machine_.mechanism.tree;
+    std::vector<CoordinateMode> modes;
+    for (const bool held : machine_.held) modes.push_back(held ? CoordinateMode::prescribed : CoordinateMode::free);
+    const Model<Traced> tree(std::vector<poinsot::Body<Traced>>(stated.bodies().begin(), stated.bodies().end()),
+                             stated.names(), modes, stated.gravity());
+    Workspace<Traced> workspace(tree);
+    update_velocities(tree, workspace, machine_.state);
+    std::vector<Traced> force = known_generalised_forces(machine_.mechanism, workspace, machine_.state);
+    std::vector<Traced> acceleration = machine_.third;
+    for (std::size_t k = 0; k < force.size(); ++k)
+      if (!machine_.held[k]) force[k] += machine_.third[k];
+    hybrid_dynamics<Traced>(tree, workspace, machine_.state, acceleration, force);
+    return acceleration;
+  }
+
+  void inverse() {
+    const std::vector<Traced> forces = needed_generalised_forces(machine_.mechanism, machine_.state, machine_.third);
+    add("effort", "efforts",
+        std::string("generalised forces that must act beside those stated") +
+            (machine_.mechanism.constraints.empty() ? "" : ", those of the constraints included"),
+        forces.size(), 1, forces);
+  }
+
+  TracedMachine& machine_;
+  std::vector<EquationPart> parts_;
+  std::set<std::string> taken_;
+  std::vector<Traced> outputs_;
+  std::vector<TextBlock> blocks_;
+  std::vector<int> independent_;
+  std::string why_;
+};
+
+// What was assumed to be positive, as text, where it is not by its nature.
+std::vector<std::string> assumptions(const TracedMachine& machine) {
+  std::vector<std::string> lines;
+  std::set<Traced, decltype([](const Traced& a, const Traced& b) {
+             return std::pair(a.node(), a.negative()) < std::pair(b.node(), b.negative());
+           })>
+      seen;
+  for (const Traced& x : machine.trace.assumed_positive()) {
+    if (!seen.insert(x).second) continue;
+    const StraightLine formula(machine.trace, {x});
+    const auto by_nature = [&](const StraightLine::Step& step) {
+      if (step.operation == TracedOperation::input) return machine.inputs[step.input].positive;
+      return step.operation == TracedOperation::constant || step.operation == TracedOperation::multiply ||
+             step.operation == TracedOperation::divide || step.operation == TracedOperation::square_root;
+    };
+    if (!formula.outputs()[0].negative && std::all_of(formula.steps().begin(), formula.steps().end(), by_nature))
+      continue;
+    lines.push_back(formula.operations() > longest_assumption
+                        ? "as long as no root passes through zero on the way from the pose as drawn"
+                        : "for " + formula_text(formula, machine.inputs) + " > 0");
+  }
+  return lines;
+}
+
+std::vector<std::string> remarks(const Situation& situation, const std::string& title, const TracedMachine& machine,
+                                 const Equations& equations, std::size_t operations) {
+  std::vector<std::string> lines;
+  lines.push_back(title.empty() ? "Equations of motion" : title);
+  std::string data;
+  for (const NamedExpression& item : situation.given)
+    data += (data.empty() ? "" : ", ") + item.name + " = " + to_string(item.value);
+  if (!data.empty()) lines.push_back("given: " + data);
+  std::string driven;
+  for (std::size_t k = 0; k < machine.held.size(); ++k)
+    if (machine.held[k]) driven += (driven.empty() ? "" : ", ") + machine.inputs[machine.state.q.size() + k].name;
+  if (!driven.empty()) lines.push_back("driven as given, by forces that are found from it: " + driven);
+  std::string independent;
+  for (const int k : equations.independent())
+    independent +=
+        (independent.empty() ? "" : ", ") + machine.inputs[machine.state.q.size() + static_cast<std::size_t>(k)].name;
+  if (!independent.empty()) lines.push_back("independent: " + independent);
+  for (const std::string& assumption : assumptions(machine)) lines.push_back(assumption);
+  lines.push_back("SI units; " + std::to_string(operations) + " operations");
+  return lines;
+}
+
+}  // namespace
+
+std::string equations_text(const Statement& statement, const EquationsOptions& options) {
+  static_cast<void>(read_settings(statement, options.sets));
+  const Situation& situation = chosen_situation(statement, options.situation);
+  std::vector<EquationPart> parts = options.parts;
+  if (parts.empty()) parts = {EquationPart::mass_matrix, EquationPart::right_side, EquationPart::constraint_matrix};
+  const bool forward = contains(parts, EquationPart::forward_dynamics);
+  if (forward && contains(parts, EquationPart::inverse_dynamics))
+    throw std::invalid_argument("forward and inverse dynamics are two functions: ask for one at a time");
+
+  try {
+    const std::string third = forward ? "u" : "a";
+    TracedMachine machine = traced_machine(situation, options, third);
+    const Equations equations(machine, parts);
+    const StraightLine program(machine.trace, equations.outputs());
+    ProgramText text;
+    text.function = options.function;
+    text.arrays = {"q", "v", third, "parameters"};
+    text.inputs = machine.inputs;
+    text.blocks = equations.blocks();
+    text.remarks = remarks(situation, statement.title, machine, equations, program.operations());
+    return write_program(program, text, options.form);
+  } catch (const NoFormula& error) {
+    throw NoEquations(error.what());
+  } catch (const FormulaTooLarge& error) {
+    throw NoEquations(error.what());
+  } catch (const std::domain_error& error) {
+    throw NoEquations(error.what());
+  }
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,30 @@
+// The mechanism of a problem over the scalar that writes down what is computed with it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "poinsot/engine/dynamics/equations_of_motion.h"
+#include "poinsot/engine/math/trace/traced.h"
+#include "problem/equations/equations.h"
+#include "problem/language/exact_numbers.h"
+#include "problem/machine/machine.h"
+
+namespace poinsot::problem {
+
+struct TracedMachine {
+  MachineOf<Formula> stated;
+  Mechanism<Traced> mechanism;
+  Trace trace;
+  // Inputs of the trace in this order: q, v, third (accelerations, or forces), parameters.
+  State<Traced> state;
+  std::vector<Traced> third;
+  std::vector<TextInput> inputs;
+  std::vector<bool> held;  // of each velocity coordinate: whether it moves as given
+};
+
+// Throws StatementError, NoEquations.
+TracedMachine traced_machine(const Situation& situation, const EquationsOptions& options,
+                             const std::string& third_array);
+
+}  // namespace poinsot::problem

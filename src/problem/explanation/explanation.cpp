@@ -1,0 +1,297 @@
+// From a solved statement to a worked solution: which instants are explained, with which numbers and formulas.
+#include "problem/explanation/explanation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "problem/explanation/explanation_claims.h"
+#include "problem/explanation/explanation_instant.h"
+#include "problem/explanation/explanation_model.h"
+#include "problem/explanation/explanation_motion.h"
+#include "problem/formulas/formula_answers.h"
+#include "problem/formulas/formula_deadline.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr int most_draws = 40;           // of open letters, until the statement makes sense
+constexpr double formula_seconds = 1.5;  // for all formulas of one instant
+constexpr std::size_t formula_terms = 3000;
+
+// Whether a datum stays a number in formulas: what has a special value (0, 45 deg) or counts (2).
+bool stays_number(double value, const Dimension& dimension) {
+  if (value == 0) return true;
+  if (dimension == dimensions::none) return value == std::round(value);
+  const double steps = value / (std::numbers::pi / 12);
+  return dimension == dimensions::angle && std::abs(steps - std::round(steps)) < 1e-9;
+}
+
+class Explainer {
+ public:
+  Explainer(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
+            const SolvedStatement& solved, std::size_t solution)
+      : statement_(statement), solved_(solved), solution_(solved.solutions[solution]) {
+    settings_.assign(statement.situations.size(), read_settings(statement, sets));
+    stated_ = settings_;
+  }
+
+  Explanation explain() {
+    find_limits();
+    bool numbers = !statement_.asks.empty() && choose_numbers();
+    if (!numbers && !limits_.empty()) {
+      limits_.clear();
+      numbers = choose_numbers();
+    }
+    ExplanationTex first_tex(statement_.situations.front(), open_letters());
+    add_models(first_tex);
+    if (!numbers) questions_ = {};
+    explanation_.sections.push_back(principle_section(statement_, questions_));
+    add_limits();
+    if (ExplainedSection claims = claims_section(statement_, solution_, first_tex); !claims.steps.empty())
+      explanation_.sections.push_back(std::move(claims));
+    if (!numbers) return std::move(explanation_);
+    for (const auto& [home, questions] : questions_.instants)
+      or_left_out([&, &at = home, &asked = questions] { add_instant(at, asked); });
+    for (const std::size_t index : questions_.motions)
+      or_left_out([&] {
+        const ExplanationTex tex(situation(index), open_letters(index));
+        for (ExplainedSection& section : motion_sections(statement_, index, *sample_, tex, suffix_of(index)))
+          explanation_.sections.push_back(std::move(section));
+      });
+    return std::move(explanation_);
+  }
+
+ private:
+  const Situation& situation(std::size_t situation) const { return statement_.situations[situation]; }
+  std::string suffix_of(std::size_t situation) const {
+    return statement_.situations.size() > 1 ? ", *" + statement_.situations[situation].name + "*" : "";
+  }
+
+  // Answers stand even where their explanation meets what the statement does not tell.
+  template <class Add>
+  void or_left_out(const Add& add) {
+    try {
+      add();
+    } catch (const StatementError& error) {
+      explanation_.sections.push_back(
+          {"Left out", {{"The steps end here: " + error.diagnostics().front().message + ".", {}}}});
+    }
+    std::erase_if(explanation_.sections, [](const ExplainedSection& section) { return section.steps.empty(); });
+  }
+
+  // Situations of which nothing is asked but how far something holds: they are explained at that limit.
+  void find_limits() {
+    limits_.clear();
+    for (std::size_t k = 0; k < statement_.asks.size(); ++k) {
+      const Ask& ask = statement_.asks[k];
+      const SolvedAsk& found = solution_.asks[k];
+      if (!ask.extremum || found.state != AskState::found || !found.value.is_number()) continue;
+      const std::size_t situation = situation_of(statement_, ask);
+      const std::string& name = statement_.situations[situation].name;
+      const bool alone = std::none_of(statement_.asks.begin(), statement_.asks.end(), [&](const Ask& other) {
+        if (&other == &ask) return false;
+        if (other.extremum) return situation_of(statement_, other) == situation;
+        return name.empty() || other.text.find("@ " + name) != std::string::npos;
+      });
+      if (alone) limits_[situation] = k;
+    }
+  }
+
+  void add_limits() {
+    ExplainedSection section{"Limit", {}};
+    for (std::size_t k = 0; k < statement_.asks.size(); ++k) {
+      const Ask& ask = statement_.asks[k];
+      if (!ask.extremum) continue;
+      std::vector<std::string> conditions;
+      for (const Expression& condition : ask.extremum->conditions)
+        conditions.push_back("`" + to_string(condition) + "`");
+      std::string text = "Values of `" + ask.extremum->name + "` are tried from one end of its range until " +
+                         in_words(conditions) + " no longer holds; the place of the change is then closed in.";
+      if (std::any_of(limits_.begin(), limits_.end(), [&](const auto& limit) { return limit.second == k; }))
+        text += " The lines below are those of the limit.";
+      section.steps.push_back({text, {}});
+    }
+    if (!section.steps.empty()) explanation_.sections.push_back(std::move(section));
+  }
+
+  std::vector<std::string> open_letters(std::optional<std::size_t> situation = std::nullopt) const {
+    std::vector<std::string> names;
+    for (const Letter& letter : solved_.open_letters) {
+      // At a limit its letter has a value.
+      const auto limit = situation ? limits_.find(*situation) : limits_.end();
+      if (limit != limits_.end() && statement_.asks[limit->second].extremum->name == letter.name) continue;
+      names.push_back(letter.name);
+    }
+    return names;
+  }
+
+  void add_models(const ExplanationTex& tex) {
+    for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
+      explanation_.sections.push_back(model_section(situation(i), settings_[i], tex, "Model" + suffix_of(i)));
+    }
+  }
+
+  // The settings of the solution: what is set, the unknowns found, open letters at random until all can be solved.
+  bool choose_numbers() {
+    const std::vector<Settings>& stated = stated_;
+    for (int attempt = 0; attempt < (solved_.open_letters.empty() ? 1 : most_draws); ++attempt) {
+      settings_ = stated;
+      std::mt19937_64 random(7000 + static_cast<std::uint64_t>(attempt));
+      LetterValues letters;
+      for (const Letter& letter : solved_.open_letters) {
+        const double value = letter.unit.dimension == dimensions::angle
+                                 ? std::uniform_real_distribution<double>(0.2, 1.2)(random)
+                                 : letter.unit.factor * std::uniform_real_distribution<double>(0.5, 2)(random);
+        letters[letter.name] = value;
+        for (Settings& one : settings_) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
+      }
+      try {
+        if (!set_unknowns(letters)) return false;
+        for (const auto& [situation, ask] : limits_)
+          settings_[situation][statement_.asks[ask].extremum->name] = solution_.asks[ask].value;
+        sample_ = std::make_unique<Sample>(statement_, settings_, OpenChoice{});
+        questions_ = questions_of(statement_, *sample_, limits_);
+        for (const auto& [home, questions] : questions_.instants) {
+          SolvedInstant& instant = sample_->instant(home);
+          if (wants_forces(home, questions)) instant.solve_forces();
+        }
+        return true;
+      } catch (const StatementError&) {
+        if (solved_.open_letters.empty()) return false;
+      }
+    }
+    return false;
+  }
+
+  bool set_unknowns(const LetterValues& letters) {
+    for (const SolvedUnknown& unknown : solution_.unknowns) {
+      Value<double> value = unknown.value;
+      if (unknown.formula) {
+        if (!unknown.formula->is_number()) return false;
+        value = Value<double>::of_number(value_at(unknown.formula->number, letters), unknown.unit.dimension);
+      }
+      for (std::size_t i = 0; i < settings_.size(); ++i) {
+        const std::string own = " @ " + statement_.situations[i].name;
+        const std::string name = unknown.name.substr(0, unknown.name.find(" @ "));
+        if (unknown.name == name || unknown.name == name + own) settings_[i][name] = value;
+      }
+    }
+    // Without an answer for some unknown there are no numbers.
+    for (std::size_t i = 0; i < settings_.size(); ++i)
+      for (const Unknown& unknown : situation(i).find)
+        if (!settings_[i].contains(unknown.name)) return false;
+    return true;
+  }
+
+  bool wants_forces(const Sample::Home& home, const InstantQuestions& questions) const {
+    const Situation& stated = situation(home.situation);
+    const bool after = stated.has_blow() && home.instant == 1 && !home.time;
+    return !after && (questions.asks_forces() || stated.steady);
+  }
+
+  void add_instant(const Sample::Home& home, const InstantQuestions& questions) {
+    const Situation& stated = situation(home.situation);
+    SolvedInstant& instant = sample_->instant(home);
+    SolvedInstant* before = instant.after_blow() ? &sample_->instant({home.situation, 0, std::nullopt}) : nullptr;
+    ExplanationTex tex(stated, open_letters(home.situation));
+    // The formulas: everything that has one number is a letter.
+    Situation lettered = stated;
+    LetterValues point;
+    const FormulaValues values = formula_values(home.situation, lettered, point);
+    LetterValues in_shown_units;
+    for (const auto& [name, value] : point) in_shown_units[name] = value / tex.unit(values.at(name).dimension).factor;
+    if (stated.habits.customary()) tex.set_letters(in_shown_units);
+    const FormulaLimitScope limits({formula_terms, formula_deadline(formula_seconds)});
+    const PlainPointScope decisions(point);
+    std::unique_ptr<FormulaInstant> formulas;
+    if (!home.time && !home.ending && home.instant <= (stated.has_blow() ? 1U : 0U)) {
+      try {
+        formulas = std::make_unique<FormulaInstant>(lettered, values, instant);
+        if (instant.forces_solved()) formulas->solve_forces();
+      } catch (const std::exception&) {
+        formulas.reset();
+      }
+    }
+    InstantExplainer(stated, instant, before, formulas.get(), point, tex, questions, settings_[home.situation],
+                     explanation_)
+        .explain(suffix_of(home.situation) + instant_words(home));
+  }
+
+  std::string instant_words(const Sample::Home& home) const {
+    const Situation& stated = situation(home.situation);
+    std::size_t same_situation = 0;
+    for (const auto& [other, questions] : questions_.instants)
+      if (other.situation == home.situation) ++same_situation;
+    if (same_situation < 2) return "";
+    if (home.time) {
+      char text[40];
+      std::snprintf(text, sizeof text, ", at %.4g s", *home.time);
+      return text;
+    }
+    if (stated.has_blow()) return home.instant == 0 ? ", before the blow" : ", after the blow";
+    return ", at the start" + (home.instant > 0 ? " of stage " + std::to_string(home.instant + 1) : std::string());
+  }
+
+  // Data that are one number, letters, unknowns and standard gravity as letters; their values.
+  FormulaValues formula_values(std::size_t situation, Situation& lettered, LetterValues& point) const {
+    FormulaValues values;
+    const Settings& settings = settings_[situation];
+    const auto add = [&](const std::string& name, double value, const Dimension& dimension, bool real) {
+      if (stays_number(value, dimension)) return;
+      point[name] = value;
+      values[name] = Value<Formula>::of_number(
+          Formula::letter(name, real || value < 0 ? poinsot::Sign::real : poinsot::Sign::positive), dimension);
+    };
+    const bool has_g = std::any_of(lettered.given.begin(), lettered.given.end(),
+                                   [](const NamedExpression& item) { return item.name == "g"; }) ||
+                       std::any_of(lettered.letters.begin(), lettered.letters.end(),
+                                   [](const Letter& letter) { return letter.name == "g"; }) ||
+                       settings.contains("g");
+    if (!has_g && lettered.gravity)
+      lettered.given.push_back({"g", parse_expression("9.80665 m/s^2", lettered.file), {}});
+    for (const NamedExpression& item : lettered.given) {
+      if (settings.contains(item.name)) continue;
+      const Unary* minus = item.value.as<Unary>();
+      const Number* number = minus ? minus->operand.as<Number>() : item.value.as<Number>();
+      if (!number) continue;
+      add(item.name, (minus && minus->sign == '-' ? -1 : 1) * number->value * number->unit.factor,
+          number->unit.dimension, number->unit.dimension == dimensions::angle);
+    }
+    for (const auto& [name, value] : settings) {
+      if (!value.is_number()) continue;
+      const auto letter = std::find_if(lettered.letters.begin(), lettered.letters.end(),
+                                       [&, wanted = name](const Letter& l) { return l.name == wanted; });
+      const bool open = std::any_of(solved_.open_letters.begin(), solved_.open_letters.end(),
+                                    [&, wanted = name](const Letter& l) { return l.name == wanted; });
+      if (open || letter != lettered.letters.end()) {
+        values[name] = formula_of(*letter);
+        point[name] = value.number;
+      } else {
+        add(name, value.number, value.dimension, value.dimension == dimensions::angle);
+      }
+      // A special value that is set stays what it is.
+      if (!values.contains(name)) values[name] = Value<Formula>::of_number(Formula(value.number), value.dimension);
+    }
+    return values;
+  }
+
+  const Statement& statement_;
+  const SolvedStatement& solved_;
+  const Solution& solution_;
+  AllSettings stated_, settings_;              // as they are set; with unknowns, letters and limits
+  std::map<std::size_t, std::size_t> limits_;  // situations with the ask of whose limit they are explained
+  std::unique_ptr<Sample> sample_;
+  StatementQuestions questions_;
+  Explanation explanation_;
+};
+
+}  // namespace
+
+Explanation explain(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
+                    const SolvedStatement& solved, std::size_t solution) {
+  return Explainer(statement, sets, solved, solution).explain();
+}
+
+}  // namespace poinsot::problem

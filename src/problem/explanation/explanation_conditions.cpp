@@ -1,0 +1,142 @@
+// What else holds between unknown motions: restitution, and what joints, cords and contacts forbid.
+#include <algorithm>
+#include <cmath>
+
+#include "problem/explanation/explanation_instant.h"
+
+namespace poinsot::problem {
+
+// Restitution and constraints between coordinates.
+void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed,
+                                        ExplainedSection& here) {
+  const InstantFigures<double>& numbers = figures_.numbers;
+  const Dimension dimension = sudden() ? dimensions::velocity : dimensions::acceleration;
+  const auto coordinate_terms = [&](const auto& coefficient) {
+    std::vector<ShownTerm> terms;
+    for (const std::size_t k : open) {
+      const Shown factor = coefficient(k);
+      if (is_rounding(factor.number, solved_.scales().length)) continue;
+      const Symbol symbol = symbol_of_coordinate(k, sudden());
+      if (std::none_of(listed.begin(), listed.end(), [&](const Symbol& known) { return known.tex == symbol.tex; }))
+        listed.push_back(symbol);
+      terms.push_back({factor, symbol.tex, symbol.value, symbol.dimension});
+    }
+    return terms;
+  };
+  for (std::size_t i = 0; sudden() && i < numbers.blow.impacts.size(); ++i) {
+    const auto along = [&](const auto& figures, std::size_t k) {
+      using Scalar = ScalarOf<decltype(figures)>;
+      solve::MechanismStateOf<Scalar> moment = *figures.before;
+      std::vector<Scalar> one(figures.now.state().v.size(), Scalar(0));
+      one[k] = Scalar(1);
+      moment.set_velocities(one);
+      return approach_of(moment, figures.blow.impacts[i]);
+    };
+    const std::vector<ShownTerm> left =
+        coordinate_terms([&](std::size_t k) { return shown([&](const auto& figures) { return along(figures, k); }); });
+    const Shown right = shown([&](const auto& figures) {
+      const auto& impact = figures.blow.impacts[i];
+      return -(impact.restitution * approach_of(*figures.before, impact));
+    });
+    ExplainedStep step{"At *" + numbers.blow.impacts[i].name +
+                           "* the points part along the push with $e$ times the "
+                           "speed of approach, $e = " +
+                           tex_.number(numbers.blow.impacts[i].restitution, dimensions::none) + "$:",
+                       tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length)};
+    here.steps.push_back(std::move(step));
+  }
+  for (std::size_t i = 0; i < mechanism().constraints.size(); ++i) {
+    const VelocityConstraint<double>& constraint = mechanism().constraints[i];
+    if (sudden() && constraint.action >= 0 && !solved_.blow_acting().empty() &&
+        !solved_.blow_acting()[static_cast<std::size_t>(constraint.action)])
+      continue;
+    // With velocities but without accelerations, the bias is what the velocities bring.
+    const auto row = [&](const auto& figures) {
+      using Scalar = ScalarOf<decltype(figures)>;
+      solve::MechanismStateOf<Scalar> moment = figures.now;
+      moment.set_accelerations(std::vector<Scalar>(figures.now.accelerations().size(), Scalar(0)));
+      return solve::constraint_row(moment, figures.mechanism().constraints[i]);
+    };
+    const std::vector<ShownTerm> left = coordinate_terms(
+        [&](std::size_t k) { return shown([&](const auto& figures) { return row(figures).coefficients[k]; }); });
+    if (left.empty()) {
+      if (constraint.action < 0) continue;
+      const std::vector<std::size_t> blocked = sudden() ? std::vector<std::size_t>{} : blocked_coordinates();
+      const std::vector<double> numbers_row = row(numbers).coefficients;
+      for (const std::size_t k : blocked)
+        if (!is_rounding(numbers_row[k], solved_.scales().length))
+          here.steps.push_back({"Held by *" + mechanism().actions[static_cast<std::size_t>(constraint.action)].name +
+                                    "*, nothing begins to move there: $" + symbol_of_coordinate(k, false).tex +
+                                    " = 0$.",
+                                {}});
+      continue;
+    }
+    // What the coordinates that are given bring goes to the other side.
+    const Shown right = shown([&](const auto& figures) {
+      using Scalar = ScalarOf<decltype(figures)>;
+      const auto all = row(figures);
+      Scalar rest = sudden() ? Scalar(0) : all.bias;
+      const std::vector<Scalar>& values = sudden() ? figures.now.state().v : figures.now.accelerations();
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (std::find(open.begin(), open.end(), k) == open.end()) rest += all.coefficients[k] * values[k];
+      return -rest;
+    });
+    std::string words = constraint.words;
+    std::replace(words.begin(), words.end(), '\'', '*');
+    ExplainedStep step{"What holds the bodies: " + words + ":",
+                       tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length)};
+    if (!step.equations.empty()) here.steps.push_back(std::move(step));
+  }
+}
+
+// What joints, cords and contacts beyond the tree of joints say of velocities that nobody states.
+void InstantExplainer::velocity_conditions() {
+  if (situation_.steady || sudden() || mechanism().constraints.empty() || solved_.velocities().value.empty()) return;
+  const auto& rates = figures_.numbers.machine->rates;
+  const auto stated = [&](std::size_t k) {
+    return std::any_of(rates.begin(), rates.end(),
+                       [&](const StatedRate& rate) { return static_cast<std::size_t>(rate.velocity) == k; });
+  };
+  const auto count = static_cast<std::size_t>(mechanism().tree.velocity_size());
+  std::vector<Symbol> listed;
+  std::vector<ExplainedStep> steps;
+  for (std::size_t i = 0; i < mechanism().constraints.size(); ++i) {
+    const auto row = [&](const auto& figures) {
+      return solve::constraint_row(figures.now, figures.mechanism().constraints[i]).coefficients;
+    };
+    const std::vector<double> numbers = row(figures_.numbers);
+    std::vector<ShownTerm> left;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (stated(k) || is_rounding(numbers[k], solved_.scales().length)) continue;
+      const Symbol symbol = symbol_of_coordinate(k, true);
+      left.push_back(
+          {shown([&](const auto& figures) { return row(figures)[k]; }), symbol.tex, symbol.value, symbol.dimension});
+      if (std::none_of(listed.begin(), listed.end(), [&](const Symbol& known) { return known.tex == symbol.tex; }))
+        listed.push_back(symbol);
+    }
+    const Shown right = shown([&](const auto& figures) {
+      using Scalar = ScalarOf<decltype(figures)>;
+      Scalar rest(0);
+      for (std::size_t k = 0; k < count; ++k)
+        if (stated(k)) rest += row(figures)[k] * figures.now.state().v[k];
+      return -rest;
+    });
+    if (left.size() < 2 && is_rounding(right.number, noise_size(dimensions::velocity))) continue;
+    std::string words = mechanism().constraints[i].words;
+    std::replace(words.begin(), words.end(), '\'', '*');
+    ExplainedStep step{words + ":",
+                       tex_.balance("", left, {{right}}, dimensions::velocity, noise_size(dimensions::velocity))};
+    if (!step.equations.empty()) steps.push_back(std::move(step));
+  }
+  if (steps.empty()) return;
+  ExplainedSection& here = section("Velocities");
+  here.steps.push_back({"What holds the bodies, beyond their joints, says of the velocities:", {}});
+  for (ExplainedStep& step : steps) here.steps.push_back(std::move(step));
+  ExplainedStep found{"With what is known, this gives", {}};
+  for (const Symbol& symbol : listed)
+    if (symbol.determined && tex_.can_show(symbol.shown))
+      found.equations.push_back(tex_.equation(symbol.tex, symbol.shown, symbol.dimension));
+  if (!found.equations.empty()) here.steps.push_back(std::move(found));
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,406 @@
+// Masses, motion and momenta at an instant.
+#include "problem/explanation/explanation_instant.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "problem/instant/instant_conditions.h"
+#include "problem/language/scalar_value.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr double formula_tolerance = 1e-8;  // between a formula and the number it stands for
+
+}  // namespace
+
+InstantExplainer::InstantExplainer(const Situation& situation, SolvedInstant& solved, SolvedInstant* before,
+                                   FormulaInstant* formulas, const LetterValues& letters, const ExplanationTex& tex,
+                                   const InstantQuestions& questions, const Settings& settings,
+                                   Explanation& explanation)
+    : situation_(situation),
+      solved_(solved),
+      formula_instant_(formulas),
+      letters_(letters),
+      tex_(tex),
+      questions_(questions),
+      explanation_(explanation),
+      figures_{{&solved.machine(), solve::MechanismState(solved.machine().mechanism)}},
+      data_(situation, settings) {
+  InstantFigures<double>& numbers = figures_.numbers;
+  const MotionState state = solved.state();
+  numbers.now.set_positions(state.q);
+  numbers.now.set_velocities(state.v);
+  if (solved.forces_solved()) {
+    numbers.forces = true;
+    numbers.unknowns = solved.motion().value;
+    numbers.now.set_accelerations(std::vector<double>(
+        numbers.unknowns.begin(), numbers.unknowns.begin() + static_cast<std::ptrdiff_t>(state.v.size())));
+  }
+  if (solved.after_blow() && before) {
+    numbers.before.emplace(solved.machine().mechanism);
+    numbers.before->set_positions(state.q);
+    numbers.before->set_velocities(before->state().v);
+    const InstantView<double> view{situation, data_, solved.machine(), *numbers.before, solved.scales(), 0.0, nullptr};
+    numbers.blow = stated_blow(view);
+    numbers.impulses = solved.blow().value;
+  }
+  if (!formulas) return;
+  figures_.formulas.emplace(InstantFigures<Formula>{&formulas->machine(), formulas->moment()});
+  InstantFigures<Formula>& exact = *figures_.formulas;
+  exact.forces = numbers.forces;
+  exact.unknowns = formulas->unknowns();
+  if (formulas->before()) exact.before.emplace(*formulas->before());
+  exact.blow = formulas->blow();
+  exact.impulses = formulas->impulses();
+}
+
+Shown InstantExplainer::confirmed(double number, const std::optional<Formula>& formula) const {
+  if (!formula) return {number, std::nullopt};
+  try {
+    const double value = formula->is_zero() ? 0 : value_at(*formula, letters_);
+    const double size = std::max(std::abs(value), std::abs(number));
+    if (std::abs(value - number) <= formula_tolerance * size + 1e-11) return {formula->is_zero() ? 0 : number, formula};
+  } catch (const std::exception&) {
+    // A formula that cannot be looked at is none.
+  }
+  return {number, std::nullopt};
+}
+
+ShownVector InstantExplainer::confirmed(const Vector3<double>& number,
+                                        const std::optional<Vector3<Formula>>& formula) const {
+  if (!formula) return {number, std::nullopt};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!confirmed(number[k], (*formula)[k]).formula) return {number, std::nullopt};
+  Vector3<double> clean = number;
+  for (std::size_t k = 0; k < 3; ++k)
+    if ((*formula)[k].is_zero()) clean[k] = 0;
+  return {clean, formula};
+}
+
+// What rounding leaves is small beside this; unknowns are found less closely than they are calculated with.
+double InstantExplainer::noise_size(const Dimension& dimension) const {
+  return solved_.natural_size(dimension) * (situation_.find.empty() ? 1 : 1e3);
+}
+
+// Without what rounding has left of zero.
+Shown InstantExplainer::clean(Shown value, const Dimension& dimension) const {
+  if (is_rounding(value.number, noise_size(dimension))) value.number = 0;
+  return value;
+}
+ShownVector InstantExplainer::clean(ShownVector value, const Dimension& dimension) const {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (is_rounding(value.number[k], noise_size(dimension))) value.number[k] = 0;
+  return value;
+}
+
+ExplainedSection& InstantExplainer::section(const std::string& heading) {
+  const std::string full = heading + suffix_;
+  for (ExplainedSection& known : explanation_.sections)
+    if (known.heading == full) return known;
+  return explanation_.sections.emplace_back(ExplainedSection{full, {}});
+}
+
+std::string InstantExplainer::body_name(int body) const { return mechanism().tree.name(body); }
+
+std::vector<int> InstantExplainer::bodies_with_mass() const {
+  std::vector<int> bodies;
+  for (const auto& [index, mass] : figures_.numbers.machine->masses)
+    if (mechanism().tree.body(index).inertia.mass > 0) bodies.push_back(index);
+  return bodies;
+}
+
+std::string InstantExplainer::center_label(int body) const {
+  return several_bodies() ? "G_{" + ExplanationTex::upright(body_name(body)) + "}" : "G";
+}
+
+std::optional<std::string> InstantExplainer::named_point(const Vector3<double>& position) const {
+  for (const NamedExpression& point : situation_.points) {
+    try {
+      DataScope<double> data(situation_, data_.settings());
+      const Vector3<double> place = data.place(point.value);
+      if (norm(place - position) <= 1e-9 * (solved_.scales().length + norm(position))) return point.name;
+    } catch (const StatementError&) {
+      // A point that cannot be placed names nothing.
+    }
+  }
+  return std::nullopt;
+}
+
+ExplainedPoint InstantExplainer::mass_center(int body) {
+  return {center_label(body), shown_vector([&](const auto& figures) { return mass_of(figures.now, body).center; })};
+}
+
+ExplainedPoint InstantExplainer::point_of(const Expression& expression) {
+  if (const Call* call = expression.as<Call>(); call && call->function == "center")
+    for (const auto& [name, index] : figures_.numbers.machine->index)
+      if (index != ground && to_string(call->arguments.front().value) == name) return mass_center(index);
+  const Vector3<double> number = solved_.raw(expression, std::nullopt, nullptr).vector;
+  std::optional<Vector3<Formula>> formula;
+  if (formula_instant_) {
+    try {
+      formula = formula_instant_->raw(expression, std::nullopt, nullptr).vector;
+    } catch (const std::exception&) {
+      // Without a formula the number stands alone.
+    }
+  }
+  const Name* name = expression.as<Name>();
+  std::string label = name ? ExplanationTex::symbol(name->name) : "P";
+  if (!name)
+    if (const auto known = named_point(number)) label = ExplanationTex::symbol(*known);
+  return {label, confirmed(number, formula)};
+}
+
+bool InstantExplainer::rests(int body, const Vector3<double>& point) const {
+  const auto& motion = figures_.numbers.now.workspace().motion[static_cast<std::size_t>(body + 1)];
+  const Vector3<double> v = motion.v + cross(motion.w, point - motion.p);
+  if (!is_rounding(norm(v), norm(motion.w) * solved_.scales().length)) return false;
+  if (!figures_.numbers.before) return true;
+  const auto& earlier = figures_.numbers.before->workspace().motion[static_cast<std::size_t>(body + 1)];
+  return is_rounding(norm(Vector3<double>(earlier.v + cross(earlier.w, point - earlier.p))),
+                     (norm(earlier.w) + norm(motion.w)) * solved_.scales().length);
+}
+
+// Moments and products of inertia about the mass center or a fixed point, once for each.
+void InstantExplainer::inertia_step(ExplainedSection& section, int body, const ExplainedPoint* fixed) {
+  if (!inertia_said_.insert(fixed ? body + 10000 : body).second) return;
+  const auto tensor = [&, fixed](const auto& figures) {
+    const auto mass = mass_of(figures.now, body);
+    return fixed ? inertia_about(mass, position_of<ScalarOf<decltype(figures)>>(*fixed)) : mass.inertia_center;
+  };
+  ExplainedStep step;
+  const ExplainedPoint G = mass_center(body);
+  const Shown mass = shown([&](const auto& figures) { return figures.mechanism().tree.body(body).inertia.mass; });
+  step.text = "*" + body_name(body) + "*: ";
+  if (mass_said_.insert(body).second) {
+    if (tex_.can_show(mass)) step.text += "mass " + tex_.inline_both(mass, dimensions::mass);
+    if (!is_rounding(norm(G.position.number), solved_.scales().length) && tex_.can_show(G.position))
+      step.text +=
+          ", mass center at " + tex_.inline_equation("\\mathbf{r}_{" + G.label + "}", G.position, dimensions::length);
+    step.text += ". ";
+  }
+  if (solved_.uses_any() && !any_said_) {
+    any_said_ = true;
+    section.steps.push_back({"What is given as `any` changes no answer; the lines below take one value for it.", {}});
+  }
+  const std::string axes = "$" + tex_.axis(0) + ", " + tex_.axis(1) + ", " + tex_.axis(2) + "$";
+  step.text += "Moments and products of inertia about $" + (fixed ? fixed->label : G.label) + "$ on axes parallel to " +
+               axes + " (Eqs. 18.5, 18.6" + (fixed ? ", parallel axes" : "") + "):";
+  const SymmetricMatrix3<double> numbers = tensor(figures_.numbers);
+  bool any_product = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (is_rounding(moment_on(numbers, k), size_of(numbers))) continue;
+    const Shown value = shown([&](const auto& figures) { return moment_on(tensor(figures), k); });
+    if (tex_.can_show(value))
+      step.equations.push_back(tex_.equation("I_{" + tex_.axis(k) + "}", value, dimensions::moment_of_inertia));
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (is_rounding(product_on(numbers, k), size_of(numbers))) continue;
+    any_product = true;
+    const Shown value = shown([&](const auto& figures) { return product_on(tensor(figures), k); });
+    const std::string index = tex_.axis(k) + tex_.axis((k + 1) % 3);
+    if (tex_.can_show(value))
+      step.equations.push_back(tex_.equation("I_{" + index + "}", value, dimensions::moment_of_inertia));
+  }
+  if (step.equations.empty()) step.text.back() = '.';
+  parts_step(section, body, fixed ? *fixed : G);
+  section.steps.push_back(std::move(step));
+  if (!any_product) section.steps.push_back({"The products of inertia vanish: these axes are principal axes.", {}});
+}
+
+void InstantExplainer::explain_masses() {
+  if (questions_.masses.empty()) return;
+  ExplainedSection& here = section("Inertia");
+  for (const int body : questions_.masses)
+    if (mechanism().tree.body(body).inertia.mass > 0) inertia_step(here, body, nullptr);
+}
+
+// How a body moves now, as far as it has not been said.
+void InstantExplainer::motion_step(std::vector<ExplainedStep>& steps, int body, const std::string& index,
+                                   bool with_velocity, bool with_accelerations) {
+  const auto at = static_cast<std::size_t>(body + 1);
+  const bool massive = mechanism().tree.body(body).inertia.mass > 0;
+  ExplainedStep step{"The motion of *" + body_name(body) + "*" + (sudden() ? " just after the blow" : "") + ":", {}};
+  const auto add = [&](const std::string& symbol, const auto& get, const Dimension& dimension) {
+    const ShownVector value = clean(shown_vector(get), dimension);
+    const bool idle = with_accelerations && norm(value.number) == 0;
+    if (tex_.can_show(value) && !idle && motion_said_.insert(body_name(body) + symbol).second)
+      step.equations.push_back(tex_.equation(symbol, value, dimension));
+  };
+  add(
+      "\\boldsymbol{\\omega}" + index, [&](const auto& figures) { return figures.now.workspace().motion[at].w; },
+      dimensions::angular_velocity);
+  if (massive && with_velocity)
+    add(
+        "\\mathbf{v}_{" + center_label(body) + "}",
+        [&](const auto& figures) {
+          const auto& motion = figures.now.workspace().motion[at];
+          return motion.v + cross(motion.w, mass_of(figures.now, body).center - motion.p);
+        },
+        dimensions::velocity);
+  if (with_accelerations) {
+    add(
+        "\\boldsymbol{\\alpha}" + index, [&](const auto& figures) { return figures.now.workspace().motion[at].alpha; },
+        dimensions::angular_acceleration);
+    if (massive)
+      add(
+          "\\mathbf{a}_{" + center_label(body) + "}",
+          [&](const auto& figures) {
+            const auto rate = momentum_rate_of(figures.now, {body}, mass_of(figures.now, body).center);
+            return rate.linear / figures.mechanism().tree.body(body).inertia.mass;
+          },
+          dimensions::acceleration);
+  }
+  if (!step.equations.empty()) steps.push_back(std::move(step));
+}
+
+void InstantExplainer::explain_kinematics() {
+  std::vector<ExplainedStep> steps;
+  for (const int body : questions_.moving) {
+    const bool several = several_bodies() || questions_.moving.size() > 1;
+    motion_step(steps, body, several ? "_{" + ExplanationTex::upright(body_name(body)) + "}" : "", true,
+                questions_.accelerated.contains(body) && figures_.numbers.forces);
+  }
+  if (steps.empty()) return;
+  ExplainedSection& here = section("Motion");
+  for (ExplainedStep& step : steps) here.steps.push_back(std::move(step));
+}
+
+void InstantExplainer::explain_momenta() {
+  for (const MomentumQuestion& question : questions_.momenta) explain_momentum(question);
+}
+
+void InstantExplainer::explain_momentum(const MomentumQuestion& question) {
+  std::vector<int> bodies;
+  for (const int body : bodies_with_mass())
+    if (question.body == whole_system || question.body == body) bodies.push_back(body);
+  if (bodies.empty()) return;
+  section("Inertia");
+  std::optional<ExplainedPoint> about;
+  if (question.about) about = point_of(*question.about);
+  std::string point_label = about ? about->label : "";
+  std::vector<ExplainedStep> steps;
+  std::vector<std::string> terms;
+  for (const int body : bodies) {
+    const auto at = static_cast<std::size_t>(body + 1);
+    const ExplainedPoint G = mass_center(body);
+    const bool about_center =
+        !about || norm(about->position.number - G.position.number) <= 1e-9 * solved_.scales().length;
+    if (about && about_center && bodies.size() == 1) point_label = G.label;
+    const bool fixed = about && !about_center && rests(body, about->position.number) && !sudden();
+    const std::string index = bodies.size() > 1 ? "_{" + ExplanationTex::upright(body_name(body)) + "}" : "";
+    if (question.angular || question.energy) inertia_step(section("Inertia"), body, fixed ? &*about : nullptr);
+    const ShownVector w = shown_vector([&](const auto& figures) { return figures.now.workspace().motion[at].w; });
+    const auto velocity = [&](const auto& figures) {
+      const auto& motion = figures.now.workspace().motion[at];
+      return motion.v + cross(motion.w, mass_of(figures.now, body).center - motion.p);
+    };
+    const bool with_velocity =
+        (!fixed || question.linear) && !(about_center && question.angular && !question.linear && !question.energy);
+    motion_step(steps, body, index, with_velocity, false);
+    if (question.linear) {
+      const ShownVector L =
+          shown_vector([&](const auto& figures) { return momentum_of(figures.now, {body}, velocity(figures)).linear; });
+      ExplainedStep step{"Its linear momentum is $\\mathbf{L} = m\\,\\mathbf{v}_{" + G.label + "}$:", {}};
+      if (tex_.can_show(L)) step.equations.push_back(tex_.equation("\\mathbf{L}" + index, L, dimensions::momentum));
+      steps.push_back(std::move(step));
+    }
+    if (question.angular) {
+      const std::string own = fixed ? about->label : G.label;
+      ExplainedStep step;
+      step.text = fixed ? "The point $" + own + "$ of the body is at rest, so $\\mathbf{H}_{" + own + "} = I_{" + own +
+                              "}\\,\\boldsymbol{\\omega}$ (Eqs. 18.12, 18.13):"
+                        : "About the mass center" +
+                              (about && about->label != G.label && about_center ? ", which is at $" + about->label + "$"
+                                                                                : std::string()) +
+                              ", by Eq. 18.7:";
+      const auto tensor = [&](const auto& figures) {
+        const auto mass = mass_of(figures.now, body);
+        return fixed ? inertia_about(mass, position_of<ScalarOf<decltype(figures)>>(*about)) : mass.inertia_center;
+      };
+      const SymmetricMatrix3<double> I = tensor(figures_.numbers);
+      const Vector3<double> H = I * w.number;
+      for (std::size_t i = 0; i < 3; ++i) {
+        std::string sum;
+        for (std::size_t j = 0; j < 3; ++j) {
+          if (is_rounding(w.number[j], norm(w.number))) continue;
+          if (i == j && !is_rounding(moment_on(I, i), size_of(I)))
+            sum += (sum.empty() ? "" : " + ") + ("I_{" + tex_.axis(i) + "}\\omega_{" + tex_.axis(i) + "}");
+          if (i != j && !is_rounding(product_on(I, pair_of(i, j)), size_of(I))) {
+            const std::size_t k = pair_of(i, j);
+            sum += (sum.empty() ? "-" : " - ") +
+                   ("I_{" + tex_.axis(k) + tex_.axis((k + 1) % 3) + "}\\omega_{" + tex_.axis(j) + "}");
+          }
+        }
+        if (sum.empty() || is_rounding(H[i], norm(H))) continue;
+        const Shown value =
+            shown([&](const auto& figures) { return (tensor(figures) * figures.now.workspace().motion[at].w)[i]; });
+        if (!tex_.can_show(value)) continue;
+        step.equations.push_back(
+            tex_.equation("H_{" + tex_.axis(i) + "} = " + sum, value, dimensions::angular_momentum));
+      }
+      if (step.equations.empty()) step.text += " $\\mathbf{H} = \\mathbf{0}$.";
+      steps.push_back(std::move(step));
+      if (about && !fixed && !about_center) {
+        const ShownVector shifted = shown_vector([&](const auto& figures) {
+          return momentum_of(figures.now, {body}, position_of<ScalarOf<decltype(figures)>>(*about)).angular;
+        });
+        ExplainedStep moved{"About $" + about->label + "$, $\\mathbf{H}_{" + about->label + "} = \\mathbf{r}_{" +
+                                G.label + "/" + about->label + "} \\times m\\mathbf{v}_{" + G.label +
+                                "} + \\mathbf{H}_{" + G.label + "}$ (Eq. 18.11):",
+                            {}};
+        if (tex_.can_show(shifted))
+          moved.equations.push_back(
+              tex_.equation("\\mathbf{H}_{" + about->label + "}" + index, shifted, dimensions::angular_momentum));
+        steps.push_back(std::move(moved));
+      }
+    }
+    if (question.energy) {
+      const Shown T = shown([&](const auto& figures) {
+        return body_kinetic_energy(figures.mechanism().tree, figures.now.workspace(), body);
+      });
+      const bool central = about.has_value() && about_center;
+      const Shown shown_energy = central ? shown([&](const auto& figures) {
+        const auto& omega = figures.now.workspace().motion[at].w;
+        return dot(omega, mass_of(figures.now, body).inertia_center * omega) / 2;
+      })
+                                         : T;
+      ExplainedStep step{central ? "Relative to the mass center $T' = \\tfrac12\\,\\boldsymbol{\\omega}\\cdot I_{" +
+                                       G.label + "}\\,\\boldsymbol{\\omega}$ (Eq. 18.17):"
+                                 : "Its kinetic energy is $T = \\tfrac12 m v_{" + G.label +
+                                       "}^2 + \\tfrac12\\,\\boldsymbol{\\omega}\\cdot I_{" + G.label +
+                                       "}\\,\\boldsymbol{\\omega}$ (Eq. 18.17):",
+                         {}};
+      if (tex_.can_show(shown_energy))
+        step.equations.push_back(tex_.equation("T" + index, shown_energy, dimensions::energy, true));
+      steps.push_back(std::move(step));
+    }
+  }
+  ExplainedSection& here = section(question.energy && !question.angular ? "Kinetic energy" : "Momentum");
+  for (ExplainedStep& step : steps) here.steps.push_back(std::move(step));
+  if (bodies.size() > 1 && question.angular && about) {
+    const std::set<int> all(bodies.begin(), bodies.end());
+    const ShownVector sum = shown_vector([&](const auto& figures) {
+      return momentum_of(figures.now, all, position_of<ScalarOf<decltype(figures)>>(*about)).angular;
+    });
+    ExplainedStep step{"Of all bodies together:", {}};
+    if (tex_.can_show(sum))
+      step.equations.push_back(tex_.equation("\\mathbf{H}_{" + about->label + "}", sum, dimensions::angular_momentum));
+    here.steps.push_back(std::move(step));
+  }
+}
+
+void InstantExplainer::explain(const std::string& suffix) {
+  suffix_ = suffix;
+  const bool balance = sudden() || (figures_.numbers.forces && (questions_.asks_forces() || situation_.steady));
+  if (balance)
+    explain_balance();
+  else
+    velocity_conditions();
+  explain_masses();
+  explain_momenta();
+  explain_kinematics();
+  std::erase_if(explanation_.sections, [](const ExplainedSection& one) { return one.steps.empty(); });
+}
+
+}  // namespace poinsot::problem

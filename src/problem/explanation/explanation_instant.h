@@ -1,0 +1,162 @@
+// One solved instant as steps of a worked solution.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "problem/explanation/explanation_figures.h"
+#include "problem/explanation/explanation_questions.h"
+#include "problem/explanation/explanation_tex.h"
+#include "problem/formulas/formula_instant.h"
+
+namespace poinsot::problem {
+
+// The figures of an instant in numbers, and in formulas where these were found.
+struct ExplainedFigures {
+  InstantFigures<double> numbers;
+  std::optional<InstantFigures<Formula>> formulas{};
+};
+
+// A point of the figure with its label.
+struct ExplainedPoint {
+  std::string label;
+  ShownVector position;
+};
+
+// The point on the road of a scalar. Throws std::domain_error where it has no formula.
+template <class Scalar>
+Vector3<Scalar> position_of(const ExplainedPoint& point) {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    return point.position.number;
+  } else {
+    if (!point.position.formula) throw std::domain_error("a point without formula");
+    return *point.position.formula;
+  }
+}
+// The scalar of some figures.
+template <class Scalar>
+Scalar scalar_of(const InstantFigures<Scalar>& figures);
+template <class Figures>
+using ScalarOf = decltype(scalar_of(std::declval<Figures>()));
+
+class InstantExplainer {
+ public:
+  // formulas: the same instant as formulas, if it could be had; letters: values of the letters in them. All arguments
+  // must outlive it.
+  InstantExplainer(const Situation& situation, SolvedInstant& solved, SolvedInstant* before, FormulaInstant* formulas,
+                   const LetterValues& letters, const ExplanationTex& tex, const InstantQuestions& questions,
+                   const Settings& settings, Explanation& explanation);
+
+  // All that the questions need, as sections.
+  void explain(const std::string& suffix);
+
+ private:
+  // The value on both roads; the formula only where it agrees with the number.
+  template <class Get>
+  Shown shown(const Get& get) const {
+    return confirmed(get(figures_.numbers), in_formulas<Formula>(get));
+  }
+  template <class Get>
+  ShownVector shown_vector(const Get& get) const {
+    return confirmed(get(figures_.numbers), in_formulas<Vector3<Formula>>(get));
+  }
+  template <class Result, class Get>
+  std::optional<Result> in_formulas(const Get& get) const {
+    if (!figures_.formulas) return std::nullopt;
+    try {
+      return Result(get(*figures_.formulas));
+    } catch (const std::domain_error&) {
+      return std::nullopt;
+    } catch (const FormulaTooLarge&) {
+      return std::nullopt;
+    }
+  }
+  Shown confirmed(double number, const std::optional<Formula>& formula) const;
+  double noise_size(const Dimension& dimension) const;
+  Shown clean(Shown value, const Dimension& dimension) const;
+  ShownVector clean(ShownVector value, const Dimension& dimension) const;
+  ShownVector confirmed(const Vector3<double>& number, const std::optional<Vector3<Formula>>& formula) const;
+
+  // explanation_instant.cpp
+  void explain_masses();
+  void explain_momenta();
+  void explain_momentum(const MomentumQuestion& question);
+  void explain_kinematics();
+  void motion_step(std::vector<ExplainedStep>& steps, int body, const std::string& index, bool with_velocity,
+                   bool with_accelerations);
+  void inertia_step(ExplainedSection& section, int body, const ExplainedPoint* fixed);
+  // explanation_parts.cpp
+  void parts_step(ExplainedSection& section, int body, const ExplainedPoint& point);
+  ExplainedPoint point_of(const Expression& expression);
+  ExplainedPoint mass_center(int body);
+  std::optional<std::string> named_point(const Vector3<double>& position) const;
+  bool rests(int body, const Vector3<double>& point) const;  // whether the body's point there does
+  std::string body_name(int body) const;
+  std::string center_label(int body) const;
+  std::vector<int> bodies_with_mass() const;
+  bool several_bodies() const { return bodies_with_mass().size() > 1; }
+
+  // explanation_balance.cpp
+  struct Symbol {
+    std::string tex;
+    double value = 0;  // SI
+    double sign = 1;   // symbol = sign times the unknown of the model
+    Dimension dimension;
+    bool determined = true;
+    Shown shown;
+  };
+  struct System {
+    BalancePlan plan;
+    std::vector<Symbol> unknown, open;
+  };
+  void explain_balance();
+  std::size_t action_of(const UnknownForce& force) const;
+  bool is_asked(const UnknownForce& force) const;
+  bool has_pure_equation(const std::set<int>& bodies) const;
+  BalancePlan plan_for(const std::set<int>& bodies) const;
+  std::vector<std::set<int>> choose_systems() const;
+  bool determines(const std::vector<std::set<int>>& systems) const;
+  std::vector<std::set<int>> pieces(const std::set<std::size_t>& cut) const;
+  Symbol symbol_of(const UnknownForce& force) const;
+  Symbol symbol_of_coordinate(std::size_t k, bool rates) const;  // rates: of its velocity, else acceleration
+  void velocity_conditions();
+  std::string action_symbol(const Action& action) const;
+  std::string names_of(const std::set<int>& bodies) const;
+  void explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& listed);
+  std::optional<ExplainedPoint> best_point(const BalancePlan& plan) const;
+  void kinetic_steps(ExplainedSection& section, const System& system, const ExplainedPoint& point);
+  void rate_step(ExplainedSection& section, int body, const ExplainedPoint& about, bool fixed);
+  void force_list(ExplainedSection& section, const System& system) const;
+  void extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed, ExplainedSection& section);
+  void list_unknowns(const std::vector<Symbol>& listed);
+  std::vector<std::size_t> open_coordinates() const;
+  std::vector<std::size_t> blocked_coordinates() const;
+
+  bool sudden() const { return figures_.numbers.before.has_value(); }
+  const Mechanism<double>& mechanism() const { return figures_.numbers.mechanism(); }
+  ExplainedSection& section(const std::string& heading);
+  std::string impulse_mark() const { return sudden() ? "\\,\\Delta t" : ""; }
+
+  const Situation& situation_;
+  SolvedInstant& solved_;
+  FormulaInstant* formula_instant_;
+  const LetterValues& letters_;
+  const ExplanationTex& tex_;
+  const InstantQuestions& questions_;
+  Explanation& explanation_;
+  ExplainedFigures figures_;
+  DataScope<double> data_;
+  std::string suffix_;
+  // What has been said already, so that it is said once.
+  std::set<int> inertia_said_, mass_said_;
+  std::set<std::string> motion_said_;
+  bool any_said_ = false;
+};
+
+}  // namespace poinsot::problem

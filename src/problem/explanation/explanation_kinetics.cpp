@@ -1,0 +1,146 @@
+// The kinetic side: masses times accelerations, and how angular momenta change.
+#include <algorithm>
+#include <cmath>
+
+#include "problem/explanation/explanation_instant.h"
+#include "problem/instant/instant_conditions.h"
+
+namespace poinsot::problem {
+
+// dH/dt of one body with the axes in which it is simplest: those in which H does not change, if there are any.
+void InstantExplainer::rate_step(ExplainedSection& section, int body, const ExplainedPoint& reference, bool fixed) {
+  const auto at = static_cast<std::size_t>(body + 1);
+  const std::string& label = reference.label;
+  const auto momentum = [&](const auto& figures) {
+    return momentum_of(figures.now, {body}, position_of<ScalarOf<decltype(figures)>>(reference)).angular;
+  };
+  const auto rate = [&](const auto& figures) {
+    return momentum_rate_of(figures.now, {body}, position_of<ScalarOf<decltype(figures)>>(reference)).angular;
+  };
+  const ShownVector H = shown_vector(momentum), total = shown_vector(rate);
+  const double natural = solved_.natural_size(dimensions::moment);
+  const std::string own = "\\mathbf{H}_{" + label + "}";
+  if (!tex_.can_show(H)) return;
+  ExplainedStep step;
+  step.text = "Angular momentum of *" + body_name(body) + "* about " +
+              (fixed ? "its fixed point $" + label + "$, $I_{" + label + "}\\boldsymbol{\\omega}$ (Eq. 18.13):"
+                     : "its mass center, $I_{" + label + "}\\boldsymbol{\\omega}$ (Eq. 18.7):");
+  step.equations.push_back(tex_.equation(own, H, dimensions::angular_momentum));
+  if (is_rounding(norm(H.number), solved_.natural_size(dimensions::angular_momentum))) {
+    step.text = "The angular momentum of *" + body_name(body) + "* about $" + label + "$ is zero.";
+    step.equations.clear();
+  }
+  section.steps.push_back(std::move(step));
+  // Axes to try: of the steady frame, of the bodies that carry this one, its own.
+  std::vector<std::pair<int, std::string>> axes;
+  if (situation_.steady)
+    axes.emplace_back(figures_.numbers.machine->index.at(situation_.steady->frame), situation_.steady->frame);
+  for (int i = mechanism().tree.body(body).parent; i != ground; i = mechanism().tree.body(i).parent)
+    axes.emplace_back(i, body_name(i));
+  axes.emplace_back(body, body_name(body));
+  for (const auto& [index, name] : axes) {
+    const Vector3<double> W = figures_.numbers.now.workspace().motion[static_cast<std::size_t>(index + 1)].w;
+    if (norm(cross(W, H.number) - total.number) > 1e-9 * (norm(total.number) + natural)) continue;
+    if (norm(total.number) <= 1e-9 * natural) {
+      section.steps.push_back({"It does not change: $\\dot{\\mathbf{H}}_{" + label + "} = \\mathbf{0}$.", {}});
+      return;
+    }
+    const auto frame = static_cast<std::size_t>(index + 1);
+    const ShownVector Omega =
+        shown_vector([&](const auto& figures) { return figures.now.workspace().motion[frame].w; });
+    const ShownVector turned = shown_vector(
+        [&](const auto& figures) { return cross(figures.now.workspace().motion[frame].w, momentum(figures)); });
+    const std::string omega = index == body ? "\\boldsymbol{\\omega}" : "\\boldsymbol{\\Omega}";
+    ExplainedStep turning;
+    turning.text = "On axes that turn with *" + name + "*, at " +
+                   tex_.inline_equation(omega, Omega, dimensions::angular_velocity) +
+                   ", its components do not change: only their turning is left in Eq. 18.22:";
+    turning.equations.push_back(
+        tex_.equation("\\dot{\\mathbf{H}}_{" + label + "} = " + omega + "\\times" + own, turned, dimensions::moment));
+    section.steps.push_back(std::move(turning));
+    return;
+  }
+  // A body of revolution is described on the axes that carry it: its spin does not matter there.
+  const int carrier = mechanism().tree.body(body).parent;
+  if (carrier != ground && turns_unseen(mechanism().tree, body, solved_.scales().length)) {
+    const auto frame = static_cast<std::size_t>(carrier + 1);
+    const ShownVector Omega =
+        shown_vector([&](const auto& figures) { return figures.now.workspace().motion[frame].w; });
+    const ShownVector turned = shown_vector(
+        [&](const auto& figures) { return cross(figures.now.workspace().motion[frame].w, momentum(figures)); });
+    const ShownVector seen = shown_vector([&](const auto& figures) {
+      return rate(figures) - cross(figures.now.workspace().motion[frame].w, momentum(figures));
+    });
+    ExplainedStep turning;
+    turning.text = "On axes that turn with *" + body_name(carrier) + "*, at " +
+                   tex_.inline_equation("\\boldsymbol{\\Omega}", Omega, dimensions::angular_velocity) +
+                   ", Eq. 18.22 gives";
+    const auto add = [&](const std::string& symbol, const ShownVector& value) {
+      if (tex_.can_show(value))
+        turning.equations.push_back(tex_.equation(symbol, clean(value, dimensions::moment), dimensions::moment));
+    };
+    add("(\\dot{\\mathbf{H}}_{" + label + "})_{\\mathrm{rel}}", seen);
+    add("\\boldsymbol{\\Omega}\\times" + own, turned);
+    add("\\dot{\\mathbf{H}}_{" + label + "}", total);
+    section.steps.push_back(std::move(turning));
+    return;
+  }
+  ExplainedStep step_rate;
+  const ShownVector alpha = shown_vector([&](const auto& figures) { return figures.now.workspace().motion[at].alpha; });
+  step_rate.text = "By Eq. 18.22 with $\\boldsymbol{\\Omega} = \\boldsymbol{\\omega}$ and " +
+                   tex_.inline_equation("\\boldsymbol{\\alpha}", alpha, dimensions::angular_acceleration) + ":";
+  const ShownVector spin = shown_vector([&](const auto& figures) {
+    const auto& motion = figures.now.workspace().motion[at];
+    return rate(figures) - cross(motion.w, momentum(figures));
+  });
+  const ShownVector turned =
+      shown_vector([&](const auto& figures) { return cross(figures.now.workspace().motion[at].w, momentum(figures)); });
+  if (tex_.can_show(spin) && norm(spin.number) > 1e-9 * natural)
+    step_rate.equations.push_back(tex_.equation("I_{" + label + "}\\boldsymbol{\\alpha}", spin, dimensions::moment));
+  if (tex_.can_show(turned) && norm(turned.number) > 1e-9 * natural)
+    step_rate.equations.push_back(tex_.equation("\\boldsymbol{\\omega}\\times" + own, turned, dimensions::moment));
+  if (tex_.can_show(total))
+    step_rate.equations.push_back(tex_.equation("\\dot{\\mathbf{H}}_{" + label + "}", total, dimensions::moment));
+  section.steps.push_back(std::move(step_rate));
+}
+
+void InstantExplainer::kinetic_steps(ExplainedSection& here, const System& system, const ExplainedPoint& point) {
+  for (const int body : system.plan.bodies) {
+    if (!(mechanism().tree.body(body).inertia.mass > 0)) continue;
+    const bool fixed = rests(body, point.position.number);
+    const ExplainedPoint G = mass_center(body);
+    inertia_step(section("Inertia"), body, fixed ? &point : nullptr);
+    ExplainedSection& kinetic = section(here.heading.substr(0, here.heading.size() - suffix_.size()));
+    const auto at = static_cast<std::size_t>(body + 1);
+    const ShownVector w = shown_vector([&](const auto& figures) { return figures.now.workspace().motion[at].w; });
+    if (norm(w.number) > 0 && tex_.can_show(w) && !sudden())
+      kinetic.steps.push_back({"*" + body_name(body) + "* turns at",
+                               {tex_.equation("\\boldsymbol{\\omega}", w, dimensions::angular_velocity)}});
+    if (sudden()) continue;
+    if (!system.open.empty()) {
+      const auto& link = mechanism().tree.body(body);
+      std::string text =
+          "How fast the velocities of *" + body_name(body) + "* change is unknown; the right sides below ";
+      if (link.parent == ground && link.joint == JointType::revolute && fixed)
+        text += "have it as Eq. 18.29 for a fixed axis.";
+      else if (fixed)
+        text += "have it as Eq. 18.28 for the fixed point $" + point.label + "$.";
+      else
+        text += "have it as Eqs. 18.1 and 18.23 say.";
+      kinetic.steps.push_back({text, {}});
+      continue;
+    }
+    const ShownVector ma = shown_vector([&](const auto& figures) {
+      return momentum_rate_of(figures.now, {body}, position_of<ScalarOf<decltype(figures)>>(G)).linear;
+    });
+    const std::string center = center_label(body);
+    if (norm(ma.number) <= 1e-9 * solved_.natural_size(dimensions::force))
+      kinetic.steps.push_back({"The mass center of *" + body_name(body) + "* has no acceleration.", {}});
+    else if (tex_.can_show(ma))
+      kinetic.steps.push_back({"The vector $m\\,\\mathbf{a}_{" + center + "}$ of *" + body_name(body) + "*:",
+                               {tex_.equation("m\\,\\mathbf{a}_{" + center + "}", ma, dimensions::force)}});
+    rate_step(kinetic, body, fixed ? point : G, fixed);
+  }
+}
+
+}  // namespace poinsot::problem

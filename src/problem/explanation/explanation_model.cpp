@@ -1,0 +1,275 @@
+#include "problem/explanation/explanation_model.h"
+
+#include <algorithm>
+#include <map>
+
+namespace poinsot::problem {
+namespace {
+
+
+std::string shape_words(const Shape& shape) {
+  static const std::map<std::string, std::string> words{
+      {"rod", "slender rod"},       {"rectangle", "thin rectangular plate"},
+      {"polygon", "thin plate"},    {"triangle", "thin triangular plate"},
+      {"disk", "thin disk"},        {"semicircle", "thin half disk"},
+      {"ring", "thin ring"},        {"wire", "wire"},
+      {"box", "rectangular block"}, {"particle", "particle"}};
+  const auto found = words.find(shape.kind);
+  if (found != words.end()) return found->second;
+  std::string plain = shape.kind;
+  std::replace(plain.begin(), plain.end(), '_', ' ');
+  return plain;
+}
+
+// The expression, and the number that it is where it says more.
+class Data {
+ public:
+  Data(const Situation& situation, const Settings& settings, const ExplanationTex& tex)
+      : situation_(situation), settings_(settings), tex_(tex) {}
+
+  std::string number(const Expression& expression, const Dimension& dimension) const {
+    if (const Name* name = expression.as<Name>(); name && name->name == "any") return "any value";
+    if (expression.as<Number>() || depends_on_time(situation_, expression)) return code(expression);
+    try {
+      if (tex_.letters_open() && !letters_of(situation_, expression).empty()) return code(expression);
+      DataScope<double> data(situation_, settings_);
+      const double value = data.number(expression, dimension);
+      return code(expression) + " $= " + tex_.number(value, dimension) + tex_.unit_tex(dimension) + "$";
+    } catch (const StatementError&) {
+      return code(expression);
+    }
+  }
+  std::string amount(const Amount& amount) const {
+    if (amount.mass) return "mass " + number(*amount.mass, dimensions::mass);
+    if (amount.weight) return "weight " + number(*amount.weight, dimensions::force);
+    if (amount.density) return "density " + code(*amount.density);
+    if (amount.specific_weight) return "specific weight " + code(*amount.specific_weight);
+    return "";
+  }
+
+ private:
+  const Situation& situation_;
+  const Settings& settings_;
+  const ExplanationTex& tex_;
+};
+
+std::string body_line(const Body& body, const Data& data) {
+  std::string line = "*" + body.name + "*";
+  if (body.massless) return line + " has no mass";
+  const std::string amount = data.amount(body.amount);
+  const auto part_words = [&](const Part& part) {
+    const std::string own = data.amount(part.amount);
+    return std::string(part.hole ? "less a hole, " : "") + "a " + shape_words(part.shape) +
+           (part.name.empty() || part.name == body.name ? "" : " *" + part.name + "*") +
+           (own.empty() ? "" : " of " + own);
+  };
+  if (body.parts.size() == 1) {
+    line += " is a " + shape_words(body.parts.front().shape);
+    const std::string own = amount.empty() ? data.amount(body.parts.front().amount) : amount;
+    if (!own.empty()) line += " of " + own;
+  } else if (body.parts.size() > 1) {
+    std::vector<std::string> parts;
+    for (const Part& part : body.parts) parts.push_back(part_words(part));
+    line += " consists of " + in_words(parts) + (amount.empty() ? "" : "; in all " + amount);
+  } else {
+    line += " is given by " + std::string(body.inertia ? "its mass, mass center and moments of inertia" : "numbers") +
+            (amount.empty() ? "" : ", " + amount);
+  }
+  if (!body.added.empty()) {
+    std::vector<std::string> parts;
+    for (const Part& part : body.added) parts.push_back(part_words(part));
+    line += "; added to it: " + in_words(parts);
+  }
+  return line;
+}
+
+std::string joint_line(const Joint& joint, const Data& data) {
+  const std::string on = joint.from == "ground" ? "the ground" : "*" + joint.from + "*";
+  const std::string at = joint.at ? " through " + code(*joint.at) : "";
+  std::string line = "*" + joint.name + "* ";
+  switch (joint.kind) {
+    case JointKind::weld:
+      line += "fixes *" + joint.to + "* to " + on + " at " + code(joint.place);
+      break;
+    case JointKind::revolute:
+      line += "lets *" + joint.to + "* turn on " + on + " about the axis " + code(joint.place) + at;
+      break;
+    case JointKind::prismatic:
+      line += "lets *" + joint.to + "* slide on " + on + " along " + code(joint.place);
+      break;
+    case JointKind::ball:
+      line += "holds *" + joint.to + "* on " + on + " by a ball and socket at " + code(joint.place);
+      break;
+    default: {
+      static const std::map<JointKind, std::string> kinds{{JointKind::cylindrical, "a cylindrical joint"},
+                                                          {JointKind::universal, "a universal joint"},
+                                                          {JointKind::planar, "a planar joint"},
+                                                          {JointKind::screw, "a screw"}};
+      line += "holds *" + joint.to + "* on " + on + " by " + kinds.at(joint.kind) + " at " + code(joint.place) + at;
+    }
+  }
+  for (const Freedom& freedom : joint.freedoms) {
+    const std::string of = freedom.name.empty() ? "" : " (" + freedom.name + ")";
+    if (freedom.position)
+      line +=
+          "; its " + std::string(freedom.turning ? "angle" : "displacement") + of + " is " + code(*freedom.position);
+    if (freedom.rate)
+      line += "; rate" + of + " " +
+              data.number(*freedom.rate, freedom.turning ? dimensions::angular_velocity : dimensions::velocity);
+    if (freedom.accel) {
+      const Number* zero = freedom.accel->as<Number>();
+      line += zero && zero->value == 0
+                  ? ", constant"
+                  : "; acceleration" + of + " " +
+                        data.number(*freedom.accel,
+                                    freedom.turning ? dimensions::angular_acceleration : dimensions::acceleration);
+    }
+    if (freedom.effort)
+      line += "; driven" + of + " by " +
+              data.number(*freedom.effort, freedom.turning ? dimensions::moment : dimensions::force);
+    if (freedom.stiffness) line += "; spring constant" + of + " " + code(*freedom.stiffness);
+    if (freedom.damping) line += "; damping" + of + " " + code(*freedom.damping);
+  }
+  std::vector<std::string> supports;
+  for (const Support& support : joint.supports) {
+    std::vector<std::string> carried;
+    std::vector<std::string> couples;
+    for (const Expression& force : support.forces) carried.push_back(code(force));
+    for (const Expression& couple : support.couples) couples.push_back(code(couple));
+    std::string what = support.kind.empty() ? "" : support.kind;
+    if (!carried.empty()) what += (what.empty() ? "" : ", ") + std::string("forces along ") + in_words(carried);
+    if (!couples.empty()) what += (what.empty() ? "" : ", ") + std::string("couples about ") + in_words(couples);
+    supports.push_back("*" + support.name + "* (" + (what.empty() ? "no forces" : what) + ")");
+  }
+  if (!supports.empty()) line += "; supports " + in_words(supports);
+  return line;
+}
+
+void add_actions(const Situation& situation, const Data& data, std::vector<std::string>& lines) {
+  for (const Contact& contact : situation.contacts)
+    lines.push_back("*" + contact.of + "* touches *" + contact.against + "* at " + code(contact.at) + ", normal " +
+                    code(contact.normal) + (contact.no_slip ? ", without slipping" : ", without friction"));
+  for (const Cord& cord : situation.cords)
+    lines.push_back("the cord *" + cord.name + "* holds *" + cord.to + "*" +
+                    (cord.end ? " at " + code(*cord.end) : "") +
+                    (cord.direction ? " along " + code(*cord.direction) : ""));
+  for (const Spring& spring : situation.springs)
+    lines.push_back("the spring *" + spring.name + "* joins " + code(spring.at) + " and " + code(spring.end));
+  for (const Load& load : situation.loads)
+    lines.push_back("on *" + load.body + "* acts the " +
+                    (load.couple ? "couple *" + load.name + "*, " + code(*load.couple)
+                                 : "force *" + load.name + "*, " + code(*load.force)) +
+                    (load.direction ? " along " + code(*load.direction) : "") +
+                    (load.at ? ", at " + code(*load.at) : ""));
+  for (const Impulse& impulse : situation.impulses) {
+    const Expression& size = impulse.value ? *impulse.value : impulse.force ? *impulse.force : *impulse.couple;
+    lines.push_back("*" + impulse.body + "* gets the impulse *" + impulse.name + "*, " + code(size) +
+                    (impulse.lasts ? " for " + code(*impulse.lasts) : "") +
+                    (impulse.at ? ", at " + code(*impulse.at) : ""));
+  }
+  for (const Impact& impact : situation.impacts)
+    lines.push_back("*" + impact.of + "* strikes *" + impact.against + "* at " + code(impact.at) + ", pushed along " +
+                    code(impact.pushes) +
+                    (impact.restitution ? ", restitution " + data.number(*impact.restitution, dimensions::none) : ""));
+  for (const Strike& strike : situation.strikes)
+    lines.push_back("the particle *" + strike.name + "* of " + data.amount(strike.amount) + " hits *" + strike.hits +
+                    "* at " + code(strike.at) + " with the velocity " + code(strike.velocity) +
+                    (strike.stays ? " and stays" : ""));
+  if (situation.gravity) {
+    const Name* none = situation.gravity->as<Name>();
+    lines.push_back(none && none->name == "none" ? "weights are left out"
+                                                 : "gravity acts along " + code(*situation.gravity));
+  }
+  for (const Frame& frame : situation.frames)
+    lines.push_back("the frame *" + frame.name + "*" +
+                    (frame.turns ? " turns about " + code(*frame.turns) + " at " +
+                                       data.number(*frame.rate, dimensions::angular_velocity)
+                                 : " does not turn") +
+                    (frame.velocity ? ", its origin moves with " + code(*frame.velocity) : ""));
+  if (situation.steady) {
+    std::vector<std::string> spins;
+    for (const Spin& spin : situation.steady->spins)
+      spins.push_back("*" + spin.body + "* spins about " + code(spin.about) + " at " +
+                      data.number(spin.rate, dimensions::angular_velocity));
+    lines.push_back("the motion is steady: everything rests in *" + situation.steady->frame + "*" +
+                    (spins.empty() ? "" : ", but " + in_words(spins)));
+  }
+}
+
+}  // namespace
+
+ExplainedSection model_section(const Situation& situation, const Settings& settings, const ExplanationTex& tex,
+                               const std::string& heading) {
+  const Data data(situation, settings, tex);
+  std::vector<std::string> lines;
+  for (const Body& body : situation.bodies) lines.push_back(body_line(body, data));
+  for (const Joint& joint : situation.joints) lines.push_back(joint_line(joint, data));
+  add_actions(situation, data, lines);
+  for (const Instant& instant : situation.instants) {
+    std::vector<std::string> facts;
+    if (instant.rest) facts.emplace_back("everything rests");
+    for (const Fact& fact : instant.facts)
+      facts.push_back(code(to_string(fact.quantity) + " = " + to_string(fact.value)));
+    for (const auto& [name, mark] : instant.nudged) facts.push_back(code(name) + " is disturbed a little");
+    if (!facts.empty()) lines.push_back("known at *" + instant.name + "*: " + in_words(facts));
+  }
+  std::vector<std::string> unknown;
+  for (const Unknown& item : situation.find) unknown.push_back(code(item.name));
+  if (!unknown.empty()) lines.push_back("to be found: " + in_words(unknown));
+  std::vector<std::string> conditions;
+  for (const Expression& condition : situation.where) conditions.push_back(code(condition));
+  if (!conditions.empty()) lines.push_back("where " + in_words(conditions));
+  ExplainedSection section{heading, {}};
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    text += std::string(i == 0 ? "" : "\n") + "* " + lines[i] + (i + 1 == lines.size() ? "." : ";");
+  section.steps.push_back({text, {}});
+  return section;
+}
+
+ExplainedSection principle_section(const Statement& statement, const StatementQuestions& questions) {
+  ExplainedSection section{"Principle", {}};
+  const auto add = [&](const std::string& text) {
+    if (std::none_of(section.steps.begin(), section.steps.end(),
+                     [&](const ExplainedStep& step) { return step.text == text; }))
+      section.steps.push_back({text, {}});
+  };
+  for (const auto& [home, asked] : questions.instants) {
+    const Situation& situation = statement.situations[home.situation];
+    const bool after = situation.has_blow() && home.instant == 1 && !home.time;
+    if (after)
+      add("A blow lasts no time: positions stay, and forces of ordinary size bring nothing. For the bodies together, "
+          "momenta before plus the impulses from outside equal momenta after, as vectors and as moments (Eq. 17.4).");
+    if (situation.steady && !after)
+      add("The motion is steady: in axes that turn with the frame nothing changes but constant spins, so the rates of "
+          "the momenta are what the turning of the axes brings (Eqs. 18.22, 18.44). The external forces are equivalent "
+          "to these rates (Eqs. 18.1, 18.2).");
+    else if (asked.asks_forces() && !after)
+      add("At every moment the external forces on a body are equivalent to $m\\,\\mathbf{a}_G$ at $G$ with the couple "
+          "$\\dot{\\mathbf{H}}_G$ (Eqs. 18.1, 18.2): the two sides are written down and compared component by "
+          "component.");
+    const bool momenta = std::any_of(asked.momenta.begin(), asked.momenta.end(),
+                                     [](const MomentumQuestion& q) { return q.angular || q.linear; });
+    const bool energies =
+        std::any_of(asked.momenta.begin(), asked.momenta.end(), [](const MomentumQuestion& q) { return q.energy; });
+    if (momenta)
+      add("Momentum needs no forces: it follows from masses and velocities now. About $G$ the angular momentum is "
+          "$\\mathbf{H}_G = I_G\\,\\boldsymbol{\\omega}$ (Eq. 18.7), about another point $m\\mathbf{v}_G$ adds its "
+          "moment (Eq. 18.11).");
+    if (energies)
+      add("The kinetic energy follows from masses and velocities now: that of $m$ moving with $G$ and that of turning "
+          "about $G$ (Eq. 18.17).");
+    if (section.steps.empty() && !asked.moving.empty()) add("The velocities follow from how the bodies are held.");
+    if (section.steps.empty() && !asked.masses.empty())
+      add("Mass, mass center and inertia are sums over the parts, moved by parallel axes (Eqs. 18.5, 18.6).");
+  }
+  if (!questions.motions.empty())
+    add("The motion is followed through time from its start: the equations of motion (Eqs. 18.1, 18.2) give the "
+        "accelerations in every position, and what keeps its value all the while is a check.");
+  if (!statement.claims.empty())
+    add("A claim is to hold for all values of its letters: both sides are written as formulas and compared.");
+  if (section.steps.empty()) add("The answers follow from the data and the conditions stated.");
+  return section;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,16 @@
+// A motion through time in a worked solution: what moves it, how it is followed, what stays constant.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problem/explanation/explanation_tex.h"
+#include "problem/unknowns/sample.h"
+
+namespace poinsot::problem {
+
+// suffix: of the headings. Throws StatementError as the motion does.
+std::vector<ExplainedSection> motion_sections(const Statement& statement, std::size_t situation, Sample& sample,
+                                              const ExplanationTex& tex, const std::string& suffix);
+
+}  // namespace poinsot::problem

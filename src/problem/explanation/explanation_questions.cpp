@@ -1,0 +1,217 @@
+#include "problem/explanation/explanation_questions.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace poinsot::problem {
+namespace {
+
+// Walks through an expression and notes what it asks of the model at its instant.
+class Collector {
+ public:
+  Collector(const Statement& statement, Sample& sample, StatementQuestions& found)
+      : statement_(statement), sample_(sample), found_(found) {}
+
+  void collect(const Expression& expression, const Sample::Home& home) {
+    home_ = home;
+    walk(expression);
+  }
+
+ private:
+  void walk(const Expression& expression) {
+    if (!expression) return;
+    if (const Call* call = expression.as<Call>()) return of_call(*call);
+    if (const Name* name = expression.as<Name>()) return of_name(*name);
+    if (const At* at = expression.as<At>()) return of_at(*at);
+    if (const Member* member = expression.as<Member>()) return walk(member->object);
+    if (const Unary* unary = expression.as<Unary>()) return walk(unary->operand);
+    if (const Binary* binary = expression.as<Binary>()) {
+      walk(binary->left);
+      walk(binary->right);
+    } else if (const List* list = expression.as<List>()) {
+      for (const Expression& item : list->items) walk(item);
+    } else if (const Comparison* comparison = expression.as<Comparison>()) {
+      for (const Expression& operand : comparison->operands) walk(operand);
+    }
+  }
+
+  void of_at(const At& at) {
+    const Sample::Home outer = home_;
+    home_ = sample_.resolve(at.instant, at.instant_mark);
+    walk(at.expression);
+    home_ = outer;
+  }
+
+  void of_name(const Name& name) {
+    const Situation& situation = statement_.situations[home_.situation];
+    for (const NamedExpression& item : situation.define) {
+      if (item.name != name.name || depth_ > 50) continue;
+      ++depth_;
+      const bool outer = rate_;
+      rate_ = rate_ || name.primes > 0;
+      walk(item.value);
+      rate_ = outer;
+      --depth_;
+    }
+    for (const Joint& joint : situation.joints)
+      for (const Freedom& freedom : joint.freedoms) {
+        const Name* coordinate = freedom.position ? freedom.position->as<Name>() : nullptr;
+        if (!coordinate || coordinate->name != name.name) continue;
+        const int body = machine().index.at(joint.to);
+        if (name.primes >= 1) here().moving.insert(body);
+        if (name.primes == 2) accelerate(body);
+      }
+  }
+
+  void of_call(const Call& call) {
+    const std::string_view f = call.function;
+    if (is_motion_feature(call)) {
+      found_.motions.insert(home_.situation);
+      return;
+    }
+    const auto is = [&](std::initializer_list<const char*> words) {
+      return std::any_of(words.begin(), words.end(), [&](const char* word) { return f == word; });
+    };
+    if (f == "rate") {
+      const bool outer = rate_;
+      rate_ = true;
+      walk(call.arguments.front().value);
+      rate_ = outer;
+      return;
+    }
+    if (is({"angular_momentum", "momentum", "kinetic_energy"})) return of_momentum(call);
+    if (is({"force", "couple", "reaction", "reaction_couple", "drive", "tension", "load", "impulse", "impulsive_couple",
+            "touching", "taut"}))
+      return of_force(call);
+    if (is({"velocity", "angular_velocity", "acceleration", "angular_acceleration"})) {
+      for (const int body : bodies_in(call.arguments.front().value)) {
+        here().moving.insert(body);
+        if (rate_ || is({"acceleration", "angular_acceleration"})) accelerate(body);
+      }
+      return;
+    }
+    if (is({"mass", "weight", "center", "moment_of_inertia", "radius_of_gyration", "moments_of_inertia",
+            "products_of_inertia", "inertia_matrix", "principal_moments", "principal_axes"}))
+      for (const int body : bodies_in(call.arguments.front().value)) here().masses.insert(body);
+    for (const Argument& argument : call.arguments) walk(argument.value);
+  }
+
+  void of_momentum(const Call& call) {
+    MomentumQuestion question;
+    const std::vector<int> bodies = bodies_in(call.arguments.front().value);
+    question.body = bodies.empty() ? whole_system : bodies.front();
+    if (const Expression* about = call.argument("about")) question.about = *about;
+    question.angular = call.function == "angular_momentum";
+    question.linear = call.function == "momentum";
+    question.energy = call.function == "kinetic_energy";
+    question.rate = rate_;
+    if (rate_) here().accelerations = true;
+    for (MomentumQuestion& known : here().momenta) {
+      const bool same_point = known.about.has_value() == question.about.has_value() &&
+                              (!known.about || same_tree(*known.about, *question.about));
+      if (known.body != question.body || !(same_point || (known.angular && question.linear) || question.linear))
+        continue;
+      known.angular = known.angular || question.angular;
+      known.linear = known.linear || question.linear;
+      known.energy = known.energy || question.energy;
+      known.rate = known.rate || question.rate;
+      return;
+    }
+    here().momenta.push_back(question);
+  }
+
+  void of_force(const Call& call) {
+    std::string name, joint;
+    const Expression& what = call.arguments.front().value;
+    if (const Of* of = what.as<Of>()) {
+      name = to_string(of->point);
+      joint = to_string(of->body);
+    } else {
+      name = to_string(what);
+    }
+    for (const std::size_t action : machine().actions_of(name, joint)) {
+      const ActionKind kind = machine().mechanism.actions[action].kind;
+      if (call.function == "touching" || call.function == "taut" || call.function == "tension")
+        here().pushes.insert(action);
+      else if (call.function == "drive" ? kind == ActionKind::drive : true)
+        here().forces.insert(action);
+    }
+    if (call.function == "drive" && joint.empty() && machine().actions_of(name).empty()) here().accelerations = true;
+  }
+
+  void accelerate(int body) {
+    here().accelerated.insert(body);
+    here().accelerations = true;
+  }
+
+  // The bodies named in `plate` or `A of plate`.
+  std::vector<int> bodies_in(const Expression& expression) {
+    std::set<std::string> names;
+    collect_names(expression, names);
+    std::vector<int> bodies;
+    for (const auto& [name, index] : machine().index)
+      if (names.contains(name) && index != ground) bodies.push_back(index);
+    return bodies;
+  }
+
+  InstantQuestions& here() { return found_.instants[home_]; }
+  const Machine& machine() { return sample_.instant(home_).machine(); }
+
+  const Statement& statement_;
+  Sample& sample_;
+  StatementQuestions& found_;
+  Sample::Home home_;
+  bool rate_ = false;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+StatementQuestions questions_of(const Statement& statement, Sample& sample,
+                                const std::map<std::size_t, std::size_t>& limits) {
+  StatementQuestions found;
+  Collector collector(statement, sample, found);
+  for (const Ask& ask : statement.asks) {
+    if (ask.table || ask.when || ask.extremum) continue;
+    for (const Expression& expression : ask.of) {
+      if (asks_motion_feature(expression)) {
+        found.motions.insert(sample.home(expression, ask.mark).situation);
+        continue;
+      }
+      const Sample::Home home = sample.home(expression, ask.mark);
+      found.instants[home];
+      collector.collect(expression, home);
+    }
+  }
+  for (const auto& [situation, ask] : limits) {
+    const Sample::Home start{situation, statement.situations[situation].has_blow() ? 1U : 0U, std::nullopt};
+    found.instants[start];
+    for (const Expression& condition : statement.asks[ask].extremum->conditions) collector.collect(condition, start);
+  }
+  // What is stated of an instant is a question as well: it closes what else would be open.
+  for (std::size_t i = 0; i < statement.situations.size(); ++i) {
+    const Situation& situation = statement.situations[i];
+    if (situation.find.empty()) continue;
+    const Sample::Home start{i, situation.has_blow() ? 1U : 0U, std::nullopt};
+    for (const Instant& instant : situation.instants) {
+      if (is_later(situation, instant)) {
+        found.motions.insert(i);
+        continue;
+      }
+      for (const Fact& fact : instant.facts) {
+        if (asks_motion_feature(fact.quantity)) {
+          found.motions.insert(i);
+          continue;
+        }
+        if (level_of(situation, fact.quantity) != Level::force) continue;
+        collector.collect(fact.quantity, instant.name == "before" ? Sample::Home{i, 0, std::nullopt} : start);
+      }
+    }
+    if (situation.steady) found.instants[start];
+  }
+  for (const auto& [home, questions] : found.instants)
+    if (home.time || home.ending) found.motions.insert(home.situation);
+  return found;
+}
+
+}  // namespace poinsot::problem

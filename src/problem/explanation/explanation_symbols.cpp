@@ -1,0 +1,214 @@
+// The letters of what is unknown, and what acts from outside in words.
+#include <algorithm>
+#include <cmath>
+
+#include "problem/explanation/explanation_instant.h"
+
+namespace poinsot::problem {
+
+// The letter of its forces: the point at which it holds, if it has one, else its name.
+std::string InstantExplainer::action_symbol(const Action& action) const {
+  for (const Joint& joint : situation_.joints) {
+    if (action.kind != ActionKind::joint || joint.name != action.name) continue;
+    const Name* place =
+        joint.kind == JointKind::ball || joint.kind == JointKind::weld ? joint.place.as<Name>() : nullptr;
+    if (joint.at) place = joint.at->as<Name>();
+    if (!place) break;
+    const auto same_letter = [&](const Action& other) { return &other != &action && other.name == place->name; };
+    if (std::none_of(mechanism().actions.begin(), mechanism().actions.end(), same_letter) &&
+        std::count_if(situation_.joints.begin(), situation_.joints.end(), [&](const Joint& other) {
+          const Name* one = other.at ? other.at->as<Name>() : other.place.as<Name>();
+          return one && one->name == place->name;
+        }) == 1)
+      return place->name;
+  }
+  return action.name;
+}
+
+InstantExplainer::Symbol InstantExplainer::symbol_of(const UnknownForce& force) const {
+  const InstantFigures<double>& numbers = figures_.numbers;
+  Symbol symbol;
+  bool couple = false;
+  if (force.kind == UnknownForce::Kind::component) {
+    const Component<double>& component = mechanism().components[force.index];
+    const Action& action = mechanism().actions[static_cast<std::size_t>(component.action)];
+    couple = component.couple;
+    const std::string letter = action_symbol(action);
+    if (action.kind == ActionKind::cord) {
+      symbol.tex = situation_.cords.size() > 1 ? ExplanationTex::symbol("T", letter) : "T";
+    } else if (action.kind == ActionKind::contact && component.one_sided) {
+      symbol.tex = situation_.contacts.size() > 1 ? ExplanationTex::symbol("N", letter) : "N";
+    } else {
+      const Vector3<double> along = numbers.now.direction(component.along);
+      std::string index;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (std::abs(std::abs(along[k]) - 1) < 1e-9) {
+          index = tex_.axis(k);
+          if (along[k] < 0) symbol.sign = -1;
+        }
+      if (index.empty()) {
+        int place = 1;
+        for (std::size_t k = 0; k < force.index; ++k)
+          if (mechanism().components[k].action == component.action && mechanism().components[k].couple == couple)
+            ++place;
+        index = std::to_string(place);
+      }
+      // A_x for the point A, else the letter of a force with the name as index.
+      const bool short_name = letter.size() <= 2;
+      symbol.tex = !couple && short_name ? ExplanationTex::symbol(letter, index)
+                                         : ExplanationTex::symbol(couple ? "M" : "F", letter + "," + index);
+    }
+  } else if (force.kind == UnknownForce::Kind::effort) {
+    const Drive<double>& drive = mechanism().drives[force.index];
+    couple = drive.turning;
+    const std::string& name = mechanism().actions[static_cast<std::size_t>(drive.action)].name;
+    symbol.tex = ExplanationTex::symbol(couple ? "M" : "F", name);
+  } else {
+    symbol.tex = ExplanationTex::symbol("F", numbers.blow.impacts[force.index].name);
+  }
+  if (sudden()) symbol.tex += "\\Delta t";
+  symbol.dimension = sudden() ? (couple ? dimensions::angular_momentum : dimensions::momentum)
+                              : (couple ? dimensions::moment : dimensions::force);
+  symbol.determined = (sudden() ? solved_.blow() : solved_.motion()).determined(force.column);
+  const int sign = static_cast<int>(symbol.sign);
+  symbol.shown = shown([&](const auto& figures) {
+    using Scalar = ScalarOf<decltype(figures)>;
+    return Scalar(sign) * (sudden() ? figures.impulses : figures.unknowns)[force.column];
+  });
+  symbol.shown = clean(symbol.shown, symbol.dimension);
+  symbol.value = symbol.shown.number;
+  return symbol;
+}
+
+InstantExplainer::Symbol InstantExplainer::symbol_of_coordinate(std::size_t k, bool rates) const {
+  Symbol symbol;
+  const Machine& machine = *figures_.numbers.machine;
+  const bool turns = solve::coordinate_turns(mechanism().tree, static_cast<int>(k));
+  for (const NamedCoordinate& coordinate : machine.coordinates) {
+    if (static_cast<std::size_t>(coordinate.velocity) != k) continue;
+    const std::string dot = rates ? "\\dot{" : "\\ddot{";
+    symbol.tex =
+        !coordinate.name.empty()
+            ? dot + ExplanationTex::symbol(coordinate.name) + "}"
+            : ExplanationTex::symbol(rates ? (turns ? "omega" : "v") : (turns ? "alpha" : "a"), coordinate.joint);
+  }
+  if (symbol.tex.empty()) {
+    for (int i = 0; i < mechanism().tree.body_count(); ++i) {
+      const auto& body = mechanism().tree.body(i);
+      const int at = static_cast<int>(k) - body.v;
+      if (at < 0 || at >= velocity_size(body.joint)) continue;
+      const std::string axis =
+          tex_.axis(static_cast<std::size_t>(at % 3)) + (several_bodies() ? "," + body_name(i) : std::string());
+      const std::string letter = ExplanationTex::symbol(turns ? "omega" : "v", axis);
+      symbol.tex =
+          rates ? letter : "\\dot{" + letter.substr(0, letter.find('_')) + "}" + letter.substr(letter.find('_'));
+    }
+  }
+  symbol.dimension = rates ? (turns ? dimensions::angular_velocity : dimensions::velocity)
+                           : (turns ? dimensions::angular_acceleration : dimensions::acceleration);
+  symbol.shown =
+      shown([&](const auto& figures) { return rates ? figures.now.state().v[k] : figures.now.accelerations()[k]; });
+  symbol.shown = clean(symbol.shown, symbol.dimension);
+  symbol.value = symbol.shown.number;
+  symbol.determined = (sudden() ? solved_.blow() : rates ? solved_.velocities() : solved_.motion()).determined(k);
+  return symbol;
+}
+
+// What acts from outside, one by one.
+void InstantExplainer::force_list(ExplainedSection& here, const System& system) const {
+  std::vector<std::string> items;
+  const Vector3<double> gravity = mechanism().tree.gravity();
+  for (const int body : system.plan.bodies) {
+    if (sudden() || !(mechanism().tree.body(body).inertia.mass > 0) || norm(gravity) == 0) continue;
+    const ShownVector weight = shown_vector([&](const auto& figures) {
+      return figures.mechanism().tree.body(body).inertia.mass * figures.mechanism().tree.gravity();
+    });
+    items.push_back(
+        "the weight of *" + body_name(body) + "* at $" + center_label(body) + "$" +
+        (tex_.can_show(weight) ? ": " + tex_.inline_equation("m\\mathbf{g}", weight, dimensions::force) : ""));
+  }
+  const Balance<double> balance = balance_of(figures_.numbers, system.plan, Vector3<double>::zero());
+  for (std::size_t i = 0; i < system.plan.known.size(); ++i) {
+    const Action& action = mechanism().actions[system.plan.known[i].action];
+    const SpatialForce<double>& wrench = balance.known[i];
+    const bool couple = norm(wrench.force) == 0;
+    if (couple && norm(wrench.moment) == 0) continue;
+    const ShownVector value = shown_vector([&](const auto& figures) {
+      const auto all = balance_of(figures, system.plan, Vector3<ScalarOf<decltype(figures)>>::zero());
+      return couple ? all.known[i].moment : all.known[i].force;
+    });
+    if (!tex_.can_show(value)) continue;
+    const Dimension dimension = sudden() ? (couple ? dimensions::angular_momentum : dimensions::momentum)
+                                         : (couple ? dimensions::moment : dimensions::force);
+    items.push_back(std::string(couple     ? "the couple"
+                                : sudden() ? "the impulse"
+                                           : "the force") +
+                    " of *" + action.name + "*: " + tex_.inline_vector(value, dimension));
+  }
+  // Components of one action together.
+  std::vector<std::pair<std::size_t, std::vector<std::string>>> held;
+  for (std::size_t i = 0; i < system.plan.unknown.size(); ++i) {
+    const UnknownForce& force = system.plan.unknown[i];
+    const std::size_t action = action_of(force);
+    std::string symbol = "$" + system.unknown[i].tex + "$";
+    if (force.kind == UnknownForce::Kind::component) {
+      const Component<double>& component = mechanism().components[force.index];
+      const Vector3<double> along = figures_.numbers.now.direction(component.along);
+      const bool on_axis = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)}) > 1 - 1e-9;
+      const bool plain_name = mechanism().actions[action].kind != ActionKind::cord && !component.one_sided;
+      if (!on_axis || !plain_name) {
+        const ShownVector direction = shown_vector([&](const auto& figures) {
+          const auto one = figures.now.component_wrench(figures.mechanism().components[force.index]);
+          return component.couple ? one.moment : one.force;
+        });
+        if (tex_.can_show(direction)) symbol += " along " + tex_.inline_vector(direction, dimensions::none);
+      }
+    }
+    if (held.empty() || held.back().first != action) held.push_back({action, {}});
+    held.back().second.push_back(symbol);
+  }
+  for (const auto& [index, symbols] : held) {
+    const Action& action = mechanism().actions[index];
+    const bool reversed = !system.plan.bodies.contains(action.on);
+    const std::string what = action.kind == ActionKind::drive     ? "the motor at *" + action.joint + "*"
+                             : action.kind == ActionKind::cord    ? "the cord *" + action.name + "*"
+                             : action.kind == ActionKind::contact ? "the contact *" + action.name + "*"
+                             : action.kind == ActionKind::impact  ? "the impact *" + action.name + "*"
+                             : action.kind == ActionKind::support
+                                 ? "the support *" + action.name + "* of *" + action.joint + "*"
+                                 : "the joint *" + action.name + "*";
+    items.push_back(what + ": " + in_words(symbols) + (reversed ? " (here with the opposite sign)" : ""));
+  }
+  if (items.empty()) {
+    here.steps.push_back({"Nothing acts from outside.", {}});
+    return;
+  }
+  std::string text = sudden() ? "Impulses from outside:\n" : "From outside act:\n";
+  for (const std::string& item : items) text += "\n* " + item;
+  here.steps.push_back({text, {}});
+}
+
+void InstantExplainer::list_unknowns(const std::vector<Symbol>& listed) {
+  ExplainedStep step{"Solved for the unknowns:", {}};
+  std::vector<std::string> shared, zero;
+  for (const Symbol& symbol : listed) {
+    if (!symbol.determined) {
+      shared.push_back("$" + symbol.tex + "$");
+      continue;
+    }
+    if (symbol.value == 0 && (!symbol.shown.formula || symbol.shown.formula->is_zero()))
+      zero.push_back("$" + symbol.tex + "$");
+    else if (tex_.can_show(symbol.shown))
+      step.equations.push_back(tex_.equation(symbol.tex, symbol.shown, symbol.dimension));
+  }
+  ExplainedSection& here = section("Unknowns");
+  if (!step.equations.empty()) here.steps.push_back(std::move(step));
+  if (!zero.empty())
+    here.steps.push_back({"Zero " + std::string(zero.size() > 1 ? "are " : "is ") + in_words(zero) + ".", {}});
+  if (!shared.empty())
+    here.steps.push_back(
+        {"What the equations leave open is not asked: only combinations of " + in_words(shared) + " are determined.",
+         {}});
+}
+
+}  // namespace poinsot::problem

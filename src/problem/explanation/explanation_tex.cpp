@@ -1,0 +1,385 @@
+#include "problem/explanation/explanation_tex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <regex>
+
+#include "poinsot/engine/math/formula/formula_text.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr std::size_t longest_beside_number = 64;  // of a formula's plain text, beside a number that says the same
+constexpr std::size_t longest_alone = 600;
+constexpr std::size_t longest_line = 150;  // of the plain text of an equation in symbols, beside one in numbers
+constexpr double rounding = 1e-10;
+
+// Whether a sum stands outside all brackets.
+bool is_sum(const std::string& tex) {
+  int depth = 0;
+  for (std::size_t i = 0; i < tex.size(); ++i) {
+    const char c = tex[i];
+    if (c == '{' || c == '(') ++depth;
+    if (c == '}' || c == ')') --depth;
+    if (depth == 0 && i > 0 && (c == '+' || c == '-') && tex[i - 1] == ' ') return true;
+  }
+  return false;
+}
+
+// One more term of a sum: its factor and what it multiplies.
+void append_term(std::string& sum, std::string factor, const std::string& symbol) {
+  bool negative = false;
+  if (!symbol.empty() && is_sum(factor)) {
+    factor = "\\left(" + factor + "\\right)";
+  } else if (factor.starts_with('-') && !is_sum(factor)) {
+    negative = true;
+    factor.erase(0, 1);
+  }
+  if (factor == "1" && !symbol.empty()) factor.clear();
+  if (!sum.empty())
+    sum += negative ? " - " : " + ";
+  else if (negative)
+    sum += "-";
+  sum += factor;
+  if (!symbol.empty()) sum += (factor.empty() ? "" : "\\,") + symbol;
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '_' ? std::string("\\_") : std::string(1, c);
+  return result;
+}
+
+// "A" as it is, "wire_A" upright; items between commas each by itself.
+std::string index_tex(const std::string& index) {
+  std::string tex;
+  for (std::size_t begin = 0; begin <= index.size();) {
+    const std::size_t end = std::min(index.find(',', begin), index.size());
+    const std::string item = index.substr(begin, end - begin);
+    tex += (tex.empty() ? "" : ",") + (item.size() > 1 ? "\\mathrm{" + escaped(item) + "}" : item);
+    begin = end + 1;
+  }
+  return tex;
+}
+
+// A formula as TeX; a name such as phidot is a rate.
+std::string formula_as_tex(const Formula& formula) {
+  static const std::regex rate("\\\\mathit\\{([A-Za-z]+[0-9]*)dot\\}");
+  const std::string tex = text(formula, Notation::tex);
+  std::string result;
+  std::sregex_iterator it(tex.begin(), tex.end(), rate), end;
+  std::size_t at = 0;
+  for (; it != end; ++it) {
+    result += tex.substr(at, static_cast<std::size_t>(it->position()) - at);
+    result += "\\dot{" + text(Formula::letter((*it)[1], poinsot::Sign::real), Notation::tex) + "}";
+    at = static_cast<std::size_t>(it->position() + it->length());
+  }
+  return result + tex.substr(at);
+}
+
+bool is_plain_number(const std::string& side) { return side.find_first_not_of("0123456789.-+ ") == std::string::npos; }
+
+double size_of(const Vector3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+}  // namespace
+
+std::string in_words(const std::vector<std::string>& items) {
+  std::string all;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    all += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
+  return all;
+}
+
+bool is_rounding(double value, double size) { return !(std::abs(value) > rounding * size); }
+
+ExplanationTex::ExplanationTex(const Situation& situation, std::vector<std::string> open)
+    : open_(std::move(open)), axes_(situation.axes) {
+  if (situation.habits.customary()) habits_.note(parse_unit("ft"));
+}
+
+bool ExplanationTex::has_open_letters(const Formula& formula) const {
+  const std::vector<std::string> letters = formula.letters();
+  return std::any_of(letters.begin(), letters.end(), [&](const std::string& letter) {
+    return std::find(open_.begin(), open_.end(), letter) != open_.end();
+  });
+}
+
+bool ExplanationTex::is_known(const Shown& value) const {
+  return open_.empty() || (value.formula && !has_open_letters(*value.formula));
+}
+
+bool ExplanationTex::can_show(const ShownVector& value) const {
+  return can_show(value[0]) && can_show(value[1]) && can_show(value[2]);
+}
+
+const Unit& ExplanationTex::unit(const Dimension& dimension) const {
+  for (const auto& [known, unit] : units_)
+    if (known == dimension) return unit;
+  return units_.emplace_back(dimension, habits_.unit_for(dimension)).second;
+}
+
+std::string ExplanationTex::unit_tex(const Dimension& dimension, bool as_energy) const {
+  std::string tex;
+  const std::string text = as_energy ? habits_.unit_for(dimension, true).text : unit(dimension).text;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '*') {
+      tex += "\\,";
+    } else if (text[i] == '^') {
+      tex += "^{";
+      for (++i; i < text.size() && text[i] != '*' && text[i] != '/'; ++i) tex += text[i];
+      tex += "}";
+      --i;
+    } else {
+      tex += text[i];
+    }
+  }
+  return tex.empty() ? "" : "\\ \\mathrm{" + tex + "}";
+}
+
+std::string ExplanationTex::number(double value, const Dimension& dimension) const {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.6g", value / unit(dimension).factor);
+  std::string digits = text;
+  if (digits == "-0") digits = "0";
+  const std::size_t exponent = digits.find('e');
+  if (exponent == std::string::npos) return digits;
+  const std::string power = std::to_string(std::atoi(digits.c_str() + exponent + 1));
+  return digits.substr(0, exponent) + "\\cdot 10^{" + power + "}";
+}
+
+double ExplanationTex::rounded(double value, const Dimension& dimension) const {
+  char text[40];
+  const double factor = unit(dimension).factor;
+  std::snprintf(text, sizeof text, "%.6g", value / factor);
+  return std::strtod(text, nullptr) * factor;
+}
+
+std::string ExplanationTex::with_unit(double value, const Dimension& dimension, bool as_energy) const {
+  const std::string digits = number(value, dimension);
+  return digits == "0" ? digits : digits + unit_tex(dimension, as_energy);
+}
+
+bool ExplanationTex::fits_units(const Shown& value, const Dimension& dimension) const {
+  if (letters_.empty() || value.formula->is_zero()) return true;
+  try {
+    const double shown = value.number / unit(dimension).factor;
+    return std::abs(value_at(*value.formula, letters_) - shown) <= 1e-7 * std::abs(shown) + 1e-11;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+std::optional<std::string> ExplanationTex::formula_tex(const Shown& value, const Dimension& dimension) const {
+  const std::optional<Formula>& formula = value.formula;
+  if (!formula || formula->letters().empty() || !fits_units(value, dimension)) return std::nullopt;
+  try {
+    const std::size_t longest = letters_open() ? longest_alone : longest_beside_number;
+    if (text(*formula).size() > longest) return std::nullopt;
+    return formula_as_tex(*formula);
+  } catch (const FormulaTooLarge&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<std::string> ExplanationTex::formula(const Formula& formula) {
+  try {
+    if (text(formula).size() > longest_alone) return std::nullopt;
+    return formula_as_tex(formula);
+  } catch (const FormulaTooLarge&) {
+    return std::nullopt;
+  }
+}
+
+ExplainedEquation ExplanationTex::equation(const std::string& symbol, const Shown& value, const Dimension& dimension,
+                                           bool as_energy) const {
+  ExplainedEquation equation{"", symbol, {}, std::abs(value.number)};
+  if (const auto tex = formula_tex(value, dimension)) {
+    equation.tex += " = " + *tex;
+    equation.sides.push_back(value.number);
+  }
+  if (is_known(value)) {
+    equation.tex += " = " + with_unit(value.number, dimension, as_energy);
+    equation.sides.push_back(rounded(value.number, dimension));
+  }
+  return equation;
+}
+
+std::string ExplanationTex::vector_tex(const Vector3<double>& value, const Dimension& dimension) const {
+  std::string sum;
+  int count = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (is_rounding(value[k], size_of(value))) continue;
+    append_term(sum, number(value[k], dimension), unit_vector(k));
+    ++count;
+  }
+  if (count == 0) return "\\mathbf{0}";
+  return (count > 1 ? "(" + sum + ")" : sum) + unit_tex(dimension);
+}
+
+std::optional<std::string> ExplanationTex::vector_formula(const ShownVector& value, const Dimension& dimension) const {
+  if (!value.formula) return std::nullopt;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!fits_units(value[k], dimension)) return std::nullopt;
+  std::string sum;
+  bool has_letters = false;
+  std::size_t length = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Formula& component = (*value.formula)[k];
+    if (component.is_zero()) continue;
+    has_letters = has_letters || !component.letters().empty();
+    try {
+      length += text(component).size();
+      if (length > (letters_open() ? 3 * longest_alone : longest_line)) return std::nullopt;
+      append_term(sum, formula_as_tex(component), unit_vector(k));
+    } catch (const FormulaTooLarge&) {
+      return std::nullopt;
+    }
+  }
+  if (!has_letters) return std::nullopt;
+  return sum;
+}
+
+ExplainedEquation ExplanationTex::equation(const std::string& symbol, const ShownVector& value,
+                                           const Dimension& dimension) const {
+  ExplainedEquation equation{"", symbol, {}, size_of(value.number)};
+  if (const auto tex = vector_formula(value, dimension)) equation.tex += " = " + *tex;
+  if (is_known(value[0]) && is_known(value[1]) && is_known(value[2]))
+    equation.tex += " = " + vector_tex(value.number, dimension);
+  return equation;
+}
+
+std::string ExplanationTex::inline_value(const Shown& value, const Dimension& dimension) const {
+  if (is_known(value)) return "$" + with_unit(value.number, dimension) + "$";
+  const auto tex = formula_tex(value, dimension);
+  return tex ? "$" + *tex + "$" : "";
+}
+
+std::string ExplanationTex::inline_both(const Shown& value, const Dimension& dimension) const {
+  const auto tex = formula_tex(value, dimension);
+  const std::string known = is_known(value) ? with_unit(value.number, dimension) : "";
+  return "$" + tex.value_or("") + (tex && !known.empty() ? " = " : "") + known + "$";
+}
+
+std::string ExplanationTex::inline_vector(const ShownVector& value, const Dimension& dimension) const {
+  if (is_known(value[0]) && is_known(value[1]) && is_known(value[2]))
+    return "$" + vector_tex(value.number, dimension) + "$";
+  const auto tex = vector_formula(value, dimension);
+  return tex ? "$" + *tex + "$" : "";
+}
+
+std::string ExplanationTex::inline_equation(const std::string& symbol, const Shown& value,
+                                            const Dimension& dimension) const {
+  return "$" + equation(symbol, value, dimension).tex + "$";
+}
+std::string ExplanationTex::inline_equation(const std::string& symbol, const ShownVector& value,
+                                            const Dimension& dimension) const {
+  return "$" + equation(symbol, value, dimension).tex + "$";
+}
+
+std::string ExplanationTex::side_in_numbers(const std::vector<ShownTerm>& terms, const Dimension& dimension,
+                                            double natural, double& sum, double& size) const {
+  std::string side;
+  for (const ShownTerm& term : terms) {
+    // A coefficient is noise if what it could bring is.
+    if (is_rounding(term.coefficient.number * (term.symbol.empty() ? 1 : term.value), natural) &&
+        (term.symbol.empty() || is_rounding(term.coefficient.number, 1e-2)))
+      continue;
+    const Dimension of_coefficient = dimension / term.dimension;
+    append_term(side, number(term.coefficient.number, of_coefficient), term.symbol);
+    const double amount = rounded(term.coefficient.number, of_coefficient) * term.value;
+    sum += amount;
+    size = std::max(size, std::abs(amount));
+  }
+  return side.empty() ? "0" : side;
+}
+
+std::optional<std::string> ExplanationTex::side_in_symbols(const std::vector<ShownTerm>& terms,
+                                                           const Dimension& dimension) const {
+  std::string side;
+  for (const ShownTerm& term : terms) {
+    if (!term.coefficient.formula) return std::nullopt;
+    if (term.coefficient.formula->is_zero()) continue;
+    if (!fits_units(term.coefficient, dimension / term.dimension)) return std::nullopt;
+    try {
+      if (text(*term.coefficient.formula).size() > (letters_open() ? longest_alone : longest_line)) return std::nullopt;
+      append_term(side, formula_as_tex(*term.coefficient.formula), term.symbol);
+    } catch (const FormulaTooLarge&) {
+      return std::nullopt;
+    }
+  }
+  return side.empty() ? "0" : side;
+}
+
+std::vector<ExplainedSymbol> ExplanationTex::symbols_in(const std::vector<ShownTerm>& left,
+                                                        const std::vector<ShownTerm>& right) const {
+  std::vector<ExplainedSymbol> symbols;
+  for (const auto* side : {&left, &right})
+    for (const ShownTerm& term : *side)
+      if (!term.symbol.empty()) symbols.push_back({term.symbol, term.value / unit(term.dimension).factor});
+  return symbols;
+}
+
+std::vector<ExplainedEquation> ExplanationTex::balance(const std::string& name, const std::vector<ShownTerm>& left,
+                                                       const std::vector<ShownTerm>& right, const Dimension& dimension,
+                                                       double natural) const {
+  std::vector<ExplainedEquation> equations;
+  double left_sum = 0, right_sum = 0, size = 0;
+  const std::string left_numbers = side_in_numbers(left, dimension, natural, left_sum, size);
+  const std::string right_numbers = side_in_numbers(right, dimension, natural, right_sum, size);
+  if (left_numbers == "0" && right_numbers == "0") return {};
+  const auto has_letters = [&](const std::vector<ShownTerm>& terms) {
+    return std::any_of(terms.begin(), terms.end(), [](const ShownTerm& term) {
+      return term.coefficient.formula && !term.coefficient.formula->letters().empty();
+    });
+  };
+  std::string tex, left_shown;
+  if (has_letters(left) || has_letters(right)) {
+    const auto left_symbols = side_in_symbols(left, dimension), right_symbols = side_in_symbols(right, dimension);
+    const std::size_t longest = letters_open() ? 8 * longest_alone : 2 * longest_line;
+    if (left_symbols && right_symbols && left_symbols->size() + right_symbols->size() <= longest) {
+      left_shown = *left_symbols;
+      tex = *left_symbols + " = " + *right_symbols;
+    }
+  }
+  const auto known = [&](const std::vector<ShownTerm>& terms) {
+    return std::all_of(terms.begin(), terms.end(), [&](const ShownTerm& term) { return is_known(term.coefficient); });
+  };
+  const bool numbers = known(left) && known(right);
+  const bool alone = right_numbers == "0" && (left_numbers == "0" || !is_plain_number(left_numbers));
+  const std::string right_end = alone ? right_numbers : right_numbers + unit_tex(dimension);
+  if (numbers && !tex.empty() && left_shown == left_numbers) {
+    // The left side is the same in symbols and in numbers: it stands once.
+    equations.push_back({name, tex + " = " + right_end, {left_sum, right_sum}, size, symbols_in(left, right)});
+    return equations;
+  }
+  if (!tex.empty()) equations.push_back({name, tex, {}, size});
+  if (numbers)
+    equations.push_back({equations.empty() ? name : "",
+                         left_numbers + " = " + right_end,
+                         {left_sum, right_sum},
+                         size,
+                         symbols_in(left, right)});
+  return equations;
+}
+
+std::string ExplanationTex::upright(const std::string& name) { return "\\mathrm{" + escaped(name) + "}"; }
+
+std::string ExplanationTex::symbol(const std::string& name, const std::string& index) {
+  const std::string tex = formula_as_tex(Formula::letter(name, poinsot::Sign::real));
+  if (index.empty()) return tex;
+  // A name with an index of its own keeps it in front.
+  if (tex.ends_with('}') && tex.find("_{") != std::string::npos)
+    return tex.substr(0, tex.size() - 1) + "," + index_tex(index) + "}";
+  return tex + "_{" + index_tex(index) + "}";
+}
+
+std::string ExplanationTex::unit_vector(std::size_t axis) const {
+  static constexpr std::array<const char*, 3> small{"i", "j", "k"}, large{"I", "J", "K"};
+  if (axes_[0] == "x" && axes_[1] == "y" && axes_[2] == "z") return std::string("\\mathbf{") + small[axis] + "}";
+  if (axes_[0] == "X" && axes_[1] == "Y" && axes_[2] == "Z") return std::string("\\mathbf{") + large[axis] + "}";
+  return "\\mathbf{e}_{" + escaped(axes_[axis]) + "}";
+}
+
+}  // namespace poinsot::problem

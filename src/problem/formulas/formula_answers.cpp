@@ -1,0 +1,180 @@
+#include "problem/formulas/formula_answers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "poinsot/engine/solve/instant/equations.h"
+#include "problem/formulas/formula_unknowns.h"
+#include "problem/language/compare_values.h"
+
+namespace poinsot::problem {
+namespace {
+
+// All numbers of a value, in order.
+template <class Scalar>
+std::vector<Scalar> numbers_of(const Value<Scalar>& value) {
+  if (value.is_number()) return {value.number};
+  if (value.is_vector()) return {value.vector.x, value.vector.y, value.vector.z};
+  std::vector<Scalar> all;
+  for (const Value<Scalar>& item : value.items)
+    for (const Scalar& number : numbers_of(item)) all.push_back(number);
+  return all;
+}
+
+bool has_numbers_only(const Value<Formula>& value) {
+  if (value.is_number() || value.is_vector()) return true;
+  return value.is_list() && std::all_of(value.items.begin(), value.items.end(), has_numbers_only);
+}
+
+// What `find` returns; whatever keeps it from a formula becomes the reason why there is none.
+template <class Find>
+auto or_no_formula(const Find& find) {
+  try {
+    return find();
+  } catch (const StatementError& error) {
+    throw NoFormula(error.diagnostics().front().message);
+  } catch (const std::domain_error& error) {
+    throw NoFormula(error.what());
+  } catch (const FormulaTooLarge& error) {
+    throw NoFormula(error.what());
+  }
+}
+
+}  // namespace
+
+Value<Formula> formula_of(const Letter& letter) {
+  const bool real = letter.either_sign || letter.unit.dimension == dimensions::angle;
+  return Value<Formula>::of_number(Formula::letter(letter.name, real ? poinsot::Sign::real : poinsot::Sign::positive),
+                                   letter.unit.dimension);
+}
+
+Value<Formula> exact_setting(const Situation& situation, const std::string& name, const std::string& text) {
+  const Value<double> number = read_setting(situation, name, text);
+  Situation nothing;
+  nothing.file = "--set " + name;
+  const Settings none;
+  DataScope<Formula> scope(nothing, none);
+  Value<Formula> value = evaluate(setting_expression(name, text), static_cast<Scope<Formula>&>(scope), nothing.file);
+  value.dimension = number.dimension;
+  return value;
+}
+
+FormulaInstant& FormulaAnswers::instant(const Sample::Home& home) {
+  if (const auto known = instants_.find(home); known != instants_.end()) return *known->second;
+  if (const auto failed = no_instant_.find(home); failed != no_instant_.end()) throw NoFormula(failed->second);
+  const Situation& situation = statement_.situations[home.situation];
+  if (home.time || home.ending || home.instant > (situation.has_blow() ? 1U : 0U))
+    throw NoFormula("it is reached by a motion, which is followed by numbers");
+  try {
+    auto found = std::make_unique<FormulaInstant>(situation, values_[home.situation], numbers_.instant(home));
+    return *(instants_[home] = std::move(found));
+  } catch (const std::exception& error) {
+    no_instant_[home] = error.what();
+    throw;
+  }
+}
+
+Value<Formula> FormulaAnswers::at_home(const Sample::Home& home, const Expression& expression,
+                                       const std::optional<Expression>& axes) {
+  return instant(home).ask(expression, axes, [&](const At& at, const Mark& mark) {
+    return instant(numbers_.resolve(at.instant, mark)).raw(at.expression, axes, nullptr);
+  });
+}
+
+Value<Formula> FormulaAnswers::value(const Ask& ask) {
+  if (ask.table || ask.when || ask.extremum) throw NoFormula("it is found by numbers");
+  return or_no_formula([&] {
+    std::vector<Value<Formula>> items;
+    for (const Expression& expression : ask.of) {
+      if (asks_motion_feature(expression)) throw NoFormula("the motion is followed by numbers");
+      items.push_back(at_home(numbers_.home(expression, ask.mark), expression, ask.axes));
+    }
+    Value<Formula> value = ask.is_list ? Value<Formula>::of_list(std::move(items)) : items.front();
+    if (!has_numbers_only(value)) throw NoFormula("truths and words have no formula");
+    return value;
+  });
+}
+
+std::string holding_words(const std::string& action, bool cord) {
+  return cord ? "the cord '" + action + "' stays taut" : "the contact '" + action + "' presses";
+}
+
+std::vector<OneSidedForce> FormulaAnswers::one_sided_forces() const {
+  std::vector<OneSidedForce> forces;
+  for (const auto& [home, instant] : instants_) {
+    if (instant->unknowns().empty()) continue;
+    const Mechanism<Formula>& mechanism = instant->machine().mechanism;
+    const std::size_t first = solve::force_unknowns(mechanism).accelerations;
+    for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
+      const Component<Formula>& component = mechanism.components[k];
+      const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
+      if (component.one_sided)
+        forces.push_back({home, action.name, holding_words(action.name, action.kind == ActionKind::cord),
+                          instant->unknowns()[first + k]});
+    }
+  }
+  return forces;
+}
+
+void FormulaAnswers::solve_all() {
+  or_no_formula([&] {
+    for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
+      if (statement_.situations[i].has_blow()) instant({i, 1, std::nullopt});
+      FormulaInstant& start = instant({i, 0, std::nullopt});
+      if (!statement_.situations[i].has_blow()) start.solve_forces();
+    }
+  });
+}
+
+std::vector<Formula> FormulaAnswers::remainders() const {
+  std::vector<Formula> all;
+  for (const auto& [home, instant] : instants_) {
+    const std::vector<std::string> small =
+        neglected_letters(statement_.situations[home.situation], values_[home.situation]);
+    for (const Formula& remainder : instant->remainders()) all.push_back(first_order(remainder, small));
+  }
+  return all;
+}
+
+std::vector<std::string> neglected_letters(const Situation& situation, const FormulaValues& values) {
+  std::vector<std::string> letters;
+  for (const Expression& square : situation.neglect) {
+    // read_problem has seen that it is the square of an unknown.
+    const auto value = values.find(square.as<Binary>()->left.as<Name>()->name);
+    if (value == values.end() || !value->second.is_number()) continue;
+    for (const std::string& letter : value->second.number.letters()) letters.push_back(letter);
+  }
+  return letters;
+}
+
+bool agrees(const Value<Formula>& formula, const Value<double>& value, const LetterValues& letters, double tolerance,
+            double natural) {
+  const std::vector<Formula> formulas = numbers_of(formula);
+  const std::vector<double> numbers = numbers_of(value);
+  if (formulas.size() != numbers.size()) return false;
+  const double size = size_of(value);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double difference = value_at(formulas[i], letters) - numbers[i];
+    if (!(std::abs(difference) <= tolerance * size + 1e-2 * tolerance * natural)) return false;
+  }
+  return true;
+}
+
+Value<Formula> substituted(const Value<Formula>& formula, const std::map<std::string, Formula>& letters) {
+  Value<Formula> result = formula;
+  if (formula.is_number()) result.number = poinsot::substituted(formula.number, letters);
+  if (formula.is_vector())
+    for (std::size_t k = 0; k < 3; ++k) result.vector[k] = poinsot::substituted(formula.vector[k], letters);
+  for (Value<Formula>& item : result.items) item = substituted(item, letters);
+  return result;
+}
+
+std::vector<std::string> letters_in(const Value<Formula>& formula) {
+  std::set<std::string> letters;
+  for (const Formula& number : numbers_of(formula))
+    for (const std::string& letter : number.letters()) letters.insert(letter);
+  return {letters.begin(), letters.end()};
+}
+
+}  // namespace poinsot::problem

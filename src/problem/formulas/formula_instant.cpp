@@ -1,0 +1,269 @@
+#include "problem/formulas/formula_instant.h"
+
+#include <algorithm>
+#include <array>
+
+#include "poinsot/engine/dynamics/velocity_constraint.h"
+#include "poinsot/engine/math/formula/formula_decision.h"
+#include "poinsot/engine/solve/instant/closure.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/scalar_value.h"
+
+namespace poinsot::problem {
+
+FormulaInstant::FormulaInstant(const Situation& situation, const FormulaValues& values, const SolvedInstant& numbers,
+                               OpenLetters* open)
+    : situation_(situation), numbers_(numbers), open_(open) {
+  if (open_ && follows_time(situation)) {
+    time_ = Formula::letter("time", poinsot::Sign::positive);
+    open_->made.push_back({"time", si_unit(dimensions::time), {}});
+  }
+  data_ = std::make_unique<DataScope<Formula>>(situation, no_settings_, time_);
+  DataScope<TimeJetOf<Formula>> timed(situation, no_settings_, time_jet(time_));
+  for (const auto& [name, value] : values) {
+    data_->vary(name, value);
+    timed.vary(name, lifted<TimeJetOf<Formula>>(value));
+  }
+  MachineOptions options;
+  if (!situation.stages.empty()) options.loads = situation.stages.front().loads;
+  // Values given as `any`, and gravity of which nothing is said, change no answer that is given.
+  const AnyValue any = [](const Dimension&) { return 1.0; };
+  machine_ = build_machine(situation, *data_, timed, any, options);
+  scales_ = solve::natural_scales(machine_.mechanism);
+  moment_.emplace(machine_.mechanism);
+  moment_->set_positions(machine_.q);
+  facts_ = instants_at_start(situation);
+  set_positions(facts_);
+  solve_velocities();
+  if (numbers.after_blow()) solve_blow();
+}
+
+InstantView<Formula> FormulaInstant::view() const {
+  return {situation_, *data_, machine_, *moment_, scales_, time_, before_ ? &*before_ : nullptr};
+}
+
+// Coordinates without value, with a pose of free bodies and balls by the quaternion (1, a, b, c) / sqrt(1 + ...).
+void FormulaInstant::open_positions() {
+  const auto letter = [&](const std::string& name, const Dimension& dimension) {
+    open_->made.push_back({name, si_unit(dimension), {}, true});
+    return Formula::letter(name, poinsot::Sign::real);
+  };
+  for (const NamedCoordinate& coordinate : machine_.coordinates) {
+    const auto k = static_cast<std::size_t>(coordinate.position);
+    if (machine_.position_given[k] || (coordinate.name.empty() && !open_->all_poses)) continue;
+    const Dimension dimension = coordinate.turning ? dimensions::angle : dimensions::length;
+    machine_.q[k] =
+        letter(coordinate.name.empty() ? "position of joint '" + coordinate.joint + "'" : coordinate.name, dimension);
+  }
+  if (!open_->all_poses) return;
+  const Model<Formula>& tree = machine_.mechanism.tree;
+  for (int i = 0; i < tree.body_count(); ++i) {
+    const auto& body = tree.body(i);
+    if (body.joint != JointType::ball && body.joint != JointType::free) continue;
+    const auto q = static_cast<std::size_t>(body.q);
+    if (machine_.position_given[q]) continue;
+    const std::string owner = machine_.mechanism.coordinate_names[static_cast<std::size_t>(body.v)];
+    Formula square(1);
+    std::array<Formula, 3> part;
+    for (std::size_t k = 0; k < 3; ++k) {
+      part[k] = letter("pose " + std::to_string(k + 1) + " of " + owner, dimensions::none);
+      square += part[k] * part[k];
+    }
+    const Formula length = sqrt(square);
+    machine_.q[q] = Formula(1) / length;
+    for (std::size_t k = 0; k < 3; ++k) machine_.q[q + 1 + k] = part[k] / length;
+  }
+}
+
+void FormulaInstant::set_positions(const std::vector<const Instant*>& instants) {
+  for (const Instant* instant : instants)
+    for (const Fact& fact : instant->facts) {
+      const Name* name = fact.quantity.as<Name>();
+      const NamedCoordinate* coordinate = name && name->primes == 0 ? machine_.coordinate(name->name) : nullptr;
+      if (!coordinate) continue;
+      const auto k = static_cast<std::size_t>(coordinate->position);
+      const Formula value = data_->number(fact.value, coordinate->turning ? dimensions::angle : dimensions::length);
+      if (machine_.position_given[k] && !(machine_.q[k] - value).is_zero())
+        remainders_.push_back(machine_.q[k] - value);
+      machine_.q[k] = value;
+      machine_.position_given[k] = true;
+    }
+  if (open_) open_positions();
+  moment_->set_positions(machine_.q);
+  // Loops are closed as drawn; where they do not stay so, the pose is found by Newton's method and has no formula.
+  const auto& constraints = machine_.mechanism.constraints;
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    if (!solve::binds_positions(constraints[i])) continue;
+    const Formula gap =
+        constraint_gap(machine_.mechanism.tree, moment_->workspace(), constraints[i], axis_left_free(constraints, i));
+    if (!gap.is_zero()) throw NoFormula("the pose that closes " + constraints[i].words + " is found by numbers only");
+  }
+  solve::update_contacts(machine_.mechanism, *moment_);
+  for (const auto& [fact, difference] : position_differences(view(), instants))
+    if (!difference.value.is_zero()) remainders_.push_back(difference.value);
+}
+
+void FormulaInstant::solve_velocities() {
+  std::vector<solve::ConditionOf<Formula>> conditions = rate_conditions(view());
+  const FactConditions<Formula> stated = velocity_facts(view(), facts_);
+  conditions.insert(conditions.end(), stated.linear.begin(), stated.linear.end());
+  if (situation_.steady) add_steady(view(), conditions, false);
+  const auto equations = solve::velocity_equations(*moment_, scales_, conditions);
+  const auto open = [&](std::size_t k) {
+    std::string name(equations.name(k));
+    for (const NamedCoordinate& coordinate : machine_.coordinates)
+      if (coordinate.velocity == static_cast<int>(k) && !coordinate.name.empty()) name = coordinate.name + "'";
+    const bool turns = solve::coordinate_turns(machine_.mechanism.tree, static_cast<int>(k));
+    open_->made.push_back({name, si_unit(turns ? dimensions::angular_velocity : dimensions::velocity), {}, true});
+    return Formula::letter(name, poinsot::Sign::real);
+  };
+  solve::ExactSolution solution = open_ ? solve::solve_exactly(equations, open) : solve::solve_exactly(equations);
+  remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());
+  v_ = v_before_ = std::move(solution.value);
+  present_.reset();
+  moment_->set_velocities(v_);
+  hold_nonlinear(stated.nonlinear);
+}
+
+// Facts that are not linear, where what they speak of is solved.
+void FormulaInstant::hold_nonlinear(const std::vector<const Fact*>& facts) {
+  const Elsewhere earlier = [this](const At& past, const Mark& mark) {
+    if (past.instant != "before" || !before_)
+      fail(situation_.file, mark, "a fact can look back to `before` a blow only, not to '" + past.instant + "'");
+    QuantityScope<Formula> scope(machine_, machine_.mechanism.tree, *data_, before_->state());
+    scope.set_flying(flying_particles<Formula>(situation_, machine_, *before_, nullptr));
+    return scope.value(past.expression);
+  };
+  for (const Fact* fact : facts) {
+    QuantityScope<Formula> scope = scope_for(fact->quantity, std::nullopt, earlier);
+    for (const Difference<Formula>& difference : differences(*fact, scope, situation_.file))
+      if (!difference.value.is_zero()) remainders_.push_back(difference.value);
+  }
+}
+
+solve::ExactSolution FormulaInstant::solve_with_unfixed(const solve::LinearSystemOf<Formula>& equations) {
+  if (!open_) return solve::solve_exactly(equations);
+  return solve::solve_exactly(equations, [&](std::size_t k) {
+    const std::string name(equations.name(k));
+    open_->unfixed.insert(name);
+    return Formula::letter(name, poinsot::Sign::real);
+  });
+}
+
+void FormulaInstant::solve_blow() {
+  before_.emplace(*moment_);
+  blow_ = stated_blow(view());
+  std::vector<const Instant*> after;
+  for (const Instant& instant : situation_.instants)
+    if (instant.name == "after") after.push_back(&instant);
+  const FactConditions<Formula> stated = velocity_facts(view(), after, &blow_);
+  solve::ExactSolution solution =
+      solve_with_unfixed(solve::impulse_equations(*before_, scales_, blow_, stated.linear, numbers_.blow_acting()));
+  remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());
+  impulses_ = std::move(solution.value);
+  note_who_acts();
+  v_.assign(impulses_.begin(),
+            impulses_.begin() + static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size()));
+  present_.reset();
+  moment_->set_velocities(v_);
+  hold_nonlinear(stated.nonlinear);
+}
+
+// Which cords and contacts act in the blow is decided as the numbers decide it: those that do pull or push, those that
+// do not give way.
+void FormulaInstant::note_who_acts() const {
+  const Mechanism<Formula>& mechanism = machine_.mechanism;
+  const auto n = static_cast<std::size_t>(mechanism.tree.velocity_size());
+  const std::vector<bool>& acting = numbers_.blow_acting();
+  for (std::size_t k = 0; k < mechanism.components.size(); ++k)
+    if (mechanism.components[k].one_sided && acting[static_cast<std::size_t>(mechanism.components[k].action)])
+      note_sign(impulses_[n + k]);
+  for (const VelocityConstraint<Formula>& constraint : mechanism.constraints) {
+    if (constraint.action < 0 || acting[static_cast<std::size_t>(constraint.action)]) continue;
+    const std::vector<Formula> row = solve::constraint_coefficients(*before_, constraint);
+    Formula rate;
+    for (std::size_t k = 0; k < n; ++k) rate += row[k] * impulses_[k];
+    note_sign(rate);
+  }
+}
+
+void FormulaInstant::solve_forces() {
+  if (forces_solved_) return;
+  if (!no_forces_.empty()) throw NoFormula(no_forces_);
+  forces_solved_ = true;
+  try {
+    find_forces();
+  } catch (const std::exception& error) {
+    forces_solved_ = false;
+    no_forces_ = error.what();
+    throw;
+  }
+}
+
+void FormulaInstant::find_forces() {
+  for (const VelocityConstraint<Formula>& constraint : machine_.mechanism.constraints)
+    if (constraint.shape_unknown && !constraint.carried_by)
+      throw NoFormula("how a point of contact moves is not known");
+  FactConditions<Formula> stated = force_facts(view(), facts_);
+  if (situation_.steady) add_steady(view(), stated.linear, true);
+  solve::ExactSolution solution = solve_with_unfixed(solve::motion_equations(*moment_, scales_, stated.linear));
+  remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());
+  unknowns_ = std::move(solution.value);
+  moment_->set_accelerations(std::vector<Formula>(
+      unknowns_.begin(), unknowns_.begin() + static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size())));
+  hold_nonlinear(stated.nonlinear);
+}
+
+const QuantityScope<Formula>& FormulaInstant::present_scope() {
+  const bool noted = notes_decisions();
+  if (!present_ || present_->with_forces != forces_solved_ || present_->noted != noted) {
+    std::optional<DecisionScope> decisions;
+    if (noted) decisions.emplace();
+    QuantityScope<Formula> scope(machine_, before_ ? machine_.tree_after_blow() : machine_.mechanism.tree, *data_,
+                                 State<Formula>{machine_.q, v_});
+    if (!situation_.strikes.empty())
+      scope.set_flying(
+          flying_particles(situation_, machine_, before_ ? *before_ : *moment_, before_ ? &blow_ : nullptr));
+    if (forces_solved_) {
+      scope.set_accelerations(moment_->accelerations());
+      scope.set_forces(&*moment_, &unknowns_);
+    }
+    present_.emplace(Present{forces_solved_, noted, std::move(scope), {}, false});
+    if (decisions) {
+      present_->signs = decisions->signs();
+      present_->zeros_by_digits = decisions->zeros_by_digits();
+    }
+  }
+  for (const Formula& sign : present_->signs) note_sign(sign);
+  if (present_->zeros_by_digits) note_zero_by_digits();
+  return present_->scope;
+}
+
+QuantityScope<Formula> FormulaInstant::scope_for(const Expression& expression, const std::optional<Expression>& axes,
+                                                 const Elsewhere& elsewhere) {
+  if (level_of(situation_, expression) >= Level::force) solve_forces();
+  QuantityScope<Formula> quantities = present_scope();
+  if (before_) quantities.set_blow(&*before_, &blow_, &impulses_);
+  if (axes) quantities.set_axes(*axes);
+  if (elsewhere) quantities.set_elsewhere(elsewhere);
+  return quantities;
+}
+
+Value<Formula> FormulaInstant::raw(const Expression& expression, const std::optional<Expression>& axes,
+                                   const Elsewhere& elsewhere) {
+  return scope_for(expression, axes, elsewhere).value(expression);
+}
+
+Value<Formula> FormulaInstant::ask(const Expression& expression, const std::optional<Expression>& axes,
+                                   const Elsewhere& elsewhere) {
+  QuantityScope<Formula> quantities = scope_for(expression, axes, elsewhere);
+  Value<Formula> value = quantities.value(expression);
+  const auto on_axes = [&](const auto& self, Value<Formula>& v) -> void {
+    if (v.is_vector()) v.vector = transpose_times(quantities.axes(), v.vector);
+    for (Value<Formula>& item : v.items) self(self, item);
+  };
+  on_axes(on_axes, value);
+  return value;
+}
+
+}  // namespace poinsot::problem

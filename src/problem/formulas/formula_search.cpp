@@ -1,0 +1,297 @@
+#include "problem/formulas/formula_search.h"
+
+#include <algorithm>
+#include <memory>
+#include <random>
+#include <set>
+
+#include "problem/formulas/formula_deadline.h"
+#include "problem/formulas/formula_unknowns.h"
+#include "problem/formulas/law_search.h"
+#include "problem/unknowns/unknown_search.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr int draws = 2;            // at which every formula is checked, beside the one that is there
+constexpr int most_attempts = 30;   // until a draw makes sense
+constexpr double formula_tolerance = 1e-8;  // between formula and numbers, relative
+constexpr double check_tolerance = 1e-8;
+constexpr double unknown_tolerance = 1e-7;  // of unknowns, which are found by search
+
+// The letter that stands for an unknown, or for a component of it.
+std::string letter_of(const Statement& statement, const std::string& unknown, std::size_t situation,
+                      const std::string& component = "") {
+  const std::string name =
+      is_common(statement, unknown) ? unknown : unknown + "_" + statement.situations[situation].name;
+  return component.empty() ? name : name + "_" + component;
+}
+
+// A statement solved at values of the letters.
+struct Checkpoint {
+  LetterValues letters;
+  Sample* sample = nullptr;
+  std::unique_ptr<Sample> owned;
+};
+
+class FormulaSearch {
+ public:
+  FormulaSearch(const FormulaTask& task, Solution& solution)
+      : task_(task), solution_(solution), values_(values_of(task)), answers_(task.statement, values_, task.sample) {}
+
+  void run() {
+    checkpoints_.push_back({letters_of(task_.settings.front()), &task_.sample, nullptr});
+    if (const auto reason = why_no_formula([&] { find_unknowns(); })) {
+      for (SolvedAsk& ask : solution_.asks)
+        if (ask.state == AskState::needs_letters) ask.no_formula = *reason;
+      return;
+    }
+    std::set<std::string> assumptions;
+    for (std::size_t i = 0; i < task_.statement.asks.size(); ++i) {
+      SolvedAsk& ask = solution_.asks[i];
+      if (ask.state != AskState::found && ask.state != AskState::needs_letters) continue;
+      const auto reason = why_no_formula([&] {
+        Value<Formula> formula = formula_of_ask(i);
+        for (const std::string& assumption : assumptions_of(formula)) assumptions.insert(assumption);
+        ask.formula = std::move(formula);
+      });
+      if (reason) ask.no_formula = *reason;
+    }
+    solution_.assumptions.assign(assumptions.begin(), assumptions.end());
+  }
+
+  std::vector<OneSidedForce> one_sided_forces() const {
+    return task_.unknowns.empty() ? answers_.one_sided_forces() : std::vector<OneSidedForce>{};
+  }
+
+ private:
+  Value<Formula> formula_of_ask(std::size_t i) {
+    const Ask& ask = task_.statement.asks[i];
+    Value<Formula> formula = in_letters(answers_.value(ask));
+    const std::vector<Formula> remainders = answers_.remainders();
+    if (std::any_of(remainders.begin(), remainders.end(),
+                    [&](const Formula& rest) { return !substituted(rest, unknowns_).is_zero(); }))
+      throw NoFormula("what is stated holds for special values of the letters only");
+    confirm(formula, i);
+    return formula;
+  }
+
+  void find_unknowns() {
+    if (task_.unknowns.empty()) return;
+    for (const Situation& situation : task_.statement.situations) {
+      if (!situation.choose.empty()) throw NoFormula("what is to be chosen is found by numbers");
+      if (situation.instants.size() > 1 && !situation.has_blow())
+        throw NoFormula("what is stated of later instants is followed by numbers");
+    }
+    answers_.solve_all();
+    std::vector<UnknownLetter> letters;
+    for_each_unknown([&](const Unknown& unknown, std::size_t situation, const std::string& name) {
+      const Value<double>& value = task_.settings[situation].at(unknown.name);
+      const bool angle = unknown.unit.dimension == dimensions::angle;
+      if (!unknown.vector) letters.push_back({name, angle, value.number});
+      for (std::size_t k = 0; unknown.vector && k < 3; ++k)
+        letters.push_back({component_name(unknown, situation, k), angle, value.vector[k]});
+    });
+    unknowns_ = solve_unknowns(answers_.remainders(), std::move(letters));
+    while (checkpoints_.size() <= draws) draw();
+    std::vector<SolvedUnknown> all;
+    for_each_unknown([&](const Unknown& unknown, std::size_t situation, const std::string&) {
+      SolvedUnknown solved{unknown.name, unknown.unit, task_.settings[situation].at(unknown.name)};
+      if (!is_common(task_.statement, unknown.name)) solved.name += " @ " + task_.statement.situations[situation].name;
+      solved.formula = in_letters(value_of(task_.statement, unknown, situation));
+      all.push_back(std::move(solved));
+    });
+    solution_.unknowns = std::move(all);
+  }
+
+  // Each unknown once, those of situations by situation.
+  template <class Visit>
+  void for_each_unknown(const Visit& visit) const {
+    for (std::size_t i = 0; i < task_.statement.situations.size(); ++i)
+      for (const Unknown& unknown : task_.unknowns) {
+        const bool common = is_common(task_.statement, unknown.name);
+        if (common ? i == 0 : is_own(task_.statement, i, unknown.name))
+          visit(unknown, i, letter_of(task_.statement, unknown.name, i));
+      }
+  }
+  std::string component_name(const Unknown& unknown, std::size_t situation, std::size_t k) const {
+    return letter_of(task_.statement, unknown.name, situation, std::to_string(k + 1));
+  }
+  static Value<Formula> value_of(const Statement& statement, const Unknown& unknown, std::size_t situation) {
+    const auto letter = [](const std::string& name) { return Formula::letter(name, poinsot::Sign::real); };
+    if (!unknown.vector)
+      return Value<Formula>::of_number(letter(letter_of(statement, unknown.name, situation)), unknown.unit.dimension);
+    Vector3<Formula> vector;
+    for (std::size_t k = 0; k < 3; ++k)
+      vector[k] = letter(letter_of(statement, unknown.name, situation, std::to_string(k + 1)));
+    return Value<Formula>::of_vector(vector, unknown.unit.dimension);
+  }
+  Value<Formula> in_letters(const Value<Formula>& formula) const {
+    return unknowns_.empty() ? formula : substituted(formula, unknowns_);
+  }
+  Formula substituted(const Formula& formula, const std::map<std::string, Formula>& letters) const {
+    return letters.empty() ? formula : poinsot::substituted(formula, letters);
+  }
+  Value<Formula> substituted(const Value<Formula>& formula, const std::map<std::string, Formula>& letters) const {
+    return problem::substituted(formula, letters);
+  }
+
+  void confirm(const Value<Formula>& formula, std::size_t i) {
+    const Ask& ask = task_.statement.asks[i];
+    while (checkpoints_.size() <= draws) draw();
+    for (const Checkpoint& point : checkpoints_) {
+      bool same = false;
+      try {
+        same = agrees(formula, point.sample->value(ask), point.letters,
+                      task_.unknowns.empty() ? formula_tolerance : unknown_tolerance, task_.natural[i]) &&
+               confirmed_by_particles(*point.sample);
+      } catch (const StatementError& error) {
+        throw NoFormula("it cannot be checked: " + error.diagnostics().front().message);
+      }
+      if (!same) throw NoFormula("the formula found does not agree with numbers everywhere");
+    }
+  }
+
+  // Solves the statement at other values of the letters.
+  void draw() {
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+      AllSettings settings = task_.settings;
+      for (const Letter& letter : task_.open) {
+        // Unknowns have their roots only where the letters have such sizes.
+        const double value = !task_.unknowns.empty() ? task_.settings.front().at(letter.name).number *
+                                                           std::uniform_real_distribution<double>(0.8, 1.25)(random_)
+                             : letter.unit.dimension == dimensions::angle
+                                 ? std::uniform_real_distribution<double>(0.2, 1.2)(random_)
+                                 : letter.unit.factor * std::uniform_real_distribution<double>(0.5, 2)(random_);
+        for (Settings& one : settings) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
+      }
+      if (!task_.unknowns.empty()) {
+        try {
+          const std::optional<AllSettings> root = root_near(settings.front());
+          if (!root) continue;
+          settings = *root;
+        } catch (const StatementError&) {
+          // No statement that makes sense there.
+          continue;
+        }
+      }
+      auto sample = std::make_unique<Sample>(task_.statement, settings, OpenChoice{});
+      bool makes_sense = true;
+      try {
+        for (std::size_t i = 0; i < task_.statement.asks.size(); ++i)
+          if (solution_.asks[i].state != AskState::undetermined && !task_.statement.asks[i].extremum)
+            sample->value(task_.statement.asks[i]);
+      } catch (const StatementError&) {
+        makes_sense = false;
+      }
+      if (!makes_sense) continue;
+      Checkpoint point{letters_of(settings.front()), sample.get(), nullptr};
+      point.owned = std::move(sample);
+      checkpoints_.push_back(std::move(point));
+      return;
+    }
+    throw NoFormula("no other values of the letters were found at which the statement makes sense");
+  }
+
+  // The root at other values of the letters that the formulas of the unknowns are; nothing if there is no root. Throws
+  // NoFormula if there are roots and they are none of them.
+  std::optional<AllSettings> root_near(const Settings& with_letters) const {
+    Settings settings = task_.known;
+    for (const Letter& letter : task_.open) settings[letter.name] = with_letters.at(letter.name);
+    UnknownSearch search(task_.statement, task_.known);
+    RootsFound found;
+    try {
+      found = search.find(settings);
+    } catch (const StatementError&) {
+      return std::nullopt;
+    }
+    const LetterValues letters = letters_of(settings);
+    for (const AllSettings& root : found.roots) {
+      bool same = true;
+      for_each_unknown([&](const Unknown& unknown, std::size_t situation, const std::string&) {
+        const Value<Formula> formula = in_letters(value_of(task_.statement, unknown, situation));
+        same = same && agrees(formula, root[situation].at(unknown.name), letters, unknown_tolerance, 0);
+      });
+      if (same) return root;
+    }
+    if (!found.roots.empty()) throw NoFormula("the formulas found for the unknowns are no root everywhere");
+    return std::nullopt;
+  }
+
+  static std::vector<FormulaValues> values_of(const FormulaTask& task) {
+    std::vector<FormulaValues> all;
+    for (std::size_t i = 0; i < task.statement.situations.size(); ++i) {
+      const Situation& situation = task.statement.situations[i];
+      FormulaValues values = task.given;
+      for (const Letter& letter : situation.letters)
+        if (!values.contains(letter.name)) values[letter.name] = formula_of(letter);
+      for (const Unknown& unknown : task.unknowns)
+        if (is_common(task.statement, unknown.name) || is_own(task.statement, i, unknown.name))
+          values[unknown.name] = value_of(task.statement, unknown, i);
+      all.push_back(std::move(values));
+    }
+    return all;
+  }
+
+  LetterValues letters_of(const Settings& settings) const {
+    LetterValues values;
+    for (const Letter& letter : task_.open) values[letter.name] = settings.at(letter.name).number;
+    return values;
+  }
+
+  static std::vector<std::string> assumptions_of(const Value<Formula>& formula) {
+    std::vector<std::string> all;
+    const auto add = [&](const Formula& number) {
+      for (const std::string& assumption : number.assumptions()) all.push_back(assumption);
+    };
+    if (formula.is_number()) add(formula.number);
+    if (formula.is_vector())
+      for (std::size_t k = 0; k < 3; ++k) add(formula.vector[k]);
+    for (const Value<Formula>& item : formula.items)
+      for (const std::string& assumption : assumptions_of(item)) all.push_back(assumption);
+    return all;
+  }
+
+  const FormulaTask& task_;
+  Solution& solution_;
+  std::map<std::string, Formula> unknowns_;
+  std::vector<FormulaValues> values_;
+  FormulaAnswers answers_;
+  std::vector<Checkpoint> checkpoints_;
+  std::mt19937_64 random_{4000};
+};
+
+}  // namespace
+
+bool confirmed_by_particles(Sample& sample) {
+  return std::all_of(sample.instants().begin(), sample.instants().end(), [](const auto& item) {
+    const SolvedInstant::Residuals residuals = item.second->check();
+    const solve::CheckResult& particles = residuals.particles;
+    return particles.momentum <= check_tolerance && particles.energy <= check_tolerance &&
+           (!item.second->forces_solved() || particles.newton_euler <= check_tolerance) &&
+           residuals.impulse <= check_tolerance;
+  });
+}
+
+std::vector<OneSidedForce> find_formulas(const FormulaTask& task, Solution& solution) {
+  const FormulaLimitScope limits({most_formula_terms, formula_deadline(most_formula_seconds)});
+  // What is decided on the way is decided as the numbers decide it.
+  LetterValues point;
+  for (const Letter& letter : task.open) point[letter.name] = task.settings.front().at(letter.name).number;
+  for (std::size_t i = 0; i < task.settings.size(); ++i)
+    for (const Unknown& unknown : task.unknowns) {
+      const auto value = task.settings[i].find(unknown.name);
+      if (value == task.settings[i].end()) continue;
+      point[letter_of(task.statement, unknown.name, i)] = value->second.number;
+      for (std::size_t k = 0; unknown.vector && k < 3; ++k)
+        point[letter_of(task.statement, unknown.name, i, std::to_string(k + 1))] = value->second.vector[k];
+    }
+  const PlainPointScope decisions(std::move(point));
+  FormulaSearch search(task, solution);
+  search.run();
+  std::vector<OneSidedForce> forces = search.one_sided_forces();
+  find_laws(task, solution);
+  return forces;
+}
+
+}  // namespace poinsot::problem

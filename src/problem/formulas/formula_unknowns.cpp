@@ -1,0 +1,154 @@
+#include "problem/formulas/formula_unknowns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "poinsot/engine/math/formula/formula_text.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr int highest_degree = 4;
+constexpr double near_root = 1e-6;  // relative: how near a formula must be to the root that is meant
+
+// x as a polynomial in a letter, from the lowest power on; nothing if it is none of a small degree.
+std::optional<std::vector<Formula>> polynomial_in(const Formula& x, const std::string& letter) {
+  std::vector<Formula> coefficients;
+  Formula slope = x, rest = x;
+  const Formula variable = Formula::letter(letter, poinsot::Sign::real);
+  Formula power(1), factorial(1);
+  for (int k = 0; k <= highest_degree; ++k) {
+    if (k > 0) {
+      slope = derivative(slope, letter);
+      power *= variable;
+      factorial *= Formula(k);
+    }
+    coefficients.push_back(substituted(slope, {{letter, Formula(0)}}) / factorial);
+    rest -= coefficients.back() * power;
+    if (rest.is_zero()) return coefficients;
+  }
+  return std::nullopt;
+}
+
+// A root of a polynomial as a formula; `squared`: its square, where only that is needed.
+struct Root {
+  Formula root;
+  std::optional<Formula> square;
+  double sign = 1;
+};
+
+// One of two values, the one nearer to a number.
+Formula nearer(const Formula& a, const Formula& b, double value) {
+  return std::abs(plain(a) - value) <= std::abs(plain(b) - value) ? a : b;
+}
+
+// The root near the value.
+std::optional<Root> root_of(std::vector<Formula> c, double value) {
+  while (c.size() > 1 && c.front().is_zero() && std::abs(value) > 0) c.erase(c.begin());
+  if (c.size() == 1) return c.front().is_zero() ? std::optional(Root{Formula(0), {}, 1}) : std::nullopt;
+  // a x^2 + b x + d = 0. Divided by one of the coefficients, common factors are gone; the shortest form is taken.
+  const auto quadratic = [&](const Formula& a, const Formula& b, const Formula& d, double near) {
+    std::optional<Formula> shortest;
+    std::size_t length = 0;
+    for (const Formula& divisor : {Formula(1), a, b, d}) {
+      if (divisor.is_zero()) continue;
+      const Formula A = a / divisor, B = b / divisor, D = d / divisor;
+      const Formula root = sqrt(B * B - Formula(4) * A * D);
+      Formula x = nearer((-B + root) / (Formula(2) * A), (-B - root) / (Formula(2) * A), near);
+      const std::size_t own = text(x).size();
+      if (shortest && own >= length) continue;
+      shortest = std::move(x);
+      length = own;
+    }
+    return *shortest;
+  };
+  const bool even = c.size() % 2 == 1 && c[1].is_zero() && (c.size() < 5 || c[3].is_zero());
+  if (c.size() == 2) return Root{-c[0] / c[1], {}, 1};
+  if (even) {
+    const Formula square = c.size() == 3 ? -c[0] / c[2] : quadratic(c[4], c[2], c[0], value * value);
+    if (plain(square) < 0) return std::nullopt;
+    const Formula root = sqrt(square);
+    return Root{value < 0 ? -root : root, square, value < 0 ? -1.0 : 1.0};
+  }
+  if (c.size() == 3) return Root{quadratic(c[2], c[1], c[0], value), {}, 1};
+  return std::nullopt;
+}
+
+// The formula of one unknown for which the expression vanishes; `degree` is how hard it was.
+struct Found {
+  Formula formula;
+  std::size_t degree = 0;
+};
+std::optional<Found> solve_for(const Formula& remainder, const UnknownLetter& unknown) {
+  const std::vector<std::string> letters = remainder.letters();
+  if (std::find(letters.begin(), letters.end(), unknown.name) == letters.end()) return std::nullopt;
+  try {
+    if (!unknown.angle) {
+      const auto coefficients = polynomial_in(numerator(remainder), unknown.name);
+      if (!coefficients) return std::nullopt;
+      const std::optional<Root> root = root_of(*coefficients, unknown.value);
+      if (!root) return std::nullopt;
+      return Found{root->root, coefficients->size() - 1};
+    }
+    // With t = tan(u/2) all is algebraic.
+    const std::string half = unknown.name + "_half";
+    const Formula t = Formula::letter(half, poinsot::Sign::real);
+    const Formula algebraic = numerator(substituted(remainder, {{unknown.name, Formula(2) * atan(t)}}));
+    const auto coefficients = polynomial_in(algebraic, half);
+    if (!coefficients) return std::nullopt;
+    const std::optional<Root> root = root_of(*coefficients, std::tan(unknown.value / 2));
+    if (!root) return std::nullopt;
+    if (!root->square) return Found{Formula(2) * atan(root->root), coefficients->size()};
+    const Formula angle = acos((Formula(1) - *root->square) / (Formula(1) + *root->square));
+    return Found{root->sign < 0 ? -angle : angle, coefficients->size()};
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+Formula first_order(const Formula& x, const std::vector<std::string>& small) {
+  std::map<std::string, Formula> zero;
+  for (const std::string& letter : small) zero[letter] = Formula(0);
+  const std::vector<std::string> letters = x.letters();
+  Formula sum = zero.empty() ? x : substituted(x, zero);
+  for (const std::string& letter : small) {
+    if (std::find(letters.begin(), letters.end(), letter) == letters.end()) continue;
+    sum += Formula::letter(letter, poinsot::Sign::real) * substituted(derivative(x, letter), zero);
+  }
+  return sum;
+}
+
+std::map<std::string, Formula> solve_unknowns(std::vector<Formula> remainders, std::vector<UnknownLetter> unknowns) {
+  std::map<std::string, Formula> found;
+  while (!unknowns.empty()) {
+    std::optional<Found> best;
+    std::size_t chosen = 0;
+    for (const Formula& remainder : remainders)
+      for (std::size_t k = 0; k < unknowns.size(); ++k) {
+        std::optional<Found> candidate = solve_for(remainder, unknowns[k]);
+        if (!candidate) continue;
+        const double value = plain(candidate->formula);
+        if (!(std::abs(value - unknowns[k].value) <= near_root * (std::abs(unknowns[k].value) + 1e-6))) continue;
+        const auto cost = [](const Found& item) { return std::pair(item.degree, item.formula.terms()); };
+        if (best && cost(*best) <= cost(*candidate)) continue;
+        best = std::move(candidate);
+        chosen = k;
+      }
+    if (!best) throw NoFormula("the conditions for '" + unknowns.front().name + "' have no solution in formulas");
+    const std::map<std::string, Formula> value{{unknowns[chosen].name, best->formula}};
+    for (auto& [name, formula] : found) formula = substituted(formula, value);
+    found[unknowns[chosen].name] = best->formula;
+    unknowns.erase(unknowns.begin() + static_cast<std::ptrdiff_t>(chosen));
+    std::vector<Formula> left;
+    for (const Formula& remainder : remainders)
+      if (Formula rest = substituted(remainder, value); !rest.is_zero()) left.push_back(std::move(rest));
+    remainders = std::move(left);
+  }
+  if (!remainders.empty()) throw NoFormula("what is stated holds for special values of the letters only");
+  return found;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,223 @@
+#include "problem/formulas/law_search.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <map>
+#include <set>
+
+#include "problem/formulas/formula_answers.h"
+#include "problem/formulas/formula_deadline.h"
+#include "problem/formulas/scaling_law.h"
+#include "problem/instant/open_words.h"
+#include "problem/language/compare_values.h"
+#include "problem/unknowns/extremum.h"
+#include "problem/unknowns/unknown_search.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr double most_seconds_each = 0.4;  // of the processor for a trial, of which there are some twenty
+constexpr std::size_t most_changes_each = 50;
+
+bool has_numbers(const Value<double>& value) {
+  if (value.is_list()) return !value.items.empty() && std::ranges::all_of(value.items, has_numbers);
+  return value.is_number() || value.is_vector();
+}
+
+std::string road_of(const ScalingLaw& law) {
+  std::string road = "by dimensional analysis";
+  if (!law.by_trial.empty()) road += " and trials of " + listed(law.by_trial, "and");
+  return law.digits == 0 ? road : road + ", with numbers of " + std::to_string(law.digits) + " digits";
+}
+
+class LawSearch {
+ public:
+  LawSearch(const FormulaTask& task, Solution& solution) : task_(task), solution_(solution) {
+    if (!task.unknowns.empty() && solution.unknowns.empty())
+      for (std::size_t i = 0; i < task.statement.situations.size(); ++i)
+        for (const Unknown& unknown : task.unknowns)
+          if (is_common(task.statement, unknown.name) ? i == 0 : is_own(task.statement, i, unknown.name))
+            unknowns_.push_back({&unknown, i});
+  }
+
+  void run() {
+    std::vector<std::size_t> wanted;
+    for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
+      const SolvedAsk& ask = solution_.asks[i];
+      if (ask.state == AskState::needs_letters && !ask.formula && !task_.statement.asks[i].table &&
+          has_numbers(ask.value))
+        wanted.push_back(i);
+    }
+    if (wanted.empty()) return;
+    const auto error = solution_.checks.find("motion_error");
+    LetterValues base;
+    std::vector<std::string> names;
+    for (const Letter& letter : task_.open) {
+      base[letter.name] = task_.settings.front().at(letter.name).number;
+      names.push_back(letter.name);
+    }
+    ScalingTrials trials(task_.open, base, !task_.unknowns.empty(), error == solution_.checks.end() ? 0 : error->second,
+                         [this](const LetterValues& letters) { return answers_at(letters); });
+    for (const std::size_t i : wanted) add_law(trials, i);
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) add_unknown(trials, k, names);
+  }
+
+ private:
+  struct Sought {
+    const Unknown* unknown;
+    std::size_t situation;
+  };
+
+  void add_law(ScalingTrials& trials, std::size_t i) {
+    SolvedAsk& ask = solution_.asks[i];
+    const auto reason = why_no_formula([&] {
+      const ScalingLaw law = scaling_law(trials, i, ask.letters);
+      hold_all_round(trials, i, law);
+      ask.formula = law.formula;
+      ask.formula_road = road_of(law);
+    });
+    ask.no_formula = reason.value_or("");
+  }
+
+  // An angle may be any: beyond a right angle another extreme may be the largest. What holds for positive angles alone
+  // says so, and where it could not be tried.
+  void hold_all_round(ScalingTrials& trials, std::size_t i, const ScalingLaw& law) {
+    std::set<std::string> assumed;
+    for (const std::string& name : solution_.asks[i].letters) {
+      const auto letter = std::ranges::find(task_.open, name, &Letter::name);
+      if (letter == task_.open.end() || letter->unit.dimension != dimensions::angle) continue;
+      std::string untried;
+      for (const ScalingTrials::Point& point : trials.turned(name)) {
+        const double angle = point.letters.at(name);
+        char text[40];
+        std::snprintf(text, sizeof text, "%.3g rad", angle);
+        if (point.answers.empty() || !point.answers[i]) {
+          untried += (untried.empty() ? "" : ", ") + std::string(text);
+          continue;
+        }
+        if (agrees(law.formula, *point.answers[i], point.letters, 1e-6, size_of(*trials.base().answers[i]))) continue;
+        if (angle > 0)
+          throw NoFormula("the formula found holds for some values of the letters only, not at " + name + " = " + text);
+        assumed.insert(name + " is not negative");
+      }
+      if (!untried.empty()) assumed.insert(name + " is such that there is an answer: none was found at " + untried);
+    }
+    for (const std::string& words : assumed)
+      if (std::ranges::find(solution_.assumptions, words) == solution_.assumptions.end())
+        solution_.assumptions.push_back(words);
+  }
+
+  void add_unknown(ScalingTrials& trials, std::size_t k, const std::vector<std::string>& letters) {
+    const Unknown& unknown = *unknowns_[k].unknown;
+    const std::size_t situation = unknowns_[k].situation;
+    // Where there is none, the asks say why.
+    static_cast<void>(why_no_formula([&] {
+      const ScalingLaw law = scaling_law(trials, solution_.asks.size() + k, letters);
+      SolvedUnknown solved{unknown.name, unknown.unit, task_.settings[situation].at(unknown.name), law.formula};
+      if (!is_common(task_.statement, unknown.name)) solved.name += " @ " + task_.statement.situations[situation].name;
+      solved.formula_road = road_of(law);
+      solution_.unknowns.push_back(std::move(solved));
+    }));
+  }
+
+  // Asks and then unknowns.
+  ScalingTrials::Answers answers_at(const LetterValues& letters) {
+    const std::clock_t begun = std::clock();
+    ScalingTrials::Answers answers(solution_.asks.size() + unknowns_.size());
+    const std::optional<AllSettings> settings = settings_at(letters);
+    if (!settings || !is_assumed(*settings))
+      fail(task_.statement.file, {1, 1}, "nothing is found at other values of the letters, or they are not assumed");
+    const OpenChoice choice{.most_changes = most_changes_each};
+    Sample sample(task_.statement, *settings, choice);
+    for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
+      const Ask& ask = task_.statement.asks[i];
+      if (solution_.asks[i].state != AskState::needs_letters || ask.table) continue;
+      try {
+        answers[i] =
+            ask.extremum ? ExtremumSearch(task_.statement, ask, *settings, choice).find().value : sample.value(ask);
+      } catch (const StatementError&) {
+        continue;
+      }
+    }
+    for (std::size_t k = 0; k < unknowns_.size(); ++k)
+      answers[solution_.asks.size() + k] = (*settings)[unknowns_[k].situation].at(unknowns_[k].unknown->name);
+    if (!confirmed_by_particles(sample)) throw NoFormula("the check on particles does not confirm its numbers");
+    if (static_cast<double>(std::clock() - begun) > formula_slowdown * most_seconds_each * CLOCKS_PER_SEC)
+      throw NoFormula("it takes too long to find it at other values of the letters");
+    return answers;
+  }
+
+  // Whether what is assumed of the letters holds.
+  bool is_assumed(const AllSettings& settings) const {
+    for (std::size_t s = 0; s < settings.size(); ++s) {
+      const Situation& situation = task_.statement.situations[s];
+      DataScope<double> data(situation, settings[s]);
+      for (const Expression& expression : situation.assume) try {
+          const Value<double> truth = data.value(expression);
+          if (truth.is_boolean() && !truth.truth) return false;
+        } catch (const StatementError&) {
+          // It speaks of more than letters.
+        }
+    }
+    return true;
+  }
+
+  // With the unknowns found there; nothing where they have not as many roots as they have at the letters drawn first.
+  std::optional<AllSettings> settings_at(const LetterValues& letters) {
+    AllSettings settings = task_.settings;
+    for (AllSettings::value_type& one : settings)
+      for (const Letter& letter : task_.open)
+        one[letter.name] = Value<double>::of_number(letters.at(letter.name), letter.unit.dimension);
+    if (task_.unknowns.empty()) return settings;
+    Settings known = task_.known;
+    for (const Letter& letter : task_.open) known[letter.name] = settings.front().at(letter.name);
+    RootsFound found;
+    try {
+      found = UnknownSearch(task_.statement, task_.known).find(known);
+    } catch (const StatementError&) {
+      return std::nullopt;
+    }
+    if (!found.open.empty()) return std::nullopt;
+    if (!root_) {
+      for (std::size_t k = 0; k < found.roots.size(); ++k)
+        if (is_root(found.roots[k])) root_ = k;
+      roots_ = found.roots.size();
+    }
+    if (!root_ || found.roots.size() != roots_) return std::nullopt;
+    return found.roots[*root_];
+  }
+  bool is_root(const AllSettings& root) const {
+    for (std::size_t i = 0; i < root.size(); ++i)
+      for (const Unknown& unknown : task_.unknowns) {
+        const auto known = task_.settings[i].find(unknown.name), here = root[i].find(unknown.name);
+        if (known == task_.settings[i].end() || here == root[i].end()) continue;
+        if (!same(known->second, here->second, 1e-6 * size_of(known->second))) return false;
+      }
+    return true;
+  }
+
+  const FormulaTask& task_;
+  Solution& solution_;
+  std::vector<Sought> unknowns_;
+  std::optional<std::size_t> root_;  // of the roots, ascending, the one of this solution
+  std::size_t roots_ = 0;
+};
+
+}  // namespace
+
+void find_laws(const FormulaTask& task, Solution& solution) { LawSearch(task, solution).run(); }
+
+void tell_laws(const Statement& statement, Solution& solution) {
+  std::map<std::string, std::vector<std::string>> found_by;
+  const auto add = [&](const std::string& name, const std::string& road) {
+    if (road.empty()) return;
+    std::vector<std::string>& names = found_by[road];
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  for (std::size_t i = 0; i < solution.asks.size(); ++i) add(statement.asks[i].name, solution.asks[i].formula_road);
+  for (const SolvedUnknown& unknown : solution.unknowns) add(unknown.name, unknown.formula_road);
+  for (const auto& [road, names] : found_by) solution.notes.push_back(listed(names, "and") + " " + road);
+}
+
+}  // namespace poinsot::problem

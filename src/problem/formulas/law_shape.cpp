@@ -1,0 +1,162 @@
+#include "problem/formulas/law_shape.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace poinsot::problem {
+namespace {
+
+constexpr std::array all_terms{Term::angle, Term::sine, Term::cosine, Term::cosine_squared};
+constexpr std::array independent{Factor::letter, Factor::half_sine, Factor::half_cosine, Factor::cosine};
+
+Formula decimal(double number, int places) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*e", std::min(places, 17), number);
+  return Formula::number(text);
+}
+
+}  // namespace
+
+double number_of(Term term, double angle) {
+  switch (term) {
+    case Term::angle:
+      return angle;
+    case Term::sine:
+      return std::sin(angle);
+    case Term::cosine:
+      return std::cos(angle);
+    case Term::cosine_squared:
+      return std::cos(angle) * std::cos(angle);
+    case Term::none:
+      break;
+  }
+  return 0;
+}
+Formula formula_of(Term term, const Formula& angle) {
+  switch (term) {
+    case Term::angle:
+      return angle;
+    case Term::sine:
+      return sin(angle);
+    case Term::cosine:
+      return cos(angle);
+    case Term::cosine_squared:
+      return pow(cos(angle), 2);
+    case Term::none:
+      break;
+  }
+  return 0;
+}
+
+double number_of(Factor factor, double value) {
+  switch (factor) {
+    case Factor::half_sine:
+      return std::sin(0.5 * value);
+    case Factor::half_cosine:
+      return std::cos(0.5 * value);
+    case Factor::cosine:
+      return std::cos(value);
+    case Factor::sine:
+      return std::sin(value);
+    case Factor::letter:
+      break;
+  }
+  return value;
+}
+Formula formula_of(Factor factor, const Formula& letter) {
+  switch (factor) {
+    case Factor::half_sine:
+      return sin(letter / 2);
+    case Factor::half_cosine:
+      return cos(letter / 2);
+    case Factor::cosine:
+      return cos(letter);
+    case Factor::sine:
+      return sin(letter);
+    case Factor::letter:
+      break;
+  }
+  return letter;
+}
+
+Formula power_of(const Formula& base, int halves) {
+  const Formula whole = pow(base, halves / 2);
+  if (halves % 2 == 0) return whole;
+  return halves > 0 ? whole * sqrt(base) : whole / sqrt(base);
+}
+
+double LawShape::product_at(const LetterValues& letters) const {
+  double result = 1;
+  for (const Part& part : product)
+    result *= std::pow(number_of(part.factor, letters.at(part.letter)), 0.5 * part.halves);
+  return result;
+}
+
+std::optional<std::vector<LawShape::Part>> product_of(const std::string& letter, const AngleSamples& samples,
+                                                      double tolerance) {
+  const auto& [angles, numbers] = samples;
+  const auto rows = static_cast<Eigen::Index>(angles.size());
+  Eigen::MatrixXd matrix(rows, 1 + static_cast<Eigen::Index>(independent.size()));
+  Eigen::VectorXd right(rows);
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    const auto k = static_cast<std::size_t>(row);
+    if (!(numbers[k] / numbers.back() > 0)) return std::nullopt;
+    right(row) = std::log(numbers[k] / numbers.back());
+    matrix(row, 0) = 1;
+    for (std::size_t f = 0; f < independent.size(); ++f) {
+      const double base = number_of(independent[f], angles[k]);
+      if (!(base > 0)) return std::nullopt;
+      matrix(row, static_cast<Eigen::Index>(f) + 1) = std::log(base);
+    }
+  }
+  const Eigen::VectorXd found = matrix.colPivHouseholderQr().solve(right);
+  std::map<Factor, int> halves;
+  for (std::size_t f = 0; f < independent.size(); ++f)
+    halves[independent[f]] = static_cast<int>(std::lround(2 * found(static_cast<Eigen::Index>(f) + 1)));
+  // sin(a/2) cos(a/2) is half of sin(a).
+  int &sine = halves[Factor::half_sine], &cosine = halves[Factor::half_cosine];
+  if ((sine > 0) == (cosine > 0)) {
+    const int common = sine > 0 ? std::min(sine, cosine) : std::max(sine, cosine);
+    halves[Factor::sine] = common;
+    sine -= common;
+    cosine -= common;
+  }
+  std::vector<LawShape::Part> parts;
+  for (const auto& [factor, exponent] : halves)
+    if (exponent != 0) parts.push_back({letter, factor, exponent});
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    double ratio = numbers[k] / numbers.back();
+    for (const LawShape::Part& part : parts)
+      ratio *= std::pow(number_of(part.factor, angles.back()) / number_of(part.factor, angles[k]), 0.5 * part.halves);
+    if (!(std::abs(ratio - 1) <= tolerance)) return std::nullopt;
+  }
+  return parts;
+}
+
+std::optional<Term> term_of(const AngleSamples& samples, double tolerance) {
+  const auto& [angles, numbers] = samples;
+  double size = 0;
+  for (const double number : numbers) size = std::max(size, std::abs(number));
+  for (const Term term : all_terms) {
+    const double begin = number_of(term, angles.front());
+    const double slope = (numbers.back() - numbers.front()) / (number_of(term, angles.back()) - begin);
+    bool same = true;
+    for (std::size_t k = 0; k < angles.size() && same; ++k)
+      same = std::abs(numbers.front() + slope * (number_of(term, angles[k]) - begin) - numbers[k]) <= tolerance * size;
+    if (same) return term;
+  }
+  return std::nullopt;
+}
+
+Formula rounded(double number, double largest, int digits) {
+  if (number == 0) return {};
+  const auto order = [](double x) { return static_cast<int>(std::floor(std::log10(std::abs(x)))); };
+  const int places = digits - 1 - order(largest) + order(number);
+  return places < 0 ? Formula() : decimal(number, places);
+}
+
+}  // namespace poinsot::problem

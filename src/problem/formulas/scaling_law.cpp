@@ -1,0 +1,287 @@
+#include "problem/formulas/scaling_law.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/engine/math/formula/formula_text.h"
+#include "problem/formulas/formula_answers.h"
+#include "problem/formulas/law_shape.h"
+#include "problem/language/compare_values.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr int most_digits = 12;              // of the number of a law
+constexpr int least_digits = 6;              // below that there is no telling a law from a coincidence
+constexpr double measured_over_actual = 16;  // of the error of a motion
+constexpr double noise = 1e-9;               // of a component beside its vector
+constexpr double exponent_to = 1e-4;         // how closely an exponent is measured
+constexpr std::size_t least_samples = 6;     // of an angle
+
+std::vector<double> all_numbers(const Value<double>& value) {
+  if (value.is_number()) return {value.number};
+  if (value.is_vector()) return {value.vector.x, value.vector.y, value.vector.z};
+  std::vector<double> all;
+  for (const Value<double>& item : value.items)
+    for (const double number : all_numbers(item)) all.push_back(number);
+  return all;
+}
+
+void put_in(Value<Formula>& value, const std::vector<Formula>& numbers, std::size_t& next) {
+  if (value.is_number()) value.number = numbers[next++];
+  for (std::size_t k = 0; value.is_vector() && k < 3; ++k) value.vector[k] = numbers[next++];
+  for (Value<Formula>& item : value.items) put_in(item, numbers, next);
+}
+
+Value<Formula> shaped_like(const Value<double>& value) {
+  if (value.is_number()) return Value<Formula>::of_number({}, value.dimension);
+  if (value.is_vector()) return Value<Formula>::of_vector({}, value.dimension);
+  std::vector<Value<Formula>> items;
+  for (const Value<double>& item : value.items) items.push_back(shaped_like(item));
+  return Value<Formula>::of_list(std::move(items));
+}
+
+// The law of one number of an answer.
+class OneNumber {
+ public:
+  OneNumber(ScalingTrials& trials, std::size_t answer, std::size_t place, const Dimension& dimension,
+            const std::vector<std::string>& letters, ScalingLaw& law)
+      : trials_(trials), answer_(answer), place_(place), dimension_(dimension), law_(law) {
+    for (const Letter& letter : trials.letters()) {
+      if (std::ranges::find(letters, letter.name) == letters.end()) continue;
+      (letter.unit.dimension == dimensions::angle ? angles_ : sizes_).push_back(letter);
+    }
+    tolerance_ = std::max(1e-8, 4 * trials.error());
+  }
+
+  Formula formula() {
+    if (vanishes()) return {};
+    for (const Letter& letter : sizes_)
+      if (letter.either_sign) throw NoFormula("'" + letter.name + "' may have either sign");
+    find_units();
+    find_pivots();
+    for (std::size_t i = 0; i < sizes_.size(); ++i)
+      if (std::ranges::find(pivots_, i) == pivots_.end()) measure(i);
+    follow_dimensions();
+    for (const Letter& angle : angles_) follow(angle.name);
+    return with_numbers();
+  }
+
+ private:
+  // The number, or zero where it is rounding beside the others of its answer.
+  std::optional<double> at(const ScalingTrials::Point& point) const {
+    const std::optional<Value<double>>& value = point.answers[answer_];
+    if (!value) return std::nullopt;
+    const std::vector<double> numbers = all_numbers(*value);
+    if (place_ >= numbers.size() || !std::isfinite(numbers[place_])) return std::nullopt;
+    return std::abs(numbers[place_]) <= noise * size_of(*value) ? 0 : numbers[place_];
+  }
+  double at_base() const {
+    const std::optional<double> number = at(trials_.base());
+    if (!number) throw NoFormula("it is found by numbers, and not found twice");
+    return *number;
+  }
+  bool vanishes() {
+    if (at_base() != 0) return false;
+    for (const ScalingTrials::Point& point : trials_.drawn())
+      if (at(point).value_or(1) != 0) throw NoFormula("it vanishes for some values of the letters only");
+    return true;
+  }
+
+  // The units that nothing in the problem fixes: in others the number is the same quantity.
+  void find_units() {
+    for (const Units units : {Units::length, Units::mass, Units::time, Units::fall}) {
+      // Where gravity is stated in numbers, lengths and times are scaled together.
+      if (units == Units::fall && (is_free(Units::length) || is_free(Units::time))) continue;
+      const auto& [scale, point] = trials_.scaled(units);
+      const std::optional<double> number = at(point);
+      if (!number) continue;
+      const double expected = at_base() * std::pow(scale, exponent_of(dimension_, units));
+      if (std::abs(*number - expected) <= tolerance_ * std::abs(expected)) units_.push_back(units);
+    }
+  }
+  bool is_free(Units units) const { return std::ranges::find(units_, units) != units_.end(); }
+
+  // Letters whose dimensions are independent: their powers follow from those of the others.
+  void find_pivots() {
+    for (std::size_t i = 0; i < sizes_.size() && pivots_.size() < units_.size(); ++i) {
+      pivots_.push_back(i);
+      const Eigen::MatrixXd matrix = dimensions_of(pivots_);
+      if (Eigen::FullPivLU<Eigen::MatrixXd>(matrix).rank() < static_cast<Eigen::Index>(pivots_.size()))
+        pivots_.pop_back();
+    }
+    halves_.assign(sizes_.size(), 0);
+  }
+  Eigen::MatrixXd dimensions_of(const std::vector<std::size_t>& letters) const {
+    Eigen::MatrixXd matrix(units_.size(), letters.size());
+    for (std::size_t column = 0; column < letters.size(); ++column)
+      for (std::size_t row = 0; row < units_.size(); ++row)
+        matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+            exponent_of(sizes_[letters[column]].unit.dimension, units_[row]);
+    return matrix;
+  }
+  // The exponents of the pivots that make up a dimension in the free units. Throws NoFormula if there are none.
+  Eigen::VectorXd pivot_exponents(const Eigen::VectorXd& dimension) const {
+    const Eigen::MatrixXd matrix = dimensions_of(pivots_);
+    if (pivots_.empty()) {
+      if (dimension.size() > 0 && dimension.norm() > exponent_to) throw NoFormula(other_scales);
+      return Eigen::VectorXd(0);
+    }
+    const Eigen::VectorXd exponents = matrix.colPivHouseholderQr().solve(dimension);
+    if ((matrix * exponents - dimension).norm() > exponent_to) throw NoFormula(other_scales);
+    return exponents;
+  }
+  Eigen::VectorXd in_units(const Dimension& dimension) const {
+    Eigen::VectorXd exponents(units_.size());
+    for (std::size_t row = 0; row < units_.size(); ++row)
+      exponents(static_cast<Eigen::Index>(row)) = exponent_of(dimension, units_[row]);
+    return exponents;
+  }
+
+  // How the number follows a letter that is moved alone.
+  void measure(std::size_t i) {
+    const std::string& name = sizes_[i].name;
+    int count = 0;
+    for (const ScalingTrials::Point& point : trials_.moved(name)) {
+      const std::optional<double> number = at(point);
+      if (!number) continue;
+      if (!(*number / at_base() > 0)) throw NoFormula(no_power(i));
+      const double slope = std::log(*number / at_base()) / std::log(point.letters.at(name) / base_value(name));
+      const int halves = static_cast<int>(std::lround(2 * slope));
+      if (std::abs(2 * slope - halves) > exponent_to || (count++ > 0 && halves != halves_[i]))
+        throw NoFormula(no_power(i));
+      halves_[i] = halves;
+    }
+    if (count == 0) throw NoFormula("it is found by numbers, and only where '" + name + "' has certain values");
+    law_.by_trial.push_back(name);
+  }
+  double base_value(const std::string& letter) const { return trials_.base().letters.at(letter); }
+
+  std::string no_power(std::size_t i) const {
+    const Eigen::VectorXd exponents = pivot_exponents(in_units(sizes_[i].unit.dimension));
+    Formula group = formula_of(sizes_[i]).number;
+    for (std::size_t k = 0; k < pivots_.size(); ++k) {
+      const double halves = -2 * exponents(static_cast<Eigen::Index>(k));
+      group *= power_of(formula_of(sizes_[pivots_[k]]).number, static_cast<int>(std::lround(halves)));
+    }
+    return "it depends on " + text(group) + ", and not as a power of it";
+  }
+
+  void follow_dimensions() {
+    Eigen::VectorXd rest = in_units(dimension_);
+    for (std::size_t i = 0; i < sizes_.size(); ++i)
+      if (halves_[i] != 0) rest -= 0.5 * halves_[i] * in_units(sizes_[i].unit.dimension);
+    const Eigen::VectorXd exponents = pivot_exponents(rest);
+    for (std::size_t k = 0; k < pivots_.size(); ++k) {
+      const double halves = 2 * exponents(static_cast<Eigen::Index>(k));
+      halves_[pivots_[k]] = static_cast<int>(std::lround(halves));
+      if (std::abs(halves - halves_[pivots_[k]]) > exponent_to)
+        throw NoFormula("'" + sizes_[pivots_[k]].name + "' has an exponent that is neither whole nor a half");
+      law_.by_dimension.push_back(sizes_[pivots_[k]].name);
+    }
+    for (std::size_t i = 0; i < sizes_.size(); ++i)
+      if (halves_[i] != 0) shape_.product.push_back({sizes_[i].name, Factor::letter, halves_[i]});
+  }
+
+  // How the number follows an angle that is moved alone.
+  void follow(const std::string& angle) {
+    AngleSamples samples;
+    const auto add = [&](const ScalingTrials::Point& point) {
+      const std::optional<double> number = at(point);
+      if (!number) return;
+      samples.angles.push_back(point.letters.at(angle));
+      samples.numbers.push_back(*number);
+    };
+    for (const ScalingTrials::Point& point : trials_.moved(angle)) add(point);
+    add(trials_.base());
+    if (samples.angles.size() < least_samples)
+      throw NoFormula("it is found by numbers, and only where '" + angle + "' has certain values");
+    law_.by_trial.push_back(angle);
+    if (const auto parts = product_of(angle, samples, tolerance_)) {
+      shape_.product.insert(shape_.product.end(), parts->begin(), parts->end());
+    } else if (const auto term = term_of(samples, tolerance_); term && shape_.term == Term::none) {
+      shape_.term = *term;
+      shape_.angle = angle;
+    } else {
+      throw NoFormula("it depends on " + angle + ", but as no product of powers, sines and cosines of it");
+    }
+  }
+
+  // The numbers of the law from all that has been tried, which must agree.
+  Formula with_numbers() {
+    std::vector<std::pair<double, double>> measured;  // the term and the number over the product
+    const auto add = [&](const ScalingTrials::Point& point) {
+      if (const std::optional<double> number = at(point))
+        measured.emplace_back(shape_.term == Term::none ? 0 : number_of(shape_.term, point.letters.at(shape_.angle)),
+                              *number / shape_.product_at(point.letters));
+    };
+    add(trials_.base());
+    if (shape_.term != Term::none)
+      for (const ScalingTrials::Point& point : trials_.moved(shape_.angle)) add(point);
+    const std::size_t before = measured.size();
+    for (const ScalingTrials::Point& point : trials_.drawn()) add(point);
+    if (measured.size() < before + trials_.drawn().size())
+      throw NoFormula("it has no value at other values of the letters");
+    const bool sum = shape_.term != Term::none;
+    double first = measured.front().second, slope = 0;
+    if (sum) {
+      const auto [low, high] = std::minmax_element(measured.begin(), measured.end());
+      slope = (high->second - low->second) / (high->first - low->first);
+      first = low->second - slope * low->first;
+    }
+    const double size = std::max(std::abs(first), std::abs(slope));
+    double spread = 0;
+    for (const auto& [term, number] : measured)
+      spread = std::max(spread, std::abs(first + slope * term - number) / size);
+    if (!(spread <= tolerance_)) throw NoFormula("its letters do not come together as a product of powers");
+    const double error = std::max({spread, trials_.error() / measured_over_actual, 1e-15});
+    const int digits = std::min(most_digits, static_cast<int>(std::floor(-std::log10(error))));
+    if (digits < least_digits) throw NoFormula("the motion is not known closely enough to tell a law from it");
+    law_.digits = law_.digits == 0 ? digits : std::min(law_.digits, digits);
+    return written(first, slope, size, digits);
+  }
+  Formula written(double first, double slope, double size, int digits) const {
+    const auto letter = [&](const std::string& name) { return formula_of(trials_.letter(name)).number; };
+    Formula result = rounded(first, size, digits);
+    if (shape_.term != Term::none)
+      result += rounded(slope, size, digits) * formula_of(shape_.term, letter(shape_.angle));
+    for (const LawShape::Part& part : shape_.product)
+      result *= power_of(formula_of(part.factor, letter(part.letter)), part.halves);
+    return result;
+  }
+  static constexpr const char* other_scales = "it depends on the letters in no way that their dimensions tell";
+
+  ScalingTrials& trials_;
+  const std::size_t answer_, place_;
+  const Dimension dimension_;
+  ScalingLaw& law_;
+  std::vector<Letter> sizes_, angles_;  // all but angles, and angles
+  double tolerance_ = 1e-8;
+  std::vector<Units> units_;
+  std::vector<std::size_t> pivots_;
+  std::vector<int> halves_;  // exponents of sizes_
+  LawShape shape_;
+};
+
+}  // namespace
+
+ScalingLaw scaling_law(ScalingTrials& trials, std::size_t answer, const std::vector<std::string>& letters) {
+  const std::optional<Value<double>>& value = trials.base().answers.at(answer);
+  if (!value) throw NoFormula("it is found by numbers, and not found twice");
+  ScalingLaw law;
+  const std::size_t count = all_numbers(*value).size();
+  std::vector<Formula> numbers;
+  for (std::size_t place = 0; place < count; ++place)
+    numbers.push_back(OneNumber(trials, answer, place, dimension_of(*value), letters, law).formula());
+  law.formula = shaped_like(*value);
+  std::size_t next = 0;
+  put_in(law.formula, numbers, next);
+  for (std::vector<std::string>* names : {&law.by_dimension, &law.by_trial}) {
+    std::ranges::sort(*names);
+    names->erase(std::unique(names->begin(), names->end()), names->end());
+  }
+  return law;
+}
+
+}  // namespace poinsot::problem

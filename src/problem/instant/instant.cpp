@@ -1,0 +1,365 @@
+#include "problem/instant/instant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "poinsot/engine/solve/instant/closure.h"
+#include "problem/language/diagnostic.h"
+#include "problem/machine/contact_limits.h"
+
+namespace poinsot::problem {
+namespace {
+
+using Vector = Vector3<double>;
+
+}  // namespace
+
+SolvedInstant::SolvedInstant(const Situation& situation, const Settings& settings, const When& when,
+                             const OpenChoice& choice)
+    : situation_(situation), settings_(settings), choice_(choice) {
+  build(0, situation.stages.empty() ? std::nullopt : situation.stages.front().loads);
+  const auto instants = instants_at_start(situation);
+  set_positions(instants);
+  solve_velocities(instants, std::nullopt);
+  if (when.after_blow) solve_blow();
+}
+
+Machine SolvedInstant::machine_at(double time, const std::optional<std::vector<std::string>>& loads) {
+  if (elsewhen_)
+    elsewhen_->set_time(time);
+  else
+    elsewhen_ = std::make_unique<DataScope<double>>(situation_, settings_, time);
+  return machine_from(*elsewhen_, time, loads);
+}
+
+MachineOptions SolvedInstant::machine_options(double time, const std::optional<std::vector<std::string>>& loads) const {
+  MachineOptions options;
+  options.time = time;
+  options.lenient = choice_.trial;
+  options.loads = loads;
+  if (choice_.gravity) {
+    std::mt19937_64 random(choice_.seed + 1);
+    std::uniform_real_distribution<double> size(-10, 10);
+    options.open_gravity = {size(random), size(random), size(random)};
+  }
+  return options;
+}
+
+Machine SolvedInstant::machine_from(DataScope<double>& data, double time,
+                                    const std::optional<std::vector<std::string>>& loads) {
+  std::size_t next = 0;
+  // Every building of the machine must take the same values for what is open.
+  const AnyValue any = [&](const Dimension&) {
+    if (next == any_values_.size()) {
+      const double value = choice_.any ? std::uniform_real_distribution<double>(0.5, 2)(random()) : 1;
+      any_values_.push_back(value);
+    }
+    return any_values_[next++];
+  };
+  DataScope<TimeJet> timed(situation_, settings_, time_jet(time));
+  const MachineOptions options = machine_options(time, loads);
+  if (masses_) {
+    next = any_in_masses_;
+    return build_machine(situation_, *masses_, data, timed, any, options);
+  }
+  std::vector<BodyMassOf<double>> masses = body_masses(situation_, data, any, options);
+  if (!data.follows_time()) {
+    masses_ = masses;
+    any_in_masses_ = next;
+  }
+  return build_machine(situation_, std::move(masses), data, timed, any, options);
+}
+
+void SolvedInstant::build(double time, const std::optional<std::vector<std::string>>& loads) {
+  time_ = time;
+  if (data_)
+    data_->set_time(time);
+  else
+    data_ = std::make_unique<DataScope<double>>(situation_, settings_, time);
+  machine_ = machine_from(*data_, time, loads);
+  scales_ = choice_.scales ? *choice_.scales : solve::natural_scales(machine_.mechanism);
+  moment_.emplace(machine_.mechanism);
+  moment_->set_positions(machine_.q);
+  motion_.reset();
+}
+
+// What is known at the start: of the only instant, of the first stage, or before a blow.
+std::vector<const Instant*> instants_at_start(const Situation& situation) {
+  std::vector<const Instant*> found;
+  const auto add = [&](const Instant& instant) {
+    if (!is_later(situation, instant)) found.push_back(&instant);
+  };
+  if (situation.has_blow()) {
+    for (const Instant& instant : situation.instants) {
+      if (instant.name != "before" && instant.name != "after" && !is_later(situation, instant))
+        fail(situation.file, instant.mark,
+             "the instants of a blow are called before and after, not '" + instant.name + "'");
+      if (instant.name == "before") found.push_back(&instant);
+    }
+    return found;
+  }
+  if (situation.stages.empty()) {
+    for (const Instant& instant : situation.instants) add(instant);
+    if (found.size() > 1)
+      fail(situation.file, found[1]->mark,
+           "the instants '" + found[0]->name + "' and '" + found[1]->name +
+               "' need a motion that leads from one to the other",
+           "state one instant, call the later one by its time such as `2 s`, or name the stages between them");
+    return found;
+  }
+  std::vector<std::string> names;
+  for (const Stage& stage : situation.stages)
+    names.insert(names.end(), {stage.name, stage.name + ".start", stage.name + ".end"});
+  for (const Instant& instant : situation.instants) {
+    const std::string& first = situation.stages.front().name;
+    if (instant.name == "start" || instant.name == first || instant.name == first + ".start") {
+      add(instant);
+      continue;
+    }
+    if (is_later(situation, instant)) continue;
+    const std::string hint = did_you_mean(instant.name, names);
+    fail(situation.file, instant.mark, "there is no stage for the instant '" + instant.name + "'",
+         hint.empty() ? "the start of a stage is called STAGE.start, its end STAGE.end" : hint);
+  }
+  return found;
+}
+
+void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
+  std::vector<double> q = machine_.q;
+  std::vector<bool> given = machine_.position_given;
+  for (const Instant* instant : instants) {
+    for (const Fact& fact : instant->facts) {
+      if (level_of(situation_, fact.quantity) != Level::position) continue;
+      const Name* name = fact.quantity.as<Name>();
+      const NamedCoordinate* coordinate = name && name->primes == 0 ? machine_.coordinate(name->name) : nullptr;
+      if (!coordinate && !name) continue;  // what positions it demands is seen in position_facts()
+      if (!coordinate) {
+        std::vector<std::string> names;
+        for (const NamedCoordinate& c : machine_.coordinates)
+          if (!c.name.empty()) names.push_back(c.name);
+        fail(situation_.file, fact.mark, "'" + to_string(fact.quantity) + "' is no coordinate",
+             did_you_mean(to_string(fact.quantity), names));
+      }
+      const auto k = static_cast<std::size_t>(coordinate->position);
+      const double value = data_->number(fact.value, coordinate->turning ? dimensions::angle : dimensions::length);
+      if (given[k] && std::abs(q[k] - value) > 1e-12 * (1 + std::abs(value)))
+        fail(situation_.file, fact.mark, "'" + name->name + "' already has another value", "state it once");
+      q[k] = value;
+      given[k] = true;
+    }
+  }
+  const solve::Closure closure = solve::close_pose(machine_.mechanism, q, given);
+  if (closure.gap > 1e-9 * (1 + scales_.length)) {
+    Mark mark = situation_.joints.empty() ? Mark{1, 1} : situation_.joints.front().mark;
+    for (const Joint& joint : situation_.joints)
+      if (closure.where.find("'" + joint.name + "'") != std::string::npos) mark = joint.mark;
+    for (const NamedCoordinate& coordinate : machine_.coordinates)
+      if (given[static_cast<std::size_t>(coordinate.position)] && q[static_cast<std::size_t>(coordinate.position)] != 0)
+        mark = coordinate.mark;
+    char text[200];
+    std::snprintf(text, sizeof text, "the mechanism does not close in the stated pose: %s is open by %.3g",
+                  closure.where.c_str(), closure.gap);
+    fail(situation_.file, mark, text,
+         "the values of the coordinates do not fit together, or no position of the others closes the loop");
+  }
+  machine_.q = closure.q;
+  moment_->set_positions(machine_.q);
+  solve::update_contacts(machine_.mechanism, *moment_);
+  if (!choice_.trial)
+    for (const ContactLimit& limit : machine_.contact_limits)
+      if (left_of_surface(limit, *moment_).value_or(0) < -1e-9)
+        fail(situation_.file, limit.mark, "in the stated pose " + words_of_end(limit),
+             "correct the pose, or state the contact at the corner that touches there");
+  position_facts(instants);
+  position_misfits_ = misfits_.size();
+}
+
+void SolvedInstant::take_misfits(const solve::LinearSolution& solution) {
+  misfits_.insert(misfits_.end(), solution.misfit.begin(), solution.misfit.end());
+  misfit_size_ = std::max(misfit_size_, solution.size);
+}
+
+std::mt19937_64& SolvedInstant::random() {
+  if (!random_) random_ = std::make_unique<std::mt19937_64>(choice_.seed);
+  return *random_;
+}
+
+// Another member of the family of solutions.
+void SolvedInstant::move_along(const solve::LinearSolution& solution, std::vector<double>& values, double pace) {
+  for (std::size_t d = 0; d < solution.open.size(); ++d) {
+    if (d != choice_.direction && choice_.direction != OpenChoice::every) continue;
+    const double amount = std::uniform_real_distribution<double>(0.5, 2)(random());
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] += pace * amount * solution.open[d][k];
+  }
+}
+
+void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants,
+                                     const std::optional<std::vector<double>>& v) {
+  facts_ = instants;
+  if (v) {
+    // Carried over from the stage before; what is stated must still hold.
+    v_ = *v;
+    velocities_ = {};
+    velocities_.value = v_;
+    moment_->set_velocities(v_);
+    return;
+  }
+  std::vector<solve::Condition> conditions = rate_conditions(view());
+  FactConditions<double> stated = velocity_facts(view(), instants);
+  std::move(stated.linear.begin(), stated.linear.end(), std::back_inserter(conditions));
+  if (situation_.steady) add_steady(view(), conditions, false);
+  velocity_equations_ = solve::velocity_equations(*moment_, scales_, conditions);
+  velocities_ = velocity_equations_.solve();
+  if (choice_.trial)
+    take_misfits(velocities_);
+  else if (!velocities_.conflict.empty())
+    contradiction(velocity_equations_, velocities_, false);
+  hold_nonlinear(System::velocities, stated.nonlinear, velocities_);
+  v_ = velocities_.value;
+  if (choice_.velocities) {
+    // As fast as what is known, so that nothing of it drowns.
+    double pace = 0;
+    for (std::size_t k = 0; k < v_.size(); ++k)
+      pace = std::max(pace,
+                      std::abs(v_[k]) /
+                          (solve::coordinate_turns(machine_.mechanism.tree, static_cast<int>(k)) ? 1 : scales_.length));
+    move_along(velocities_, v_, pace > 0 ? pace : 1);
+  }
+  moment_->set_velocities(v_);
+}
+
+QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, const std::optional<Expression>& axes,
+                                               const Elsewhere& elsewhere) {
+  // What is asked of the whole motion finds forces there.
+  const Call* call = expression.as<Call>();
+  const bool of_motion = (call && is_motion_feature(*call)) || !asks_forces(situation_, expression);
+  if (level_of(situation_, expression) >= Level::force && !(before_ && of_motion)) {
+    try {
+      solve_forces();
+    } catch (const StatementError&) {
+      // At the pole of Eulerian angles no forces can be found at the start; the motion tells what else is wrong.
+      if (!of_motion) throw;
+    }
+  }
+  QuantityScope<double> quantities(machine_, before_ ? machine_.tree_after_blow() : machine_.mechanism.tree, *data_,
+                                   State<double>{machine_.q, v_});
+  if (!situation_.strikes.empty() && !moving_)
+    quantities.set_flying(
+        flying_particles(situation_, machine_, before_ ? *before_ : *moment_, before_ ? &blow_ : nullptr));
+  if (motion_) {
+    quantities.set_accelerations(moment_->accelerations());
+    quantities.set_forces(&*moment_, &unknowns_);
+  }
+  if (before_) quantities.set_blow(&*before_, &blow_, &impulses_);
+  if (axes) quantities.set_axes(*axes);
+  if (elsewhere) quantities.set_elsewhere(elsewhere);
+  quantities.set_motion(feature_);
+  quantities.set_linearisation([this](const Mark& mark) -> const solve::Linearisation& { return linearisation(mark); });
+  return quantities;
+}
+
+Value<double> SolvedInstant::raw(const Expression& expression, const std::optional<Expression>& axes,
+                                 const Elsewhere& elsewhere) {
+  return scope_for(expression, axes, elsewhere).value(expression);
+}
+
+Value<double> SolvedInstant::ask(const Expression& expression, const std::optional<Expression>& axes,
+                                 const Elsewhere& elsewhere) {
+  QuantityScope<double> quantities = scope_for(expression, axes, elsewhere);
+  Value<double> value = quantities.value(expression);
+  const auto on_axes = [&](const auto& self, Value<double>& v) -> void {
+    if (v.is_vector()) v.vector = transpose_times(quantities.axes(), v.vector);
+    for (Value<double>& item : v.items) self(self, item);
+  };
+  on_axes(on_axes, value);
+  return value;
+}
+
+double SolvedInstant::number(const Expression& expression, const std::optional<Expression>& axes) {
+  return scope_for(expression, axes, nullptr).value(expression).number;
+}
+
+double SolvedInstant::pace() const { return natural_size(dimensions::none / dimensions::time); }
+
+double SolvedInstant::natural_size(const Dimension& d) const {
+  // Only what grows with the pace of the motion has a size that rounding is measured by; of a thing at rest that is
+  // none.
+  if (d.time > 0) return 0;
+  double pace = 0;
+  for (const BodyMotion<double>& motion : moment_->workspace().motion) {
+    pace = std::max({pace, norm(motion.w), norm(motion.v) / scales_.length});
+    pace = std::max({pace, std::sqrt(norm(motion.alpha)), std::sqrt(norm(motion.a) / scales_.length)});
+  }
+  pace = std::max(pace, std::sqrt(norm(machine_.mechanism.tree.gravity()) / scales_.length));
+  // Forces that balance each other set a pace as well.
+  if (motion_)
+    for (std::size_t i = 0; i < machine_.mechanism.actions.size(); ++i) {
+      const SpatialForce<double> wrench = solve::action_wrench(*moment_, unknowns_, i);
+      const double force = std::max(norm(wrench.force), norm(wrench.moment) / scales_.length);
+      pace = std::max(pace, std::sqrt(force / (scales_.mass * scales_.length)));
+    }
+  return natural_unit(d) * (d.time == 0 ? 1 : std::pow(pace, -d.time / 12.0));
+}
+
+SolvedInstant::Residuals SolvedInstant::check() const {
+  Residuals residuals;
+  std::vector<solve::CheckBody> bodies;
+  double impulse_size = 0, impulse_moment_size = 0, impulse_misfit = 0, impulse_moment_misfit = 0;
+  const Mechanism<double>& mechanism = machine_.mechanism;
+  std::vector<double> a(v_.size(), 0.0);
+  if (motion_) a = moment_->accelerations();
+  for (const auto& [index, mass] : machine_.masses) {
+    solve::CheckBody body;
+    body.link = index;
+    body.particles = mass.particles;
+    const Momentum<double> momentum = body_momentum(mechanism.tree, moment_->workspace(), index, Vector::zero());
+    body.momentum = momentum.linear;
+    body.angular_momentum = momentum.angular;
+    body.kinetic_energy = body_kinetic_energy(mechanism.tree, moment_->workspace(), index);
+    body.forces_known = motion_.has_value();
+    if (motion_) {
+      const double m = mechanism.tree.body(index).inertia.mass;
+      body.wrench = SpatialForce<double>::zero();
+      if (m > 0) {
+        const Vector weight = m * mechanism.tree.gravity();
+        body.wrench = {cross(body_mass_center(mechanism.tree, moment_->workspace(), index), weight), weight};
+        body.force_size = norm(weight);
+      }
+      for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
+        const Action& action = mechanism.actions[i];
+        if (action.on != index && action.from != index) continue;
+        const SpatialForce<double> wrench = solve::action_wrench(*moment_, unknowns_, i);
+        body.force_size += norm(wrench.force);
+        body.moment_size += norm(wrench.moment);
+        if (action.on == index) body.wrench += wrench;
+        if (action.from == index) body.wrench += -1.0 * wrench;
+      }
+    }
+    if (before_) {
+      const Momentum<double> earlier = body_momentum(mechanism.tree, before_->workspace(), index, Vector::zero());
+      SpatialForce<double> given = SpatialForce<double>::zero();
+      for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
+        const Action& action = mechanism.actions[i];
+        if (action.on != index && action.from != index) continue;
+        const SpatialForce<double> wrench = solve::action_impulse(*before_, blow_, impulses_, i);
+        impulse_size = std::max(impulse_size, norm(wrench.force));
+        impulse_moment_size = std::max(impulse_moment_size, norm(wrench.moment));
+        given += (action.on == index ? 1.0 : -1.0) * wrench;
+      }
+      impulse_size = std::max(impulse_size, norm(momentum.linear));
+      impulse_moment_size = std::max(impulse_moment_size, norm(momentum.angular));
+      impulse_misfit = std::max(impulse_misfit, norm(momentum.linear - earlier.linear - given.force));
+      impulse_moment_misfit = std::max(impulse_moment_misfit, norm(momentum.angular - earlier.angular - given.moment));
+    }
+    bodies.push_back(std::move(body));
+  }
+  if (impulse_size > 0) residuals.impulse = impulse_misfit / impulse_size;
+  impulse_moment_size = std::max(impulse_moment_size, impulse_size * scales_.length);
+  if (impulse_moment_size > 0)
+    residuals.impulse = std::max(residuals.impulse, impulse_moment_misfit / impulse_moment_size);
+  residuals.particles = solve::check_with_particles(machine_.links, bodies, machine_.q, v_, a);
+  return residuals;
+}
+
+}  // namespace poinsot::problem

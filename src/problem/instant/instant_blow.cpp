@@ -1,0 +1,123 @@
+// The instant after a blow.
+#include <algorithm>
+#include <cmath>
+
+#include "problem/instant/instant.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+namespace {
+
+Mark place_of_blow(const Situation& situation) {
+  if (!situation.impulses.empty()) return situation.impulses.front().mark;
+  if (!situation.impacts.empty()) return situation.impacts.front().mark;
+  return situation.strikes.front().mark;
+}
+
+const Impact& impact_named(const Situation& situation, const std::string& name) {
+  return *std::find_if(situation.impacts.begin(), situation.impacts.end(),
+                       [&](const Impact& impact) { return impact.name == name; });
+}
+
+}  // namespace
+
+void SolvedInstant::solve_blow() {
+  before_.emplace(*moment_);
+  blow_ = stated_blow(view());
+  for (const solve::Impact& impact : machine_.impacts) {
+    const double toward = approach(*moment_, impact);
+    if (toward >= 0) {
+      for (std::size_t d = 0; d < velocities_.open.size() && !choice_.trial; ++d) {
+        std::vector<double> moved = v_;
+        for (std::size_t k = 0; k < moved.size(); ++k) moved[k] += velocities_.open[d][k];
+        moment_->set_velocities(moved);
+        const bool depends = std::abs(approach(*moment_, impact) - toward) > 1e-9 * scales_.length / scales_.time;
+        moment_->set_velocities(v_);
+        if (!depends) continue;
+        std::string names;
+        for (std::size_t k : velocities_.share[d])
+          names.append(names.empty() ? "" : ", ").append(velocity_equations_.name(k));
+        throw UnansweredError(
+            situation_.file, impact_named(situation_, impact.name).mark,
+            "whether impact '" + impact.name + "' happens is not determined: nothing fixes " + names + " before it",
+            "state it under joints: or instants:");
+      }
+      fail(situation_.file, impact_named(situation_, impact.name).mark,
+           "nothing strikes at impact '" + impact.name +
+               "': before it the two do not approach each other along the push",
+           "check the direction under pushes: and the motion before");
+    }
+  }
+  std::vector<const Instant*> after;
+  for (const Instant& instant : situation_.instants)
+    if (instant.name == "after") after.push_back(&instant);
+  const FactConditions<double> stated = velocity_facts(view(), after, &blow_);
+
+  // Cords and pushing contacts act, or give way, as the blow decides: the choice in which none has to push or pull and
+  // none is overstretched or pressed in.
+  const Mechanism<double>& mechanism = machine_.mechanism;
+  std::vector<std::size_t> one_sided;
+  for (const Component<double>& component : mechanism.components)
+    if (component.one_sided) one_sided.push_back(static_cast<std::size_t>(component.action));
+  if (one_sided.size() > 12)
+    fail(situation_.file, place_of_blow(situation_), "more than 12 cords and contacts in one blow are too many");
+  const std::size_t n = static_cast<std::size_t>(mechanism.tree.velocity_size());
+  const double impulse_unit = natural_unit(dimensions::momentum);
+  bool all_contradict = true;  // however the cords and contacts act
+  for (std::size_t choice = 0; choice < (std::size_t{1} << one_sided.size()); ++choice) {
+    std::vector<bool> acting(mechanism.actions.size(), true);
+    for (std::size_t k = 0; k < one_sided.size(); ++k) acting[one_sided[k]] = !(choice >> k & 1);
+    solve::LinearSystem equations;
+    solve::LinearSolution solution = solve::solve_impulse(*before_, scales_, blow_, stated.linear, acting, &equations);
+    const bool last = choice + 1 == (std::size_t{1} << one_sided.size());
+    double largest = 0;
+    for (std::size_t k = n; k < solution.value.size(); ++k) largest = std::max(largest, std::abs(solution.value[k]));
+    bool good = choice_.trial || solution.conflict.empty();
+    all_contradict = all_contradict && !good;
+    if (!good && choice == 0) {
+      blow_equations_ = equations;
+      blow_solution_ = solution;
+    }
+    for (std::size_t k = 0; good && k < mechanism.components.size(); ++k) {
+      const auto action = static_cast<std::size_t>(mechanism.components[k].action);
+      if (mechanism.components[k].one_sided && acting[action])
+        good = solution.value[n + k] >= -1e-9 * (largest + 1e-6 * impulse_unit);
+    }
+    for (std::size_t i = 0; good && i < mechanism.constraints.size(); ++i) {
+      const VelocityConstraint<double>& constraint = mechanism.constraints[i];
+      if (constraint.action < 0 || acting[static_cast<std::size_t>(constraint.action)]) continue;
+      const std::vector<double> row = solve::constraint_coefficients(*before_, constraint);
+      double rate = 0, size = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        rate += row[k] * solution.value[k];
+        size += std::abs(row[k] * solution.value[k]);
+      }
+      good = constraint.kind == VelocityConstraintKind::cord_length ? rate <= 1e-9 * size : rate >= -1e-9 * size;
+    }
+    if (!good && !last && !choice_.trial) continue;
+    if (!good && !choice_.trial) {
+      facts_.insert(facts_.end(), after.begin(), after.end());
+      // The cords and contacts are not to blame: with all of them acting, what clashes is named best.
+      if (all_contradict) contradiction(blow_equations_, blow_solution_, true);
+      fail(situation_.file, place_of_blow(situation_),
+           "no motion after the blow fits: whichever cords and contacts act, one would have to push or pull the wrong "
+           "way");
+    }
+    blow_equations_ = std::move(equations);
+    blow_solution_ = std::move(solution);
+    blow_acting_ = acting;
+    if (choice_.trial) take_misfits(blow_solution_);
+    break;
+  }
+  hold_nonlinear(System::blow, stated.nonlinear, blow_solution_);
+  impulses_ = blow_solution_.value;
+  if (choice_.forces) move_along(blow_solution_, impulses_);
+  for (std::size_t k = 0; k < blow_.impacts.size(); ++k)
+    if (impulses_[impulses_.size() - blow_.impacts.size() + k] < -1e-9 * impulse_unit && !choice_.forces)
+      fail(situation_.file, impact_named(situation_, blow_.impacts[k].name).mark,
+           "the impact '" + blow_.impacts[k].name + "' would have to pull", "check the direction under pushes:");
+  v_.assign(impulses_.begin(), impulses_.begin() + static_cast<std::ptrdiff_t>(n));
+  moment_->set_velocities(v_);
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,294 @@
+// What is stated about rates, velocities, accelerations and forces, as linear conditions where it is linear.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <set>
+#include <type_traits>
+
+#include "problem/instant/instant.h"
+#include "problem/instant/instant_conditions.h"
+#include "problem/instant/linear_facts.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/exact_numbers.h"
+#include "problem/language/scalar_value.h"
+
+namespace poinsot::problem {
+namespace {
+
+template <class Scalar>
+State<Scalar> at_rest(const InstantView<Scalar>& view) {
+  return {view.machine.q, std::vector<Scalar>(static_cast<std::size_t>(view.machine.mechanism.tree.velocity_size()))};
+}
+
+std::string words_of(const Instant& instant, const Fact& fact) {
+  return "'" + instant.name + "': " + to_string(fact.quantity);
+}
+
+// Whether impulses are asked for, by themselves or under a name.
+bool asks_impulses(const Situation& situation, const Expression& expression, int depth = 0) {
+  std::set<std::string> functions, names;
+  collect_functions(expression, functions, true);
+  if (functions.contains("impulse") || functions.contains("impulsive_couple")) return true;
+  collect_names(expression, names);
+  return depth < 200 && std::any_of(situation.define.begin(), situation.define.end(), [&](const NamedExpression& item) {
+           return names.contains(item.name) && asks_impulses(situation, item.value, depth + 1);
+         });
+}
+
+}  // namespace
+
+double natural_unit(const solve::Scales& scales, const Dimension& d) {
+  return std::pow(scales.length, d.length / 12.0) * std::pow(scales.mass, d.mass / 12.0) *
+         std::pow(scales.time, d.time / 12.0);
+}
+
+template <class Scalar, class Base>
+std::vector<Difference<Scalar>> differences(const Fact& fact, QuantityScope<Scalar, Base>& scope,
+                                            const std::string& file) {
+  const Evaluator<Scalar> evaluator(scope, file);
+  const Value<Scalar> quantity = evaluator(fact.quantity);
+  std::vector<Difference<Scalar>> list;
+  if (is_any(fact.value)) return list;
+  if (quantity.is_number()) {
+    list.push_back({quantity.number - evaluator.number(fact.value, quantity.dimension), quantity.dimension});
+  } else if (quantity.is_vector()) {
+    list.reserve(3);
+    if (const List* components = fact.value.as<List>(); components && components->items.size() == 3) {
+      for (std::size_t k = 0; k < 3; ++k)
+        if (const Expression& item = components->items[k]; !is_any(item))
+          list.push_back({quantity.vector[k] - evaluator.number(item, quantity.dimension), quantity.dimension});
+    } else {
+      const Vector3<Scalar> value = evaluator.vector(fact.value, quantity.dimension);
+      for (std::size_t k = 0; k < 3; ++k) list.push_back({quantity.vector[k] - value[k], quantity.dimension});
+    }
+  } else {
+    evaluator.fail(fact.mark, "a fact states a number or a vector");
+  }
+  return list;
+}
+
+template <class Scalar>
+std::vector<solve::ConditionOf<Scalar>> rate_conditions(const InstantView<Scalar>& view) {
+  std::vector<solve::ConditionOf<Scalar>> conditions;
+  const auto n = static_cast<std::size_t>(view.machine.mechanism.tree.velocity_size());
+  for (const StatedRateOf<Scalar>& rate : view.machine.rates) {
+    solve::ConditionOf<Scalar> condition{rate.words, std::vector<Scalar>(n), rate.value,
+                                         rate.turning ? 1 : view.scales.length};
+    condition.coefficients[static_cast<std::size_t>(rate.velocity)] = Scalar(1);
+    conditions.push_back(std::move(condition));
+  }
+  return conditions;
+}
+
+template <class Scalar>
+std::vector<std::pair<const Fact*, Difference<Scalar>>> position_differences(
+    const InstantView<Scalar>& view, const std::vector<const Instant*>& instants) {
+  std::vector<std::pair<const Fact*, Difference<Scalar>>> all;
+  for (const Instant* instant : instants)
+    for (const Fact& fact : instant->facts) {
+      if (level_of(view.situation, fact.quantity) != Level::position || fact.quantity.as<Name>()) continue;
+      QuantityScope<Scalar> scope(view.machine, view.machine.mechanism.tree, view.data, at_rest(view));
+      for (Difference<Scalar>& difference : differences(fact, scope, view.situation.file))
+        all.emplace_back(&fact, std::move(difference));
+    }
+  return all;
+}
+
+// Coefficients are derivatives by dual numbers; of impulses they are differences, exact for what is linear.
+template <class Scalar>
+FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants,
+                                      const solve::BlowOf<Scalar>* blow) {
+  using Varied = Dual<1, Scalar>;
+  const MachineOf<Scalar>& machine = view.machine;
+  FactConditions<Scalar> facts;
+  if (instants.empty()) return facts;
+  Conditions<Scalar>& conditions = facts.linear;
+  const auto n = static_cast<std::size_t>(machine.mechanism.tree.velocity_size());
+  const Model<Scalar>& tree = blow ? machine.tree_after_blow() : machine.mechanism.tree;
+  const Model<Varied> model = convert<Varied>(tree);
+  DataScope<Varied> data(view.situation, view.data.settings(), Varied(view.time));
+  data.vary_as(view.data);
+  const auto earlier = [&](const At& past, const Mark& mark) {
+    if (past.instant != "before" || !view.before)
+      fail(view.situation.file, mark, "a fact can look back to `before` a blow only, not to '" + past.instant + "'");
+    QuantityScope<Scalar> scope(machine, machine.mechanism.tree, view.data, view.before->state());
+    scope.set_flying(flying_particles<Scalar>(view.situation, machine, *view.before, nullptr));
+    return scope.value(past.expression);
+  };
+  const ProbePlaces<Scalar> velocities(n);
+  const auto scope_at_velocities = [&](const std::vector<Scalar>& v, std::optional<std::size_t> seed) {
+    State<Varied> state;
+    state.q.reserve(machine.q.size());
+    state.v.reserve(n);
+    for (const Scalar& q : machine.q) state.q.emplace_back(q);
+    for (std::size_t k = 0; k < n; ++k) state.v.push_back(k == seed ? Varied::variable(v[k], 0) : Varied(v[k]));
+    auto scope = std::make_unique<QuantityScope<Varied, Scalar>>(machine, model, data, std::move(state));
+    if (blow && !view.situation.strikes.empty())
+      scope->set_flying(flying_particles(view.situation, machine, *view.before, blow));
+    scope->set_elsewhere([&](const At& past, const Mark& mark) { return lifted<Varied>(earlier(past, mark)); });
+    return scope;
+  };
+  using Scopes = NumberedScopes<QuantityScope<Varied, Scalar>>;
+  Scopes at_places([&](std::size_t place) { return scope_at_velocities(velocities[place], std::nullopt); });
+  Scopes varied_at_rest(
+      [&](std::size_t coordinate) { return scope_at_velocities(velocities[ProbePlaces<Scalar>::zero], coordinate); });
+  const auto linear_in_velocities = [&](const Instant& instant, const Fact& fact) {
+    return as_linear<Scalar>(
+        words_of(instant, fact), view.scales, velocities,
+        [&](std::size_t place) {
+          std::vector<Difference<Scalar>> values;
+          for (const Difference<Varied>& difference : differences(fact, at_places[place], view.situation.file))
+            values.push_back({difference.value.value, difference.dimension});
+          return values;
+        },
+        [&](std::size_t k, const std::vector<Difference<Scalar>>&) {
+          std::vector<Scalar> slopes;
+          for (const Difference<Varied>& difference : differences(fact, varied_at_rest[k], view.situation.file))
+            slopes.push_back(difference.value.partial[0]);
+          return slopes;
+        });
+  };
+  const auto linear_in_impulses = [&](const Instant& instant, const Fact& fact) {
+    const ProbePlaces<Scalar> places(solve::impulse_unknowns(machine.mechanism, *blow).size());
+    return as_linear<Scalar>(words_of(instant, fact), view.scales, places, [&](std::size_t place) {
+      const std::vector<Scalar> x = places[place];
+      const std::vector<Scalar> v(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));
+      QuantityScope<Scalar> scope(machine, tree, view.data, State<Scalar>{machine.q, v});
+      if (!view.situation.strikes.empty())
+        scope.set_flying(flying_particles(view.situation, machine, *view.before, blow));
+      scope.set_elsewhere(earlier);
+      scope.set_blow(view.before, blow, &x);
+      return differences(fact, scope, view.situation.file);
+    });
+  };
+  for (const Instant* instant : instants) {
+    if (instant->rest) {
+      for (std::size_t k = 0; k < n; ++k) {
+        // Frames move as they state.
+        const auto moved = std::find_if(machine.links.begin(), machine.links.end(), [&](const solve::CheckLink& link) {
+          return static_cast<int>(k) >= link.velocity && static_cast<int>(k) < link.velocity + velocity_size(link.type);
+        });
+        const auto body = static_cast<std::size_t>(moved - machine.links.begin());
+        const bool frame = std::any_of(view.situation.frames.begin(), view.situation.frames.end(), [&](const Frame& f) {
+          return machine.index.at(f.name) == static_cast<int>(body);
+        });
+        if (frame) continue;
+        solve::ConditionOf<Scalar> condition{"'" + instant->name + "': rest", std::vector<Scalar>(n), Scalar(0), 1};
+        condition.coefficients[k] = Scalar(1);
+        conditions.push_back(std::move(condition));
+      }
+    }
+    for (const Fact& fact : instant->facts) {
+      if (level_of(view.situation, fact.quantity) != Level::velocity) continue;
+      const bool impulses =
+          blow && (asks_impulses(view.situation, fact.quantity) || asks_impulses(view.situation, fact.value));
+      const auto found = impulses ? linear_in_impulses(*instant, fact) : linear_in_velocities(*instant, fact);
+      if (found)
+        conditions.insert(conditions.end(), found->begin(), found->end());
+      else
+        facts.nonlinear.push_back(&fact);
+    }
+  }
+  return facts;
+}
+
+template <class Scalar>
+FactConditions<Scalar> force_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants) {
+  const MachineOf<Scalar>& machine = view.machine;
+  FactConditions<Scalar> facts;
+  Conditions<Scalar>& conditions = facts.linear;
+  const std::size_t n = solve::force_unknowns(machine.mechanism).size();
+  for (const StatedRateOf<Scalar>& rate : machine.accelerations) {
+    solve::ConditionOf<Scalar> condition{rate.words, std::vector<Scalar>(n), rate.value,
+                                         rate.turning ? 1 : view.scales.length};
+    condition.coefficients[static_cast<std::size_t>(rate.velocity)] = Scalar(1);
+    conditions.push_back(std::move(condition));
+  }
+  const auto count = static_cast<std::ptrdiff_t>(machine.mechanism.tree.velocity_size());
+  const ProbePlaces<Scalar> places(n);
+  for (const Instant* instant : instants)
+    for (const Fact& fact : instant->facts) {
+      if (level_of(view.situation, fact.quantity) != Level::force) continue;
+      const auto found = as_linear<Scalar>(words_of(*instant, fact), view.scales, places, [&](std::size_t place) {
+        const std::vector<Scalar> unknowns = places[place];
+        QuantityScope<Scalar> quantities(machine, machine.mechanism.tree, view.data,
+                                         State<Scalar>{machine.q, view.moment.state().v});
+        quantities.set_accelerations(std::vector<Scalar>(unknowns.begin(), unknowns.begin() + count));
+        quantities.set_forces(&view.moment, &unknowns);
+        return differences(fact, quantities, view.situation.file);
+      });
+      if (found)
+        conditions.insert(conditions.end(), found->begin(), found->end());
+      else
+        facts.nonlinear.push_back(&fact);
+    }
+  return facts;
+}
+
+InstantView<double> SolvedInstant::view() const {
+  return {situation_, *data_, machine_, *moment_, scales_, time_, before_ ? &*before_ : nullptr};
+}
+
+std::string SolvedInstant::fact_words(const Fact& fact) const {
+  for (const Instant& instant : situation_.instants)
+    for (const Fact& own : instant.facts)
+      if (&own == &fact) return words_of(instant, fact);
+  return to_string(fact.quantity);
+}
+
+// Facts about positions, mass centers and mass properties demand something of unknowns, or must hold as it is.
+void SolvedInstant::position_facts(const std::vector<const Instant*>& instants) {
+  for (const auto& [fact, difference] : position_differences(view(), instants)) {
+    const double misfit = difference.value / natural_unit(difference.dimension);
+    if (choice_.trial) {
+      misfits_.push_back(misfit);
+      misfit_size_ = std::max(misfit_size_, 1.0);
+      position_words_.push_back(fact_words(*fact));
+    } else if (!(std::abs(misfit) <= 1e-9)) {
+      fail(situation_.file, fact->mark,
+           "'" + to_string(fact->quantity) + "' is not what is stated: it follows from the data",
+           "correct it, or leave a datum that it follows from to be found");
+    }
+  }
+}
+
+std::vector<double> SolvedInstant::fact_misfits(const std::vector<const Fact*>& facts) {
+  std::vector<double> misfits;
+  for (const Fact* fact : facts) {
+    if (level_of(situation_, fact->quantity) == Level::force) solve_forces();
+    QuantityScope<double> scope(machine_, machine_.mechanism.tree, *data_, State<double>{machine_.q, v_});
+    if (motion_) {
+      scope.set_accelerations(moment_->accelerations());
+      scope.set_forces(&*moment_, &unknowns_);
+    }
+    scope.set_motion(feature_);
+    for (const auto& difference : differences(*fact, scope, situation_.file))
+      misfits.push_back(difference.value / natural_unit(difference.dimension));
+  }
+  return misfits;
+}
+
+template std::vector<solve::ConditionOf<double>> rate_conditions(const InstantView<double>&);
+template FactConditions<double> velocity_facts(const InstantView<double>&, const std::vector<const Instant*>&,
+                                               const solve::BlowOf<double>*);
+template FactConditions<double> force_facts(const InstantView<double>&, const std::vector<const Instant*>&);
+template std::vector<std::pair<const Fact*, Difference<double>>> position_differences(
+    const InstantView<double>&, const std::vector<const Instant*>&);
+template std::vector<Difference<double>> differences(const Fact&, QuantityScope<double>&, const std::string&);
+template std::vector<solve::ConditionOf<Dual<1>>> rate_conditions(const InstantView<Dual<1>>&);
+template FactConditions<Dual<1>> velocity_facts(const InstantView<Dual<1>>&, const std::vector<const Instant*>&,
+                                                const solve::BlowOf<Dual<1>>*);
+template FactConditions<Dual<1>> force_facts(const InstantView<Dual<1>>&, const std::vector<const Instant*>&);
+template std::vector<std::pair<const Fact*, Difference<Dual<1>>>> position_differences(
+    const InstantView<Dual<1>>&, const std::vector<const Instant*>&);
+template std::vector<Difference<Dual<1>>> differences(const Fact&, QuantityScope<Dual<1>>&, const std::string&);
+template std::vector<solve::ConditionOf<Formula>> rate_conditions(const InstantView<Formula>&);
+template FactConditions<Formula> velocity_facts(const InstantView<Formula>&, const std::vector<const Instant*>&,
+                                                const solve::BlowOf<Formula>*);
+template FactConditions<Formula> force_facts(const InstantView<Formula>&, const std::vector<const Instant*>&);
+template std::vector<std::pair<const Fact*, Difference<Formula>>> position_differences(
+    const InstantView<Formula>&, const std::vector<const Instant*>&);
+template std::vector<Difference<Formula>> differences(const Fact&, QuantityScope<Formula>&, const std::string&);
+
+}  // namespace poinsot::problem

@@ -1,0 +1,103 @@
+// The accelerations and forces of an instant.
+#include <algorithm>
+
+#include "problem/instant/instant.h"
+#include "problem/language/diagnostic.h"
+#include "problem/machine/contact_limits.h"
+
+namespace poinsot::problem {
+
+void SolvedInstant::solve_forces() {
+  if (!motion_) solve_motion_equations(state_motion_equations());
+}
+
+void SolvedInstant::assemble_forces() {
+  if (motion_) return;
+  const std::vector<const Fact*> nonlinear = state_motion_equations();
+  if (!nonlinear.empty()) solve_motion_equations(nonlinear);
+}
+
+std::vector<const Fact*> SolvedInstant::state_motion_equations() {
+  for (const Strike& strike : situation_.strikes)
+    if (before_ && strike.stays && !strike.mass_neglected)
+      throw UnansweredError(situation_.file, strike.mark,
+                            "with the particle of strike '" + strike.name +
+                                "', which stays, the body moves on as another one than before",
+                            "ask for its accelerations and forces in the motion that follows: @ 0 s");
+  for (const VelocityConstraint<double>& constraint : machine_.mechanism.constraints)
+    if (constraint.shape_unknown && !constraint.carried_by) {
+      const std::string& name = machine_.mechanism.actions[static_cast<std::size_t>(constraint.action)].name;
+      const auto contact = std::find_if(situation_.contacts.begin(), situation_.contacts.end(),
+                                        [&](const Contact& c) { return c.name == name; });
+      fail(situation_.file, contact->mark,
+           "how the point of contact '" + name +
+               "' moves is not known: the surfaces there are no circle, sphere or corner on a plane",
+           "velocities can be asked; for forces and accelerations give the body a round shape, or its inertia by "
+           "axis:, axial:, transverse:");
+    }
+  if (!choice_.trial && !moving_)
+    for (const ContactLimit& limit : machine_.contact_limits) {
+      if (goes_beyond(limit, *moment_))
+        throw UnansweredError(situation_.file, limit.mark, words_of_end(limit) + " as it moves on",
+                              "it turns about a corner there: give it a shape with that corner, such as a polygon");
+      if (leaves_plane(limit, *moment_))
+        throw UnansweredError(situation_.file, limit.mark, words_of_side(limit), hint_of_side(limit));
+    }
+  FactConditions<double> stated = force_facts(view(), facts_);
+  if (situation_.steady && !moving_) add_steady(view(), stated.linear, true);
+  motion_equations_ = solve::motion_equations(*moment_, scales_, stated.linear);
+  return stated.nonlinear;
+}
+
+void SolvedInstant::solve_motion_equations(const std::vector<const Fact*>& nonlinear) {
+  solve::LinearSolution solution = motion_equations_.solve();
+  if (choice_.trial)
+    take_misfits(solution);
+  else if (!solution.conflict.empty())
+    contradiction(motion_equations_, solution, true);
+  hold_nonlinear(System::motion, nonlinear, solution);
+  motion_ = std::move(solution);
+  unknowns_ = motion_->value;
+  if (choice_.forces) move_along(*motion_, unknowns_);
+  const auto n = static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size());
+  moment_->set_accelerations(std::vector<double>(unknowns_.begin(), unknowns_.begin() + n));
+}
+
+std::vector<std::string> SolvedInstant::unphysical() const {
+  std::vector<std::string> found;
+  const Mechanism<double>& mechanism = machine_.mechanism;
+  const std::size_t first = solve::force_unknowns(mechanism).accelerations;
+  // A force that is small beside all others on the body that it holds is rounding.
+  const auto on_body = [&](int body, std::size_t without) {
+    if (body == ground) return 0.0;
+    double size = mechanism.tree.body(body).inertia.mass * norm(mechanism.tree.gravity());
+    for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
+      const Action& action = mechanism.actions[i];
+      if (i == without || (action.on != body && action.from != body)) continue;
+      size = std::max(size, norm(solve::action_wrench(*moment_, unknowns_, i).force));
+    }
+    return size;
+  };
+  for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
+    const Component<double>& component = mechanism.components[k];
+    const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
+    if (!component.one_sided) continue;
+    if (unknowns_[first + k] >= 0) continue;
+    const auto own = static_cast<std::size_t>(component.action);
+    const double on = on_body(action.on, own), from = on_body(action.from, own);
+    const double beside = on > 0 && from > 0 ? std::min(on, from) : std::max(on, from);
+    // Alone on its body, it is what the motion needs; or rounding, where nothing moves.
+    double mass = scales_.mass;
+    for (const int body : {action.on, action.from})
+      if (body != ground && mechanism.tree.body(body).inertia.mass > 0)
+        mass = std::min(mass, mechanism.tree.body(body).inertia.mass);
+    const double rounding = 1e-13 * natural_unit(dimensions::force) * mass / scales_.mass;
+    if (unknowns_[first + k] >= -std::max(1e-9 * beside, rounding)) continue;
+    found.push_back(action.kind == ActionKind::cord
+                        ? "the cord '" + action.name + "' would have to push: it goes slack"
+                        : "the contact '" + action.name + "' would have to pull: it is lost");
+  }
+  return found;
+}
+
+}  // namespace poinsot::problem

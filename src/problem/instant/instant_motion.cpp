@@ -1,0 +1,110 @@
+// A problem in the states of a motion.
+#include <algorithm>
+
+#include "poinsot/engine/solve/instant/closure.h"
+#include "problem/instant/instant.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+
+// The name of a later instant: a time with its unit, a datum that is a time, the end of a stage.
+bool is_later(const Situation& situation, const Instant& instant) {
+  if (instant.found_when) return true;
+  if (!instant.name.empty() && (std::isdigit(static_cast<unsigned char>(instant.name.front())) != 0)) return true;
+  for (std::size_t k = 0; k < situation.stages.size(); ++k) {
+    const std::string& name = situation.stages[k].name;
+    if (instant.name == name + ".end") return true;
+    if (k > 0 && (instant.name == name || instant.name == name + ".start")) return true;
+  }
+  const auto datum = std::find_if(situation.given.begin(), situation.given.end(),
+                                  [&](const NamedExpression& item) { return item.name == instant.name; });
+  const auto unknown = std::find_if(situation.find.begin(), situation.find.end(),
+                                    [&](const Unknown& item) { return item.name == instant.name; });
+  return datum != situation.given.end() || unknown != situation.find.end();
+}
+
+bool follows_time(const Situation& situation) {
+  const auto timed = [&](const std::optional<Expression>& expression) {
+    return expression && depends_on_time(situation, *expression);
+  };
+  for (const Load& load : situation.loads)
+    if (timed(load.force) || timed(load.couple) || timed(load.at) || timed(load.direction)) return true;
+  for (const Joint& joint : situation.joints)
+    for (const Freedom& freedom : joint.freedoms)
+      if (timed(freedom.rate) || timed(freedom.accel) || timed(freedom.effort)) return true;
+  for (const Frame& frame : situation.frames)
+    if (timed(frame.rate) || timed(frame.accel) || timed(frame.velocity) || timed(frame.acceleration)) return true;
+  return false;
+}
+
+bool turns_nothing(const Machine& machine, int coordinate) {
+  for (const auto& body : machine.mechanism.tree.bodies()) {
+    const int k = coordinate - body.v;
+    const bool turning = body.joint == JointType::ball || body.joint == JointType::free;
+    if (!turning || k < 0 || k >= 3) continue;
+    const SymmetricMatrix3<double>& I = body.inertia.inertia;
+    const double moment = k == 0 ? I.xx : k == 1 ? I.yy : I.zz;
+    const double size =
+        I.xx + I.yy + I.zz + norm_squared(body.inertia.first_moment) / std::max(body.inertia.mass, 1e-300);
+    return moment <= 1e-12 * size || size == 0;
+  }
+  return false;
+}
+
+std::vector<int> still_coordinates(const Machine& machine) {
+  std::vector<int> still;
+  for (int k = 0; k < machine.mechanism.tree.velocity_size(); ++k)
+    if (turns_nothing(machine, k)) still.push_back(k);
+  return still;
+}
+
+SolvedInstant::SolvedInstant(const Situation& situation, const Settings& settings, const MotionState& state,
+                             const OpenChoice& choice)
+    : situation_(situation), settings_(settings), choice_(choice) {
+  move_to(state);
+}
+
+void SolvedInstant::move_to(const MotionState& state) {
+  const bool same = built_stage_ == state.stage && built_acting_ == state.acting;
+  if (!timed_) timed_ = follows_time(situation_);
+  if (!same || *timed_) {
+    build(state.time, state.stage < situation_.stages.size() ? situation_.stages[state.stage].loads : std::nullopt);
+    release(state.acting);
+    built_stage_ = state.stage;
+    built_acting_ = state.acting;
+  } else {
+    time_ = state.time;
+    data_->set_time(state.time);
+    motion_.reset();
+  }
+  moving_ = true;
+  before_.reset();
+  linearisation_.reset();
+  facts_.clear();
+  machine_.q = state.q;
+  v_ = state.v;
+  velocities_ = {};
+  velocities_.value = v_;
+  moment_->set_positions(machine_.q);
+  solve::update_contacts(machine_.mechanism, *moment_);
+  moment_->set_velocities(v_);
+}
+
+// What does not act neither binds nor carries.
+void SolvedInstant::release(const std::vector<bool>& acting) {
+  if (std::find(acting.begin(), acting.end(), false) == acting.end()) return;
+  Mechanism<double>& mechanism = machine_.mechanism;
+  const auto released = [&](int action) { return action >= 0 && !acting[static_cast<std::size_t>(action)]; };
+  std::erase_if(mechanism.constraints, [&](const auto& constraint) { return released(constraint.action); });
+  std::erase_if(mechanism.components, [&](const auto& component) { return released(component.action); });
+  moment_.emplace(mechanism);
+}
+
+std::vector<double> SolvedInstant::caught(const std::vector<bool>& acting) {
+  solve::Blow blow;
+  for (const StatedRate& rate : machine_.accelerations) blow.held_coordinates.push_back(rate.velocity);
+  const solve::LinearSolution solution = solve::solve_impulse(*moment_, scales_, blow, {}, acting);
+  return {solution.value.begin(), solution.value.begin() + static_cast<std::ptrdiff_t>(v_.size())};
+}
+
+}  // namespace poinsot::problem

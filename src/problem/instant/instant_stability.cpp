@@ -1,0 +1,263 @@
+// The motion near a steady one.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "poinsot/engine/mass/principal_axes.h"
+#include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
+#include "poinsot/engine/solve/instant/closure.h"
+#include "problem/instant/instant.h"
+#include "problem/instant/open_words.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+namespace {
+
+using Vector = Vector3<double>;
+using Twist = SpatialMotion<double>;
+
+// Axes of symmetry of an inertia about the mass center; three for a body whose moments are all equal.
+std::vector<Vector> symmetry_axes(const SpatialInertia<double>& I) {
+  if (!(I.mass > 0)) return {};
+  const Vector c = I.first_moment / I.mass;
+  const auto principal = principal_axes(I.inertia - I.mass * unit_mass_inertia(c));
+  const Vector& m = principal.moments;
+  const auto equal = [&](std::size_t a, std::size_t b) { return std::abs(m[a] - m[b]) <= 1e-9 * (m[0] + m[1] + m[2]); };
+  if (equal(0, 1) && equal(1, 2)) return {Vector::unit(0), Vector::unit(1), Vector::unit(2)};
+  std::vector<Vector> axes;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (equal((k + 1) % 3, (k + 2) % 3)) axes.push_back(principal.axes.column(k));
+  return axes;
+}
+
+}  // namespace
+
+const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
+  if (linearisation_) return *linearisation_;
+  const Model<double>& tree = machine_.mechanism.tree;
+  const auto n = static_cast<std::size_t>(tree.velocity_size());
+  const Workspace<double>& w = moment_->workspace();
+  const int frame = situation_.steady ? machine_.index.at(situation_.steady->frame) : ground;
+  const Vector turning = angular_velocity(w, frame);
+  solve::SteadyMotion motion;
+  motion.tree = &tree;
+  motion.q = machine_.q;
+  motion.v = v_;
+  motion.length = scales_.length;
+  motion.time = std::sqrt(scales_.length / std::max(norm(tree.gravity()), 1e-9));
+  motion.held.assign(n, false);
+  for (const StatedRate& rate : machine_.accelerations) motion.held[static_cast<std::size_t>(rate.velocity)] = true;
+  for (int k : still_coordinates(machine_)) motion.held[static_cast<std::size_t>(k)] = true;
+  // Of a frame that rides on a body in free space nothing is claimed of the mass center's motion.
+  for (const Frame& f : situation_.frames) {
+    if (!situation_.steady || f.name != situation_.steady->frame || f.rides_on.empty()) continue;
+    const int ridden = machine_.index.at(f.rides_on);
+    const auto touches = [&](const Action& action) {
+      return (action.on == ridden || action.from == ridden) && action.kind != ActionKind::load;
+    };
+    const auto& body = tree.body(ridden);
+    if (body.joint != JointType::free ||
+        std::any_of(machine_.mechanism.actions.begin(), machine_.mechanism.actions.end(), touches))
+      continue;
+    for (int k = body.v + 3; k < body.v + 6; ++k) {
+      motion.held[static_cast<std::size_t>(k)] = true;
+      motion.v[static_cast<std::size_t>(k)] = 0;
+    }
+  }
+
+  // Contacts move over round bodies: the mechanism is taken anew in every pose. Near a steady motion they no longer
+  // rest in its frame.
+  Mechanism<double> mechanism = machine_.mechanism;
+  for (VelocityConstraint<double>& constraint : mechanism.constraints) {
+    if (!constraint.carried_by) continue;
+    const Vector normal = moment_->direction(constraint.surface_axis);
+    if (constraint.shape_unknown || norm(cross(turning, normal)) > 1e-9 * norm(turning))
+      throw UnansweredError(situation_.file, mark,
+                            "how a contact moves near the steady motion is not known: it lies on a curved surface (" +
+                                constraint.words + ")",
+                            "stability is told for contacts of round bodies on planes across the axis of the frame");
+    constraint.carried_by.reset();
+  }
+  solve::MechanismState moment(mechanism);
+  const auto place = [&](const std::vector<double>& q) {
+    moment.set_positions(q);
+    solve::update_contacts(mechanism, moment);
+  };
+  std::vector<int> held;
+  for (std::size_t k = 0; k < n; ++k)
+    if (motion.held[k]) held.push_back(static_cast<int>(k));
+  MechanismDynamics dynamics(mechanism, held);
+  for (const StatedRate& rate : machine_.accelerations) dynamics.set_held_acceleration(rate.velocity, rate.value);
+  for (const OpenCoordinate& open : dynamics.open_coordinates(machine_.q))
+    throw UnansweredError(
+        situation_.file, mark,
+        "the motion near the steady one is not determined: nothing fixes " +
+            with_article(machine_.mechanism.coordinate_names[static_cast<std::size_t>(open.coordinate)]) +
+            (open.without_inertia ? ", which moves no mass" : ""),
+        "say what holds or drives it");
+  motion.accelerations = [&](const std::vector<double>& q,
+                             const std::vector<double>& v) -> std::optional<std::vector<double>> {
+    std::vector<double> a(n);
+    dynamics.accelerations(q, v, a);
+    for (double each : a)
+      if (!std::isfinite(each)) return std::nullopt;
+    return a;
+  };
+  std::vector<std::size_t> order;
+  for (const bool positions : {true, false})
+    for (std::size_t i = 0; i < mechanism.constraints.size(); ++i)
+      if (solve::binds_positions(mechanism.constraints[i]) == positions) {
+        order.push_back(i);
+        motion.position_constraints += positions;
+      }
+  motion.constraints = [&](const std::vector<double>& q) {
+    place(q);
+    std::vector<std::vector<double>> rows;
+    for (std::size_t i : order) rows.push_back(solve::constraint_coefficients(moment, mechanism.constraints[i]));
+    return rows;
+  };
+
+  // The spin of each body on a ball or free joint, on its axes, about its mass center.
+  const auto about = [](const Vector& angular, const Vector& c) { return Twist{angular, cross(c, angular)}; };
+  const auto center_of = [&](int i) {
+    const SpatialInertia<double>& I = tree.body(i).inertia;
+    return I.mass > 0 ? I.first_moment / I.mass : Vector::zero();
+  };
+  for (int i = 0; i < tree.body_count(); ++i) {
+    const auto& body = tree.body(i);
+    if ((body.joint != JointType::ball && body.joint != JointType::free) || i == frame) continue;
+    const Vector own = direction_on_body(tree, w, i, angular_velocity(w, i) - turning);
+    // Axes that do not follow the spin serve bodies that look the same while they spin; others keep their own.
+    const std::vector<Vector> alike = symmetry_axes(body.inertia);
+    const bool unseen = alike.size() != 1 ? alike.size() == 3 || !(body.inertia.mass > 0)
+                                          : norm(cross(own, alike.front())) <= 1e-9 * norm(own);
+    if (norm(own) > 0 && unseen) motion.spins.emplace_back(i, about(own, center_of(i)));
+  }
+
+  // What may lead to the same motion again: turns of all that stands on the ground about the axis of the frame or the
+  // vertical, shifts, and turns of a body about its axis of symmetry. Those that do not are sorted out.
+  const auto add_symmetry = [&](const std::vector<double>& positions, const std::vector<double>& velocities) {
+    std::vector<double> both = positions;
+    both.insert(both.end(), velocities.begin(), velocities.end());
+    for (std::size_t k = 0; k < n; ++k)
+      if (motion.held[k]) both[k] = both[n + k] = 0;
+    motion.symmetries.push_back(std::move(both));
+  };
+  const std::vector<double> none(n, 0.0);
+  std::vector<std::pair<Vector, Vector>> displacements;  // turning about the origin and shift, on ground axes
+  std::vector<Vector> axes{Vector::unit(0), Vector::unit(1), Vector::unit(2)};
+  // And the axis of the frame and the vertical, however the axes are drawn, with directions across them.
+  const auto add_axis = [&](const Vector& axis) {
+    const bool known =
+        std::any_of(axes.begin(), axes.end(), [&](const Vector& other) { return norm(cross(axis, other)) <= 1e-12; });
+    if (!known) axes.push_back(axis);
+  };
+  for (const Vector& along : {turning, tree.gravity()}) {
+    if (!(norm(along) > 0)) continue;
+    const Vector axis = normalized(along);
+    Vector across = cross(axis, axes[0]);
+    for (std::size_t k = 1; k < 3; ++k)
+      if (norm(cross(axis, axes[k])) > norm(across)) across = cross(axis, axes[k]);
+    across = normalized(across);
+    add_axis(axis);
+    add_axis(across);
+    add_axis(cross(axis, across));
+  }
+  std::vector<Vector> places{Vector::zero()};
+  for (int i = 0; i < tree.body_count(); ++i)
+    if (tree.body(i).parent == ground) places.push_back(w.motion[static_cast<std::size_t>(i + 1)].p);
+  for (const Vector& axis : axes) {
+    displacements.emplace_back(Vector::zero(), axis);
+    for (const Vector& P : places) displacements.emplace_back(axis, cross(P, axis));
+  }
+  for (const auto& [turn, shift] : displacements)
+    for (int only = -1; only < tree.body_count(); ++only) {
+      if (only >= 0 && tree.body(only).parent != ground) continue;
+      std::vector<double> positions = none, velocities = none;
+      bool possible = true, any = false;
+      for (int i = 0; i < tree.body_count() && possible; ++i) {
+        const auto& body = tree.body(i);
+        if (body.parent != ground || (only >= 0 && i != only) || velocity_size(body.joint) == 0) continue;
+        if (motion.held[static_cast<std::size_t>(body.v)] &&
+            motion.held[static_cast<std::size_t>(body.v + velocity_size(body.joint) - 1)])
+          continue;
+        const BodyMotion<double>& B = w.motion[static_cast<std::size_t>(i + 1)];
+        const Vector at_origin = shift + cross(turn, B.p);
+        // The coordinates' own motions at the body's origin, fitted to the displacement.
+        double left = norm_squared(at_origin) + scales_.length * scales_.length * norm_squared(turn);
+        const double size = left;
+        for_each_coordinate_motion(tree, w, i, B.p, [&, &turn = turn](int k, const Twist& S) {
+          const double own = norm_squared(S.angular) * scales_.length * scales_.length + norm_squared(S.linear);
+          const double part = (dot(S.angular, turn) * scales_.length * scales_.length + dot(S.linear, at_origin)) / own;
+          positions[static_cast<std::size_t>(k)] = part;
+          left -= part * part * own;
+        });
+        // A particle keeps its axes, on which its velocity stands.
+        const bool keeps_axes = body.joint == JointType::free && turns_nothing(machine_, body.v) &&
+                                turns_nothing(machine_, body.v + 1) && turns_nothing(machine_, body.v + 2);
+        if (keeps_axes) {
+          left = 0;
+          const Vector change = direction_on_body(tree, w, i, cross(turn, B.v));
+          for (std::size_t k = 0; k < 3; ++k) velocities[static_cast<std::size_t>(body.v) + 3 + k] = change[k];
+        }
+        possible = std::abs(left) <= 1e-9 * std::max(size, 1e-300);
+        any = true;
+      }
+      if (possible && any) add_symmetry(positions, velocities);
+    }
+  for (int i = 0; i < tree.body_count(); ++i) {
+    const auto& body = tree.body(i);
+    const auto first = static_cast<std::size_t>(body.v);
+    if (body.joint == JointType::revolute && turns_unseen(tree, i, scales_.length)) {
+      std::vector<double> positions = none;
+      positions[first] = 1;
+      add_symmetry(positions, none);
+    }
+    if (body.joint != JointType::ball && body.joint != JointType::free) continue;
+    std::vector<Vector> own_axes = symmetry_axes(body.inertia);
+    if (own_axes.size() == 3) {
+      // All its axes are alike: that of its spin, and those through the points that hold it.
+      const auto add = [&](const Vector& direction) {
+        if (norm(direction) > 1e-9 * scales_.length) own_axes.push_back(normalized(direction));
+      };
+      const Vector c = center_of(i);
+      add(c);
+      add(scales_.length * direction_on_body(tree, w, i, angular_velocity(w, i) - turning));
+      for (const Component<double>& component : mechanism.components)
+        if (component.at.body == i) add(component.at.point - c);
+    }
+    for (const Vector& axis : own_axes) {
+      const Twist own = about(axis, center_of(i));
+      Twist v = Twist::zero();
+      for (std::size_t k = 0; k < 3; ++k) {
+        v.angular[k] = v_[first + k];
+        if (body.joint == JointType::free) v.linear[k] = v_[first + 3 + k];
+      }
+      const Twist change{cross(v.angular, own.angular), cross(v.angular, own.linear) + cross(v.linear, own.angular)};
+      std::vector<double> positions = none, velocities = none;
+      for (std::size_t k = 0; k < 3; ++k) {
+        positions[first + k] = own.angular[k];
+        velocities[first + k] = change.angular[k];
+        if (body.joint == JointType::free) {
+          positions[first + 3 + k] = own.linear[k];
+          velocities[first + 3 + k] = change.linear[k];
+        }
+      }
+      add_symmetry(positions, velocities);
+    }
+  }
+
+  try {
+    linearisation_ = solve::linearise(motion);
+  } catch (const std::runtime_error& error) {
+    throw UnansweredError(situation_.file, mark, error.what(), "say what holds or drives every freedom");
+  }
+  if (!linearisation_->steady) {
+    linearisation_.reset();
+    throw UnansweredError(situation_.file, mark, "this is no steady motion, of which alone stability is asked",
+                          "state steady: {frame: F, spins: {...}}, or rest where everything is in equilibrium");
+  }
+  return *linearisation_;
+}
+
+}  // namespace poinsot::problem

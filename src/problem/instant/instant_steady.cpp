@@ -1,0 +1,122 @@
+// What `steady:` says of velocities and accelerations.
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/engine/math/algebra/plain.h"
+#include "problem/instant/instant_conditions.h"
+#include "problem/language/exact_numbers.h"
+
+namespace poinsot::problem {
+namespace {
+
+template <class Scalar>
+bool hangs_on(const Model<Scalar>& tree, int body, int ancestor) {
+  for (int i = body; i != ground; i = tree.body(i).parent)
+    if (i == ancestor) return true;
+  return ancestor == ground;
+}
+
+}  // namespace
+
+template <class Scalar>
+bool turns_unseen(const Model<Scalar>& tree, int body, double length) {
+  const auto& link = tree.body(body);
+  if (link.joint != JointType::revolute || !(plain(link.inertia.mass) > 0)) return false;
+  // On the working axes the joint's axis is z.
+  const SpatialInertia<Scalar>& I = link.inertia;
+  const Vector3<Scalar> center = I.first_moment / I.mass;
+  const SymmetricMatrix3<double> central = plain(I.inertia - I.mass * unit_mass_inertia(center));
+  const Vector3<double> c = plain(center);
+  const double size = central.xx + central.yy + central.zz, off = std::abs(c.x) + std::abs(c.y);
+  return off <= 1e-9 * (length + std::abs(c.z)) && std::abs(central.xx - central.yy) <= 1e-9 * size &&
+         std::abs(central.xy) + std::abs(central.yz) + std::abs(central.zx) <= 1e-9 * size;
+}
+
+template <class Scalar>
+void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<Scalar>>& conditions,
+                bool accelerations) {
+  using Vector = Vector3<Scalar>;
+  const Situation& situation = view.situation;
+  const MachineOf<Scalar>& machine = view.machine;
+  const Steady& steady = *situation.steady;
+  const Model<Scalar>& tree = machine.mechanism.tree;
+  const int frame = machine.index.at(steady.frame);
+  const std::size_t size =
+      accelerations ? solve::force_unknowns(machine.mechanism).size() : static_cast<std::size_t>(tree.velocity_size());
+  const std::string words = "steady motion in '" + steady.frame + "'";
+  const auto stated = [&](const std::vector<StatedRateOf<Scalar>>& list, int k) {
+    return std::any_of(list.begin(), list.end(), [&](const StatedRateOf<Scalar>& rate) { return rate.velocity == k; });
+  };
+  const auto rides = std::find_if(situation.frames.begin(), situation.frames.end(),
+                                  [&](const Frame& f) { return f.name == steady.frame; });
+  const Workspace<Scalar>& w = view.moment.workspace();
+  const BodyMotion<Scalar>& F = w.motion[static_cast<std::size_t>(frame + 1)];
+  for (int i = 0; i < tree.body_count(); ++i) {
+    const auto& body = tree.body(i);
+    const std::string& name = tree.name(i);
+    const bool is_frame =
+        std::any_of(situation.frames.begin(), situation.frames.end(), [&](const Frame& f) { return f.name == name; });
+    if (is_frame || i == frame) continue;
+    const auto spin =
+        std::find_if(steady.spins.begin(), steady.spins.end(), [&](const Spin& s) { return s.body == name; });
+    if (hangs_on(tree, i, frame) && frame != ground && spin == steady.spins.end()) {
+      for (int k = body.v; k < body.v + velocity_size(body.joint); ++k) {
+        if (stated(accelerations ? machine.accelerations : machine.rates, k)) continue;
+        if (!accelerations && stated(machine.accelerations, k)) continue;
+        // A body of revolution may turn about its own axis unseen.
+        if (!accelerations && turns_unseen(tree, i, view.scales.length)) continue;
+        solve::ConditionOf<Scalar> condition{words, std::vector<Scalar>(size), Scalar(0), 1};
+        condition.coefficients[static_cast<std::size_t>(k)] = Scalar(1);
+        conditions.push_back(std::move(condition));
+      }
+      continue;
+    }
+    if (!machine.mechanism.takes_part[static_cast<std::size_t>(i)]) continue;
+    // What is fixed to the ground stays there, whatever turns about it.
+    bool fixed = true;
+    for (int j = i; j != ground; j = tree.body(j).parent) fixed = fixed && tree.body(j).joint == JointType::weld;
+    if (fixed) continue;
+    if (hangs_on(tree, frame, i)) continue;  // it carries the frame
+    // w = W + s u, alpha = dW/dt + W x s u; the mass center goes with the frame.
+    Vector spin_vector = Vector::zero();
+    if (spin != steady.spins.end())
+      spin_vector = view.data.number(spin->rate, dimensions::angular_velocity) * view.data.direction(spin->about);
+    const bool rides_here = rides != situation.frames.end() && rides->rides_on == name;
+    const Vector G =
+        plain(body.inertia.mass) > 0 ? body_mass_center(tree, w, i) : w.motion[static_cast<std::size_t>(i + 1)].p;
+    const Vector r = G - F.p;
+    const std::size_t first = conditions.size(), count = rides_here ? 3 : 6;
+    for (std::size_t k = 0; k < count; ++k)
+      conditions.push_back({words, std::vector<Scalar>(size), Scalar(0), k < 3 ? 1 : view.scales.length});
+    const auto add = [&](int moved, double sign) {
+      for_each_coordinate_motion(tree, w, moved, G, [&](int coordinate, const SpatialMotion<Scalar>& S) {
+        for (std::size_t k = 0; k < count; ++k)
+          conditions[first + k].coefficients[static_cast<std::size_t>(coordinate)] +=
+              Scalar(sign) * (k < 3 ? S.angular[k] : S.linear[k - 3]);
+      });
+    };
+    add(i, 1);
+    add(frame, -1);
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool angular = k < 3;
+      const std::size_t c = k % 3;
+      solve::ConditionOf<Scalar>& condition = conditions[first + k];
+      if (!accelerations) {
+        condition.value = angular ? spin_vector[c] : Scalar(0);
+      } else {
+        // What the velocities bring, with all accelerations of coordinates zero.
+        const BodyMotion<Scalar>& B = w.motion[static_cast<std::size_t>(i + 1)];
+        const Vector own = B.a + cross(B.alpha, G - B.p) + cross(B.w, cross(B.w, G - B.p));
+        const Vector carried = F.a + cross(F.alpha, r) + cross(F.w, cross(F.w, r));
+        condition.value = angular ? (F.alpha + cross(F.w, spin_vector) - B.alpha)[c] : (carried - own)[c];
+      }
+    }
+  }
+}
+
+template bool turns_unseen(const Model<double>&, int, double);
+template void add_steady(const InstantView<double>&, std::vector<solve::Condition>&, bool);
+template void add_steady(const InstantView<Dual<1>>&, std::vector<solve::ConditionOf<Dual<1>>>&, bool);
+template void add_steady(const InstantView<Formula>&, std::vector<solve::ConditionOf<Formula>>&, bool);
+
+}  // namespace poinsot::problem

@@ -1,0 +1,150 @@
+// Facts as linear conditions on the unknowns of an instant, where they are linear.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "poinsot/engine/math/algebra/plain.h"
+#include "poinsot/engine/solve/instant/equations.h"
+#include "problem/instant/instant_conditions.h"
+
+namespace poinsot::problem {
+
+template <class Scalar>
+using Conditions = std::vector<solve::ConditionOf<Scalar>>;
+
+// Whether conditions, which were taken elsewhere as linear, give these values.
+template <class Scalar, class Values>
+bool foretell(const Conditions<Scalar>& conditions, const std::vector<Scalar>& x, const Values& values) {
+  if (values.size() != conditions.size()) return false;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    Scalar linear = -conditions[i].value;
+    double size = std::abs(plain(linear));
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      linear += conditions[i].coefficients[k] * x[k];
+      size += std::abs(plain(conditions[i].coefficients[k]) * plain(x[k]));
+    }
+    const double value = plain(values[i].value);
+    if (!(std::abs(value - plain(linear)) <= 1e-9 * (size + std::abs(value)))) return false;
+  }
+  return true;
+}
+
+// Whether values change by more than their rounding lets one see.
+template <class Values>
+bool notice(const Values& from, const Values& to) {
+  constexpr double seen = 1e-6;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double base = plain(from[i].value), change = plain(to[i].value) - base;
+    if (!(std::abs(change) >= seen * std::abs(base))) return false;
+  }
+  return true;
+}
+
+// The places at which facts are tried for being linear in some unknowns, by number: first zero; then far ones, on both
+// sides (a size may look linear on one) and ever further (what is stated must not drown the unknowns); then those with
+// one unknown one and the others zero. They are the same for all facts, which may share what is found there.
+template <class Scalar>
+class ProbePlaces {
+ public:
+  explicit ProbePlaces(std::size_t unknowns) : n_(unknowns) {}
+  static constexpr std::size_t zero = 0, reaches = 4, far_places = 2 * reaches;
+  static std::size_t far(std::size_t side, std::size_t reach) { return 1 + side * reaches + reach; }
+  static std::size_t one(std::size_t unknown) { return 1 + far_places + unknown; }
+
+  std::size_t unknowns() const { return n_; }
+  std::vector<Scalar> operator[](std::size_t place) const {
+    std::vector<Scalar> x(n_, Scalar(0));
+    if (place >= one(0)) {
+      x[place - one(0)] = Scalar(1);
+    } else if (place > zero) {
+      const std::size_t side = (place - 1) / reaches, reach = (place - 1) % reaches;
+      std::minstd_rand random(static_cast<unsigned>(7 + place));
+      std::uniform_real_distribution<double> part(0.5, 1.5);
+      for (Scalar& each : x)
+        each = Scalar((side == 0 ? 1 : -1) * std::pow(1e4, static_cast<double>(reach)) * part(random));
+    }
+    return x;
+  }
+
+ private:
+  std::size_t n_;
+};
+
+// Scopes by number, each made where it is first asked for.
+template <class Scope>
+class NumberedScopes {
+ public:
+  using Make = std::function<std::unique_ptr<Scope>(std::size_t)>;
+  explicit NumberedScopes(Make make) : make_(std::move(make)) {}
+  Scope& operator[](std::size_t number) {
+    std::unique_ptr<Scope>& scope = scopes_[number];
+    if (!scope) scope = make_(number);
+    return *scope;
+  }
+
+ private:
+  Make make_;
+  std::map<std::size_t, std::unique_ptr<Scope>> scopes_;
+};
+
+// A fact as linear conditions on the unknowns, from the differences values(place) that it demands to vanish and, around
+// zero, slopes(k, values there) in unknown k. Nothing if it is not linear: nobody knows then which of several solutions
+// is meant.
+template <class Scalar, class ValuesAt, class Slopes>
+std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales,
+                                            const ProbePlaces<Scalar>& places, const ValuesAt& values,
+                                            const Slopes& slopes) {
+  using Places = ProbePlaces<Scalar>;
+  const std::size_t n = places.unknowns();
+  try {
+    const std::vector<Difference<Scalar>> base = values(Places::zero);
+    Conditions<Scalar> conditions;
+    for (const Difference<Scalar>& difference : base)
+      conditions.push_back(
+          {words, std::vector<Scalar>(n), -difference.value, natural_unit(scales, difference.dimension)});
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::vector<Scalar> column = slopes(k, base);
+      if (column.size() != conditions.size()) return std::nullopt;
+      for (std::size_t i = 0; i < column.size(); ++i) conditions[i].coefficients[k] = column[i];
+    }
+    for (const std::size_t side : {0, 1})
+      for (std::size_t reach = 0; reach < Places::reaches; ++reach) {
+        const std::size_t place = Places::far(side, reach);
+        const std::vector<Difference<Scalar>> there = values(place);
+        if (!foretell(conditions, places[place], there)) return std::nullopt;
+        if (notice(base, there)) break;
+      }
+    return conditions;
+  } catch (const StatementError&) {
+    // What has no value at rest, such as a direction, is not linear. Mistakes are reported at the solution.
+  } catch (const std::domain_error&) {
+  }
+  return std::nullopt;
+}
+
+// The same with slopes from the step to one, exact for what is linear.
+template <class Scalar, class ValuesAt>
+std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales,
+                                            const ProbePlaces<Scalar>& places, const ValuesAt& values) {
+  return as_linear<Scalar>(words, scales, places, values,
+                           [&](std::size_t k, const std::vector<Difference<Scalar>>& base) {
+                             std::vector<Scalar> slopes;
+                             const std::vector<Difference<Scalar>> there = values(ProbePlaces<Scalar>::one(k));
+                             for (std::size_t i = 0; i < std::min(there.size(), base.size()); ++i)
+                               slopes.push_back(there[i].value - base[i].value);
+                             return slopes;
+                           });
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,125 @@
+#include "problem/instant/varied_instant.h"
+
+#include <stdexcept>
+
+#include "poinsot/engine/solve/instant/closure.h"
+#include "problem/language/scalar_value.h"
+
+namespace poinsot::problem {
+namespace {
+
+using Varied = VariedInstant::Varied;
+
+// A solution with its derivatives.
+std::vector<Varied> varied_solution(const solve::LinearSystem& system, const solve::LinearSystemOf<Varied>& varied) {
+  const solve::LinearFactors factors(system);
+  const std::vector<double>& value = factors.solution().value;
+  const std::vector<double> rate = factors.derivative(varied).value;
+  std::vector<Varied> solution;
+  for (std::size_t k = 0; k < value.size(); ++k) solution.push_back({value[k], {rate[k]}});
+  return solution;
+}
+
+}  // namespace
+
+VariedInstant::VariedInstant(const SolvedInstant& base, const std::string& name, std::size_t component)
+    : base_(base), situation_(base.situation_), data_(base.situation_, base.settings_, Varied(base.time_)) {
+  build(name, component);
+  set_positions();
+  set_velocities();
+  if (base_.before_) strike();
+  if (base_.motion_) set_forces();
+}
+
+InstantView<Varied> VariedInstant::view() {
+  return {situation_, data_, machine_, *moment_, base_.scales_, Varied(base_.time_), before_ ? &*before_ : nullptr};
+}
+
+void VariedInstant::build(const std::string& name, std::size_t component) {
+  const Value<Varied> variable = as_variable(base_.settings_.at(name), component);
+  DataScope<TimeJetOf<Varied>> timed(situation_, base_.settings_, time_jet(Varied(base_.time_)));
+  data_.vary(name, variable);
+  timed.vary(name, lifted<TimeJetOf<Varied>>(variable));
+  std::size_t next = 0;
+  const AnyValue any = [&](const Dimension&) { return base_.any_values_.at(next++); };
+  const auto loads = situation_.stages.empty() ? std::nullopt : situation_.stages.front().loads;
+  machine_ = build_machine(situation_, data_, timed, any, base_.machine_options(base_.time_, loads));
+  moment_.emplace(machine_.mechanism);
+}
+
+void VariedInstant::set_positions() {
+  std::vector<Varied>& q = machine_.q;
+  std::vector<bool>& given = machine_.position_given;
+  for (const Instant* instant : base_.facts_)
+    for (const Fact& fact : instant->facts) {
+      const Name* name = fact.quantity.as<Name>();
+      const NamedCoordinate* coordinate = name && name->primes == 0 ? machine_.coordinate(name->name) : nullptr;
+      if (!coordinate) continue;
+      const auto k = static_cast<std::size_t>(coordinate->position);
+      q[k] = data_.number(fact.value, coordinate->turning ? dimensions::angle : dimensions::length);
+      given[k] = true;
+    }
+  q = solve::varied_pose(machine_.mechanism, base_.machine_.q, q, given);
+  moment_->set_positions(q);
+  solve::update_contacts(machine_.mechanism, *moment_);
+  for (const auto& [fact, difference] : position_differences(view(), base_.facts_))
+    position_misfits_.push_back(difference.value / Varied(base_.natural_unit(difference.dimension)));
+}
+
+// A fact that is linear for one scalar must be so for the other.
+void VariedInstant::expect_same(InstantSystem system, const std::vector<const Fact*>& nonlinear) const {
+  if (base_.nonlinear_.at(system) != nonlinear)
+    throw std::domain_error("a fact has another form over dual numbers than over doubles");
+}
+
+void VariedInstant::set_velocities() {
+  std::vector<solve::ConditionOf<Varied>> conditions = rate_conditions(view());
+  const FactConditions<Varied> stated = velocity_facts(view(), base_.facts_);
+  expect_same(InstantSystem::velocities, stated.nonlinear);
+  conditions.insert(conditions.end(), stated.linear.begin(), stated.linear.end());
+  if (situation_.steady) add_steady(view(), conditions, false);
+  systems_[InstantSystem::velocities] = solve::velocity_equations(*moment_, base_.scales_, conditions);
+  if (!base_.before_ && !base_.motion_) return;
+  if (base_.choice_.velocities && !base_.velocities_.open.empty())
+    throw std::domain_error("velocities that are chosen have no derivatives");
+  moment_->set_velocities(varied_solution(base_.velocity_equations_, systems_.at(InstantSystem::velocities)));
+}
+
+void VariedInstant::strike() {
+  before_.emplace(*moment_);
+  blow_ = stated_blow(view());
+  std::vector<const Instant*> after;
+  for (const Instant& instant : situation_.instants)
+    if (instant.name == "after") after.push_back(&instant);
+  const FactConditions<Varied> stated = velocity_facts(view(), after, &blow_);
+  expect_same(InstantSystem::blow, stated.nonlinear);
+  systems_[InstantSystem::blow] =
+      solve::impulse_equations(*before_, base_.scales_, blow_, stated.linear, base_.blow_acting_);
+  if (!base_.motion_) return;
+  if (base_.choice_.forces && !base_.blow_solution_.open.empty())
+    throw std::domain_error("impulses that are chosen have no derivatives");
+  std::vector<Varied> v = varied_solution(base_.blow_equations_, systems_.at(InstantSystem::blow));
+  v.resize(static_cast<std::size_t>(machine_.mechanism.tree.velocity_size()));
+  moment_->set_velocities(v);
+}
+
+void VariedInstant::set_forces() {
+  FactConditions<Varied> stated = force_facts(view(), base_.facts_);
+  expect_same(InstantSystem::motion, stated.nonlinear);
+  if (situation_.steady) add_steady(view(), stated.linear, true);
+  systems_[InstantSystem::motion] = solve::motion_equations(*moment_, base_.scales_, stated.linear);
+}
+
+std::vector<Varied> VariedInstant::nonlinear_misfits(InstantSystem system, const std::vector<Varied>& unknowns) {
+  std::vector<Varied> misfits;
+  const auto facts = base_.nonlinear_.find(system);
+  if (facts == base_.nonlinear_.end()) return misfits;
+  for (const Fact* fact : facts->second) {
+    QuantityScope<Varied> scope = solution_scope(view(), system, unknowns, &blow_);
+    for (const Difference<Varied>& difference : differences(*fact, scope, situation_.file))
+      misfits.push_back(difference.value / Varied(base_.natural_unit(difference.dimension)));
+  }
+  return misfits;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,46 @@
+// How an instant varies with one number of its statement, in which unknowns have trial values: the same machine,
+// conditions and equations as in SolvedInstant, over dual numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problem/instant/instant.h"
+
+namespace poinsot::problem {
+
+class VariedInstant {
+ public:
+  using Varied = Dual<1>;
+
+  // base: a trial, which must outlive this. The number is a datum, letter or unknown of its settings, or a component of
+  // one. Throws std::domain_error where the instant has no derivatives or takes another form over dual numbers; what
+  // SolvedInstant throws.
+  VariedInstant(const SolvedInstant& base, const std::string& name, std::size_t component);
+
+  // What SolvedInstant tells by the same names; those of a blow and of the motion if it has them.
+  const std::vector<Varied>& position_misfits() const { return position_misfits_; }
+  const solve::LinearSystemOf<Varied>& equations(InstantSystem system) const { return systems_.at(system); }
+  std::vector<Varied> nonlinear_misfits(InstantSystem system, const std::vector<Varied>& unknowns);
+
+ private:
+  InstantView<Varied> view();
+  void build(const std::string& name, std::size_t component);
+  void set_positions();
+  void set_velocities();
+  void strike();
+  void set_forces();
+  void expect_same(InstantSystem system, const std::vector<const Fact*>& nonlinear) const;
+
+  const SolvedInstant& base_;
+  const Situation& situation_;
+  DataScope<Varied> data_;
+  MachineOf<Varied> machine_;
+  std::optional<solve::MechanismStateOf<Varied>> moment_, before_;
+  solve::BlowOf<Varied> blow_;
+  std::vector<Varied> position_misfits_;
+  std::map<InstantSystem, solve::LinearSystemOf<Varied>> systems_;
+};
+
+}  // namespace poinsot::problem

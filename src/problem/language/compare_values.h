@@ -1,0 +1,19 @@
+// Comparison of values up to rounding.
+#pragma once
+
+#include "problem/language/value.h"
+
+namespace poinsot::problem {
+
+// The largest magnitude in a value.
+double size_of(const Value<double>& value);
+
+// Whether two values of one kind differ by no more than the tolerance (SI), item by item.
+bool same(const Value<double>& a, const Value<double>& b, double tolerance);
+
+// Of a list, that of its first item.
+Dimension dimension_of(const Value<double>& value);
+
+bool has_vector(const Value<double>& value);
+
+}  // namespace poinsot::problem

@@ -1,0 +1,73 @@
+// What is wrong in a problem file, and where.
+#pragma once
+
+#include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace poinsot::problem {
+
+// A place in a file: line and column from 1, columns counted in characters (code points). Line 0: no place.
+struct Mark {
+  int line = 0;
+  int column = 0;
+
+  friend bool operator==(const Mark&, const Mark&) = default;
+};
+
+struct Diagnostic {
+  std::string file;
+  Mark mark;
+  std::string message;  // what is wrong, what was expected
+  std::string hint;     // what to do; may be empty
+};
+
+// `FILE:LINE:COLUMN: error: message (hint)`; without place `FILE: error: ...`.
+std::string to_string(const Diagnostic& diagnostic);
+
+// A problem file that cannot be understood. what() holds one line per diagnostic.
+class StatementError : public std::exception {
+ public:
+  explicit StatementError(Diagnostic diagnostic);
+  // At least one diagnostic; std::invalid_argument if there is none.
+  explicit StatementError(std::vector<Diagnostic> diagnostics);
+  StatementError(std::string file, Mark mark, std::string message, std::string hint = "");
+
+  const char* what() const noexcept override { return text_.c_str(); }
+  const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+
+ private:
+  std::vector<Diagnostic> diagnostics_;
+  std::string text_;
+};
+
+// An expression whose form and dimensions are right but which has no value for the data at hand (division by zero,
+// square root of a negative number, a result beyond all bounds).
+class DomainError : public StatementError {
+ public:
+  using StatementError::StatementError;
+};
+
+// What is asked of a motion and the motion does not tell: the other questions are answered all the same.
+class UnansweredError : public StatementError {
+ public:
+  using StatementError::StatementError;
+};
+
+// Throws StatementError with one diagnostic.
+[[noreturn]] void fail(const std::string& file, Mark mark, std::string message, std::string hint = "");
+
+// Distance of two words: insertions, deletions, replacements and exchanges of neighbours (Damerau-Levenshtein, optimal
+// string alignment). A replacement that only changes the case counts one half.
+double edit_distance(std::string_view a, std::string_view b);
+
+// The candidate nearest to the word, the first of several; "" if none is near enough to be a slip of the pen: up to
+// one slip in words of two to four letters, two up to seven, three beyond; words that differ only in case are always
+// near. A word itself is never its own suggestion.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+
+// The hint "did you mean 'x'?", or "" if nothing is near.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace poinsot::problem

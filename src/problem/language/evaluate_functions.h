@@ -1,0 +1,218 @@
+// The mathematical functions of expressions.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "poinsot/engine/math/formula/formula_decision.h"
+#include "problem/language/evaluate.h"
+#include "problem/language/evaluate_support.h"
+#include "problem/language/exact_numbers.h"
+
+namespace poinsot::problem {
+
+template <class Scalar>
+struct FunctionContext {
+  const Evaluator<Scalar>& evaluator;
+  const Mark& mark;
+
+  [[noreturn]] void fail(const Expression& argument, std::string message, std::string hint = "") const {
+    evaluator.fail(beginning(argument), std::move(message), std::move(hint));
+  }
+  [[noreturn]] void no_value(std::string message) const {
+    throw DomainError(evaluator.file(), mark, std::move(message));
+  }
+
+  Value<Scalar> number(const Call& call, const Expression& argument) const {
+    Value<Scalar> value = evaluator(argument);
+    if (value.is_number()) return value;
+    const bool magnitude = value.is_vector() && (call.function == "abs" || call.function == "sqrt");
+    fail(argument, call.function + " takes a number, not " + kind_in_words(value),
+         magnitude ? "the magnitude of a vector is norm(v)" : "");
+  }
+  Scalar pure(const Call& call, const Expression& argument) const {
+    const Value<Scalar> value = number(call, argument);
+    if (is_pure(value.dimension)) return value.number;
+    fail(argument, call.function + " takes a pure number, not " + to_string(value.dimension));
+  }
+  Scalar angle(const Call& call, const Expression& argument) const {
+    const Value<Scalar> value = number(call, argument);
+    if (!is_pure(value.dimension)) fail(argument, call.function + " takes an angle, not " + to_string(value.dimension));
+    if (value.bare && !is_bare_zero(value)) {
+      const std::string text = to_string(argument);
+      fail(argument, "the unit of the angle is missing in " + call.function + "(" + text + ")",
+           argument.template as<Number>() ? "write " + text + " deg or " + text + " rad"
+                                          : "give it the unit deg or rad");
+    }
+    return value.number;
+  }
+  Value<Scalar> vector(const Call& call, const Expression& argument) const {
+    Value<Scalar> value = evaluator(argument);
+    if (value.is_vector()) return value;
+    if (value.is_list() && value.items.size() == 3) {
+      fail(argument, call.function + " takes a vector, and the components of this list are not of one kind");
+    }
+    fail(argument, call.function + " takes a vector, not " + kind_in_words(value));
+  }
+  // A vector that has a direction; formulas as they are, numbers of a size near one.
+  Vector3<Scalar> along(const Call& call, const Expression& argument) const {
+    const Value<Scalar> value = vector(call, argument);
+    if (is_zero(value)) throw DomainError(evaluator.file(), beginning(argument), "the zero vector has no direction");
+    return scaled(value.vector);
+  }
+  Vector3<Scalar> direction(const Call& call, const Expression& argument) const {
+    return normalized(along(call, argument));
+  }
+  // By a power of two to a size whose square cannot overflow or vanish.
+  static Vector3<Scalar> scaled(const Vector3<Scalar>& v) {
+    if constexpr (is_exact<Scalar>) return v;
+    const double largest = std::max({std::abs(plain(v.x)), std::abs(plain(v.y)), std::abs(plain(v.z))});
+    return v * Scalar(std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1022, 1022)));
+  }
+};
+
+template <class Scalar>
+std::optional<Value<Scalar>> function_of_number(const Call& call, const FunctionContext<Scalar>& context) {
+  using std::abs, std::acos, std::asin, std::atan, std::cos, std::sin, std::sqrt, std::tan;
+  using Result = Value<Scalar>;
+  const std::string_view f = call.function;
+  const Expression& argument = call.arguments[0].value;
+  const auto pure = [](const Scalar& x) { return Result::of_number(x, dimensions::none); };
+  const auto angle = [](const Scalar& x) { return Result::of_number(x, dimensions::angle); };
+
+  if (f == "sin") return pure(sin(context.angle(call, argument)));
+  if (f == "cos") return pure(cos(context.angle(call, argument)));
+  if (f == "tan") return pure(tan(context.angle(call, argument)));
+  if (f == "atan") return angle(atan(context.pure(call, argument)));
+  if (f == "asin" || f == "acos") {
+    Scalar x = context.pure(call, argument);
+    // Beyond 1 by rounding only is 1.
+    constexpr double rounding = 1e-12;
+    if (std::abs(plain(x)) > 1 + rounding) {
+      context.no_value(call.function + " of " + number_text(plain(x)) +
+                       " does not exist: the argument must be between -1 and 1");
+    }
+    if (std::abs(plain(x)) > 1) x = Scalar(plain(x) > 0 ? 1.0 : -1.0);
+    return angle(f == "asin" ? asin(x) : acos(x));
+  }
+  if (f == "sqrt") {
+    const Result x = context.number(call, argument);
+    if (plain(x.number) < 0) context.no_value("sqrt of the negative number " + number_text(plain(x.number)));
+    const std::optional<Dimension> dimension = power(x.dimension, 1, 2);
+    if (!dimension) context.fail(argument, "the root of " + to_string(x.dimension) + " is no quantity that has a unit");
+    return Result::of_number(sqrt(x.number), *dimension, x.bare);
+  }
+  if (f == "abs") {
+    Result x = context.number(call, argument);
+    if constexpr (is_exact<Scalar> && !std::is_same_v<Scalar, Formula>)
+      x.number = plain(x.number) < 0 ? -x.number : x.number;
+    else
+      x.number = abs(x.number);
+    return x;
+  }
+  return std::nullopt;
+}
+
+template <class Scalar>
+std::optional<Value<Scalar>> function_of_vectors(const Call& call, const FunctionContext<Scalar>& context) {
+  using std::atan2;
+  using Result = Value<Scalar>;
+  const std::string_view f = call.function;
+  const std::string pattern = call.pattern();
+  const Expression& first = call.arguments[0].value;
+
+  if (pattern.empty()) {
+    if (f == "norm") {
+      const Result v = context.vector(call, first);
+      if (is_zero(v)) return Result::of_number(norm(v.vector), v.dimension, v.bare);
+      if constexpr (is_exact<Scalar>) return Result::of_number(norm(v.vector), v.dimension, v.bare);
+      // |v| = (v . v/s)/|v/s| with s near |v|.
+      const Vector3<Scalar> near_unit = context.scaled(v.vector);
+      return Result::of_number(dot(v.vector, near_unit) / norm(near_unit), v.dimension, v.bare);
+    }
+    if (f == "unit" || f == "direction") return Result::of_vector(context.direction(call, first), dimensions::none);
+    return std::nullopt;
+  }
+  const Expression& second = call.arguments[1].value;
+  if ((f == "dot" || f == "cross") && pattern == "with") {
+    const Result u = context.vector(call, first);
+    const Result v = context.vector(call, second);
+    const Dimension dimension = u.dimension * v.dimension;
+    const bool bare = u.bare && v.bare;
+    if (f == "dot") return Result::of_number(dot(u.vector, v.vector), dimension, bare);
+    return Result::of_vector(cross(u.vector, v.vector), dimension, bare);
+  }
+  if (f == "component" && pattern == "along") {
+    const Result v = context.vector(call, first);
+    return Result::of_number(dot(v.vector, context.direction(call, second)), v.dimension, v.bare);
+  }
+  if ((f == "angle" || f == "acute_angle") && pattern == "to") {
+    const Vector3<Scalar> u = context.along(call, first);
+    const Vector3<Scalar> v = context.along(call, second);
+    // From sine and cosine, in the same measure: exact near 0 and 180 degrees, where the arc cosine is not.
+    const Scalar cosine = dot(u, v);
+    return Result::of_number(atan2(norm(cross(u, v)), f == "angle" || !decided_negative(cosine) ? cosine : -cosine),
+                             dimensions::angle);
+  }
+  return std::nullopt;
+}
+
+// min and max of several numbers, and the angle of two legs.
+template <class Scalar>
+std::optional<Value<Scalar>> function_of_several(const Call& call, const FunctionContext<Scalar>& context) {
+  using std::atan2;
+  using Result = Value<Scalar>;
+  const std::string_view f = call.function;
+  const std::string pattern = call.pattern();
+  std::vector<const Expression*> arguments;
+  const List* list = call.arguments[0].value.template as<List>();
+  if ((f == "min" || f == "max") && pattern.empty() && list && !list->items.empty()) {
+    for (const Expression& item : list->items) arguments.push_back(&item);
+  } else if (((f == "min" || f == "max") && pattern == "with") || (f == "atan2" && pattern == "to")) {
+    for (const Argument& argument : call.arguments) arguments.push_back(&argument.value);
+  } else {
+    return std::nullopt;
+  }
+  std::vector<Result> values;
+  for (const Expression* argument : arguments) {
+    Result value = context.number(call, *argument);
+    const auto known = std::find_if(values.begin(), values.end(), [](const Result& v) { return !is_bare_zero(v); });
+    if (known != values.end() && !is_bare_zero(value) && !same_kind(known->dimension, value.dimension)) {
+      context.fail(*argument, call.function + " takes quantities of one kind, not " + quantity_in_words(*known) +
+                                  " and " + quantity_in_words(value));
+    }
+    values.push_back(std::move(value));
+  }
+  if (f == "atan2") {
+    if (is_zero(values[0]) && is_zero(values[1])) context.no_value("atan2 of two zeros has no direction");
+    return Result::of_number(atan2(values[0].number, values[1].number), dimensions::angle);
+  }
+  Result best = values[0];
+  Dimension dimension = best.dimension;
+  bool bare = true;
+  for (const Result& value : values) {
+    const bool better = decided_negative(f == "min" ? value.number - best.number : best.number - value.number);
+    if (better) best = value;
+    if (!is_bare_zero(value)) dimension = value.dimension;
+    bare = bare && value.bare;
+  }
+  return Result::of_number(best.number, dimension, bare);
+}
+
+// Nothing if the call is none of these functions in its own form.
+template <class Scalar>
+std::optional<Value<Scalar>> mathematical_function(const Call& call, const FunctionContext<Scalar>& context) {
+  if (call.arguments.empty()) return std::nullopt;
+  if (call.arguments.size() == 1) {
+    if (auto result = function_of_number(call, context)) return result;
+  }
+  if (auto result = function_of_vectors(call, context)) return result;
+  return function_of_several(call, context);
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,94 @@
+// What evaluation needs to know of values: words for them, their zeros, how their dimensions join.
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problem/language/expression.h"
+#include "problem/language/scalar_value.h"
+#include "problem/language/value.h"
+
+namespace poinsot::problem {
+
+// A number for messages: "25", "0.3".
+std::string number_text(double x);
+
+// Of two quantities of one kind that are added. Pure numbers and rates are angles and turning rates if one of them is
+// (pi/2 - theta, omega + 2 pi/T); where other units are present the radian idles (v + omega r is a velocity).
+Dimension joined_dimension(const Dimension& a, const Dimension& b);
+
+struct UnknownCall {
+  std::string message;
+  std::string hint;
+};
+UnknownCall describe_unknown_call(const Call& call, const std::vector<std::string>& others);
+
+template <class Scalar>
+std::string kind_in_words(const Value<Scalar>& value) {
+  using Kind = typename Value<Scalar>::Kind;
+  switch (value.kind) {
+    case Kind::number:
+      return "a number";
+    case Kind::vector:
+      return "a vector";
+    case Kind::list:
+      return "a list";
+    case Kind::boolean:
+      return "a truth value";
+    case Kind::text:
+      return "a text";
+    case Kind::any:
+      break;
+  }
+  return "'any'";
+}
+
+// "a force", "the number 3 without unit".
+template <class Scalar>
+std::string quantity_in_words(const Value<Scalar>& value) {
+  if (value.bare && value.is_number()) return "the number " + number_text(plain(value.number)) + " without unit";
+  if (value.bare) return "a vector without unit";
+  return to_string(value.dimension);
+}
+
+template <class Scalar>
+bool is_zero(const Value<Scalar>& value) {
+  if (value.is_number()) return plain(value.number) == 0;
+  return value.is_vector() && plain(value.vector.x) == 0 && plain(value.vector.y) == 0 && plain(value.vector.z) == 0;
+}
+
+// A zero written without unit: it fits every dimension.
+template <class Scalar>
+bool is_bare_zero(const Value<Scalar>& value) {
+  return value.bare && is_zero(value);
+}
+
+// A list of three numbers of one kind, bare zeros fitting in, as the vector that it is; all else as it stands.
+template <class Scalar>
+Value<Scalar> as_vector(Value<Scalar> value) {
+  if (!value.is_list() || value.items.size() != 3) return value;
+  std::optional<Dimension> common;
+  bool bare = true;
+  for (const Value<Scalar>& item : value.items) {
+    if (!item.is_number()) return value;
+    bare = bare && item.bare;
+    if (is_bare_zero(item)) continue;
+    if (common && !same_kind(*common, item.dimension)) return value;
+    common = common ? joined_dimension(*common, item.dimension) : item.dimension;
+  }
+  return Value<Scalar>::of_vector({value.items[0].number, value.items[1].number, value.items[2].number},
+                                  common.value_or(dimensions::none), bare);
+}
+
+template <class Scalar>
+bool is_finite(const Value<Scalar>& value) {
+  if (value.is_number()) return std::isfinite(plain(value.number));
+  if (!value.is_vector()) return true;
+  return std::isfinite(plain(value.vector.x)) && std::isfinite(plain(value.vector.y)) &&
+         std::isfinite(plain(value.vector.z));
+}
+
+}  // namespace poinsot::problem

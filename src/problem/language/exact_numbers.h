@@ -1,0 +1,59 @@
+// Numbers and units of a statement as exact scalars: 0.1 is 1/10, 25 deg is 5 pi/36, an inch 127/5000 m.
+#pragma once
+
+#include <numbers>
+#include <stdexcept>
+#include <string_view>
+#include <type_traits>
+
+#include "poinsot/engine/math/algebra/dual.h"
+#include "poinsot/engine/math/algebra/plain.h"
+#include "poinsot/engine/math/formula/formula.h"
+#include "problem/language/expression.h"
+#include "problem/language/units.h"
+
+namespace poinsot::problem {
+
+// Why something cannot be had as a formula.
+class NoFormula : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Whether a scalar is exact: formulas and duals of them.
+template <class Scalar>
+inline constexpr bool is_exact = false;
+template <>
+inline constexpr bool is_exact<Formula> = true;
+template <int N, class Base>
+inline constexpr bool is_exact<Dual<N, Base>> = is_exact<Base>;
+
+// One of the unit in SI base units, radians.
+Formula exact_factor(const Unit& unit);
+// The value of a literal in SI.
+Formula exact_value(const Number& number);
+
+// The value of a literal in SI; a decimal text; pi.
+template <class Scalar>
+Scalar literal_value(const Number& number) {
+  if constexpr (is_exact<Scalar>)
+    return lifted<Scalar>(exact_value(number));
+  else
+    return Scalar(number.value * number.unit.factor);
+}
+template <class Scalar>
+Scalar decimal_value(double value, std::string_view digits) {
+  if constexpr (is_exact<Scalar>)
+    return lifted<Scalar>(Formula::number(digits));
+  else
+    return Scalar(value);
+}
+template <class Scalar>
+Scalar pi_value() {
+  if constexpr (is_exact<Scalar>)
+    return lifted<Scalar>(Formula::pi());
+  else
+    return Scalar(std::numbers::pi);
+}
+
+}  // namespace poinsot::problem

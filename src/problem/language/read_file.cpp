@@ -1,0 +1,55 @@
+// Reading a file's bytes with a limit, whatever the path leads to.
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "problem/language/tree.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr Mark head_of_file{1, 1};
+
+std::string read_stream(std::FILE* stream, const std::string& name) {
+  std::string bytes;
+  std::array<char, 16384> piece;
+  // A piece more than allowed tells a file of the largest size from a larger one.
+  for (std::size_t count = 1; count > 0 && bytes.size() <= TreeLimits::bytes;) {
+    count = std::fread(piece.data(), 1, piece.size(), stream);
+    bytes.append(piece.data(), count);
+  }
+  if (std::ferror(stream)) {
+    throw StatementError(name, head_of_file, std::string("the file cannot be read: ") + std::strerror(errno));
+  }
+  if (bytes.size() > TreeLimits::bytes) {
+    throw StatementError(name, head_of_file, "the file is larger than " + std::to_string(TreeLimits::bytes) + " bytes",
+                         "a problem file is a page or two of text");
+  }
+  return bytes;
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+  if (path == "-") return read_stream(stdin, "-");
+  std::error_code fault;
+  const std::filesystem::file_status status = std::filesystem::status(path, fault);
+  if (std::filesystem::is_directory(status)) {
+    throw StatementError(path, head_of_file, "this is a folder, not a problem file", "name the files in it");
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!stream) {
+    const std::string reason = std::strerror(errno);
+    if (status.type() == std::filesystem::file_type::not_found) {
+      throw StatementError(path, head_of_file, "there is no such file", "check the path");
+    }
+    throw StatementError(path, head_of_file, "the file cannot be opened: " + reason);
+  }
+  return read_stream(stream.get(), path);
+}
+
+}  // namespace poinsot::problem

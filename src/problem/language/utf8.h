@@ -1,0 +1,28 @@
+// UTF-8 text: characters and where they are.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace poinsot::problem {
+
+// The character at `offset` and its length in bytes; nothing if the bytes are no UTF-8 (truncated, overlong, surrogate,
+// beyond U+10FFFF) or the offset is at the end.
+struct Character {
+  char32_t code = 0;
+  std::size_t bytes = 1;
+};
+std::optional<Character> character_at(std::string_view text, std::size_t offset);
+
+// Offset of the first byte that is no UTF-8 or a control character other than tab, line feed and carriage return.
+std::optional<std::size_t> first_binary_byte(std::string_view text);
+
+// Characters in a valid text.
+int character_count(std::string_view text);
+
+// The character at `offset` as its own string, for messages.
+std::string character_text(std::string_view text, std::size_t offset);
+
+}  // namespace poinsot::problem

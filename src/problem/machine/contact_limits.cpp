@@ -1,0 +1,69 @@
+#include "problem/machine/contact_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/engine/dynamics/velocity_constraint.h"
+
+namespace poinsot::problem {
+namespace {
+
+using Vector = Vector3<double>;
+
+const VelocityConstraint<double>* touching(const ContactLimit& limit, const Mechanism<double>& mechanism) {
+  const auto found = std::ranges::find_if(mechanism.constraints, [&](const VelocityConstraint<double>& constraint) {
+    return constraint.action == limit.action && constraint.normal;
+  });
+  return found == mechanism.constraints.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::optional<double> left_of_surface(const ContactLimit& limit, const solve::MechanismState& moment) {
+  const VelocityConstraint<double>* constraint = touching(limit, moment.mechanism());
+  if (!constraint || norm(limit.middle) == 0) return std::nullopt;
+  const Model<double>& tree = moment.mechanism().tree;
+  const auto reach = detail::reach_of_rolling(tree, moment.workspace(), *constraint);
+  if (!reach) return std::nullopt;
+  return dot(normalized(*reach), moment.direction({constraint->on, limit.middle})) - limit.cosine;
+}
+
+bool goes_beyond(const ContactLimit& limit, const solve::MechanismState& moment) {
+  const std::optional<double> left = left_of_surface(limit, moment);
+  if (!left || *left > 1e-9) return false;
+  const VelocityConstraint<double>& constraint = *touching(limit, moment.mechanism());
+  const Workspace<double>& now = moment.workspace();
+  const Vector u = normalized(*detail::reach_of_rolling(moment.mechanism().tree, now, constraint));
+  const Vector w = angular_velocity(now, constraint.on) - angular_velocity(now, constraint.from);
+  const Vector middle = moment.direction({constraint.on, limit.middle});
+  return dot(u, cross(w, middle)) < -1e-9 * norm(w);
+}
+
+bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& moment) {
+  const VelocityConstraint<double>* constraint = touching(limit, moment.mechanism());
+  if (!constraint || limit.straight.empty() || constraint->carried_by) return false;
+  const Workspace<double>& now = moment.workspace();
+  const Vector w = angular_velocity(now, constraint->on) - angular_velocity(now, constraint->from);
+  const Vector n = moment.direction(constraint->along);
+  return std::ranges::any_of(limit.straight, [&](const Vector& side) {
+    return std::abs(dot(cross(w, moment.direction({constraint->on, side})), n)) > 1e-9 * norm(w);
+  });
+}
+
+std::string words_of_end(const ContactLimit& limit) {
+  return "contact '" + limit.contact + "' is beyond the end of the round surface of '" + limit.body + "'";
+}
+
+std::string words_of_side(const ContactLimit& limit) {
+  return "'" + limit.body + "' is straight where contact '" + limit.contact +
+         "' is: turning as it does it would cut into a flat '" + limit.against + "'";
+}
+
+std::string hint_of_side(const ContactLimit& limit) {
+  return "if it slides over a peg or corner, state the contact from there, of: that body (a particle welded to what "
+         "holds it), against: " +
+         limit.body + "; if a pin of it touches, give it one: added: {pin: {particle: " + limit.place +
+         ", mass: 0 kg}}";
+}
+
+}  // namespace poinsot::problem

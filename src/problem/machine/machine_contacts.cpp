@@ -1,0 +1,141 @@
+// The contacts and cords of a machine.
+#include <algorithm>
+#include <cstdio>
+
+#include "poinsot/engine/math/algebra/plain.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/exact_numbers.h"
+#include "problem/machine/machine_draft.h"
+#include "problem/machine/rolling_surface.h"
+#include "problem/machine/straight_sides.h"
+
+namespace poinsot::problem {
+
+template <class Scalar>
+void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
+  const int on = draft.body(contact.of), from = draft.body(contact.against);
+  const Vector3<Scalar> C = draft.data.place(contact.at), n = draft.data.direction(contact.normal);
+  const Place<Scalar> at = draft.machine.place(on, C);
+  const int action = draft.add_action(ActionKind::contact, contact.name, "", on, from);
+  const auto [t1, t2] = across(n);
+  // The forces that it carries.
+  std::vector<std::pair<std::string, Vector3<Scalar>>> directions;
+  if (contact.carries) {
+    for (const Expression& e : *contact.carries) {
+      const Name* name = e.as<Name>();
+      if (name && name->name == "push")
+        directions.emplace_back("push", n);
+      else
+        directions.emplace_back(to_string(e), draft.data.direction(e));
+    }
+  } else {
+    directions.emplace_back(draft.direction_name(n), n);
+    if (contact.no_slip) {
+      directions.emplace_back(draft.direction_name(t1), t1);
+      directions.emplace_back(draft.direction_name(t2), t2);
+    }
+  }
+  for (const auto& [name, d] : directions) {
+    draft.add_component(action, name, false, at, {from, d}).one_sided = norm(plain(d - n)) < 1e-9;
+  }
+  // The motion that it forbids.
+  const Body& stated = draft.situation.bodies[draft.body_number(contact.of)];
+  const RollingSurface<Scalar> surface =
+      rolling_surface(stated, draft.data, C, n, draft.masses[draft.body_number(contact.of)].properties.center);
+  if (surface.shape == ContactShape::missed) {
+    char text[120];
+    std::snprintf(text, sizeof text, "%.3g m off the surface of '%s'", surface.gap, contact.of.c_str());
+    fail(draft.situation.file, contact.at.mark(), "contact '" + contact.name + "' is " + text,
+         "correct the point under at:");
+  }
+  if (!normal_fits(surface, C, n))
+    fail(draft.situation.file, contact.normal.mark(),
+         "the normal of contact '" + contact.name + "' does not stand on the surface of '" + contact.of +
+             "' at that point",
+         norm(plain(surface.axis)) == 0
+             ? "there it goes along the radius: correct it, or the point under at:"
+             : "there it lies in the plane through the axis: correct it, or the point under at:");
+  // What it touches may be curved as well.
+  bool unknown = surface.shape == ContactShape::unknown;
+  if (draft.machine.mechanism.takes_part.size() > static_cast<std::size_t>(std::max(from, 0)) && from != ground &&
+      draft.machine.mechanism.takes_part[static_cast<std::size_t>(from)]) {
+    const std::size_t other = draft.body_number(contact.against);
+    const RollingSurface<Scalar> below =
+        rolling_surface(draft.situation.bodies[other], draft.data, C, n, draft.masses[other].properties.center);
+    // A flat side of a round body shows its axis along the normal.
+    unknown = unknown || (below.shape == ContactShape::round && norm(plain(cross(below.axis, n))) > 1e-9) ||
+              below.shape == ContactShape::unknown ||
+              (below.shape == ContactShape::round && norm(plain(below.axis)) == 0);
+  }
+  const bool round = surface.shape == ContactShape::round;
+  ContactLimit limit{contact.name, contact.of, contact.against, to_string(contact.at), action, contact.mark, {},
+                     -1,           {}};
+  if (round) {
+    limit.middle = plain(surface.middle);
+    limit.cosine = surface.cosine;
+  } else {
+    limit.straight = straight_directions(stated, draft.data, plain(C), plain(n));
+  }
+  if (norm(limit.middle) > 0 || !limit.straight.empty()) draft.machine.contact_limits.push_back(std::move(limit));
+  const auto forbid = [&](const Vector3<Scalar>& d) {
+    const std::string words = std::string(contact.no_slip ? "rolling" : "touching") + " at contact '" + contact.name +
+                              "' along " + draft.direction_name(d);
+    VelocityConstraint<Scalar>& c = draft.add_constraint(
+        round ? VelocityConstraintKind::rolling : VelocityConstraintKind::point, words, on, from, at, d);
+    c.action = action;
+    c.surface_axis = {from, n};
+    c.shape_unknown = unknown;
+    if (draft.situation.steady) {
+      c.carried_by = draft.body(draft.situation.steady->frame);
+      for (const Frame& frame : draft.situation.frames)
+        if (frame.name == draft.situation.steady->frame && !frame.rides_on.empty())
+          c.carried_along = draft.body(frame.rides_on);
+    }
+    if (!round) return;
+    c.center = draft.machine.place(on, surface.center).point;
+    c.axis = surface.axis;
+    c.radius = surface.radius;
+  };
+  forbid(n);
+  draft.machine.mechanism.constraints.back().normal = true;
+  if (contact.no_slip) {
+    forbid(t1);
+    forbid(t2);
+  }
+}
+
+template <class Scalar>
+void add_cord(MachineDraft<Scalar>& draft, const Cord& cord) {
+  const int on = draft.body(cord.to), from = draft.body(cord.from);
+  const int action = draft.add_action(ActionKind::cord, cord.name, "", on, from);
+  const Vector3<Scalar> end = draft.data.place(*cord.end);
+  const Place<Scalar> at = draft.machine.place(on, end);
+  if (cord.direction) {
+    const Vector3<Scalar> d = draft.data.direction(*cord.direction);
+    draft.add_component(action, "", false, at, {ground, d}).one_sided = true;
+    draft.add_constraint(VelocityConstraintKind::point, "cord '" + cord.name + "' taut", on, from, at, d).action =
+        action;
+    return;
+  }
+  const Vector3<Scalar> start = draft.data.place(*cord.at);
+  if (!(norm(plain(end - start)) > 0))
+    fail(draft.situation.file, cord.mark, "cord '" + cord.name + "' has length zero");
+  const Vector3<Scalar> inward = normalized(start - end);
+  Component<Scalar>& pull = draft.add_component(action, "", false, at, {ground, inward});
+  pull.toward = draft.machine.place(from, start);
+  pull.one_sided = true;
+  VelocityConstraint<Scalar>& taut =
+      draft.add_constraint(VelocityConstraintKind::cord_length, "cord '" + cord.name + "' taut", on, from, at, inward);
+  taut.toward = draft.machine.place(from, start);
+  taut.length = norm(end - start);
+  taut.action = action;
+}
+
+template void add_contact(MachineDraft<double>&, const Contact&);
+template void add_cord(MachineDraft<double>&, const Cord&);
+template void add_contact(MachineDraft<Dual<1>>&, const Contact&);
+template void add_cord(MachineDraft<Dual<1>>&, const Cord&);
+template void add_contact(MachineDraft<Formula>&, const Contact&);
+template void add_cord(MachineDraft<Formula>&, const Cord&);
+
+}  // namespace poinsot::problem

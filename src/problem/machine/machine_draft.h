@@ -1,0 +1,116 @@
+// A machine in the making. The steps of building it stand in files by subject; each takes the draft and adds to it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "poinsot/engine/model/builder.h"
+#include "problem/machine/machine.h"
+
+namespace poinsot::problem {
+
+// A value with its time derivatives, if it follows the time.
+template <class Scalar>
+struct TimedNumber {
+  Scalar value{};
+  std::optional<Scalar> derivative, second_derivative;
+};
+
+// Scalar: double or Dual<1>. What the references name must outlive the draft.
+template <class Scalar>
+struct MachineDraft {
+  const Situation& situation;
+  DataScope<Scalar>& data;
+  DataScope<TimeJetOf<Scalar>>& timed;
+  const AnyValue& any;
+  const MachineOptions& options;
+  ModelBuilder<Scalar> builder{};
+  MachineOf<Scalar> machine{};
+  std::vector<BodyMassOf<Scalar>> masses{};                                              // in the order of the file
+  std::map<std::pair<std::string, std::size_t>, std::pair<int, int>> link_of_freedom{};  // a link and its parent
+  std::vector<const Joint*> loops{};                                                     // joints that close loops
+  std::map<std::string, int> cross_of_loop{};  // of those that are universal: the link that turns about the first axis
+
+  int body(const std::string& name) const { return machine.index.at(name); }
+  // Its place in the file.
+  std::size_t body_number(const std::string& name) const;
+  TimedNumber<Scalar> timed_number(const Expression& expression, const Dimension& dimension) const;
+  // The name of a direction as drawn, if it has a short one.
+  std::string direction_name(const Vector3<Scalar>& d) const;
+
+  // The coordinates that the next link will have begin here.
+  std::size_t next_velocity() const { return machine.mechanism.coordinate_names.size(); }
+  // A body of the tree with its origin at a place as drawn; mass on the ground's axes, as drawn.
+  int add_link(const std::string& name, int parent, const poinsot::Joint<Scalar>& joint, const Vector3<Scalar>& origin,
+               const MassProperties<Scalar>& mass);
+  // The rate or acceleration of one of its coordinates, as stated.
+  void state_rate(const std::string& words, std::size_t velocity, const Scalar& value, bool turning, const Mark& mark) {
+    machine.rates.push_back({words, static_cast<int>(velocity), value, turning, mark});
+  }
+  void state_acceleration(const std::string& words, std::size_t velocity, const Scalar& value, bool turning,
+                          const Mark& mark) {
+    machine.accelerations.push_back({words, static_cast<int>(velocity), value, turning, mark});
+  }
+  // Names the coordinates of a free body.
+  void name_free(const std::string& owner, std::size_t first, int count);
+  int add_action(ActionKind kind, const std::string& name, const std::string& joint, int on, int from);
+  // A force or couple along a direction that rides with a body.
+  Component<Scalar>& add_component(int action, const std::string& axis, bool couple, const Place<Scalar>& at,
+                                   const Direction<Scalar>& along);
+  VelocityConstraint<Scalar>& add_constraint(VelocityConstraintKind kind, const std::string& words, int on, int from,
+                                             const Place<Scalar>& at, const Vector3<Scalar>& drawn);
+};
+
+// Two unit vectors across u; along the axes of the figure where they can be.
+template <class Scalar>
+std::pair<Vector3<Scalar>, Vector3<Scalar>> across(const Vector3<Scalar>& u);
+
+// Where a joint stands and how it lets move, as drawn.
+template <class Scalar>
+struct JointAxes {
+  Vector3<Scalar> at;
+  std::vector<Vector3<Scalar>> freedom;  // direction of each freedom
+  std::optional<Vector3<Scalar>> main;   // the joint's axis, normal or direction
+};
+template <class Scalar>
+JointAxes<Scalar> axes_of(const MachineDraft<Scalar>& draft, const Joint& joint);
+// Advance of a screw per angle, m/rad.
+template <class Scalar>
+Scalar pitch_of(const MachineDraft<Scalar>& draft, const Joint& joint);
+template <class Scalar>
+Vector3<Scalar> support_place(const MachineDraft<Scalar>& draft, const Support& support);
+
+// The steps, in this order. All throw StatementError.
+template <class Scalar>
+void set_gravity(MachineDraft<Scalar>& draft);
+template <class Scalar>
+void add_frame(MachineDraft<Scalar>& draft, const Frame& frame);
+// Joints that reach new bodies make the tree, those that state something of their freedoms first; the others close
+// loops. Bodies that nothing reaches are free.
+template <class Scalar>
+void add_tree(MachineDraft<Scalar>& draft);
+// What a joint carries, its drives, and the constraints of one that closes a loop.
+template <class Scalar>
+void add_joint_actions(MachineDraft<Scalar>& draft, const Joint& joint);
+template <class Scalar>
+void add_contact(MachineDraft<Scalar>& draft, const Contact& contact);
+template <class Scalar>
+void add_cord(MachineDraft<Scalar>& draft, const Cord& cord);
+template <class Scalar>
+void add_spring(MachineDraft<Scalar>& draft, const Spring& spring);
+template <class Scalar>
+void add_load(MachineDraft<Scalar>& draft, const Load& load);
+template <class Scalar>
+void add_impulse(MachineDraft<Scalar>& draft, const Impulse& impulse);
+template <class Scalar>
+void add_impact(MachineDraft<Scalar>& draft, const Impact& impact);
+template <class Scalar>
+void add_strike(MachineDraft<Scalar>& draft, const Strike& strike);
+
+extern template struct MachineDraft<double>;
+extern template struct MachineDraft<Dual<1>>;
+
+}  // namespace poinsot::problem

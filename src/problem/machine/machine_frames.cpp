@@ -1,0 +1,102 @@
+// Gravity and the frames of a machine.
+#include "poinsot/engine/mass/composition.h"
+#include "poinsot/engine/math/algebra/plain.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/exact_numbers.h"
+#include "problem/machine/machine_draft.h"
+
+namespace poinsot::problem {
+
+template <class Scalar>
+void set_gravity(MachineDraft<Scalar>& draft) {
+  const Situation& situation = draft.situation;
+  Vector3<Scalar> gravity = lifted<Scalar>(draft.options.open_gravity);
+  if (situation.gravity) {
+    const Name* name = situation.gravity->as<Name>();
+    if (name && !draft.data.knows(name->name) && name->name != "none")
+      fail(situation.file, situation.gravity->mark(), "'" + name->name + "' is no direction for gravity",
+           "write gravity: -y or gravity: none");
+    if (name && name->name == "none" && name->primes == 0) {
+      gravity = Vector3<Scalar>::zero();
+    } else {
+      const Value<Scalar> value = draft.data.value(*situation.gravity);
+      const bool direction =
+          value.bare || same_kind(value.dimension, dimensions::none) || same_kind(value.dimension, dimensions::length);
+      if (value.is_vector() && same_kind(value.dimension, dimensions::acceleration) && !value.bare)
+        gravity = value.vector;
+      else if (!value.is_vector() || !direction)
+        fail(situation.file, situation.gravity->mark(),
+             "gravity is " + to_string(value.dimension) + "; expected a direction or a vector of acceleration",
+             "write gravity: -y, gravity: none, or gravity: [0, -9.8 m/s^2, 0]");
+      else
+        gravity = draft.data.gravity_size() * draft.data.direction(*situation.gravity);
+    }
+  }
+  draft.builder.set_gravity(gravity);
+}
+
+template <class Scalar>
+void add_frame(MachineDraft<Scalar>& draft, const Frame& frame) {
+  const Vector3<Scalar> origin = frame.origin ? draft.data.place(*frame.origin)
+                                 : frame.rides_on.empty()
+                                     ? Vector3<Scalar>::zero()
+                                     : draft.masses[draft.body_number(frame.rides_on)].properties.center;
+  const std::string owner = "frame '" + frame.name + "'";
+  const std::size_t first = draft.next_velocity();
+  const bool translates = frame.velocity || frame.acceleration;
+  Vector3<Scalar> w = Vector3<Scalar>::zero(), alpha = Vector3<Scalar>::zero();
+  if (frame.turns) {
+    const Vector3<Scalar> axis = draft.data.direction(*frame.turns);
+    const TimedNumber<Scalar> rate = draft.timed_number(*frame.rate, dimensions::angular_velocity);
+    if (rate.derivative && frame.accel)
+      fail(draft.situation.file, frame.accel->mark(),
+           owner + " has a rate as a function of time and also accel:, which is its derivative", "remove accel:");
+    const Scalar accel = frame.accel ? draft.timed_number(*frame.accel, dimensions::angular_acceleration).value
+                                     : rate.derivative.value_or(Scalar(0));
+    w = rate.value * axis;
+    alpha = accel * axis;
+    if (!translates) {
+      draft.machine.index[frame.name] =
+          draft.add_link(frame.name, ground, poinsot::Joint<Scalar>::revolute(axis), origin, massless<Scalar>());
+      draft.machine.mechanism.coordinate_names[first] = "rate of " + owner;
+      draft.state_rate(owner + ": rate", first, rate.value, true, frame.mark);
+      draft.state_acceleration(owner + ": accel", first, accel, true, frame.mark);
+      return;
+    }
+  }
+  if (!translates) {
+    draft.machine.index[frame.name] =
+        draft.add_link(frame.name, ground, poinsot::Joint<Scalar>::weld(), origin, massless<Scalar>());
+    return;
+  }
+  draft.machine.index[frame.name] =
+      draft.add_link(frame.name, ground, poinsot::Joint<Scalar>::free(), origin, massless<Scalar>());
+  draft.name_free(owner, first, 6);
+  const Vector3<Scalar> v =
+      frame.velocity ? draft.data.vector(*frame.velocity, dimensions::velocity) : Vector3<Scalar>::zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    draft.state_rate(owner + ": rate", first + k, w[k], true, frame.mark);
+    draft.state_acceleration(owner + ": accel", first + k, alpha[k], true, frame.mark);
+    draft.state_rate(owner + ": velocity", first + 3 + k, v[k], false, frame.mark);
+  }
+  std::optional<Vector3<Scalar>> stated;
+  if (frame.acceleration) stated = draft.data.vector(*frame.acceleration, dimensions::acceleration);
+  if (!stated && frame.velocity && depends_on_time(draft.situation, *frame.velocity)) {
+    const Vector3<TimeJetOf<Scalar>> jet = draft.timed.vector(*frame.velocity, dimensions::velocity);
+    stated = Vector3<Scalar>{jet.x.partial[0].value, jet.y.partial[0].value, jet.z.partial[0].value};
+  }
+  if (!stated) return;
+  // The coordinates are components on the frame's own axes: their rates are a - w x v.
+  const Vector3<Scalar> a = *stated - cross(w, v);
+  for (std::size_t k = 0; k < 3; ++k)
+    draft.state_acceleration(owner + ": acceleration", first + 3 + k, a[k], false, frame.mark);
+}
+
+template void set_gravity(MachineDraft<double>&);
+template void add_frame(MachineDraft<double>&, const Frame&);
+template void set_gravity(MachineDraft<Dual<1>>&);
+template void add_frame(MachineDraft<Dual<1>>&, const Frame&);
+template void set_gravity(MachineDraft<Formula>&);
+template void add_frame(MachineDraft<Formula>&, const Frame&);
+
+}  // namespace poinsot::problem

@@ -1,0 +1,268 @@
+// What the joints of a machine carry and what drives them.
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/engine/math/algebra/plain.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/exact_numbers.h"
+#include "problem/machine/machine_draft.h"
+
+namespace poinsot::problem {
+namespace {
+
+// What a joint can carry: forces and couples along these directions as drawn.
+template <class Scalar>
+struct Carried {
+  std::vector<Vector3<Scalar>> forces, couples;
+  std::optional<Scalar> screw;  // couple per force along the axis
+};
+template <class Scalar>
+Carried<Scalar> carried_by(JointKind kind, const JointAxes<Scalar>& axes, const Scalar& pitch) {
+  const std::vector<Vector3<Scalar>> all{Vector3<Scalar>::unit(0), Vector3<Scalar>::unit(1), Vector3<Scalar>::unit(2)};
+  std::vector<Vector3<Scalar>> sides;
+  if (axes.main) {
+    const auto [a, b] = across(*axes.main);
+    sides = {a, b};
+  }
+  switch (kind) {
+    case JointKind::weld:
+      return {all, all, {}};
+    case JointKind::revolute:
+      return {all, sides, {}};
+    case JointKind::prismatic:
+      return {sides, all, {}};
+    case JointKind::cylindrical:
+      return {sides, sides, {}};
+    case JointKind::universal:
+      return {all, {normalized(cross(axes.freedom[0], axes.freedom[1]))}, {}};
+    case JointKind::ball:
+      return {all, {}, {}};
+    case JointKind::planar:
+      return {{*axes.main}, sides, {}};
+    case JointKind::screw:
+      return {sides, sides, -pitch};
+  }
+  return {};
+}
+
+// Of a universal joint.
+template <class Scalar>
+int cross_link(const MachineDraft<Scalar>& draft, const Joint& joint) {
+  if (const auto found = draft.cross_of_loop.find(joint.name); found != draft.cross_of_loop.end()) return found->second;
+  const auto& [first, first_parent] = draft.link_of_freedom.at({joint.name, 0});
+  const auto& [second, second_parent] = draft.link_of_freedom.at({joint.name, 1});
+  return second_parent == first ? first : second;
+}
+
+template <class Scalar>
+void add_support(MachineDraft<Scalar>& draft, const Joint& joint, const Support& support, const JointAxes<Scalar>& axes,
+                 int to, int from) {
+  const Place<Scalar> at = draft.machine.place(to, support_place(draft, support));
+  const int action = draft.add_action(ActionKind::support, support.name, joint.name, to, from);
+  std::vector<std::pair<std::string, Vector3<Scalar>>> forces, couples;
+  if (support.kind.empty()) {
+    for (const Expression& e : support.forces) forces.emplace_back(to_string(e), draft.data.direction(e));
+    for (const Expression& e : support.couples) couples.emplace_back(to_string(e), draft.data.direction(e));
+  } else {
+    const bool along_axis = support.kind != "journal" && support.kind != "collar";
+    const bool with_couples = support.kind != "journal" && support.kind != "thrust" && support.kind != "ball";
+    if (!axes.main && support.kind != "ball")
+      fail(draft.situation.file, support.mark,
+           "joint '" + joint.name + "' has no axis: its support '" + support.name + "' cannot be a " + support.kind,
+           "list the directions that it carries");
+    std::vector<Vector3<Scalar>> directions{Vector3<Scalar>::unit(0), Vector3<Scalar>::unit(1),
+                                            Vector3<Scalar>::unit(2)};
+    if (axes.main) {
+      const auto [a, b] = across(*axes.main);
+      directions = {a, b};
+      if (along_axis) directions.push_back(*axes.main);
+      if (with_couples)
+        for (const Vector3<Scalar>& d : {a, b}) couples.emplace_back(draft.direction_name(d), d);
+    }
+    for (const Vector3<Scalar>& d : directions) forces.emplace_back(draft.direction_name(d), d);
+  }
+  const auto add = [&](const std::vector<std::pair<std::string, Vector3<Scalar>>>& list, bool couple) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j)
+        if (norm(plain(cross(list[i].second, list[j].second))) < 1e-9)
+          fail(draft.situation.file, support.mark,
+               "support '" + support.name + "' lists the direction " + list[i].first + " twice");
+      draft.add_component(action, list[i].first, couple, at, {from, list[i].second});
+    }
+  };
+  add(forces, false);
+  add(couples, true);
+}
+
+template <class Scalar>
+void add_drives(MachineDraft<Scalar>& draft, const Joint& joint, const JointAxes<Scalar>& axes, const Place<Scalar>& at,
+                int to, int from) {
+  for (std::size_t k = 0; k < joint.freedoms.size(); ++k) {
+    const Freedom& freedom = joint.freedoms[k];
+    const auto link = draft.link_of_freedom.find({joint.name, k});
+    if (link == draft.link_of_freedom.end()) continue;
+    const int moved = link->second.first;
+    Drive<Scalar> drive;
+    drive.coordinate = draft.machine.mechanism.tree.body(moved).v;
+    drive.position = draft.machine.mechanism.tree.body(moved).q;
+    drive.turning = freedom.turning;
+    drive.at = at;
+    // The axis rides with both bodies of its link; on the sense of `to` relative to `from` in either case.
+    drive.along = {moved, axes.freedom[k]};
+    for (std::size_t other = 0; freedom.turning && other < joint.freedoms.size(); ++other) {
+      const auto found = draft.link_of_freedom.find({joint.name, other});
+      if (other != k && joint.freedoms[other].turning && found != draft.link_of_freedom.end())
+        drive.others.push_back({found->second.first, axes.freedom[other]});
+    }
+    const bool accel_known =
+        std::any_of(draft.machine.accelerations.begin(), draft.machine.accelerations.end(),
+                    [&](const StatedRateOf<Scalar>& stated) { return stated.velocity == drive.coordinate; });
+    drive.held = accel_known && !freedom.effort && !freedom.stiffness && !freedom.damping;
+    const Dimension effort = freedom.turning ? dimensions::moment : dimensions::force;
+    const Dimension position = freedom.turning ? dimensions::angle : dimensions::length;
+    if (freedom.effort) drive.effort = draft.timed_number(*freedom.effort, effort).value;
+    if (freedom.stiffness) drive.stiffness = draft.data.number(*freedom.stiffness, effort / position);
+    if (freedom.free_position) drive.free_position = draft.data.number(*freedom.free_position, position);
+    if (freedom.damping) drive.damping = draft.data.number(*freedom.damping, effort / position * dimensions::time);
+    for (const auto& [expression, value] :
+         {std::pair{&freedom.stiffness, drive.stiffness}, std::pair{&freedom.damping, drive.damping}})
+      if (plain(value) < 0)
+        fail(draft.situation.file, (*expression)->mark(),
+             "joint '" + joint.name + "': stiffness and damping are not negative");
+    drive.action = draft.add_action(ActionKind::drive, joint.name + (freedom.name.empty() ? "" : "." + freedom.name),
+                                    joint.name, to, from);
+    draft.machine.mechanism.drives.push_back(drive);
+  }
+}
+
+}  // namespace
+
+template <class Scalar>
+JointAxes<Scalar> axes_of(const MachineDraft<Scalar>& draft, const Joint& joint) {
+  JointAxes<Scalar> axes;
+  // Where the axis lies: `at`, the start of A->B, or the first support.
+  const auto at = [&] {
+    if (joint.at) return draft.data.place(*joint.at);
+    if (const Arrow* arrow = joint.place.as<Arrow>()) return draft.data.place(arrow->from);
+    if (!joint.supports.empty()) return support_place(draft, joint.supports.front());
+    if (joint.kind == JointKind::prismatic) return Vector3<Scalar>::zero();
+    fail(draft.situation.file, joint.mark, "joint '" + joint.name + "' has a direction but no place",
+         "write at: P, a point of its axis");
+  };
+  switch (joint.kind) {
+    case JointKind::weld:
+    case JointKind::ball: {
+      if (joint.at)
+        fail(draft.situation.file, joint.at->mark(), "joint '" + joint.name + "' already has its point", "remove at:");
+      axes.at = draft.data.place(joint.place);
+      for (const Freedom& freedom : joint.freedoms) axes.freedom.push_back(draft.data.direction(*freedom.direction));
+      break;
+    }
+    case JointKind::universal: {
+      const List* list = joint.place.as<List>();
+      if (!list || list->items.size() != 2)
+        fail(draft.situation.file, joint.place.mark(), "a universal joint has two axes", "write universal: [x, y]");
+      axes.at = at();
+      for (const Expression& item : list->items) axes.freedom.push_back(draft.data.direction(item));
+      if (norm(plain(cross(axes.freedom[0], axes.freedom[1]))) < 1e-9)
+        fail(draft.situation.file, joint.place.mark(),
+             "the axes of the universal joint '" + joint.name + "' are parallel");
+      break;
+    }
+    case JointKind::planar: {
+      axes.at = at();
+      axes.main = draft.data.direction(joint.place);
+      auto [first, second] = across(*axes.main);
+      // Across a coordinate axis, the two others in their positive sense.
+      for (std::size_t k = 0; k < 3; ++k)
+        if (std::abs(std::abs(plain((*axes.main)[k])) - 1) < 1e-12) {
+          const Vector3<Scalar> one = Vector3<Scalar>::unit(k == 0 ? 1 : 0);
+          first = normalized(one - dot(one, *axes.main) * *axes.main);
+          second = cross(*axes.main, first);
+          if (plain(second[k == 2 ? 1 : 2]) < 0) second = -second;
+        }
+      axes.freedom = {first, second, *axes.main};
+      break;
+    }
+    default:
+      axes.at = at();
+      axes.main = draft.data.direction(joint.place);
+      axes.freedom.assign(joint.freedoms.size(), *axes.main);
+  }
+  return axes;
+}
+
+template <class Scalar>
+Scalar pitch_of(const MachineDraft<Scalar>& draft, const Joint& joint) {
+  const Value<Scalar> value = draft.data.value(*joint.pitch);
+  if (!value.is_number() || !same_kind(value.dimension, dimensions::length))
+    fail(draft.situation.file, joint.pitch->mark(), "the pitch of a screw is a length per turn",
+         "write pitch: 2 mm/rev");
+  if (value.dimension.angle == 0)
+    fail(draft.situation.file, joint.pitch->mark(), "is this pitch meant for a turn or for a radian?",
+         "write pitch: 2 mm/rev");
+  return value.number;
+}
+
+template <class Scalar>
+Vector3<Scalar> support_place(const MachineDraft<Scalar>& draft, const Support& support) {
+  return draft.data.place(support.at ? *support.at
+                                     : parse_expression(support.name, draft.situation.file, support.mark));
+}
+
+template <class Scalar>
+void add_joint_actions(MachineDraft<Scalar>& draft, const Joint& joint) {
+  const JointAxes<Scalar> axes = axes_of(draft, joint);
+  const int to = draft.body(joint.to), from = draft.body(joint.from);
+  const Place<Scalar> at = draft.machine.place(to, axes.at);
+  JointPlaceOf<Scalar> place{at, std::nullopt, from, to};
+  if (axes.main) place.axis = Direction<Scalar>{from, *axes.main};
+  draft.machine.joints[joint.name] = place;
+  const Scalar pitch = joint.kind == JointKind::screw ? pitch_of(draft, joint) : Scalar(0);
+  const Carried<Scalar> carried = carried_by(joint.kind, axes, pitch);
+  // The couple of a universal joint stands across both axes, which the link between them carries.
+  const int couple_body = joint.kind == JointKind::universal ? cross_link(draft, joint) : from;
+  if (!joint.supports_stated) {
+    const int action = draft.add_action(ActionKind::joint, joint.name, "", to, from);
+    for (const Vector3<Scalar>& d : carried.forces)
+      draft.add_component(action, draft.direction_name(d), false, at, {from, d});
+    for (const Vector3<Scalar>& d : carried.couples)
+      draft.add_component(action, draft.direction_name(d), true, at, {couple_body, d});
+    if (carried.screw) {
+      draft.add_component(action, draft.direction_name(*axes.main), false, at, {from, *axes.main}).couple_per_force =
+          *carried.screw;
+    }
+  } else {
+    for (const Support& support : joint.supports) add_support(draft, joint, support, axes, to, from);
+  }
+  add_drives(draft, joint, axes, at, to, from);
+  if (std::find(draft.loops.begin(), draft.loops.end(), &joint) == draft.loops.end()) return;
+  for (const Vector3<Scalar>& d : carried.forces)
+    draft.add_constraint(VelocityConstraintKind::point, "joint '" + joint.name + "' along " + draft.direction_name(d),
+                         to, from, at, d);
+  std::vector<Vector3<Scalar>> fixed = carried.couples;
+  // Of the cross, `to` keeps the other axis.
+  if (joint.kind == JointKind::universal) fixed.push_back(cross(axes.freedom[1], carried.couples[0]));
+  for (const Vector3<Scalar>& d : fixed)
+    draft.add_constraint(VelocityConstraintKind::angular, "joint '" + joint.name + "' about " + draft.direction_name(d),
+                         to, couple_body, at, d);
+  if (joint.kind == JointKind::screw)
+    fail(draft.situation.file, joint.mark,
+         "joint '" + joint.name + "' closes a loop, which a joint of this kind cannot do here",
+         "let it stand first and close the loop with a joint of another kind");
+}
+
+template JointAxes<double> axes_of(const MachineDraft<double>&, const Joint&);
+template double pitch_of(const MachineDraft<double>&, const Joint&);
+template Vector3<double> support_place(const MachineDraft<double>&, const Support&);
+template void add_joint_actions(MachineDraft<double>&, const Joint&);
+template JointAxes<Dual<1>> axes_of(const MachineDraft<Dual<1>>&, const Joint&);
+template Dual<1> pitch_of(const MachineDraft<Dual<1>>&, const Joint&);
+template Vector3<Dual<1>> support_place(const MachineDraft<Dual<1>>&, const Support&);
+template void add_joint_actions(MachineDraft<Dual<1>>&, const Joint&);
+template JointAxes<Formula> axes_of(const MachineDraft<Formula>&, const Joint&);
+template Formula pitch_of(const MachineDraft<Formula>&, const Joint&);
+template Vector3<Formula> support_place(const MachineDraft<Formula>&, const Support&);
+template void add_joint_actions(MachineDraft<Formula>&, const Joint&);
+
+}  // namespace poinsot::problem

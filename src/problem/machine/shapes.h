@@ -1,0 +1,29 @@
+// A stated shape with values: closed form, particles, and what is wrong with it.
+#pragma once
+
+#include <string>
+
+#include "poinsot/engine/mass/particle_set.h"
+#include "poinsot/engine/mass/shape_properties.h"
+#include "problem/machine/data.h"
+
+namespace poinsot::problem {
+
+enum class Extent { point, length, area, volume };
+
+template <class Scalar>
+struct ShapeValues {
+  Extent extent = Extent::point;
+  ShapeProperties<Scalar> properties;
+  ParticleSet<double> particles;  // empty when they are not wanted
+};
+
+// owner: the body or part, named in messages. particles: whether they are wanted. Scalar: double or Dual<1>. Throws
+// StatementError for missing arguments, wrong dimensions and shapes that no body has (poinsot/mass/shape_faults.h).
+template <class Scalar>
+ShapeValues<Scalar> shape_values(const Shape& shape, DataScope<Scalar>& data, const std::string& owner, bool particles);
+
+// The value of an argument of the shape; throws if it is missing.
+const Expression& shape_argument(const Shape& shape, const std::string& name, const std::string& file);
+
+}  // namespace poinsot::problem

@@ -1,0 +1,190 @@
+#include "problem/quantities/describe.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+namespace poinsot::problem {
+namespace {
+
+const std::map<std::string, std::string>& nouns() {
+  static const std::map<std::string, std::string> table{
+      {"position", "position"},
+      {"center", "mass center"},
+      {"velocity", "velocity"},
+      {"acceleration", "acceleration"},
+      {"angular_velocity", "angular velocity"},
+      {"angular_acceleration", "angular acceleration"},
+      {"momentum", "linear momentum"},
+      {"angular_momentum", "angular momentum"},
+      {"kinetic_energy", "kinetic energy"},
+      {"potential_energy", "potential energy"},
+      {"rate", "rate of change"},
+      {"mass", "mass"},
+      {"weight", "weight"},
+      {"moment_of_inertia", "moment of inertia"},
+      {"radius_of_gyration", "radius of gyration"},
+      {"moments_of_inertia", "moments of inertia"},
+      {"products_of_inertia", "products of inertia"},
+      {"inertia_matrix", "inertia matrix"},
+      {"principal_moments", "principal moments of inertia"},
+      {"principal_axes", "principal axes of inertia"},
+      {"axis", "axis"},
+      {"distance", "distance"},
+      {"direction_angles", "direction angles"},
+      {"force", "force"},
+      {"couple", "couple"},
+      {"reaction", "reaction"},
+      {"reaction_couple", "reaction couple"},
+      {"drive", "drive"},
+      {"symmetry_axis", "axis of revolution"},
+      {"precession_axis", "axis of precession"},
+      {"precession_rate", "rate of precession"},
+      {"spin_rate", "rate of spin"},
+      {"precession_sense", "sense of the precession"},
+      {"invariable_plane", "distance of the invariable plane"},
+      {"poinsot_ellipsoid", "semi-axes of the Poinsot ellipsoid"},
+      {"polhode", "course of the polhode"},
+      {"axis_stability", "stability of rotation about the principal axes"},
+      {"touching", "contact"},
+      {"taut", "pull"},
+      {"stable", "stability"},
+      {"stability", "stability"},
+      {"growth_rate", "fastest growth of a disturbance"},
+      {"frequencies", "frequencies of small oscillations"},
+      {"body_cone", "half angle of the body cone"},
+      {"space_cone", "half angle of the space cone"},
+      {"impulse", "impulse"},
+      {"impulsive_couple", "impulsive couple"},
+      {"tension", "tension"},
+      {"load", "load"},
+      {"norm", "magnitude"},
+      {"angle", "angle"},
+      {"acute_angle", "acute angle"},
+      {"component", "component"},
+      {"direction", "direction"},
+      {"unit", "direction"},
+      {"dot", "scalar product"},
+      {"cross", "vector product"},
+  };
+  return table;
+}
+
+// The body that a joint, support or contact holds, and what holds it.
+struct Sides {
+  std::string on, from;
+};
+Sides sides_of(const Situation& situation, const std::string& name) {
+  for (const Joint& joint : situation.joints) {
+    if (joint.name == name) return {joint.to, joint.from};
+    for (const Support& support : joint.supports)
+      if (support.name == name) return {joint.to, joint.from};
+  }
+  for (const Contact& contact : situation.contacts)
+    if (contact.name == name) return {contact.of, contact.against};
+  for (const Cord& cord : situation.cords)
+    if (cord.name == name) return {cord.to, cord.from};
+  for (const Load& load : situation.loads)
+    if (load.name == name) return {load.body, "outside"};
+  return {};
+}
+
+std::string words_of(const Expression& expression, const Situation& situation);
+
+std::string call_words(const Call& call, const Situation& situation) {
+  const auto noun = nouns().find(call.function);
+  if (noun == nouns().end() || call.arguments.empty()) return call.function;
+  const std::string_view f = call.function;
+  const std::string first = words_of(call.arguments[0].value, situation);
+  std::string rest;
+  for (std::size_t i = 1; i < call.arguments.size(); ++i)
+    rest += " " + call.arguments[i].preposition + " " + words_of(call.arguments[i].value, situation);
+  if (f == "force" || f == "couple") {
+    std::string on, about;
+    for (const Argument& argument : call.arguments) {
+      if (argument.preposition == "on") on = words_of(argument.value, situation);
+      if (argument.preposition == "about") about = " about " + words_of(argument.value, situation);
+    }
+    return noun->second + " that " + first + " exerts on " + on + about;
+  }
+  if (f == "reaction" || f == "reaction_couple") {
+    const Sides sides = sides_of(situation, first);
+    return noun->second + " at " + first + rest +
+           (sides.on.empty() ? "" : ", exerted on " + sides.on + " by " + sides.from);
+  }
+  if (f == "drive") {
+    const Sides sides = sides_of(situation, first);
+    return "drive of " + first + (sides.on.empty() ? "" : ", exerted on " + sides.on + " by " + sides.from);
+  }
+  if (f == "angle" || f == "acute_angle") {
+    std::string to;
+    for (const Argument& argument : call.arguments)
+      if (argument.preposition == "to") to = words_of(argument.value, situation);
+    return noun->second + " between " + first + " and " + to;
+  }
+  if (f == "distance") {
+    std::string to;
+    for (const Argument& argument : call.arguments)
+      if (argument.preposition == "to") to = words_of(argument.value, situation);
+    return "distance from " + first + " to " + to;
+  }
+  if (f == "dot" || f == "cross") {
+    std::string with;
+    for (const Argument& argument : call.arguments)
+      if (argument.preposition == "with") with = words_of(argument.value, situation);
+    return noun->second + " of " + first + " and " + with;
+  }
+  if ((f == "velocity" || f == "acceleration") && call.arguments[0].value.as<Name>())
+    return noun->second + " of the mass center of " + first + rest;
+  return noun->second + " of " + first + rest;
+}
+
+std::string words_of(const Expression& expression, const Situation& situation) {
+  if (const Call* call = expression.as<Call>()) return call_words(*call, situation);
+  if (const At* at = expression.as<At>()) return words_of(at->expression, situation) + " @ " + at->instant;
+  if (const Of* of = expression.as<Of>())
+    return words_of(of->point, situation) + " of " + words_of(of->body, situation);
+  if (const Member* member = expression.as<Member>())
+    return words_of(member->object, situation) + ", " + member->name + " component";
+  if (const Name* name = expression.as<Name>()) {
+    if (name->primes == 1) return "rate of " + name->name;
+    if (name->primes == 2) return "second derivative of " + name->name;
+    return name->name;
+  }
+  return to_string(expression);
+}
+
+// "stable(plate)": plate is stable.
+std::string condition_words(const Expression& condition, const Situation& situation) {
+  const Call* call = condition.as<Call>();
+  if (call && call->arguments.size() == 1)
+    for (const auto& [function, verb] :
+         {std::pair{"stable", " is stable"}, std::pair{"touching", " touches"}, std::pair{"taut", " is taut"}})
+      if (call->function == function) return words_of(call->arguments[0].value, situation) + verb;
+  return to_string(condition);
+}
+
+}  // namespace
+
+std::string describe(const Ask& ask, const Situation& situation, bool is_vector) {
+  std::string words;
+  if (ask.extremum) {
+    words = std::string(ask.extremum->largest ? "largest " : "smallest ") + ask.extremum->name + " while ";
+    for (std::size_t i = 0; i < ask.extremum->conditions.size(); ++i)
+      words += (i > 0 ? " and " : "") + condition_words(ask.extremum->conditions[i], situation);
+    return words + (ask.extremum->situation.empty() ? "" : " @ " + ask.extremum->situation);
+  }
+  if (ask.when)
+    return std::string(ask.when->first ? "first time when " : "times when ") + to_string(ask.when->condition);
+  if (ask.table) return "over " + ask.table->over;
+  for (const Expression& expression : ask.of) words += (words.empty() ? "" : "; ") + words_of(expression, situation);
+  if (is_vector) {
+    const std::string axes =
+        ask.axes ? (ask.axes->as<List>() ? "the axes " + to_string(*ask.axes) : "the axes of " + to_string(*ask.axes))
+                 : "";
+    if (!axes.empty()) words += ", on " + axes;
+  }
+  return words;
+}
+
+}  // namespace poinsot::problem

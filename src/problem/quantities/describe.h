@@ -1,0 +1,14 @@
+// Quantities in words.
+#pragma once
+
+#include <string>
+
+#include "problem/entries/statement.h"
+#include "problem/language/expression.h"
+
+namespace poinsot::problem {
+
+// "angular momentum of disk about G, on the axes x y z of the ground".
+std::string describe(const Ask& ask, const Situation& situation, bool is_vector);
+
+}  // namespace poinsot::problem

@@ -1,0 +1,157 @@
+// Forces, couples, reactions, drives and impulses.
+#include <algorithm>
+#include <string_view>
+
+#include "problem/language/exact_numbers.h"
+#include "problem/quantities/quantities.h"
+#include "problem/quantities/quantity_values.h"
+
+namespace poinsot::problem {
+
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& mark,
+                                                 const Evaluator<Scalar>& evaluator) {
+  const bool sudden = call.function == "impulse" || call.function == "impulsive_couple";
+  if (sudden && !before_ && situation_.has_blow())
+    evaluator.fail(mark, call.function + "() is known after the blow, not before it", "state or ask it after the blow");
+  if (sudden && !before_)
+    evaluator.fail(mark, call.function + "() belongs to a blow, and nothing sudden happens here",
+                   "state impulses:, impacts: or strikes:, and ask it after the blow");
+  if (!sudden && (!moment_ || !unknowns_))
+    evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known of the velocities");
+  const std::string_view f = call.function;
+  const Mechanism<Base>& mechanism = machine_.mechanism;
+  const Expression& what = call.arguments[0].value;
+  std::string name, joint;
+  Mark name_mark = what.mark();
+  if (const Of* of = what.as<Of>(); of && plain_name(of->point) && plain_name(of->body)) {
+    name = plain_name(of->point)->name;
+    joint = plain_name(of->body)->name;
+  } else if (const Name* only = plain_name(what)) {
+    name = only->name;
+    if (const Expression* owner = call.argument("of")) joint = to_string(*owner);
+  } else {
+    evaluator.fail(name_mark, "expected the name of a joint, support, contact, cord, spring or load");
+  }
+  std::vector<std::size_t> actions;
+  for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
+    const Action& action = mechanism.actions[i];
+    const bool drive = action.kind == ActionKind::drive, support = action.kind == ActionKind::support,
+               load = action.kind == ActionKind::load;
+    const bool of_joint = (support || drive) && action.joint == name;
+    const bool itself = !drive && action.name == name && (joint.empty() || action.joint == joint);
+    bool wanted = false;
+    if (f == "load")
+      wanted = load && itself;
+    else if (f == "tension")
+      wanted = action.kind == ActionKind::cord && itself;
+    else if (f == "drive")
+      wanted = drive && (joint.empty() ? action.joint == name : action.name == joint + "." + name);
+    else if (sudden)
+      wanted = !load && (itself || of_joint);
+    else if (f == "reaction" || f == "reaction_couple")
+      wanted = !load && ((itself && !drive) || (of_joint && !drive));
+    else
+      wanted = of_joint || itself;
+    if (wanted) actions.push_back(i);
+  }
+  if (actions.empty()) {
+    std::vector<std::string> known;
+    for (const Action& action : mechanism.actions) {
+      const bool fits = f == "load"      ? action.kind == ActionKind::load
+                        : f == "tension" ? action.kind == ActionKind::cord
+                                         : action.kind != ActionKind::load;
+      if (!fits) continue;
+      for (const std::string& word : {action.joint, action.name})
+        if (!word.empty() && std::find(known.begin(), known.end(), word) == known.end()) known.push_back(word);
+    }
+    std::string all;
+    for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
+    const std::string hint = did_you_mean(name, known);
+    evaluator.fail(name_mark, "nothing named '" + name + "' has a " + call.function,
+                   hint.empty() ? (all.empty() ? "" : "known: " + all) : hint);
+  }
+  // One name for two supports of different joints must say which.
+  if (f == "reaction" || f == "reaction_couple") {
+    for (std::size_t i : actions)
+      if (mechanism.actions[i].kind == ActionKind::support && mechanism.actions[i].name == name &&
+          mechanism.actions[i].joint != mechanism.actions[actions.front()].joint)
+        evaluator.fail(name_mark,
+                       "'" + name + "' is a support of the joints '" + mechanism.actions[actions.front()].joint +
+                           "' and '" + mechanism.actions[i].joint + "'",
+                       "write reaction(" + name + " of " + mechanism.actions[i].joint + ")");
+  }
+  SpatialForce<Base> wrench = SpatialForce<Base>::zero();
+  for (std::size_t i : actions)
+    wrench +=
+        sudden ? solve::action_impulse(*before_, *blow_, *impulses_, i) : solve::action_wrench(*moment_, *unknowns_, i);
+  const Action& first = mechanism.actions[actions.front()];
+  Base sign(1);
+  if (const Expression* on = call.argument("on")) {
+    const int body = body_of(*on, evaluator);
+    for (std::size_t i : actions)
+      if (mechanism.actions[i].on != first.on || mechanism.actions[i].from != first.from)
+        evaluator.fail(name_mark, "'" + name + "' means several things between different bodies");
+    if (body == first.from && body != first.on)
+      sign = Base(-1);
+    else if (body != first.on)
+      evaluator.fail(on->mark(), "'" + name + "' does not act on '" + to_string(*on) + "'");
+  }
+  const auto as_vector = [&](const Vector3<Base>& v, const Dimension& dimension) {
+    return vector_value(lifted<Scalar>(sign * v), dimension);
+  };
+  // Where the first component of the actions is carried.
+  const solve::MechanismStateOf<Base>& now = sudden ? *before_ : *moment_;
+  const auto own_place = [&]() -> Vector3<Base> {
+    for (const Component<Base>& component : mechanism.components)
+      if (component.action == static_cast<int>(actions.front())) return now.position(component.at);
+    if (const auto found = machine_.joints.find(name); found != machine_.joints.end())
+      return now.position(found->second.at);
+    return Vector3<Base>::zero();
+  };
+  if (f == "tension") {
+    // Of size one along the cord, so that a cord that would have to push shows a negative tension.
+    for (std::size_t k = 0; k < mechanism.components.size(); ++k)
+      if (mechanism.components[k].action == static_cast<int>(actions.front()))
+        return number_value(lifted<Scalar>((*unknowns_)[solve::force_unknowns(mechanism).accelerations + k]),
+                            dimensions::force);
+    return number_value(Scalar(0), dimensions::force);  // slack
+  }
+  if (f == "load") {
+    for (const KnownForce<Base>& force : mechanism.forces)
+      if (force.action == static_cast<int>(actions.front()))
+        return force.couple ? as_vector(wrench.moment, dimensions::moment) : as_vector(wrench.force, dimensions::force);
+  }
+  if (f == "drive" && actions.size() > 1)
+    evaluator.fail(name_mark, "joint '" + name + "' has several freedoms",
+                   "write drive(FREEDOM of " + name + "), FREEDOM one of turn, slide, first, second, slide1, slide2");
+  if (f == "drive") {
+    // What it exerts along or about its own axis; gimbals may pass on more.
+    for (const Drive<Base>& drive : mechanism.drives) {
+      if (drive.action != static_cast<int>(actions.front())) continue;
+      const Vector3<Base> d = moment_->direction(drive.along);
+      return drive.turning ? as_vector(dot(wrench.moment, d) * d, dimensions::moment)
+                           : as_vector(wrench.force, dimensions::force);
+    }
+  }
+  if (f == "force" || f == "reaction") return as_vector(wrench.force, dimensions::force);
+  if (f == "impulse") return as_vector(wrench.force, dimensions::momentum);
+  if (f == "impulsive_couple") {
+    const Expression* about = call.argument("about");
+    const Vector3<Base> P = about ? as_base(place(*about, evaluator)) : own_place();
+    return as_vector(wrench.moment - cross(P, wrench.force), dimensions::angular_momentum);
+  }
+  const Vector3<Base> P = f == "couple" ? as_base(place(*call.argument("about"), evaluator)) : own_place();
+  return as_vector(wrench.moment - cross(P, wrench.force), dimensions::moment);
+}
+
+template Value<double> QuantityScope<double>::force(const Call&, const Mark&, const Evaluator<double>&);
+template Value<Dual<1>> QuantityScope<Dual<1>, double>::force(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::force(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::force(const Call&, const Mark&,
+                                                                                 const Evaluator<Dual<1, Dual<1>>>&);
+template Value<Formula> QuantityScope<Formula>::force(const Call&, const Mark&, const Evaluator<Formula>&);
+template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::force(const Call&, const Mark&,
+                                                                                 const Evaluator<Dual<1, Formula>>&);
+
+}  // namespace poinsot::problem

@@ -1,0 +1,260 @@
+// Moments and axes of inertia, and the free motion that they decide.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+
+#include "poinsot/engine/mass/composition.h"
+#include "poinsot/engine/mass/principal_axes.h"
+#include "poinsot/engine/math/formula/formula_decision.h"
+#include "problem/language/exact_numbers.h"
+#include "problem/quantities/quantities.h"
+#include "problem/quantities/quantity_values.h"
+
+namespace poinsot::problem {
+namespace {
+
+template <class Scalar>
+struct Revolution {
+  InertiaSymmetry symmetry;
+  Scalar axial, transverse;
+  Vector3<Scalar> axis;
+};
+
+Revolution<double> revolution_of(const SymmetricMatrix3<double>& I) {
+  const PrincipalAxes<double> principal = principal_axes(I, 1e-9);
+  const auto axis = static_cast<std::size_t>(principal.symmetry_axis);
+  if (principal.symmetry != InertiaSymmetry::axisymmetric) return {principal.symmetry, 0, 0, {}};
+  return {principal.symmetry, principal.moments[axis], principal.moments[axis == 0 ? 1 : 0],
+          principal.axes.column(axis)};
+}
+
+// To first order: dA = u . dI u, du = (1 - u u^T) dI u / (A - B).
+Revolution<Dual<1>> revolution_of(const SymmetricMatrix3<Dual<1>>& I) {
+  const Revolution<double> now = revolution_of(plain(I));
+  if (now.symmetry != InertiaSymmetry::axisymmetric) return {now.symmetry, {}, {}, {}};
+  const Vector3<Dual<1>> Iu = I * lifted<Dual<1>>(now.axis);
+  const Dual<1> axial = dot(lifted<Dual<1>>(now.axis), Iu);
+  Vector3<Dual<1>> axis;
+  for (std::size_t k = 0; k < 3; ++k)
+    axis[k] = {now.axis[k], {(Iu[k].partial[0] - axial.partial[0] * now.axis[k]) / (now.axial - now.transverse)}};
+  return {now.symmetry, axial, (I.xx + I.yy + I.zz - axial) / Dual<1>(2), axis};
+}
+
+// I = B 1 + (A - B) u u^T, where B is the double root of the characteristic polynomial x^3 - c x^2 + d x - e.
+Revolution<Formula> revolution_of(const SymmetricMatrix3<Formula>& I) {
+  const Formula c = I.xx + I.yy + I.zz;
+  const Formula d = I.xx * I.yy + I.yy * I.zz + I.zz * I.xx - I.xy * I.xy - I.yz * I.yz - I.zx * I.zx;
+  const Formula e = determinant(as_matrix(I));
+  const Formula spread = c * c - Formula(3) * d;
+  if (spread.is_zero()) return {InertiaSymmetry::spherical, {}, {}, {}};
+  const Formula transverse = (c * d - Formula(9) * e) / (Formula(2) * spread);
+  const Formula axial = c - Formula(2) * transverse;
+  if (axial == transverse) return {InertiaSymmetry::triaxial, {}, {}, {}};
+  const Matrix3<Formula> uu =
+      (Formula(1) / (axial - transverse)) * (as_matrix(I) - transverse * Matrix3<Formula>::identity());
+  std::size_t k = 0;
+  while (k < 3 && uu(k, k).is_zero()) ++k;
+  if (k == 3) return {InertiaSymmetry::triaxial, {}, {}, {}};
+  const Vector3<Formula> u = uu.column(k) / sqrt(uu(k, k));
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (!(uu(i, j) - u[i] * u[j]).is_zero()) return {InertiaSymmetry::triaxial, {}, {}, {}};
+  return {InertiaSymmetry::axisymmetric, axial, transverse, u};
+}
+
+// Ascending at the point where decisions are taken; by a formula where at most one product of inertia is not zero.
+Vector3<Formula> principal_moments(const SymmetricMatrix3<Formula>& I) {
+  const std::array<Formula, 3> moments{I.xx, I.yy, I.zz}, products{I.yz, I.zx, I.xy};
+  std::size_t alone = 0;  // the axis across which the product stands
+  int count = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!products[k].is_zero()) {
+      alone = k;
+      ++count;
+    }
+  if (count > 1) {
+    const Revolution<Formula> body = revolution_of(I);
+    if (body.symmetry != InertiaSymmetry::axisymmetric)
+      throw NoFormula("the principal moments are the roots of a cubic equation");
+    return decided_negative(body.axial - body.transverse)
+               ? Vector3<Formula>{body.axial, body.transverse, body.transverse}
+               : Vector3<Formula>{body.transverse, body.transverse, body.axial};
+  }
+  const Formula &a = moments[(alone + 1) % 3], &b = moments[(alone + 2) % 3];
+  const Formula mean = (a + b) / Formula(2), half = (a - b) / Formula(2);
+  const Formula radius = count == 0 ? half : sqrt(half * half + products[alone] * products[alone]);
+  std::array<Formula, 3> found{moments[alone], mean - radius, mean + radius};
+  std::sort(found.begin(), found.end(), [](const Formula& x, const Formula& y) { return decided_negative(x - y); });
+  return {found[0], found[1], found[2]};
+}
+
+}  // namespace
+
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark& mark,
+                                                   const Evaluator<Scalar>& evaluator) {
+  const std::string_view f = call.function;
+  const Expression& what = call.arguments[0].value;
+  const int body = body_of(what, evaluator, true);
+  if (body == ground) evaluator.fail(what.mark(), "the ground has no inertia");
+  const MassProperties<Scalar> mass = current_mass(body);
+  if (f == "moment_of_inertia" || f == "radius_of_gyration") {
+    const auto [P, d] = line(call, evaluator);
+    const Scalar I = moment_about_axis(mass, P, d);
+    if (f == "moment_of_inertia") return number_value(I, dimensions::moment_of_inertia);
+    if (!(plain(mass.mass) > 0)) evaluator.fail(mark, "a massless body has no radius of gyration");
+    using std::sqrt;
+    return number_value(Scalar(sqrt(I / mass.mass)), dimensions::length);
+  }
+  const Vector P = place(*call.argument("about"), evaluator);
+  const SymmetricMatrix3<Scalar> I = rotated(transpose(axes_), inertia_about(mass, P));
+  const auto numbers = [&](std::array<Scalar, 3> list) {
+    std::vector<Result> items;
+    for (const Scalar& x : list) items.push_back(number_value(x, dimensions::moment_of_inertia));
+    return Result::of_list(std::move(items));
+  };
+  if (f == "moments_of_inertia") return numbers({I.xx, I.yy, I.zz});
+  if (f == "products_of_inertia") return numbers({Scalar(-I.xy), Scalar(-I.yz), Scalar(-I.zx)});
+  if (f == "inertia_matrix") {
+    const Matrix3<Scalar> M = as_matrix(I);
+    return Result::of_list({numbers({M.row0.x, M.row0.y, M.row0.z}), numbers({M.row1.x, M.row1.y, M.row1.z}),
+                            numbers({M.row2.x, M.row2.y, M.row2.z})});
+  }
+  if constexpr (std::is_same_v<Scalar, Formula>) {
+    if (f != "principal_moments") throw NoFormula("the principal axes are found by numbers");
+    const Vector moments = principal_moments(I);
+    return numbers({moments.x, moments.y, moments.z});
+  } else if constexpr (std::is_same_v<Scalar, double>) {
+    const PrincipalAxes<double> principal = principal_axes(I);
+    if (f == "principal_moments") return numbers({principal.moments.x, principal.moments.y, principal.moments.z});
+    // Components on the asked axes; the caller takes vectors from ground axes.
+    std::vector<Result> items;
+    for (std::size_t k = 0; k < 3; ++k)
+      items.push_back(vector_value(axes_ * principal.axes.column(k), dimensions::none));
+    return Result::of_list(std::move(items));
+  } else {
+    evaluator.fail(mark, call.function + " cannot stand inside rate()");
+  }
+}
+
+// Of a body of revolution under no moment about its mass center (Eqs. 18.46 to 18.49): it precesses about its angular
+// momentum H_G at H_G/I' and spins about its axis at H_G cos(theta) (I' - I)/(I I').
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const Mark& mark,
+                                                       const Evaluator<Scalar>& evaluator) {
+  if constexpr (!std::is_same_v<Scalar, Base>) {
+    evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known of the velocities");
+  } else {
+    using std::atan2;
+    const std::string_view f = call.function;
+    const Expression& what = call.arguments[0].value;
+    const int body = body_of(what, evaluator);
+    if (is_frame(body)) evaluator.fail(what.mark(), "'" + to_string(what) + "' is no body");
+    const Vector G = mass_center_of(body, what, evaluator);
+    const Vector H = body_momentum(model_, workspace_, body, G).angular;
+    const Vector& w = angular_velocity(workspace_, body);
+    if (f == "precession_axis" || f == "invariable_plane") {
+      if (!(plain(norm(H)) > 0))
+        evaluator.fail(mark, "'" + to_string(what) + "' does not turn: it has no angular momentum");
+      if (f == "precession_axis") return vector_value(normalized(H), dimensions::none);
+      return number_value(Scalar(dot(w, H) / norm(H)), dimensions::angular_velocity);
+    }
+    if (f == "space_cone") return number_value(Scalar(atan2(norm(cross(H, w)), dot(H, w))), dimensions::angle);
+    if (f == "axis_stability" || f == "poinsot_ellipsoid" || f == "polhode") {
+      if constexpr (std::is_same_v<Scalar, double>)
+        return poinsot_construction(call, mark, evaluator, body, H, w);
+      else
+        throw NoFormula(call.function + "() is found by numbers");
+    }
+    const Revolution<Scalar> revolution = revolution_of(current_mass(body).inertia_center);
+    if (revolution.symmetry != InertiaSymmetry::axisymmetric)
+      evaluator.fail(what.mark(),
+                     "'" + to_string(what) + "' is no body of revolution: " +
+                         (revolution.symmetry == InertiaSymmetry::spherical ? "all its axes are alike"
+                                                                            : "its three principal moments differ"),
+                     "its motion is no steady precession");
+    const Scalar &axial = revolution.axial, &transverse = revolution.transverse;
+    // The sense of the axis: that of the angular velocity, unless the caller says.
+    Vector axis = revolution.axis;
+    if (decided_negative(dot(axis, w))) axis = -axis;
+    if (const Expression* about = call.argument("about")) {
+      const Result sense = evaluator(*about);
+      if (!sense.is_vector() || plain(norm(cross(sense.vector, axis))) > 1e-6 * plain(norm(sense.vector)))
+        evaluator.fail(about->mark(),
+                       "'" + to_string(*about) + "' is not the axis of revolution of '" + to_string(what) + "'");
+      if (decided_negative(dot(sense.vector, axis))) axis = -axis;
+    }
+    if (f == "symmetry_axis") return vector_value(axis, dimensions::none);
+    if (f == "body_cone") {
+      const Scalar along = dot(axis, w);
+      return number_value(Scalar(atan2(norm(cross(axis, w)), decided_negative(along) ? Scalar(-along) : along)),
+                          dimensions::angle);
+    }
+    if (f == "precession_rate") return number_value(Scalar(norm(H) / transverse), dimensions::angular_velocity);
+    if (f == "spin_rate")
+      return number_value(Scalar(dot(H, axis) * (transverse - axial) / (axial * transverse)),
+                          dimensions::angular_velocity);
+    return Result::of_text(decided_negative(axial - transverse) ? "direct" : "retrograde");
+  }
+}
+
+// What the Poinsot ellipsoid tells: its semi-axes, about which axis the tip of the angular velocity runs, and which
+// rotations about principal axes are stable.
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::poinsot_construction(const Call& call, const Mark& mark,
+                                                                const Evaluator<Scalar>& evaluator, int body,
+                                                                const Vector& H, const Vector& w) {
+  const std::string_view f = call.function;
+  const PrincipalAxes<double> principal = principal_axes(current_mass(body).inertia_center, 1e-9);
+  const Vector3<double>& I = principal.moments;
+  const auto equal = [&](std::size_t a, std::size_t b) { return std::abs(I[a] - I[b]) <= 1e-9 * I[2]; };
+  if (f == "axis_stability") {
+    // Smallest, intermediate, largest; a rotation about one of two equal axes drifts to others when disturbed.
+    const char* outer[2] = {equal(0, 1) ? "neutral" : "stable", equal(1, 2) ? "neutral" : "stable"};
+    const char* middle = equal(0, 1) || equal(1, 2) ? "neutral" : "unstable";
+    return Result::of_list({Result::of_text(outer[0]), Result::of_text(middle), Result::of_text(outer[1])});
+  }
+  if (!(norm(H) > 0))
+    evaluator.fail(mark, "'" + to_string(call.arguments[0].value) + "' does not turn: it has no angular momentum");
+  if (f == "poinsot_ellipsoid") {
+    std::vector<Result> semiaxes;
+    for (std::size_t k = 0; k < 3; ++k)
+      semiaxes.push_back(number_value(std::sqrt(dot(w, H) / I[k]), dimensions::angular_velocity));
+    return Result::of_list(std::move(semiaxes));
+  }
+  // H^2 - 2 T I_2, from its terms: its sign tells about which axis the tip of w runs.
+  const Vector3<double> own = transpose_times(principal.axes, w);
+  const double towards_largest = I.z * (I.z - I.y) * own.z * own.z,
+               towards_smallest = I.x * (I.y - I.x) * own.x * own.x;
+  const double size = I.z * (I.z - I.x) * norm_squared(own);
+  const double around = norm(cross(w, H)) / (norm(w) * norm(H));
+  if (around <= 1e-9) return Result::of_text("a point: the rotation about a principal axis");
+  if (std::abs(towards_largest - towards_smallest) <= 1e-9 * size)
+    return Result::of_text("on the separatrix, towards the intermediate axis");
+  return Result::of_text(towards_largest > towards_smallest ? "around the axis of the largest moment"
+                                                            : "around the axis of the smallest moment");
+}
+
+template Value<double> QuantityScope<double>::inertia(const Call&, const Mark&, const Evaluator<double>&);
+template Value<Dual<1>> QuantityScope<Dual<1>, double>::inertia(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<double> QuantityScope<double>::poinsot_construction(const Call&, const Mark&, const Evaluator<double>&,
+                                                                   int, const Vector3<double>&, const Vector3<double>&);
+template Value<double> QuantityScope<double>::free_motion(const Call&, const Mark&, const Evaluator<double>&);
+template Value<Dual<1>> QuantityScope<Dual<1>, double>::free_motion(const Call&, const Mark&,
+                                                                    const Evaluator<Dual<1>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::inertia(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::inertia(const Call&, const Mark&,
+                                                                                   const Evaluator<Dual<1, Dual<1>>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::free_motion(const Call&, const Mark&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::free_motion(
+    const Call&, const Mark&, const Evaluator<Dual<1, Dual<1>>>&);
+template Value<Formula> QuantityScope<Formula>::inertia(const Call&, const Mark&, const Evaluator<Formula>&);
+template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::inertia(const Call&, const Mark&,
+                                                                                   const Evaluator<Dual<1, Formula>>&);
+template Value<Formula> QuantityScope<Formula>::free_motion(const Call&, const Mark&, const Evaluator<Formula>&);
+template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::free_motion(
+    const Call&, const Mark&, const Evaluator<Dual<1, Formula>>&);
+
+}  // namespace poinsot::problem

@@ -1,0 +1,143 @@
+// Positions, velocities and accelerations, distances and directions.
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "problem/language/diagnostic.h"
+#include "problem/language/exact_numbers.h"
+#include "problem/quantities/quantities.h"
+#include "problem/quantities/quantity_values.h"
+
+namespace poinsot::problem {
+
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Evaluator<Scalar>& evaluator) {
+  const std::string_view f = call.function;
+  const Expression& what = call.arguments[0].value;
+  if (f == "center")
+    return vector_value(mass_center_of(body_of(what, evaluator, true), what, evaluator), dimensions::length);
+  if (f == "position") {
+    if (plain_name(what) && !machine_.index.contains(plain_name(what)->name))
+      return vector_value(place(what, evaluator), dimensions::length);
+    const Riding point = riding(what, evaluator);
+    return vector_value(point_position(model_, workspace_, point.body, point.local), dimensions::length);
+  }
+  if ((f == "acceleration" || f == "angular_acceleration") && !has_accelerations_)
+    evaluator.fail(what.mark(), call.function + " cannot stand inside rate() or among what is known of the velocities");
+  const Expression* relative_to = call.argument("relative to");
+  const int frame = relative_to ? body_of(*relative_to, evaluator) : ground;
+  const BodyMotion<Scalar>& F = workspace_.motion[static_cast<std::size_t>(frame + 1)];
+  if (f == "angular_velocity")
+    return vector_value(Vector(angular_velocity(workspace_, body_of(what, evaluator)) - F.w),
+                        dimensions::angular_velocity);
+  if (f == "angular_acceleration")
+    return vector_value(Vector(angular_acceleration(workspace_, body_of(what, evaluator))),
+                        dimensions::angular_acceleration);
+  // The system moves as its mass center.
+  if (const Name* name = plain_name(what); name && name->name == "system" && f == "velocity")
+    return vector_value(poinsot::momentum(model_, workspace_, Vector::zero()).linear / total_mass(model_),
+                        dimensions::velocity);
+  const Riding point = riding(what, evaluator);
+  const Vector r = point_position(model_, workspace_, point.body, point.local) - F.p;
+  const Vector v = point_velocity(model_, workspace_, point.body, point.local) - F.v - cross(F.w, r);
+  if (f == "velocity") return vector_value(v, dimensions::velocity);
+  const Vector a = point_acceleration(model_, workspace_, point.body, point.local) - F.a - cross(F.alpha, r) -
+                   cross(F.w, cross(F.w, r)) - Scalar(2) * cross(F.w, v);
+  return vector_value(a, dimensions::acceleration);
+}
+
+template <class Scalar, class Base>
+std::pair<Vector3<Scalar>, Vector3<Scalar>> QuantityScope<Scalar, Base>::line(const Call& call,
+                                                                              const Evaluator<Scalar>& evaluator) {
+  const Expression& about = *call.argument("about");
+  if (const Expression* at = call.argument("at")) {
+    const Result d = evaluator(about);
+    if (!d.is_vector() || plain(norm_squared(d.vector)) == 0) evaluator.fail(about.mark(), "expected an axis");
+    return {place(*at, evaluator), normalized(d.vector)};
+  }
+  if (const Arrow* arrow = about.as<Arrow>()) {
+    const Vector A = place(arrow->from, evaluator), B = place(arrow->to, evaluator);
+    if (plain(norm_squared(B - A)) == 0) evaluator.fail(about.mark(), "the two points of this axis coincide");
+    return {A, normalized(Vector(B - A))};
+  }
+  if (const Call* axis = about.as<Call>(); axis && axis->function == "axis" && axis->arguments.size() == 1) {
+    const Vector d = evaluator(about).vector;
+    const JointPlaceOf<Base>& joint = machine_.joints.at(plain_name(axis->arguments[0].value)->name);
+    return {point_position(model_, workspace_, joint.at.body, lifted<Scalar>(joint.at.point)), d};
+  }
+  evaluator.fail(about.mark(), "this axis has a direction but no place",
+                 "write about A->B, about axis(hinge), or about x at A");
+}
+
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::geometry(const Call& call, const Evaluator<Scalar>& evaluator) {
+  using std::acos;
+  const std::string_view f = call.function;
+  const Expression& what = call.arguments[0].value;
+  if (f == "axis") {
+    const Name* name = plain_name(what);
+    const auto found = name ? machine_.joints.find(name->name) : machine_.joints.end();
+    if (found == machine_.joints.end()) {
+      std::vector<std::string> joints;
+      for (const auto& [joint, place] : machine_.joints) joints.push_back(joint);
+      evaluator.fail(what.mark(), "there is no joint '" + to_string(what) + "'", did_you_mean(to_string(what), joints));
+    }
+    if (!found->second.axis) evaluator.fail(what.mark(), "joint '" + name->name + "' has no axis of its own");
+    return vector_value(
+        direction_on_ground(model_, workspace_, found->second.axis->body, lifted<Scalar>(found->second.axis->vector)),
+        dimensions::none);
+  }
+  if (f == "direction_angles") {
+    const Result v = evaluator(what);
+    if (!v.is_vector()) evaluator.fail(what.mark(), "direction angles are asked of a vector");
+    const Scalar size = norm(v.vector);
+    if (!(plain(size) > 0)) evaluator.fail(what.mark(), "the zero vector has no direction angles");
+    std::vector<Result> items;
+    for (std::size_t k = 0; k < 3; ++k) {
+      Scalar cosine = dot(v.vector, axes_.column(k)) / size;
+      if (plain(cosine) > 1) cosine = Scalar(1);
+      if (plain(cosine) < -1) cosine = Scalar(-1);
+      items.push_back(number_value(Scalar(acos(cosine)), dimensions::angle));
+    }
+    return Result::of_list(std::move(items));
+  }
+  // distance
+  const Expression& to = *call.argument("to");
+  const Vector A = place(what, evaluator);
+  const Call* axis = to.as<Call>();
+  if (to.as<Arrow>() || (axis && axis->function == "axis")) {
+    const auto [P, d] = line(Call{"distance", {Argument{"", what}, Argument{"about", to}}}, evaluator);
+    return number_value(norm(cross(d, Vector(A - P))), dimensions::length);
+  }
+  return number_value(norm(Vector(place(to, evaluator) - A)), dimensions::length);
+}
+
+template Value<double> QuantityScope<double>::kinematic(const Call&, const Evaluator<double>&);
+template Value<Dual<1>> QuantityScope<Dual<1>, double>::kinematic(const Call&, const Evaluator<Dual<1>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::kinematic(const Call&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::kinematic(
+    const Call&, const Evaluator<Dual<1, Dual<1>>>&);
+template std::pair<Vector3<Dual<1>>, Vector3<Dual<1>>> QuantityScope<Dual<1>>::line(const Call&,
+                                                                                    const Evaluator<Dual<1>>&);
+template std::pair<Vector3<Dual<1, Dual<1>>>, Vector3<Dual<1, Dual<1>>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::line(
+    const Call&, const Evaluator<Dual<1, Dual<1>>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::geometry(const Call&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::geometry(const Call&,
+                                                                                    const Evaluator<Dual<1, Dual<1>>>&);
+template Value<Formula> QuantityScope<Formula>::kinematic(const Call&, const Evaluator<Formula>&);
+template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::kinematic(
+    const Call&, const Evaluator<Dual<1, Formula>>&);
+template std::pair<Vector3<double>, Vector3<double>> QuantityScope<double>::line(const Call&, const Evaluator<double>&);
+template std::pair<Vector3<Dual<1>>, Vector3<Dual<1>>> QuantityScope<Dual<1>, double>::line(const Call&,
+                                                                                            const Evaluator<Dual<1>>&);
+template std::pair<Vector3<Formula>, Vector3<Formula>> QuantityScope<Formula>::line(const Call&,
+                                                                                    const Evaluator<Formula>&);
+template std::pair<Vector3<Dual<1, Formula>>, Vector3<Dual<1, Formula>>> QuantityScope<Dual<1, Formula>, Formula>::line(
+    const Call&, const Evaluator<Dual<1, Formula>>&);
+template Value<double> QuantityScope<double>::geometry(const Call&, const Evaluator<double>&);
+template Value<Dual<1>> QuantityScope<Dual<1>, double>::geometry(const Call&, const Evaluator<Dual<1>>&);
+template Value<Formula> QuantityScope<Formula>::geometry(const Call&, const Evaluator<Formula>&);
+template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::geometry(const Call&,
+                                                                                    const Evaluator<Dual<1, Formula>>&);
+
+}  // namespace poinsot::problem

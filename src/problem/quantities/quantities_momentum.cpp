@@ -1,0 +1,84 @@
+// Mass, weight, momenta and energies.
+#include <string_view>
+
+#include "problem/language/diagnostic.h"
+#include "problem/language/exact_numbers.h"
+#include "problem/quantities/quantities.h"
+#include "problem/quantities/quantity_values.h"
+
+namespace poinsot::problem {
+
+template <class Scalar, class Base>
+Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Evaluator<Scalar>& evaluator) {
+  const std::string_view f = call.function;
+  const Expression& what = call.arguments[0].value;
+  const int body = body_of(what, evaluator, true);
+  if (body == ground) evaluator.fail(what.mark(), "the ground has no " + call.function);
+  const bool all = body == whole_system;
+  // What particles that fly add to the system.
+  Scalar flying_mass(0), flying_energy(0), flying_height(0);
+  const auto flying_momentum = [&](const Vector& P) {
+    Momentum<Scalar> total{Vector::zero(), Vector::zero()};
+    for (const FlyingParticle<Base>& particle : flying_) {
+      if (!all) break;
+      const Vector p = lifted<Scalar>(particle.mass) * lifted<Scalar>(particle.velocity);
+      total.linear = total.linear + p;
+      total.angular = total.angular + cross(lifted<Scalar>(particle.position) - P, p);
+    }
+    return total;
+  };
+  for (const FlyingParticle<Base>& particle : flying_) {
+    if (!all) break;
+    const Scalar mass = lifted<Scalar>(particle.mass);
+    flying_mass = flying_mass + mass;
+    flying_energy = flying_energy + Scalar(0.5) * mass * norm_squared(lifted<Scalar>(particle.velocity));
+    flying_height = flying_height + mass * dot(model_.gravity(), lifted<Scalar>(particle.position));
+  }
+  if (f == "mass" || f == "weight") {
+    const Scalar mass = all ? Scalar(total_mass(model_) + flying_mass) : model_.body(body).inertia.mass;
+    if (f == "mass") return number_value(mass, dimensions::mass);
+    return number_value(mass * data_.gravity_size(), dimensions::force);
+  }
+  if (f == "momentum") {
+    const auto total = all ? poinsot::momentum(model_, workspace_, Vector::zero())
+                           : body_momentum(model_, workspace_, body, Vector::zero());
+    return vector_value(Vector(total.linear + flying_momentum(Vector::zero()).linear), dimensions::momentum);
+  }
+  if (f == "angular_momentum") {
+    const Vector P = place(*call.argument("about"), evaluator);
+    const auto total = all ? poinsot::momentum(model_, workspace_, P) : body_momentum(model_, workspace_, body, P);
+    return vector_value(Vector(total.angular + flying_momentum(P).angular), dimensions::angular_momentum);
+  }
+  if (f == "potential_energy") {
+    Scalar sum = -flying_height;
+    for (int i = 0; i < model_.body_count(); ++i)
+      if ((all || i == body) && plain(model_.body(i).inertia.mass) > 0)
+        sum = sum - model_.body(i).inertia.mass * dot(model_.gravity(), body_mass_center(model_, workspace_, i));
+    return number_value(sum, dimensions::energy);
+  }
+  const Scalar T = all ? Scalar(poinsot::kinetic_energy(model_, workspace_) + flying_energy)
+                       : body_kinetic_energy(model_, workspace_, body);
+  if (const Expression* about = call.argument("about")) {
+    const Vector P = place(*about, evaluator), G = mass_center_of(body, what, evaluator);
+    if (plain(norm(P - G)) > 1e-9 * (1 + plain(norm(G))))
+      evaluator.fail(about->mark(), "the kinetic energy of the motion about a point is meant about the mass center",
+                     "write kinetic_energy(" + to_string(what) + " about center(" + to_string(what) + "))");
+    const Vector L =
+        (all ? poinsot::momentum(model_, workspace_, P) : body_momentum(model_, workspace_, body, P)).linear +
+        flying_momentum(P).linear;
+    const Scalar mass = all ? Scalar(total_mass(model_) + flying_mass) : model_.body(body).inertia.mass;
+    return number_value(Scalar(T - Scalar(0.5) * norm_squared(L) / mass), dimensions::energy);
+  }
+  return number_value(T, dimensions::energy);
+}
+
+template Value<double> QuantityScope<double>::momentum(const Call&, const Evaluator<double>&);
+template Value<Dual<1>> QuantityScope<Dual<1>, double>::momentum(const Call&, const Evaluator<Dual<1>>&);
+template Value<Dual<1>> QuantityScope<Dual<1>>::momentum(const Call&, const Evaluator<Dual<1>>&);
+template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::momentum(const Call&,
+                                                                                    const Evaluator<Dual<1, Dual<1>>>&);
+template Value<Formula> QuantityScope<Formula>::momentum(const Call&, const Evaluator<Formula>&);
+template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::momentum(const Call&,
+                                                                                    const Evaluator<Dual<1, Formula>>&);
+
+}  // namespace poinsot::problem

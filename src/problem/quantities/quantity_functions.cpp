@@ -1,0 +1,201 @@
+#include "problem/quantities/quantity_functions.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <unordered_map>
+
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+
+const std::vector<QuantityFunction>& quantity_table() {
+  static const std::vector<QuantityFunction> table{
+      {"position", "position(A of plate)", Level::position, QuantityKind::kinematic, {""}},
+      {"center", "center(plate)", Level::position, QuantityKind::kinematic, {""}},
+      {"velocity",
+       "velocity(A of plate), velocity(plate) for its mass center",
+       Level::velocity,
+       QuantityKind::kinematic,
+       {"", "relative to"}},
+      {"acceleration",
+       "acceleration(A of plate), acceleration(plate) for its mass center",
+       Level::force,
+       QuantityKind::kinematic,
+       {"", "relative to"}},
+      {"angular_velocity",
+       "angular_velocity(disk), angular_velocity(disk relative to arm)",
+       Level::velocity,
+       QuantityKind::kinematic,
+       {"", "relative to"}},
+      {"angular_acceleration", "angular_acceleration(disk)", Level::force, QuantityKind::kinematic, {""}},
+      {"momentum", "momentum(disk)", Level::velocity, QuantityKind::momentum, {""}},
+      {"angular_momentum", "angular_momentum(disk about G)", Level::velocity, QuantityKind::momentum, {"about"}},
+      {"kinetic_energy",
+       "kinetic_energy(disk), kinetic_energy(disk about center(disk)) for its rotation",
+       Level::velocity,
+       QuantityKind::momentum,
+       {"", "about"}},
+      {"potential_energy", "potential_energy(disk)", Level::position, QuantityKind::momentum, {""}},
+      {"rate",
+       "rate(angular_momentum(disk about G)), rate(X relative to frame)",
+       Level::force,
+       QuantityKind::rate,
+       {"", "relative to"}},
+      {"mass", "mass(disk)", Level::position, QuantityKind::momentum, {""}},
+      {"weight", "weight(disk)", Level::position, QuantityKind::momentum, {""}},
+      {"moment_of_inertia",
+       "moment_of_inertia(plate about A->B), moment_of_inertia(plate about x at A)",
+       Level::position,
+       QuantityKind::inertia,
+       {"about", "about at"}},
+      {"radius_of_gyration",
+       "radius_of_gyration(plate about A->B)",
+       Level::position,
+       QuantityKind::inertia,
+       {"about", "about at"}},
+      {"moments_of_inertia", "moments_of_inertia(plate about A)", Level::position, QuantityKind::inertia, {"about"}},
+      {"products_of_inertia", "products_of_inertia(plate about A)", Level::position, QuantityKind::inertia, {"about"}},
+      {"inertia_matrix", "inertia_matrix(plate about A)", Level::position, QuantityKind::inertia, {"about"}},
+      {"principal_moments", "principal_moments(plate about A)", Level::position, QuantityKind::inertia, {"about"}},
+      {"principal_axes", "principal_axes(plate about A)", Level::position, QuantityKind::inertia, {"about"}},
+      {"axis", "axis(hinge)", Level::position, QuantityKind::geometry, {""}},
+      {"distance",
+       "distance(A to B), distance(center(wheel) to axis(spindle))",
+       Level::position,
+       QuantityKind::geometry,
+       {"to"}},
+      {"direction_angles",
+       "direction_angles(angular_momentum(disk about G))",
+       Level::position,
+       QuantityKind::geometry,
+       {""}},
+      {"force", "force(pin on rod)", Level::force, QuantityKind::force, {"on"}},
+      {"couple", "couple(pin on rod about A)", Level::force, QuantityKind::force, {"on about"}},
+      {"reaction", "reaction(A), reaction(A of bearings)", Level::force, QuantityKind::force, {"", "of"}},
+      {"reaction_couple", "reaction_couple(A)", Level::force, QuantityKind::force, {"", "of"}},
+      {"drive", "drive(shaft), drive(slide of collar)", Level::force, QuantityKind::force, {""}},
+      {"tension", "tension(wire)", Level::force, QuantityKind::force, {""}},
+      {"load", "load(push)", Level::force, QuantityKind::force, {""}},
+      {"symmetry_axis", "symmetry_axis(satellite)", Level::position, QuantityKind::free_motion, {""}},
+      {"precession_axis", "precession_axis(satellite)", Level::velocity, QuantityKind::free_motion, {""}},
+      {"precession_rate", "precession_rate(satellite)", Level::velocity, QuantityKind::free_motion, {""}},
+      {"spin_rate",
+       "spin_rate(satellite), spin_rate(satellite about z) for its sense",
+       Level::velocity,
+       QuantityKind::free_motion,
+       {"", "about"}},
+      {"precession_sense", "precession_sense(satellite)", Level::velocity, QuantityKind::free_motion, {""}},
+      {"body_cone", "body_cone(satellite)", Level::velocity, QuantityKind::free_motion, {""}},
+      {"space_cone", "space_cone(satellite)", Level::velocity, QuantityKind::free_motion, {""}},
+      {"invariable_plane", "invariable_plane(satellite)", Level::velocity, QuantityKind::free_motion, {""}},
+      {"poinsot_ellipsoid", "poinsot_ellipsoid(satellite)", Level::velocity, QuantityKind::free_motion, {""}},
+      {"polhode", "polhode(satellite)", Level::velocity, QuantityKind::free_motion, {""}},
+      {"axis_stability", "axis_stability(satellite)", Level::velocity, QuantityKind::free_motion, {""}},
+      {"period", "period(theta)", Level::motion, QuantityKind::motion_feature, {""}},
+      {"touching", "touching(mesh)", Level::force, QuantityKind::holding, {""}},
+      {"taut", "taut(wire)", Level::force, QuantityKind::holding, {""}},
+      {"stable", "stable(plate), stable(system)", Level::force, QuantityKind::stability, {""}},
+      {"stability", "stability(plate), stability(system)", Level::force, QuantityKind::stability, {""}},
+      {"growth_rate", "growth_rate(plate), growth_rate(system)", Level::force, QuantityKind::stability, {""}},
+      {"frequencies", "frequencies(plate), frequencies(system)", Level::force, QuantityKind::stability, {""}},
+      {"impulse", "impulse(A), impulse(stop on plate)", Level::velocity, QuantityKind::force, {"", "of", "on"}},
+      {"impulsive_couple",
+       "impulsive_couple(A), impulsive_couple(hinge on plate about A)",
+       Level::velocity,
+       QuantityKind::force,
+       {"", "of", "on about"}},
+  };
+  return table;
+}
+
+const QuantityFunction* find_quantity(const std::string& name) {
+  static const std::unordered_map<std::string_view, const QuantityFunction*> by_name = [] {
+    std::unordered_map<std::string_view, const QuantityFunction*> found;
+    for (const QuantityFunction& function : quantity_table()) found.emplace(function.name, &function);
+    return found;
+  }();
+  const auto found = by_name.find(name);
+  return found == by_name.end() ? nullptr : found->second;
+}
+
+const std::vector<FunctionForm>& quantity_functions() {
+  static const std::vector<FunctionForm> forms = [] {
+    std::vector<FunctionForm> list;
+    for (const QuantityFunction& function : quantity_table()) list.push_back({function.name, function.form});
+    return list;
+  }();
+  return forms;
+}
+
+namespace {
+
+struct LevelFinder {
+  const Situation& situation;
+  bool through_at = false;
+  bool through_features = false;  // min(), max(), period(): of what?
+  int depth = 0;
+
+  Level of(const Expression& expression) const {
+    return expression ? std::visit(LevelFinder{situation, through_at, through_features, depth + 1}, expression->content)
+                      : Level::position;
+  }
+  Level operator()(const Number&) const { return Level::position; }
+  Level operator()(const Name& name) const {
+    if (name.primes >= 2) return Level::force;
+    // The rate of what is defined follows from accelerations.
+    if (depth < 200)
+      for (const NamedExpression& item : situation.define)
+        if (item.name == name.name) return name.primes > 0 ? Level::force : of(item.value);
+    return name.primes > 0 ? Level::velocity : Level::position;
+  }
+  Level operator()(const Member& member) const { return of(member.object); }
+  Level operator()(const Arrow& arrow) const { return std::max(of(arrow.from), of(arrow.to)); }
+  Level operator()(const Of& item) const { return of(item.point); }
+  Level operator()(const Call& call) const {
+    if (is_motion_feature(call) && !through_features) return Level::motion;
+    Level level = Level::position;
+    if (const QuantityFunction* function = find_quantity(call.function)) level = function->level;
+    for (const Argument& argument : call.arguments) level = std::max(level, of(argument.value));
+    return level;
+  }
+  Level operator()(const Unary& unary) const { return of(unary.operand); }
+  Level operator()(const Binary& binary) const { return std::max(of(binary.left), of(binary.right)); }
+  Level operator()(const Comparison& comparison) const { return largest(comparison.operands); }
+  // What is asked at another instant finds its own forces there.
+  Level operator()(const At& at) const { return through_at ? of(at.expression) : Level::position; }
+  Level operator()(const List& list) const { return largest(list.items); }
+  Level operator()(const Range& range) const { return std::max({of(range.from), of(range.to), of(range.step)}); }
+  Level largest(const std::vector<Expression>& items) const {
+    Level level = Level::position;
+    for (const Expression& item : items) level = std::max(level, of(item));
+    return level;
+  }
+};
+
+}  // namespace
+
+Level level_of(const Situation& situation, const Expression& expression, bool through_at) {
+  return LevelFinder{situation, through_at}.of(expression);
+}
+
+bool asks_forces(const Situation& situation, const Expression& expression) {
+  std::set<std::string> functions;
+  collect_functions(expression, functions, true);
+  // The linearised motion is told by accelerations, which no open share of a load changes.
+  for (const char* name : {"stable", "stability", "growth_rate", "frequencies"})
+    if (functions.contains(name)) return false;
+  return LevelFinder{situation, true, true}.of(expression) >= Level::force;
+}
+
+bool asks_motion_feature(const Expression& expression) {
+  const Situation nothing;
+  return level_of(nothing, expression, true) == Level::motion;
+}
+
+Expression stability_of(Call call, const Expression& expression) {
+  call.function = "stability";
+  return {std::make_shared<const Node>(Node{std::move(call), expression.mark(), expression->height})};
+}
+
+}  // namespace poinsot::problem

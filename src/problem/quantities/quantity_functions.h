@@ -1,0 +1,60 @@
+// The quantity functions of the language: how each is written, and on what an expression made of them depends.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problem/entries/statement.h"
+#include "problem/machine/data.h"
+
+namespace poinsot::problem {
+
+// On what an expression depends: positions only, velocities, accelerations and forces, or the motion that follows.
+enum class Level { position, velocity, force, motion };
+
+// Which function of QuantityScope evaluates it.
+enum class QuantityKind {
+  kinematic,
+  momentum,
+  inertia,
+  free_motion,
+  geometry,
+  rate,
+  force,
+  holding,
+  stability,
+  motion_feature
+};
+
+struct QuantityFunction {
+  const char* name;
+  const char* form;  // examples, for messages and the manual
+  Level level;
+  QuantityKind kind;
+  std::vector<std::string_view> patterns;  // words between the arguments, as Call::pattern() has them
+};
+
+const std::vector<QuantityFunction>& quantity_table();
+// Null if there is none of this name.
+const QuantityFunction* find_quantity(const std::string& name);
+// Names and forms alone.
+const std::vector<FunctionForm>& quantity_functions();
+
+// What stands before an `@` counts only if `through_at`.
+Level level_of(const Situation& situation, const Expression& expression, bool through_at = false);
+
+// Whether a call asks for an extreme or the period of a quantity over the motion.
+inline bool is_motion_feature(const Call& call) {
+  const std::string_view f = call.function;
+  return (f == "min" || f == "max" || f == "period") && call.pattern().empty() && call.arguments.size() == 1 &&
+         !call.arguments.front().value.as<List>();
+}
+bool asks_motion_feature(const Expression& expression);
+// Whether forces or accelerations are asked, at any instant or over the motion.
+bool asks_forces(const Situation& situation, const Expression& expression);
+
+// stability(X) for the call stable(X), which is the expression.
+Expression stability_of(Call call, const Expression& expression);
+
+}  // namespace poinsot::problem

@@ -1,0 +1,27 @@
+// Small conversions for the functions that give quantities.
+#pragma once
+
+#include "poinsot/engine/math/algebra/vector3.h"
+#include "problem/language/expression.h"
+#include "problem/language/scalar_value.h"
+#include "problem/language/value.h"
+
+namespace poinsot::problem {
+
+template <class Scalar>
+Value<Scalar> vector_value(const Vector3<Scalar>& v, const Dimension& dimension) {
+  return Value<Scalar>::of_vector(v, dimension);
+}
+
+template <class Scalar>
+Value<Scalar> number_value(const Scalar& x, const Dimension& dimension) {
+  return Value<Scalar>::of_number(x, dimension);
+}
+
+// The name that an expression is, without primes; nullptr if it is anything else.
+inline const Name* plain_name(const Expression& expression) {
+  const Name* name = expression.as<Name>();
+  return name && name->primes == 0 ? name : nullptr;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,29 @@
+// Numbers that a state of motion tells by itself: coordinates, their rates, and data.
+#pragma once
+
+#include "poinsot/engine/model/state.h"
+#include "problem/machine/data.h"
+#include "problem/machine/machine.h"
+
+namespace poinsot::problem {
+
+// Whether an expression is built of these alone, by arithmetic and the functions of one number: its value needs no
+// kinematics of bodies.
+bool is_of_state(const Situation& situation, const Machine& machine, const Expression& expression);
+
+// The scope of such expressions. All arguments must outlive it.
+class StateScope : public Scope<double> {
+ public:
+  StateScope(const Machine& machine, DataScope<double>& data, const State<double>& state)
+      : machine_(machine), data_(data), state_(state) {}
+
+  Value<double> name(const Name& name, const Mark& mark, const Evaluator<double>& evaluator) override;
+  Value<double> call(const Call& call, const Mark& mark, const Evaluator<double>& evaluator) override;
+
+ private:
+  const Machine& machine_;
+  DataScope<double>& data_;
+  const State<double>& state_;
+};
+
+}  // namespace poinsot::problem

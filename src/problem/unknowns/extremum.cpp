@@ -1,0 +1,218 @@
+#include "problem/unknowns/extremum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr double boundless = std::numeric_limits<double>::infinity();
+constexpr double nothing = 1e-6;  // of the scale of a datum
+constexpr double unseen = 2e-6;   // of an end: where it is decided within this it is known
+
+std::string number_text(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.8g", value);
+  return text;
+}
+
+}  // namespace
+
+std::size_t situation_of(const Statement& statement, const Ask& ask) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < statement.situations.size(); ++i) {
+    names.push_back(statement.situations[i].name);
+    if (names.back() == ask.extremum->situation) return i;
+  }
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  if (!ask.extremum->situation.empty())
+    fail(statement.file, ask.extremum->situation_mark, "there is no situation '" + ask.extremum->situation + "'",
+         all.empty() ? "the file states none: remove situation:" : "known: " + all);
+  if (names.size() > 1)
+    fail(statement.file, ask.mark, "in which situation is this asked?", "write situation: one of " + all);
+  return 0;
+}
+
+ExtremumSearch::ExtremumSearch(const Statement& statement, const Ask& ask, const AllSettings& settings,
+                               const OpenChoice& choice)
+    : statement_(statement),
+      ask_(ask),
+      settings_(settings),
+      choice_(choice),
+      situation_(statement.situations[situation_of(statement, ask)]) {
+  const std::string& name = ask.extremum->name;
+  for (const Letter& letter : situation_.letters)
+    if (letter.name == name) dimension_ = letter.unit.dimension;
+  for (const Unknown& unknown : situation_.find)
+    if (unknown.name == name) dimension_ = unknown.unit.dimension;
+  for (const NamedExpression& item : situation_.given)
+    if (item.name == name) {
+      DataScope<double> data(situation_, settings_[situation_of(statement, ask)]);
+      const Value<double> value = data.value(item.value);
+      if (!value.is_number()) fail(situation_.file, ask.extremum->name_mark, "'" + name + "' is no number");
+      dimension_ = value.dimension;
+    }
+}
+
+// Data are positive by nature, but for angles.
+ExtremumSearch::Span ExtremumSearch::span() const {
+  const std::string& name = ask_.extremum->name;
+  const bool signed_letter =
+      std::any_of(situation_.letters.begin(), situation_.letters.end(),
+                  [&](const Letter& letter) { return letter.name == name && letter.either_sign; });
+  Span span{signed_letter ? -boundless : 0, boundless, 1};
+  if (dimension_ == dimensions::angle) span = {-3.141592653589793, 3.141592653589793, 1};
+  for (const Letter& letter : situation_.letters)
+    if (letter.name == name) span.scale = letter.unit.factor;
+  for (const Unknown& unknown : situation_.find)
+    if (unknown.name == name) span.scale = unknown.unit.factor;
+  const Settings& own = settings_[situation_of(statement_, ask_)];
+  for (const NamedExpression& item : situation_.given) {
+    if (item.name != name) continue;
+    DataScope<double> data(situation_, own);
+    if (const double size = std::abs(data.value(item.value).number); size > 0) span.scale = size;
+  }
+  std::vector<solve::RootRange> ranges{{span.lower, span.upper, span.scale, false, false}};
+  narrow_ranges(situation_, own, ranges, [&](const std::string& word) -> std::optional<std::size_t> {
+    return word == name ? std::optional<std::size_t>(0) : std::nullopt;
+  });
+  return {ranges[0].lower, ranges[0].upper, span.scale};
+}
+
+std::unique_ptr<Sample> ExtremumSearch::sample_at(double value) {
+  const std::size_t home = situation_of(statement_, ask_);
+  AllSettings all = settings_;
+  for (Settings& one : all) one[ask_.extremum->name] = Value<double>::of_number(value, dimension_);
+  const auto holds_in = [&](const AllSettings& settings) -> std::unique_ptr<Sample> {
+    auto sample = std::make_unique<Sample>(statement_, settings, choice_);
+    for (const Expression& condition : ask_.extremum->conditions) {
+      const Value<double> truth = sample->value_in(home, condition);
+      if (!truth.is_boolean())
+        fail(situation_.file, condition.mark(), "'" + to_string(condition) + "' neither holds nor fails",
+             "write stable(plate), touching(mesh), taut(wire), or a comparison");
+      ever_ = true;
+      if (truth.truth) continue;
+      const Call* call = condition.as<Call>();
+      doubtful_ = doubtful_ || (call && call->function == "stable" &&
+                                sample->value_in(home, stability_of(*call, condition)).text != "unstable");
+      return nullptr;
+    }
+    return sample;
+  };
+  // Unknowns of the situation follow the datum.
+  const bool unknowns = std::any_of(situation_.find.begin(), situation_.find.end(),
+                                    [&](const Unknown& unknown) { return unknown.name != ask_.extremum->name; });
+  if (!unknowns) return holds_in(all);
+  Settings known = all[home];
+  for (const Unknown& unknown : situation_.find)
+    if (unknown.name != ask_.extremum->name) known.erase(unknown.name);
+  UnknownSearch search(statement_, known);
+  for (const AllSettings& root : search.find(known).roots)
+    if (auto sample = holds_in(root)) return sample;
+  return nullptr;
+}
+
+ExtremumSearch::Truth ExtremumSearch::truth_at(double value) {
+  try {
+    doubtful_ = false;
+    if (sample_at(value)) return Truth::holds;
+    return doubtful_ ? Truth::doubtful : Truth::fails;
+  } catch (const StatementError& error) {
+    refusal_ = error;
+    return Truth::refused;
+  }
+}
+
+// What ends at a value beyond which the conditions do not plainly fail.
+std::string ExtremumSearch::told_beyond(double inside, double outside) {
+  const Truth beyond = truth_at(outside);
+  const std::string here = number_text(inside) + " (SI)";
+  if (beyond == Truth::refused)
+    return "what is stated ends at " + here + ", not what is asked: beyond, " + refusal_->diagnostics().front().message;
+  if (beyond != Truth::doubtful) return "";
+  for (double part = unseen; part < 1; part *= 2) {
+    const double further = inside + (outside > inside ? 1 : -1) * part * std::abs(inside);
+    const Truth there = truth_at(further);
+    if (there != Truth::fails && there != Truth::refused) continue;
+    if (part == unseen) return "";
+    return "from " + number_text(inside) + " to " + number_text(further) +
+           " (SI) the linearised equations do not decide";
+  }
+  return "beyond " + here + " the linearised equations do not decide";
+}
+
+bool ExtremumSearch::is_at(double value) {
+  const double side = ask_.extremum->largest ? 1 : -1;
+  const Span range = span();
+  const double step = 1e-6 * (value != 0 ? std::abs(value) : range.scale);
+  // At the end of its range nothing is beyond.
+  const bool at_end = side > 0 ? value >= range.upper : value <= range.lower;
+  return holds(at_end ? value : value - side * step) && (at_end || !holds(value + side * step));
+}
+
+ExtremumFound ExtremumSearch::find() {
+  const Span range = span();
+  const double side = ask_.extremum->largest ? 1 : -1;
+  // Towards the asked end: the values of a grid, evenly where the range is finite, by decades where it is not.
+  constexpr int count = 36;
+  std::vector<double> grid;
+  for (int i = 0; i <= count; ++i) {
+    const double t = static_cast<double>(i) / count;
+    const double far = range.scale * std::pow(10, 6 * t - 3);
+    if (std::isfinite(range.lower) && std::isfinite(range.upper)) {
+      grid.push_back(range.lower + t * (range.upper - range.lower));
+      continue;
+    }
+    if (!std::isfinite(range.upper)) grid.push_back(std::isfinite(range.lower) ? range.lower + far : far);
+    if (!std::isfinite(range.lower)) grid.push_back(std::isfinite(range.upper) ? range.upper - far : -far);
+  }
+  if (!std::isfinite(range.upper) || !std::isfinite(range.lower))
+    grid.push_back(std::isfinite(range.lower) ? range.lower : std::isfinite(range.upper) ? range.upper : 0);
+  std::sort(grid.begin(), grid.end());
+  if (side < 0) std::reverse(grid.begin(), grid.end());
+  ExtremumFound found;
+  const std::string what = std::string(side > 0 ? "largest" : "smallest") + " value";
+  // From the asked end inwards.
+  const auto at = std::find_if(grid.rbegin(), grid.rend(), [&](double value) { return holds(value); });
+  if (at == grid.rend()) {
+    if (!ever_ && refusal_) throw *refusal_;
+    found.reason = "it holds at none of " + std::to_string(grid.size()) + " values from " +
+                   number_text(*std::min_element(grid.begin(), grid.end())) + " to " +
+                   number_text(*std::max_element(grid.begin(), grid.end())) + " (SI)";
+    return found;
+  }
+  if (at == grid.rbegin()) {
+    if (!std::isfinite(side > 0 ? range.upper : range.lower)) {
+      found.reason = "there is no " + what + ": it holds at " + number_text(*at) + " (SI), the last that was tried";
+      return found;
+    }
+    found.value = Value<double>::of_number(*at, dimension_);
+    found.sample = sample_at(*at);
+    return found;
+  }
+  // The boundary between the last value at which it holds and the next one.
+  double inside = *at, outside = *std::prev(at);
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (inside + outside);
+    if (std::abs(outside - inside) <= 4e-15 * std::abs(middle) || middle == inside || middle == outside) break;
+    (holds(middle) ? inside : outside) = middle;
+  }
+  // Data that may be as small as one likes have no least value.
+  const bool to_nothing = range.lower == 0 && side < 0 && inside < nothing * range.scale;
+  if (to_nothing && truth_at(outside) != Truth::fails) {
+    found.reason =
+        "there is no " + what + ": it holds down to " + number_text(inside) + " (SI), below which nothing can be told";
+    return found;
+  }
+  found.note = told_beyond(inside, outside);
+  found.value = Value<double>::of_number(inside, dimension_);
+  found.sample = sample_at(inside);
+  return found;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,54 @@
+// The largest or smallest value of a datum for which something holds: {largest: w, while: stable(plate)}.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "problem/unknowns/sample.h"
+#include "problem/unknowns/unknown_ranges.h"
+#include "problem/unknowns/unknown_search.h"
+
+namespace poinsot::problem {
+
+struct ExtremumFound {
+  std::optional<Value<double>> value;
+  std::string reason;              // where there is none
+  std::string note;                // where beyond the value the conditions are not seen to fail
+  std::unique_ptr<Sample> sample;  // the instants at the value, where the conditions still hold
+};
+
+class ExtremumSearch {
+ public:
+  // All arguments must outlive the search. settings: of each situation.
+  ExtremumSearch(const Statement& statement, const Ask& ask, const AllSettings& settings, const OpenChoice& choice);
+
+  ExtremumFound find();
+  // Whether the conditions hold on one side of the value and not on the other.
+  bool is_at(double value);
+
+ private:
+  struct Span {
+    double lower = 0, upper = 0, scale = 1;
+  };
+  Span span() const;
+  // What becomes of the conditions at a value. Doubtful: the linearised equations do not decide stability there.
+  // Refused: there is no such motion.
+  enum class Truth { holds, fails, doubtful, refused };
+  Truth truth_at(double value);
+  bool holds(double value) { return truth_at(value) == Truth::holds; }
+  std::string told_beyond(double inside, double outside);
+  std::unique_ptr<Sample> sample_at(double value);
+
+  const Statement& statement_;
+  const Ask& ask_;
+  const AllSettings& settings_;
+  OpenChoice choice_;
+  const Situation& situation_;
+  Dimension dimension_;
+  std::optional<StatementError> refusal_;
+  bool doubtful_ = false;  // whether of the value looked at last
+  bool ever_ = false;      // whether the conditions had a truth at any value
+};
+
+}  // namespace poinsot::problem

@@ -1,0 +1,188 @@
+// Unknowns of which some are chosen (`choose:`): those of what is not chosen are zero.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "problem/language/diagnostic.h"
+#include "problem/unknowns/choice_clash.h"
+#include "problem/unknowns/unknown_blocks.h"
+#include "problem/unknowns/unknown_search.h"
+
+namespace poinsot::problem {
+namespace {
+
+bool same_root(const AllSettings& a, const AllSettings& b, const std::vector<Unknown>& unknowns) {
+  for (const Unknown& unknown : unknowns)
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const auto left = a[i].find(unknown.name), right = b[i].find(unknown.name);
+      if (left == a[i].end() || right == b[i].end()) continue;
+      const auto close = [&](double x, double y) {
+        return std::abs(x - y) <= 1e-9 * std::max({std::abs(x), std::abs(y), unknown.unit.factor});
+      };
+      if (!close(left->second.number, right->second.number)) return false;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!close(left->second.vector[k], right->second.vector[k])) return false;
+    }
+  return true;
+}
+
+std::string place_of(const Statement& statement, const Mark& mark) {
+  return statement.file + ":" + std::to_string(mark.line) + ":" + std::to_string(mark.column) + ": ";
+}
+
+}  // namespace
+
+RootsFound UnknownSearch::find_with_choices(const UnknownSystem& system, const AllSettings& settings) {
+  std::vector<const Choice*> choices;
+  for (std::size_t i : system.situations())
+    for (const Choice& choice : statement_.situations[i].choose)
+      if (std::none_of(choices.begin(), choices.end(), [&](const Choice* other) { return other->name == choice.name; }))
+        choices.push_back(&choice);
+  if (choices.empty()) return find_by_blocks(system, settings);
+  if (choices.size() > 1) fail(statement_.file, choices[1]->mark, "only one choice can be made in a problem");
+  const Choice& choice = *choices.front();
+  // What does not depend on the choice is found before it.
+  std::set<std::string> chosen_unknowns;
+  for (const std::string& name : choice.of) chosen_unknowns.merge(unknowns_of_amount(statement_, name));
+  UnknownSystem rest = system;
+  RootsFound all;
+  all.roots.push_back(settings);
+  UnknownEquations equations = equations_of(system, settings);
+  for (const UnknownSystem& block : blocks_of(equations)) {
+    if (std::any_of(block.unknowns.begin(), block.unknowns.end(),
+                    [&](const Unknown& u) { return chosen_unknowns.contains(u.name); }))
+      break;
+    refine(all, [&](const AllSettings& root) { return find_block(block, root); });
+    std::erase_if(rest.unknowns, [&](const Unknown& unknown) { return block.seeks(unknown.name); });
+    std::erase_if(rest.groups, [&](const ConditionGroup& group) { return block.has(group); });
+  }
+  refine(all, [&](const AllSettings& root) { return find_chosen(rest, root, choice); });
+  return all;
+}
+
+// Every choice that leads to a solution gives one.
+RootsFound UnknownSearch::find_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice) {
+  // Where all holds without any of them, none is needed.
+  if (RootsFound none = find_subset(system, settings, choice, 0); !none.roots.empty() && none.open.empty()) return none;
+  RootsFound all;
+  // Of linear conditions, the least total is reached by no more amounts than there are independent conditions.
+  std::size_t most = 0;
+  if (choice.least_total) {
+    UnknownEquations equations = equations_of(system, settings);
+    most = balance_of(equations).independent;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t tried = 0, left = 0;
+  for (std::size_t subset = 0; subset < (std::size_t{1} << choice.of.size()); ++subset) {
+    const auto count = static_cast<std::size_t>(std::popcount(subset));
+    if (choice.least_total ? count > most : count != static_cast<std::size_t>(choice.exactly)) continue;
+    if (seconds_left() <= 0) {
+      ++left;
+      continue;
+    }
+    ++tried;
+    RootsFound found = find_subset(system, settings, choice, subset);
+    if (choice.least_total && !found.open.empty()) continue;  // fewer would do
+    for (AllSettings& more : found.roots) {
+      if (choice.least_total) {
+        const double total = total_of(choice, more);
+        if (total > least * (1 + 1e-9)) continue;
+        if (total < least * (1 - 1e-9)) all.roots.clear();
+        least = std::min(least, total);
+      }
+      const bool known = std::any_of(all.roots.begin(), all.roots.end(),
+                                     [&](const AllSettings& other) { return same_root(more, other, system.unknowns); });
+      if (!known) all.roots.push_back(std::move(more));
+    }
+    if (found.roots.empty()) continue;
+    for (const std::string& name : found.open) add_once(all.open, name);
+    if (found.alternative) all.alternative = found.alternative;
+  }
+  const std::string place = place_of(statement_, choice.mark);
+  if (left > 0)
+    all.warnings.push_back(place + "the time was over when " + std::to_string(tried) + " of " +
+                           std::to_string(tried + left) + " choices under '" + choice.name + "' had been tried");
+  if (all.roots.empty() && left == 0) all.warnings.push_back(place + nothing_chosen(system, settings, choice));
+  return all;
+}
+
+std::string UnknownSearch::nothing_chosen(const UnknownSystem& system, const AllSettings& settings,
+                                          const Choice& choice) const {
+  std::string text = (choice.least_total ? "no amounts of what stands under '" + choice.name + "' satisfy"
+                                         : "no choice of " + std::to_string(choice.exactly) + " of them under '" +
+                                               choice.name + "' satisfies") +
+                     " all conditions with values in their ranges (durations, masses and pushes are not negative)";
+  std::vector<std::set<std::string>> unknowns_of;
+  for (const std::string& name : choice.of) unknowns_of.push_back(unknowns_of_amount(statement_, name));
+  UnknownEquations equations = equations_of(system, settings);
+  const ChoiceClash clash = choice_clash(equations, unknowns_of);
+  // Where enough of them would do, a range or where: stands in the way.
+  const bool enough = clash.conditions.empty() &&
+                      (choice.least_total || clash.would_do.size() <= static_cast<std::size_t>(choice.exactly));
+  if (!clash.told || enough) return text + ": " + conditions_in_words(statement_, system);
+  std::string words;
+  for (const std::string& condition : clash.conditions) words += (words.empty() ? "" : "; ") + condition;
+  for (const std::size_t i : clash.would_do) words += (words.empty() ? "" : ", ") + choice.of[i];
+  if (clash.conditions.empty()) return text + ": " + std::to_string(clash.would_do.size()) + " would do: " + words;
+  return text + ": even all of them together cannot satisfy " + words +
+         (clash.by_sign ? "; negative values could" : "");
+}
+
+// With the amounts of what is not chosen zero.
+RootsFound UnknownSearch::find_subset(const UnknownSystem& system, const AllSettings& settings, const Choice& choice,
+                                      std::size_t subset) {
+  AllSettings chosen = settings;
+  UnknownSystem others = system;
+  std::vector<Value<double>> names;
+  const auto give = [&](const std::string& name, const Value<double>& value) {
+    for (Settings& one : chosen) one[name] = value;
+  };
+  for (std::size_t k = 0; k < choice.of.size(); ++k) {
+    if (subset >> k & 1) {
+      names.push_back(Value<double>::of_text(choice.of[k]));
+      continue;
+    }
+    for (const std::string& name : unknowns_of_amount(statement_, choice.of[k])) {
+      const auto unknown = std::find_if(others.unknowns.begin(), others.unknowns.end(),
+                                        [&](const Unknown& u) { return u.name == name; });
+      if (unknown == others.unknowns.end()) continue;
+      give(name, Value<double>::of_number(0, unknown->unit.dimension));
+      others.unknowns.erase(unknown);
+    }
+  }
+  give(choice.name, Value<double>::of_list(std::move(names)));
+  if (!others.unknowns.empty()) return find_block(others, chosen, false);
+  RootsFound nothing_to_find;
+  UnknownEquations equations = equations_of(others, chosen);
+  const auto values = equations({});
+  if (!values) return nothing_to_find;
+  double misfit = 0;
+  for (double value : values->values) misfit = std::max(misfit, std::abs(value));
+  if (misfit <= 1e-9 * std::max(values->size, 1e-300)) nothing_to_find.roots.push_back(std::move(chosen));
+  return nothing_to_find;
+}
+
+double UnknownSearch::total_of(const Choice& choice, const AllSettings& settings) const {
+  double total = 0;
+  std::optional<Dimension> dimension;
+  for (const std::string& name : choice.of)
+    for (const std::string& unknown : unknowns_of_amount(statement_, name)) {
+      const auto sought =
+          std::find_if(unknowns_.begin(), unknowns_.end(), [&](const Unknown& u) { return u.name == unknown; });
+      if (sought == unknowns_.end()) continue;
+      if (sought->vector)
+        fail(statement_.file, choice.mark, "the amount '" + unknown + "' is a vector: it has no place in a sum");
+      if (dimension && !same_kind(*dimension, sought->unit.dimension))
+        fail(statement_.file, choice.mark, "the amounts under '" + choice.name + "' are of different kinds: no sum");
+      dimension = sought->unit.dimension;
+      for (const Settings& one : settings)
+        if (const auto found = one.find(unknown); found != one.end()) {
+          total += found->second.number;
+          break;
+        }
+    }
+  return total;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,345 @@
+#include "problem/unknowns/unknown_equations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "problem/course/course.h"
+#include "problem/unknowns/unknown_ranges.h"
+
+namespace poinsot::problem {
+namespace {
+
+std::vector<bool> facts_among(const solve::LinearSystem& system) {
+  std::vector<bool> facts(system.equations());
+  for (std::size_t i = 0; i < facts.size(); ++i) facts[i] = system.words(i).starts_with("'");
+  return facts;
+}
+
+}  // namespace
+
+UnknownEquations::UnknownEquations(const Statement& statement, UnknownSystem system, const AllSettings& settings,
+                                   const OpenChoice& choice, const std::vector<Unknown>& all)
+    : statement_(statement),
+      system_(std::move(system)),
+      settings_(settings),
+      choice_(choice),
+      trial_(settings),
+      slots_(system_.slots()) {
+  choice_.trial = true;
+  for (Settings& one : trial_)
+    for (const Unknown& unknown : all) {
+      const double unit = unknown.unit.factor;
+      one.emplace(unknown.name, unknown.vector ? Value<double>::of_vector({unit, unit, unit}, unknown.unit.dimension)
+                                               : Value<double>::of_number(unit, unknown.unit.dimension));
+    }
+  const std::vector<std::size_t> situations = system_.situations();
+  // Sizes that are natural in this problem, with one unit of each unknown.
+  std::vector<double> natural(slots_.size(), 0.0);
+  try {
+    std::vector<double> ones;
+    for (const UnknownSlot& slot : slots_) ones.push_back(slot.unknown.unit.factor);
+    put(ones, trial_);
+    const std::size_t first = situations.empty() ? 0 : situations.front();
+    SolvedInstant instant(statement_.situations[first], trial_[first], When{}, choice_);
+    for (std::size_t k = 0; k < slots_.size(); ++k) natural[k] = instant.natural_size(slots_[k].unknown.unit.dimension);
+  } catch (const StatementError&) {
+    // These values make no sense; the units serve.
+  }
+  ranges_ = ranges_of(statement_, system_, settings_, natural);
+  for (std::size_t i : situations)
+    for (const Expression& square : statement_.situations[i].neglect)
+      for (std::size_t k = 0; k < slots_.size(); ++k)
+        if (slots_[k].unknown.name == square.as<Binary>()->left.as<Name>()->name) add_once(small_, k);
+}
+
+void UnknownEquations::put(const std::vector<double>& x, AllSettings& settings) const {
+  const std::vector<std::size_t> reached = system_.situations();
+  for (std::size_t k = 0; k < slots_.size(); ++k) {
+    const Unknown& unknown = slots_[k].unknown;
+    const bool common = is_common(statement_, unknown.name);
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+      if (!common && std::find(reached.begin(), reached.end(), i) == reached.end()) continue;
+      Value<double>& value = settings[i][unknown.name];
+      if (unknown.vector) {
+        if (!value.is_vector()) value = Value<double>::of_vector(Vector3<double>::zero(), unknown.unit.dimension);
+        value.vector[slots_[k].component] = x[k];
+      } else {
+        value = Value<double>::of_number(x[k], unknown.unit.dimension);
+      }
+    }
+  }
+}
+
+AllSettings UnknownEquations::settings_at(const std::vector<double>& x) const {
+  AllSettings settings = settings_;
+  put(x, settings);
+  return settings;
+}
+
+std::vector<std::string> UnknownEquations::condition_words(const GroupConditions& group) const {
+  const std::string& situation = statement_.situations[group.group.situation].name;
+  std::vector<std::string> list;
+  for (const std::string& words : group.words) {
+    // Conditions on facts are called 'now': mass(bar).
+    const std::size_t colon = words.starts_with("'") ? words.find("': ") : std::string::npos;
+    const std::string fact = colon == std::string::npos ? "" : words.substr(colon + 3);
+    list.push_back((colon == std::string::npos ? words
+                    : fact == "rest"           ? "rest at " + words.substr(0, colon + 1)
+                                               : fact + " at " + words.substr(0, colon + 1)) +
+                   (statement_.situations.size() > 1 ? " @ " + situation : ""));
+  }
+  return list;
+}
+
+std::vector<std::vector<double>> UnknownEquations::places(std::size_t count) const {
+  std::vector<std::vector<double>> list;
+  std::mt19937_64 random(23);
+  std::uniform_real_distribution<double> part(0.6, 1.4);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<double>& x = list.emplace_back();
+    for (const solve::RootRange& range : ranges_) {
+      const bool low = std::isfinite(range.lower), high = std::isfinite(range.upper);
+      const double draw = i == 0 ? 1.05 : part(random);
+      x.push_back(low && high ? range.lower + (range.upper - range.lower) * (draw - 0.5)
+                  : low       ? range.lower + range.scale * draw
+                  : high      ? range.upper - range.scale * draw
+                              : range.scale * draw * (i % 2 == 0 ? 1 : -1));
+    }
+  }
+  return list;
+}
+
+bool UnknownEquations::follows_motion() const {
+  return std::any_of(system_.groups.begin(), system_.groups.end(),
+                     [](const ConditionGroup& group) { return group.aspect == Aspect::later; });
+}
+
+// Places of less than the highest rank are rare, but zero and the ends of ranges are among them: places are tried until
+// one tells nothing more.
+void UnknownEquations::hold_measures() {
+  if (measured_) return;
+  measured_ = true;
+  for (const std::vector<double>& x : places(4)) {
+    try {
+      if (!take_measures(x)) break;
+    } catch (const StatementError& error) {
+      refusal_ = error;
+    }
+  }
+}
+
+bool UnknownEquations::take_measures(const std::vector<double>& x) {
+  bool told_more = false;
+  put(x, trial_);
+  for (std::size_t i : system_.situations()) {
+    const bool velocities = system_.has({i, Aspect::velocities}), forces = system_.has({i, Aspect::forces});
+    if (!velocities && !forces && !system_.has({i, Aspect::positions})) continue;
+    const Situation& situation = statement_.situations[i];
+    OpenChoice choice = choice_;
+    if (const auto held = measures_.scales.find(i); held != measures_.scales.end()) choice.scales = held->second;
+    SolvedInstant instant(situation, trial_[i], When{0, situation.has_blow()}, choice);
+    if (forces) instant.solve_forces();
+    measures_.scales.emplace(i, instant.scales());
+    const auto hold = [&](Level level, const solve::LinearSystem& system) {
+      solve::LinearElimination elimination(system, facts_among(system));
+      // Without rank it tells nothing: its numbers may not be finite there.
+      told_more = told_more || elimination.rank() == 0;
+      const auto [held, fresh] = measures_.eliminations.try_emplace({i, level}, elimination);
+      if (!fresh && elimination.rank() <= held->second.rank()) return;
+      held->second = elimination;
+      told_more = true;
+    };
+    if (velocities) hold(Level::velocities, instant.velocity_equations());
+    if (velocities && instant.after_blow()) hold(Level::blow, instant.blow_equations());
+    if (forces) hold(Level::motion, instant.motion_equations());
+  }
+  return told_more;
+}
+
+bool UnknownEquations::add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system,
+                                     const SolvedInstant& instant, bool with_words) const {
+  const auto held = measures_.eliminations.find({group.group.situation, level});
+  const auto left = held == measures_.eliminations.end() ? std::nullopt : held->second.remainder(system);
+  if (!left) return false;
+  group.values.insert(group.values.end(), left->values.begin(), left->values.end());
+  if (with_words)
+    for (const std::size_t equation : left->equations) group.words.emplace_back(system.words(equation));
+  group.size = std::max(group.size, left->size);
+  for (const SolvedInstant::NonlinearMisfit& misfit : instant.nonlinear_misfits(level, left->solution)) {
+    group.values.push_back(misfit.value);
+    if (with_words) group.words.push_back(misfit.words);
+    group.size = std::max(group.size, misfit.size);
+  }
+  return true;
+}
+
+const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<double>& x, Wanted wanted) {
+  const bool with_words = wanted == Wanted::smooth_with_words;
+  hold_measures();
+  evaluated_.reset();
+  put(x, trial_);
+  Evaluated all{x, wanted, {}, {}};
+  bool smooth = true, complete = true;
+  const auto add = [](std::vector<double>& list, auto first, auto last) { list.insert(list.end(), first, last); };
+  solve::RootEquations& equations = all.equations;
+  for (std::size_t i : system_.situations()) {
+    const Situation& situation = statement_.situations[i];
+    const auto has = [&](Aspect aspect) { return system_.has({i, aspect}); };
+    const auto group_of = [&](Aspect aspect) -> GroupConditions& {
+      all.groups.push_back({{i, aspect}, {}, 0, {}});
+      return all.groups.back();
+    };
+    if (has(Aspect::later)) {
+      GroupConditions& group = group_of(Aspect::later);
+      group.values = later_misfits(situation, trial_[i], choice_, motion_tolerance_);
+      group.size = 1;
+      if (with_words) group.words.assign(group.values.size(), "what is stated of the motion");
+      add(equations.values, group.values.begin(), group.values.end());
+      equations.size = std::max(equations.size, 1.0);
+      smooth = false;
+    }
+    if (!has(Aspect::positions) && !has(Aspect::velocities) && !has(Aspect::forces)) continue;
+    OpenChoice choice = choice_;
+    if (const auto held = measures_.scales.find(i); held != measures_.scales.end()) choice.scales = held->second;
+    auto& solved = all.instants[i];
+    solved = std::make_unique<SolvedInstant>(situation, trial_[i], When{0, situation.has_blow()}, choice);
+    SolvedInstant& instant = *solved;
+    const auto positions = static_cast<std::ptrdiff_t>(instant.position_misfits());
+    const auto velocities = static_cast<std::ptrdiff_t>(instant.misfits().size());
+    if (has(Aspect::forces)) {
+      // What is left over of their equations needs no solution of them.
+      if (wanted == Wanted::everything)
+        instant.solve_forces();
+      else
+        instant.assemble_forces();
+    }
+    const auto& values = instant.misfits();
+    if (has(Aspect::positions)) {
+      GroupConditions& group = group_of(Aspect::positions);
+      add(group.values, values.begin(), values.begin() + positions);
+      group.size = 1;
+      if (with_words) group.words = instant.position_words();
+      add(equations.values, values.begin(), values.begin() + positions);
+    }
+    if (has(Aspect::velocities)) {
+      GroupConditions& group = group_of(Aspect::velocities);
+      complete = complete && add_left_over(group, Level::velocities, instant.velocity_equations(), instant, with_words);
+      if (instant.after_blow())
+        complete = complete && add_left_over(group, Level::blow, instant.blow_equations(), instant, with_words);
+      add(equations.values, values.begin() + positions, values.begin() + velocities);
+    }
+    if (has(Aspect::forces)) {
+      GroupConditions& group = group_of(Aspect::forces);
+      complete = complete && add_left_over(group, Level::motion, instant.motion_equations(), instant, with_words);
+      add(equations.values, values.begin() + velocities, values.end());
+    }
+    equations.size = std::max(equations.size, instant.misfit_size());
+  }
+  if (!complete) all.groups.clear();
+  std::sort(all.groups.begin(), all.groups.end(), [&](const GroupConditions& a, const GroupConditions& b) {
+    const auto place = [&](const ConditionGroup& group) {
+      return std::find(system_.groups.begin(), system_.groups.end(), group);
+    };
+    return place(a.group) < place(b.group);
+  });
+  if (smooth)
+    for (const GroupConditions& group : all.groups) {
+      add(equations.smooth, group.values.begin(), group.values.end());
+      equations.smooth_size = std::max(equations.smooth_size, group.size);
+    }
+  return evaluated_.emplace(std::move(all));
+}
+
+std::optional<solve::RootEquations> UnknownEquations::exact(const std::vector<double>& x, Wanted wanted) {
+  try {
+    solve::RootEquations equations = evaluate(x, wanted).equations;
+    makes_sense_ = true;
+    return equations;
+  } catch (const StatementError& error) {
+    // Values without sense are outside the range; a statement without sense has no value anywhere.
+    refusal_ = error;
+    return std::nullopt;
+  }
+}
+
+std::optional<std::vector<GroupConditions>> UnknownEquations::conditions_at(const std::vector<double>& x) {
+  try {
+    return evaluate(x, Wanted::smooth_with_words).groups;
+  } catch (const StatementError& error) {
+    refusal_ = error;
+    return std::nullopt;
+  }
+}
+
+// Without the squares of some unknowns: the equations, linear in these around zero.
+std::optional<solve::RootEquations> UnknownEquations::operator()(const std::vector<double>& x) {
+  if (small_.empty()) return exact(x);
+  std::vector<double> at = x;
+  for (std::size_t k : small_) at[k] = 0;
+  if (!linear_part_ || linear_part_->at != at) linear_part_ = linear_part(at);
+  if (!linear_part_) return std::nullopt;
+  solve::RootEquations sum{linear_part_->values, linear_part_->size};
+  for (std::size_t row = 0; row < sum.values.size(); ++row)
+    for (std::size_t i = 0; i < small_.size(); ++i) {
+      const double term = linear_part_->slopes[row][i] * x[small_[i]];
+      sum.values[row] += term;
+      sum.size = std::max(sum.size, std::abs(term));
+    }
+  return sum;
+}
+
+std::optional<solve::RootEquations> UnknownEquations::smooth(const std::vector<double>& x) {
+  if (all_smooth_) {
+    auto equations = exact(x, Wanted::smooth);
+    if (!equations) return std::nullopt;
+    all_smooth_ = !equations->smooth.empty();
+    equations->values.clear();
+    if (all_smooth_) return equations;
+  }
+  return exact(x);
+}
+
+bool UnknownEquations::hold_as_set() {
+  const std::vector<std::size_t> reached = system_.situations();
+  if (reached.empty()) return false;
+  std::vector<double> x;
+  for (const UnknownSlot& slot : slots_) {
+    const auto known = settings_[reached.front()].find(slot.unknown.name);
+    if (known == settings_[reached.front()].end()) return false;
+    x.push_back(slot.unknown.vector ? known->second.vector[slot.component] : known->second.number);
+  }
+  const auto equations = (*this)(x);
+  const auto vanish = [](const std::vector<double>& values, double size) {
+    return std::all_of(values.begin(), values.end(), [&](double value) { return std::abs(value) <= 1e-10 * size; });
+  };
+  return equations && vanish(equations->values, equations->size) && vanish(equations->smooth, equations->smooth_size);
+}
+
+solve::RootProblem UnknownEquations::problem() {
+  solve::RootProblem problem;
+  problem.ranges = ranges_;
+  problem.costly = follows_motion();
+  problem.equations = [this](const std::vector<double>& x) { return (*this)(x); };
+  if (!problem.costly && small_.empty()) {
+    // Sooner than all where forces need not be solved.
+    if (std::any_of(system_.groups.begin(), system_.groups.end(),
+                    [](const ConditionGroup& group) { return group.aspect == Aspect::forces; }))
+      problem.smooth = [this](const std::vector<double>& x) { return smooth(x); };
+    problem.slopes = [this](const std::vector<double>& x, std::vector<std::vector<double>>* slopes) {
+      return with_slopes(x, slopes);
+    };
+  }
+  if (problem.costly)
+    problem.rough = [this](const std::vector<double>& x) {
+      motion_tolerance_ = 1e-9;
+      linear_part_.reset();
+      auto equations = (*this)(x);
+      motion_tolerance_.reset();
+      linear_part_.reset();
+      return equations;
+    };
+  return problem;
+}
+
+}  // namespace poinsot::problem

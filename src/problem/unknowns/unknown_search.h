@@ -1,0 +1,93 @@
+// The values of what a statement asks for by `find:`, from its conditions.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "problem/unknowns/unknown_equations.h"
+
+namespace poinsot::problem {
+
+struct RootsFound {
+  std::vector<AllSettings> roots;
+  std::vector<std::string> open, warnings;
+  std::optional<AllSettings> alternative;  // another solution, where unknowns stay open
+};
+
+class UnknownSearch {
+ public:
+  static constexpr double most_seconds = 8;  // of one search, all its parts together
+
+  // statement must outlive the search; `settings` are values from outside the file, which are not sought. seconds: how
+  // long find() may take by the clock, which tells seconds since some time (the steady clock when left out).
+  UnknownSearch(const Statement& statement, const Settings& settings, double seconds = most_seconds,
+                std::function<double()> clock = {});
+
+  const std::vector<Unknown>& unknowns() const { return unknowns_; }
+  // Whether an unknown has one value for all situations.
+  bool is_common(const std::string& name) const { return problem::is_common(statement_, name); }
+  bool is_own(std::size_t situation, const std::string& name) const {
+    return problem::is_own(statement_, situation, name);
+  }
+
+  // All values of the unknowns that satisfy what is stated, with the given values of everything else. First the
+  // unknowns common to all situations, from the situations that have none of their own, then those of each situation.
+  // Everything that the statement leaves open is taken as `choice` says. What it leaves out when the time is over
+  // stands among the warnings.
+  RootsFound find(const Settings& settings, const OpenChoice& choice = {});
+
+  // Whether what find() found still satisfies what is stated when `choice` is taken for what is left open.
+  bool still_holds(const AllSettings& root, const OpenChoice& choice);
+
+ private:
+  // What is sought together, one after the other: the unknowns common to all situations, then those of each.
+  std::vector<UnknownSystem> systems() const;
+  // Every solution so far, refined by one more search.
+  template <class Find>
+  void refine(RootsFound& all, const Find& find) const;
+  RootsFound find_with_choices(const UnknownSystem& system, const AllSettings& settings);
+  RootsFound find_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice);
+  RootsFound find_subset(const UnknownSystem& system, const AllSettings& settings, const Choice& choice,
+                         std::size_t subset);
+  // Why no choice leads to a solution.
+  std::string nothing_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice) const;
+  double total_of(const Choice& choice, const AllSettings& settings) const;
+  RootsFound find_by_blocks(const UnknownSystem& system, const AllSettings& settings);
+  // explained: where nothing is found, a warning says why.
+  RootsFound find_block(const UnknownSystem& system, const AllSettings& settings, bool explained = true);
+  RootsFound find_block(UnknownEquations& equations, bool explained = true);
+  std::string nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded) const;
+  std::optional<StatementError> objection(const AllSettings& root) const;
+  void leave_out_nonsense(RootsFound& found) const;
+  UnknownEquations equations_of(const UnknownSystem& system, const AllSettings& settings) const;
+  double seconds_left() const { return std::max(0.0, seconds_ - (clock_() - begun_)); }
+
+  const Statement& statement_;
+  std::vector<Unknown> unknowns_;
+  std::set<std::string> known_;  // given from outside
+  OpenChoice choice_;
+  double seconds_;
+  std::function<double()> clock_;
+  double begun_ = 0;  // by the clock
+};
+
+// Adds what another search found, but for its roots.
+void merge(RootsFound& all, const RootsFound& more);
+
+template <class Find>
+void UnknownSearch::refine(RootsFound& all, const Find& find) const {
+  std::vector<AllSettings> refined;
+  for (const AllSettings& root : all.roots) {
+    const RootsFound found = find(root);
+    refined.insert(refined.end(), found.roots.begin(), found.roots.end());
+    merge(all, found);
+  }
+  all.roots = std::move(refined);
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,129 @@
+// Cords do not push and contacts do not pull: what rests on it is refused, wherever it is asked. Facts hold.
+#include "problem/answers/answer_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "problem/answers/fact_check.h"
+#include "problem/answers/solve_statement.h"
+
+namespace poinsot::problem {
+namespace {
+
+Solution solved(const std::string& text) {
+  return solve_statement(read_statement(text, "test.yaml"), {}).solutions.at(0);
+}
+
+std::string hanging(const std::string& force, const std::string& ask) {
+  return "given: {F: " + force +
+         "}\npoints: {A: [0, 0, 0], C: [0, 1 m, 0]}\nbodies: {p: {particle: A, mass: 2 kg}}\n"
+         "cords: {c: {at: C, to: p, end: A}}\nloads: {f: {force: [0, F, 0], body: p}}\n"
+         "gravity: -y\nfacts: rest\nask: {" +
+         ask + "}\n";
+}
+
+TEST(Unphysical, a_light_cord_beside_a_ship_does_not_push) {
+  const Solution solution = solved(R"(
+points: {O: [0, 0, 0], A: [10 m, 0, 0], C: [10 m, 1 m, 0]}
+bodies:
+  ship: {box: {center: O, sides: [200 m * x, 30 m * y, 30 m * z]}, mass: 5e7 kg}
+  p: {particle: A, mass: 20 g}
+joints: {s: {weld: O, to: ship}}
+cords: {c: {at: C, to: p, end: A}}
+loads: {f: {force: [0, 2 N, 0], body: p}}
+gravity: -y
+instants: {now: rest}
+ask: {t: tension(c), a: acceleration(p), p: momentum(p)}
+)");
+  EXPECT_EQ(solution.asks[0].state, AskState::refused);
+  EXPECT_EQ(solution.asks[0].reason, "the cord 'c' would have to push: it goes slack");
+  EXPECT_EQ(solution.asks[1].state, AskState::refused);
+  EXPECT_EQ(solution.asks[2].state, AskState::found);
+}
+
+TEST(Unphysical, tables_say_from_which_row_on) {
+  const std::string table = "t: {table: {F: F, t: tension(c), a: acceleration(p).y}, over: {F: RANGE}}";
+  const auto over = [&](const std::string& range) {
+    std::string text = table;
+    return solved(hanging("5 N", text.replace(text.find("RANGE"), 5, range))).asks[0];
+  };
+  EXPECT_EQ(over("0 N .. 19 N by 1 N").state, AskState::found);
+  const SolvedAsk refused = over("0 N .. 30 N by 10 N");
+  EXPECT_EQ(refused.state, AskState::refused);
+  EXPECT_EQ(refused.reason, "the cord 'c' would have to push: it goes slack, from the row F = 20 N on");
+}
+
+TEST(Unphysical, truths_about_forces_are_refused_but_for_what_tells_it) {
+  const Solution solution =
+      solved(hanging("30 N", "t: tension(c) < 0 N, a: norm(acceleration(p)) < 1e-9 m/s^2, taut: taut(c)"));
+  EXPECT_EQ(solution.asks[0].state, AskState::refused);
+  EXPECT_EQ(solution.asks[1].state, AskState::refused);
+  EXPECT_EQ(solution.asks[2].state, AskState::found);
+  EXPECT_FALSE(solution.asks[2].value.truth);
+}
+
+TEST(Unphysical, extrema_beyond_it_are_refused) {
+  const std::string ask = "e: {largest: F, while: [CONDITION]}";
+  const auto largest = [&](const std::string& condition) {
+    std::string text = ask;
+    return solved(hanging("5 N", text.replace(text.find("CONDITION"), 9, condition))).asks[0];
+  };
+  const SolvedAsk pushed = largest("tension(c) > -3 N");
+  EXPECT_EQ(pushed.state, AskState::refused);
+  const SolvedAsk taut = largest("taut(c)");
+  EXPECT_EQ(taut.state, AskState::found);
+  EXPECT_NEAR(taut.value.number, 2 * 9.80665, 1e-9);
+}
+
+TEST(Unphysical, unknowns_that_follow_from_a_pull_are_refused) {
+  const Solution solution = solved(R"(
+find: {F: N}
+gravity: -y
+points: {G: [0, 0, 0], C: [0, -30 mm, 0]}
+bodies: {ball: {sphere: {center: G, radius: 30 mm}, mass: 2 kg}}
+contacts: {table: {of: ball, against: ground, at: C, normal: y}}
+loads: {pull: {force: '[0, F, 0]', body: ball}}
+facts: {velocity(ball): 0, force(table on ball).y: -5 N}
+ask: {F: F}
+)");
+  EXPECT_EQ(solution.asks[0].state, AskState::refused);
+}
+
+TEST(Facts, hold_in_the_answer_and_are_told) {
+  const Solution solution = solved(R"(
+find: {w: rad/s}
+where: [w > 0]
+points: {O: [0, 0, 0], A: [0.8 m, 0, 0]}
+bodies: {bar: {rod: [O, A], mass: 3 kg}}
+joints: {pin: {revolute: z, at: O, to: bar, rate: w}}
+facts: {norm(velocity(bar)): 2 m/s}
+gravity: -y
+ask: {w: w}
+)");
+  EXPECT_NEAR(solution.asks[0].value.number, 5, 1e-9);
+  ASSERT_TRUE(solution.checks.contains("facts"));
+  EXPECT_LT(solution.checks.at("facts"), 1e-9);
+}
+
+// Solved with one rate, checked against a statement with another.
+TEST(Facts, that_do_not_hold_are_seen) {
+  const std::string text = R"yaml(
+points: {O: [0, 0, 0], A: [0.8 m, 0, 0]}
+bodies: {bar: {rod: [O, A], mass: 3 kg}}
+joints: {pin: {revolute: z, at: O, to: bar}}
+facts: {"velocity(A of bar)": [0, 2 m/s, 0]}
+gravity: -y
+ask: {H: momentum(bar)}
+)yaml";
+  std::string other = text;
+  other.replace(other.find("2 m/s"), 5, "3 m/s");
+  const Statement statement = read_statement(text, "test.yaml"), false_statement = read_statement(other, "test.yaml");
+  Sample sample(statement, AllSettings(1), OpenChoice{});
+  sample.value(statement.asks.front());
+  EXPECT_LT(largest_fact_misfit(statement, sample).value(), 1e-15);
+  EXPECT_NEAR(largest_fact_misfit(false_statement, sample).value(), 1.0 / 3, 0.2);
+}
+
+}  // namespace
+}  // namespace poinsot::problem

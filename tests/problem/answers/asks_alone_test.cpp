@@ -1,0 +1,45 @@
+// A question without an answer leaves the others theirs.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "problem/course/motion_support.h"
+
+namespace poinsot::problem {
+namespace {
+
+TEST(AsksAlone, FrequenciesWhereNothingIsSteady) {
+  const SolvedText solved(
+      "title: t\npoints: {O: [0, 0, 0]}\n"
+      "bodies: {d: {mass: 3 kg, center: O, inertia: {axis: z, axial: 0.05 kg*m^2, transverse: 0.05 kg*m^2}}}\n"
+      "joints: {wire: {revolute: z, at: O, to: d, angle: q, spring: {stiffness: 2 N*m/rad}}}\ngravity: none\n"
+      "instants: {start: {q: 30 deg, q': 0}}\nask: {q1: q @ 1 s, f: frequencies(d), s: stable(d)}\n");
+  EXPECT_NEAR(solved.number("q1"), M_PI / 6 * std::cos(std::sqrt(40.0)), 1e-9);
+  for (const char* name : {"f", "s"})
+    EXPECT_NE(solved.reason(name).find("this is no steady motion"), std::string::npos) << solved.reason(name);
+}
+
+// Thrown so that the cord goes slack, at the angle where v^2/L falls to the weight's part; then it catches and goes
+// slack again and again.
+TEST(AsksAlone, TheFirstTimeOfWhatHappensWithoutEnd) {
+  const SolvedText solved(
+      "title: t\npoints: {O: [0, 0, 0], B: [0, -0.5 m, 0]}\nbodies: {bob: {particle: B, mass: 0.3 kg}}\n"
+      "cords: {c: {at: O, to: bob, end: B}}\ngravity: -y\ninstants: {start: {velocity(bob): [3.6 m/s, 0, 0]}}\n"
+      "ask: {t: {first_time: tension(c) < 1e-9 N}, T0: tension(c) @ start, hi: max(center(bob).y)}\n");
+  const double g = 9.80665, L = 0.5, v2 = 3.6 * 3.6;
+  EXPECT_NEAR(solved.number("T0"), 0.3 * (g + v2 / L), 1e-9);
+  // v^2 = v0^2 - 2 g L (1 - cos a) and v^2 = -g L cos a at the end: the time by the integral of L da / v.
+  const double end = std::acos((2 * g * L - v2) / (3 * g * L));
+  constexpr int steps = 2000;
+  double time = 0;
+  for (int i = 0; i <= steps; ++i) {
+    const double v = std::sqrt(v2 - 2 * g * L * (1 - std::cos(end * i / steps)));
+    time += (i == 0 || i == steps ? 1 : i % 2 ? 4 : 2) * L / v * end / steps / 3;
+  }
+  EXPECT_NEAR(solved.number("t"), time, 1e-8);
+  EXPECT_NE(solved.reason("hi").find("give way and catch again without end"), std::string::npos) << solved.reason("hi");
+  EXPECT_LT(solved.notes().size(), 20U);
+}
+
+}  // namespace
+}  // namespace poinsot::problem

@@ -1,0 +1,49 @@
+// Claims that fail only where what is assumed is just met.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "problem/answers/solve_statement.h"
+
+namespace poinsot::problem {
+namespace {
+
+// A coin rolls on upright where s^2 > g/(3 r).
+SolvedClaim rolling_claim(const std::string& assumed) {
+  const Statement statement = read_statement(
+      "title: t\nletters: {r: m, s: rad/s}\npoints: {G: [0, 0, r], C: [0, 0, 0]}\n"
+      "bodies: {coin: {disk: {center: G, normal: x, radius: r}, mass: 10 g}}\n"
+      "contacts: {floor: {of: coin, at: C, normal: z, no_slip: true}}\n"
+      "instants: {now: {angular_velocity(coin): [s, 0, 0]}}\ngravity: [0, 0, -9.81 m/s^2]\n"
+      "claim: {a: {claim: stable(coin), assume: [\"" +
+          assumed + "\"]}}\n",
+      "claims.yaml");
+  return solve_statement(statement, {}).solutions.at(0).claims.at(0);
+}
+
+double value_of(const SolvedClaim& claim, const std::string& name) {
+  const auto datum = std::find_if(claim.counterexample.begin(), claim.counterexample.end(),
+                                  [&](const SolvedClaim::Datum& each) { return each.name == name; });
+  return datum == claim.counterexample.end() ? 0 : datum->value;
+}
+
+TEST(ClaimEdges, ACounterexampleStandsCloseToTheEdgeOfWhatIsAssumed) {
+  for (const double part : {0.25, 0.3, 0.32}) {
+    const SolvedClaim claim = rolling_claim("s^2 > " + std::to_string(part) + "*9.81 m/s^2 / r");
+    ASSERT_EQ(claim.state, AskState::found) << part << claim.reason;
+    EXPECT_FALSE(claim.holds) << part;
+    const double s = value_of(claim, "s"), group = s * s * value_of(claim, "r") / 9.81;
+    EXPECT_GT(group, part);
+    EXPECT_LT(group, 1.0 / 3);
+  }
+}
+
+TEST(ClaimEdges, WhatHoldsUpToTheEdgeHolds) {
+  const SolvedClaim claim = rolling_claim("3*s^2 > 9.81 m/s^2 / r");
+  ASSERT_EQ(claim.state, AskState::found) << claim.reason;
+  EXPECT_TRUE(claim.holds);
+}
+
+}  // namespace
+}  // namespace poinsot::problem

@@ -1,0 +1,185 @@
+// What worked solutions show of claims, and how claims end that hold nearly, or nowhere.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "poinsot/engine/math/formula/formula_text.h"
+#include "problem/answers/solve_statement.h"
+
+namespace poinsot::problem {
+namespace {
+
+Solution solution_of(const std::string& text, bool tell = true) {
+  return solve_statement(read_statement(text, "claims_told.yaml"), {}, tell).solutions.at(0);
+}
+
+const std::string pendulum = R"(
+letters: {m: kg, L: m}
+points: {O: [0, 0, 0], A: [0, -L, 0]}
+bodies:
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, angle: turn}
+gravity: -y
+define: {T: kinetic_energy(bar), V: potential_energy(bar), E: T + V}
+)";
+
+TEST(ClaimsTold, DecimalsThatDifferFarBehindThePointAreToldApart) {
+  const Solution solution = solution_of(pendulum + R"(claim:
+  near: moment_of_inertia(bar about z at O) == 0.33333333333*m*L^2
+  nearer: moment_of_inertia(bar about z at O) == 0.3333333333333333333333*m*L^2
+  root: radius_of_gyration(bar about z at O) == 0.57735026919*L
+  exact: moment_of_inertia(bar about z at O) == m*L^2/3
+  tenth: moment_of_inertia(bar about z at O) == 0.25*m*L^2 + m*L^2/12
+)");
+  for (const std::size_t k : {0U, 1U, 2U}) {
+    const SolvedClaim& claim = solution.claims.at(k);
+    EXPECT_EQ(claim.state, AskState::found) << claim.reason;
+    EXPECT_FALSE(claim.holds) << k;
+    ASSERT_TRUE(claim.difference && claim.sides) << k;
+    EXPECT_LT(std::abs(*claim.difference), 1e-10 * claim.sides->first) << k;
+    EXPECT_NE(*claim.difference, 0) << k;
+  }
+  EXPECT_GT(*solution.claims[0].difference, 0);
+  EXPECT_LT(*solution.claims[2].difference, 0);
+  for (const std::size_t k : {3U, 4U}) EXPECT_TRUE(solution.claims.at(k).holds && solution.claims[k].proved) << k;
+}
+
+TEST(ClaimsTold, ThoseThatNoPointSatisfiesNameTheMostFrequentFault) {
+  const std::string top = R"(
+letters: {l: m}
+points: {O: [0, 0, 0], T: [0, 0, l]}
+bodies:
+  top: {mass: 50 kg, center: T, inertia: {about: O, axis: z, axial: 1 kg*m^2, transverse: 0.1 kg*m^2}}
+joints:
+  tip: {ball: O, to: top}
+gravity: -z
+claim:
+  a: kinetic_energy(top) > 0 J
+)";
+  try {
+    solution_of(top, false);
+    FAIL() << "no such body";
+  } catch (const StatementError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("no rigid body has these moments: I_x >= 0 is broken"), std::string::npos) << message;
+    EXPECT_NE(message.find(", as at l = "), std::string::npos) << message;
+  }
+}
+
+TEST(ClaimsTold, SidesAndTheirDifference) {
+  const Solution solution = solution_of(pendulum + "claim: {a: \"T == m*L^2*turn'^2/6\", b: T <= E + m*g*L}\n");
+  const SolvedClaim& equal = solution.claims.at(0);
+  ASSERT_EQ(equal.comparisons.size(), 1U);
+  EXPECT_EQ(text(equal.comparisons[0].left), "L^2*m*turn'^2/6");
+  EXPECT_EQ(equal.comparisons[0].relation, "==");
+  ASSERT_TRUE(equal.comparisons[0].reduced);
+  EXPECT_TRUE(equal.comparisons[0].reduced->is_zero());
+  // g stands as a letter.
+  const SolvedClaim& larger = solution.claims.at(1);
+  ASSERT_EQ(larger.comparisons.size(), 1U);
+  const std::vector<std::string> letters = larger.comparisons[0].right.letters();
+  EXPECT_NE(std::find(letters.begin(), letters.end(), "g"), letters.end());
+  // Without being asked nothing is told.
+  EXPECT_TRUE(solution_of(pendulum + "claim: {a: \"E' == 0\"}\n", false).claims.at(0).comparisons.empty());
+}
+
+TEST(ClaimsTold, ConservationByTheRatesOfItsTerms) {
+  const SolvedClaim claim = solution_of(pendulum + "claim: {a: \"E' == 0\"}\n").claims.at(0);
+  ASSERT_TRUE(claim.holds && claim.proved);
+  ASSERT_EQ(claim.comparisons.size(), 1U);
+  const auto& parts = claim.comparisons[0].parts;
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].of, "T");
+  EXPECT_EQ(parts[1].of, "V");
+  EXPECT_EQ(text(parts[1].value), "g*L*m*turn'*sin(turn)/2");
+  EXPECT_TRUE((parts[0].value + parts[1].value).is_zero());
+}
+
+TEST(ClaimsTold, ConservationByCoordinatesAndVelocities) {
+  // A particle on a turning arm that slides out: its momentum about the axis is kept, term by term it is not.
+  const SolvedClaim claim = solution_of(R"(
+letters: {m: kg, r: m}
+points: {O: [0, 0, 0], P: [r, 0, 0]}
+bodies:
+  arm: massless
+  bead: {particle: P, mass: m}
+joints:
+  axle: {revolute: z, at: O, to: arm, angle: q}
+  slot: {prismatic: x, at: P, from: arm, to: bead, displacement: s}
+gravity: none
+define: {H: angular_momentum(bead about O).z}
+claim: {kept: "H' == 0"}
+)")
+                                .claims.at(0);
+  ASSERT_TRUE(claim.holds && claim.proved);
+  const auto& parts = claim.comparisons.at(0).parts;
+  ASSERT_EQ(parts.size(), 2U);
+  poinsot::Formula sum;
+  for (const auto& part : parts) {
+    EXPECT_TRUE(part.by_letter);
+    EXPECT_FALSE(part.value.is_zero());
+    sum += part.value;
+  }
+  EXPECT_TRUE(sum.is_zero());
+}
+
+TEST(ClaimsTold, StabilityByItsPolynomial) {
+  // A sleeping top: J^2 l^4 + (I^2 S^2 - 2 J m g h) l^2 + (m g h)^2 is stable if I S > 2 sqrt(J m g h).
+  const SolvedClaim claim = solution_of(R"(
+letters: {m: kg, h: m, I: kg*m^2, J: kg*m^2, S: rad/s, g: m/s^2}
+points: {O: [0, 0, 0], T: [0, 0, h]}
+bodies:
+  top: {mass: m, center: T, inertia: {axis: z, axial: I, transverse: J}}
+joints:
+  tip: {ball: O, to: top}
+steady: {frame: ground, spins: {top: {about: O->T, rate: S}}}
+gravity: -z
+claim: {sleeps: {claim: stable(top), assume: ["I^2*S^2 > 4*(J + m*h^2)*m*g*h"]}}
+)")
+                                .claims.at(0);
+  ASSERT_TRUE(claim.holds) << claim.reason;
+  ASSERT_TRUE(claim.stability);
+  const auto& polynomial = claim.stability->polynomial;
+  ASSERT_EQ(polynomial.size(), 5U);
+  EXPECT_TRUE(polynomial[1].is_zero() && polynomial[3].is_zero());
+  const LetterValues at{{"m", 2}, {"h", 0.3}, {"I", 0.5}, {"J", 0.4}, {"S", 9}, {"g", 9.8}};
+  const double A = 0.4 + 2 * 0.09, w = 2 * 9.8 * 0.3, scale = value_at(polynomial[4], at) / (A * A);
+  EXPECT_NEAR(value_at(polynomial[2], at), scale * (0.25 * 81 - 2 * A * w), 1e-9 * std::abs(scale) * 20);
+  EXPECT_NEAR(value_at(polynomial[0], at), scale * w * w, 1e-9 * std::abs(scale) * w * w);
+  if (claim.proved) {
+    EXPECT_FALSE(claim.stability->positive.empty());
+    for (const auto& one : claim.stability->positive) EXPECT_GT(value_at(one, at), 0) << text(one);
+  }
+}
+
+TEST(ClaimsTold, LawsThatAreWithdrawnLeaveNoNote) {
+  const Solution solution = solution_of(R"(
+letters: {a: m, c: m, w: rad/s}
+points: {O: [0, 0, 0], A: [a, 0, 0], B: [3*a, 0, 0], P: [0, 0, c]}
+bodies:
+  crank: {rod: [O, A], mass: 1 kg}
+  link: {rod: [A, B], mass: 1 kg}
+  block: {particle: B, mass: 1 kg}
+joints:
+  o: {revolute: z, at: O, to: crank, angle: q, rate: w}
+  j: {revolute: z, at: A, from: crank, to: link}
+  k: {revolute: z, at: B, from: link, to: block}
+  rail: {prismatic: x, at: B, to: block, displacement: s}
+gravity: none
+instants:
+  now: {q: 40 deg}
+ask:
+  v: velocity(block).x
+  r: min(norm(position(B of link)) with 100*c)
+)");
+  EXPECT_TRUE(solution.asks.at(0).formula);
+  EXPECT_FALSE(solution.asks.at(1).formula);
+  ASSERT_EQ(solution.notes.size(), 1U);
+  EXPECT_EQ(solution.notes.front(), "v by dimensional analysis, with numbers of 12 digits");
+}
+
+}  // namespace
+}  // namespace poinsot::problem

@@ -1,0 +1,229 @@
+// Equations of motion of problem files: of every example against the accelerations that the motion room finds by
+// numbers, and what is refused.
+#include "problem/equations/equations.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "poinsot/engine/math/trace/straight_line.h"
+#include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
+#include "problem/equations/traced_machine.h"
+#include "problem/language/tree.h"
+
+namespace poinsot::problem {
+namespace {
+
+template <class Set>
+EquationsOptions with(Set set) {
+  EquationsOptions options;
+  set(options);
+  return options;
+}
+
+std::string text_of(const std::string& problem, const EquationsOptions& options = {}) {
+  return equations_text(read_statement(problem, "x.yaml"), options);
+}
+
+const char* const pendulum = R"(letters: {m: kg, L: m}
+gravity: [0, 0, -9.81 m/s^2]
+points: {O: [0, 0, 0], A: [0, 0, -L]}
+bodies: {bar: {rod: [O, A], mass: m}}
+joints: {pin: {revolute: y, at: O, to: bar, angle: theta}}
+ask: {T: kinetic_energy(bar)}
+)";
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Equations, OfAPendulumAreThoseOfTheBook) {
+  const std::string text = text_of(pendulum);
+  EXPECT_TRUE(holds(text, "mass matrix")) << text;
+  EXPECT_TRUE(holds(text, "m       kg")) << text;
+  EXPECT_TRUE(holds(text, "theta'  rad/s")) << text;
+  EquationsOptions forward;
+  forward.parts = {EquationPart::forward_dynamics};
+  forward.sets = {{"m", "2 kg"}, {"L", "3 m"}};
+  forward.form = TextForm::python;
+  EXPECT_TRUE(holds(text_of(pendulum, forward), "sin(q[0])"));
+}
+
+TEST(Equations, ADatumCanStayALetter) {
+  std::string problem = pendulum;
+  problem.replace(0, problem.find('\n'), "given: {m: 2 kg, L: 3 m}");
+  const EquationsOptions in_c = with([](auto& o) { o.form = TextForm::c; });
+  EXPECT_FALSE(holds(text_of(problem, in_c), "parameters[0]"));
+  EXPECT_TRUE(holds(text_of(problem, with([](auto& o) {
+                              o.form = TextForm::c;
+                              o.letters = {"L"};
+                            })),
+                    "parameters[0]  L, m"));
+  EXPECT_THROW(text_of(problem, with([](auto& o) { o.letters = {"M"}; })), StatementError);
+}
+
+// Of all letters only some are a body's.
+TEST(Equations, LettersMayHaveToFitTogether) {
+  const std::string top = R"(letters: {m: kg, c: m, I: kg*m^2, Ip: kg*m^2}
+gravity: -Z
+axes: [X, Y, Z]
+points: {O: [0, 0, 0], G: [0, 0, c]}
+bodies: {top: {mass: m, center: G, inertia: {about: O, axis: Z, axial: I, transverse: Ip}}}
+joints: {tip: {ball: O, to: top, angles: [phi: Z, theta: Y, psi: Z]}}
+ask: {T: kinetic_energy(top)}
+)";
+  const std::string text = text_of(top);
+  EXPECT_TRUE(holds(text, "mass matrix")) << text;
+  EXPECT_TRUE(holds(text, "Ip")) << text;
+
+  // Products of inertia and offsets of either sign are small beside the moments.
+  const std::string any_body =
+      R"(letters: {m: kg, xG: {signed: m}, yG: {signed: m}, I1: kg*m^2, I2: kg*m^2, I3: kg*m^2, P: {signed: kg*m^2}}
+points: {O: [0, 0, 0], G: [xG, yG, 0]}
+bodies: {body: {mass: m, center: G, inertia: {about: O, x: I1, y: I2, z: I3, xy: P}}}
+joints: {tip: {ball: O, to: body}}
+ask: {T: kinetic_energy(body)}
+)";
+  EXPECT_TRUE(holds(text_of(any_body), "mass matrix"));
+
+  std::string flat = top;
+  flat.replace(flat.find("axial: I,"), 9, "axial: 3*Ip,");
+  try {
+    ADD_FAILURE() << text_of(flat);
+  } catch (const StatementError& error) {
+    EXPECT_TRUE(holds(error.what(), "no rigid body has these moments")) << error.what();
+    EXPECT_TRUE(holds(error.what(), "at all values of the letters that were tried")) << error.what();
+  }
+}
+
+TEST(Equations, RefusesWithAReason) {
+  const auto reason = [](const std::string& problem, const EquationsOptions& options = {}) -> std::string {
+    try {
+      text_of(problem, options);
+    } catch (const NoEquations& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  const std::string fixed = R"(points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {bar: {rod: [O, A], mass: 1 kg}}
+joints: {wall: {weld: O, to: bar}}
+ask: {T: mass(bar)}
+)";
+  EXPECT_EQ(reason(fixed), "nothing in it can move");
+  std::string unknown_mass = pendulum;
+  unknown_mass.replace(unknown_mass.find("mass: m}"), 8, "mass: any}");
+  EXPECT_EQ(reason(unknown_mass), "a mass property is given as `any`: the equations of motion need it");
+  EXPECT_THROW(text_of(pendulum, with([](auto& o) { o.situation = "other"; })), StatementError);
+  EXPECT_THROW(text_of(pendulum, with([](auto& o) { o.sets = {{"k", "1 kg"}}; })), StatementError);
+}
+
+// A value for every name that the formulas keep.
+Settings random_settings(const Situation& problem, std::mt19937_64& random) {
+  Settings settings;
+  const auto number = [&] { return std::uniform_real_distribution<double>(0.6, 1.4)(random); };
+  // Products of inertia and offsets are small beside moments of inertia.
+  for (const Letter& letter : problem.letters)
+    settings[letter.name] =
+        Value<double>::of_number(letter.either_sign ? 0.4 * (number() - 1) : number(), letter.unit.dimension);
+  for (const Unknown& unknown : problem.find)
+    settings[unknown.name] = unknown.vector
+                                 ? Value<double>::of_vector({number(), number(), number()}, unknown.unit.dimension)
+                                 : Value<double>::of_number(number(), unknown.unit.dimension);
+  return settings;
+}
+
+double parameter(const Settings& settings, const Situation& problem, const std::string& name) {
+  if (name == "time") return 0;
+  if (const auto found = settings.find(name); found != settings.end()) return found->second.number;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (name.ends_with("_" + problem.axes[k]))
+      return settings.at(name.substr(0, name.size() - problem.axes[k].size() - 1)).vector[k];
+  throw std::logic_error("no value for " + name);
+}
+
+// Largest difference of the traced accelerations from those of MechanismDynamics, relative; nothing where the
+// statement has no equations or no values.
+std::optional<double> difference(const Situation& problem, std::mt19937_64& random) {
+  const Settings settings = random_settings(problem, random);
+  Machine machine;
+  std::optional<TracedMachine> traced;
+  try {
+    traced.emplace(traced_machine(problem, {}, "u"));
+    DataScope<double> data(problem, settings, 0);
+    DataScope<TimeJet> timed(problem, settings, time_jet(0.0));
+    MachineOptions options;
+    options.lenient = true;
+    if (!problem.stages.empty()) options.loads = problem.stages.front().loads;
+    machine = build_machine(
+        problem, data, timed, [](const Dimension&) { return 1.0; }, options);
+  } catch (const StatementError&) {
+    return std::nullopt;
+  } catch (const NoEquations&) {
+    return std::nullopt;
+  }
+  for (auto& c : machine.mechanism.constraints) {
+    c.carried_by.reset();
+    c.carried_along.reset();
+  }
+  MechanismDynamics dynamics(machine.mechanism);
+  State<double> state{machine.q, std::vector<double>(static_cast<std::size_t>(machine.mechanism.tree.velocity_size()))};
+  const auto number = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(random); };
+  for (double& v : state.v) v = number(1);
+  // Loops and contacts are closed as drawn.
+  if (machine.mechanism.constraints.empty()) {
+    integrate_position<double>(machine.mechanism.tree, state.q, state.v, 0.7);
+    for (double& v : state.v) v = number(1);
+  }
+  std::vector<double> inputs = state.q, expected(state.v.size()), found(state.v.size());
+  inputs.insert(inputs.end(), state.v.begin(), state.v.end());
+  for (std::size_t k = 0; k < state.v.size(); ++k) {
+    const bool held = dynamics.is_held(static_cast<int>(k));
+    EXPECT_EQ(held, traced->held[k]);
+    const double acceleration = held ? number(1) : 0;
+    if (held) dynamics.set_held_acceleration(static_cast<int>(k), acceleration);
+    inputs.push_back(acceleration);
+  }
+  for (std::size_t i = inputs.size(); i < traced->inputs.size(); ++i)
+    inputs.push_back(parameter(settings, problem, traced->inputs[i].name));
+
+  const TraceScope scope(traced->trace);
+  EquationsOfMotion<Traced> equations = equations_of_motion(traced->mechanism, traced->state);
+  std::vector<Traced> accelerations;
+  try {
+    accelerations = solved_accelerations(reduced_equations(equations, traced->held, traced->third));
+  } catch (const std::domain_error&) {
+    return std::nullopt;  // something moves no mass
+  }
+  StraightLine(traced->trace, accelerations).evaluate(inputs, found);
+  dynamics.accelerations(state.q, state.v, expected);
+  if (!dynamics.open_coordinates(state.q).empty()) return std::nullopt;
+  double apart = 0, size = 1e-3;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    // What is not a number must not pass.
+    const double d = std::fabs(found[k] - expected[k]);
+    apart = d <= apart ? apart : d;
+    size = std::max(size, std::fabs(expected[k]));
+  }
+  return apart / size;
+}
+
+TEST(Equations, OfTheExamplesGiveTheAccelerationsOfTheEngine) {
+  std::mt19937_64 random(5);
+  int compared = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/examples/textbook")) {
+    if (entry.path().extension() != ".yaml") continue;
+    const Statement statement = read_statement(read_file(entry.path().string()), entry.path().string());
+    for (const Situation& situation : statement.situations) {
+      const auto apart = difference(situation, random);
+      if (!apart) continue;
+      ++compared;
+      EXPECT_LT(*apart, 1e-8) << entry.path() << " " << situation.name;
+    }
+  }
+  EXPECT_GT(compared, 60);
+}
+
+}  // namespace
+}  // namespace poinsot::problem

@@ -1,0 +1,95 @@
+// Formulas hold for all values of their letters, or are none.
+#include "problem/formulas/formula_reach.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "problem/answers/solve_statement.h"
+
+namespace poinsot::problem {
+namespace {
+
+Solution solved(const std::string& text) {
+  return solve_statement(read_statement(text, "test.yaml"), {}).solutions.at(0);
+}
+
+// Struck near its end, a rod on a table turns about its mass center so fast that the other end would go down.
+TEST(FormulaReach, a_blow_depends_on_where_it_comes) {
+  const Solution solution = solved(R"(
+letters: {m: kg, L: m, J: N*s, a: mm}
+points: {A: [0, 0, 0], B: [L, 0, 0], C: [a, 0, 0]}
+bodies: {p: {rod: [A, B], mass: m}}
+contacts: {f: {of: p, at: A, normal: y}}
+impulses: {j: {body: p, at: C, value: [0, J, 0]}}
+instants: {before: rest}
+gravity: -y
+ask: {f: impulse(f on p)}
+)");
+  EXPECT_EQ(solution.asks[0].state, AskState::needs_letters);
+  EXPECT_FALSE(solution.asks[0].formula.has_value());
+}
+
+// Whatever formula is given for an angle between lines agrees with numbers in every quadrant.
+TEST(FormulaReach, angles_agree_in_every_quadrant) {
+  const std::string text = R"(
+letters: {b: deg, m: kg, L: m}
+points: {O: [0, 0, 0], A: [L*cos(b), L*sin(b), 0]}
+bodies: {p: {rod: [O, A], mass: m}}
+joints: {s: {revolute: z, at: O, to: p, rate: 2 rad/s}}
+gravity: -y
+ask: {t: angle(center(p) to x), acute: acute_angle(center(p) to x), q: atan(center(p).y/center(p).x), a: angular_acceleration(p).z}
+)";
+  const Solution solution = solved(text);
+  EXPECT_TRUE(solution.asks[3].formula.has_value());
+  constexpr double pi = 3.141592653589793;
+  for (const double b : {0.4, 1.9, -2.3, -0.7}) {
+    const LetterValues letters{{"b", b}, {"m", 2}, {"L", 1.5}};
+    const double acute = std::min(std::abs(b), pi - std::abs(b));
+    const double expected[] = {std::abs(b), acute, std::atan(std::tan(b))};
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(solution.asks[i].state, AskState::needs_letters);
+      if (solution.asks[i].formula) {
+        EXPECT_NEAR(value_at(solution.asks[i].formula->number, letters), expected[i], 1e-9) << i << " at " << b;
+      }
+    }
+  }
+}
+
+// What a cord or a contact must do is told as a formula where it may fail to, and only there.
+TEST(FormulaReach, what_must_pull_or_push_is_told_as_a_formula) {
+  const std::string bob = R"(
+letters: {m: kg, L: m, v: m/s, b: rad, g: m/s^2}
+points: {O: [0, 0, 0], B: [L*sin(b), -L*cos(b), 0]}
+bodies: {bob: {particle: B, mass: m}}
+cords: {cord: {at: O, to: bob, end: B}}
+gravity: -y
+facts: {velocity(bob): [v*cos(b), v*sin(b), 0]}
+ask: {a: acceleration(bob)}
+)";
+  const Solution swings = solved(bob);
+  ASSERT_EQ(swings.conditions.size(), 1U);
+  EXPECT_EQ(swings.conditions.front().words, "the cord 'cord' stays taut");
+  EXPECT_EQ(std::count(swings.assumptions.begin(), swings.assumptions.end(), swings.conditions.front().words), 1);
+  for (const double b : {0.3, 1.7, 2.9})
+    for (const double v : {0.5, 5.0}) {
+      const LetterValues at{{"m", 2}, {"L", 1.5}, {"v", v}, {"b", b}, {"g", 9.8}};
+      EXPECT_NEAR(value_at(swings.conditions.front().positive, at), 2 * (9.8 * std::cos(b) + v * v / 1.5), 1e-9);
+    }
+  // A plate let go on one cord pulls it whatever its sizes are.
+  const Solution hangs = solved(R"(
+letters: {m: kg, a: m, b: m, g: m/s^2}
+points: {A: [0, 0, 0], B: [a, 0, 0], C: [a, -b, 0], U: [0, b, 0]}
+bodies: {plate: {rectangle: {corners: [A, B, C]}, mass: m}}
+cords: {c: {at: U, to: plate, end: A}}
+gravity: -y
+instants: {now: rest}
+ask: {T: tension(c)}
+)");
+  EXPECT_TRUE(hangs.conditions.empty());
+}
+
+}  // namespace
+}  // namespace poinsot::problem

@@ -1,0 +1,77 @@
+// Values of data, and how they follow the time.
+#include "problem/machine/data.h"
+
+#include <gtest/gtest.h>
+
+#include "problem/entries/statement.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr const char* text = R"(
+given: {m: 2 kg, rate: 3 rad/s, turned: rate*time, twice: 2*turned}
+points: {A: [1 m, 0, 0], B: 'A + [0, time*(1 m/s), 0]'}
+bodies: {ball: {particle: A, mass: m}}
+ask: {a: mass(ball)}
+)";
+
+class DataInTime : public ::testing::Test {
+ protected:
+  Statement statement_ = read_statement(text, "data.yaml");
+  const Situation& problem_ = statement_.situations.front();
+  Settings settings_;
+  Expression of(const char* words) { return parse_expression(words, "data.yaml", Mark{}); }
+};
+
+TEST_F(DataInTime, EachTimeHasItsValues) {
+  DataScope<double> moving(problem_, settings_, 0.5);
+  for (const double time : {0.5, 1.0, 1.0, 7.0, 0.0}) {
+    moving.set_time(time);
+    DataScope<double> fresh(problem_, settings_, time);
+    for (const char* words : {"turned", "twice", "time"})
+      EXPECT_EQ(moving.value(of(words)).number, fresh.value(of(words)).number) << words << " at " << time;
+    for (const char* place : {"A", "B"})
+      EXPECT_EQ(norm(moving.place(of(place)) - fresh.place(of(place))), 0) << place << " at " << time;
+    EXPECT_EQ(moving.number(of("m"), dimensions::mass), 2);
+    EXPECT_DOUBLE_EQ(moving.value(of("twice")).number, 6 * time);
+  }
+}
+
+TEST_F(DataInTime, WhatFollowsTheTimeIsKnown) {
+  DataScope<double> data(problem_, settings_, 2);
+  data.value(of("m*norm(A)"));
+  EXPECT_FALSE(data.follows_time());
+  data.value(of("twice"));
+  EXPECT_TRUE(data.follows_time());
+  data.set_time(3);
+  EXPECT_FALSE(data.follows_time());
+  data.place(of("B"));
+  EXPECT_TRUE(data.follows_time());
+}
+
+// What had no value may be asked again: it is not in the middle of its definition.
+TEST(Data, WhatFailsFailsAgainForTheSameReason) {
+  const Statement statement = read_statement(R"(
+given: {m: 2 kg, lost: 'sqrt(-m/(1 kg))', behind: 2*lost}
+points: {A: [0, 0, 0]}
+bodies: {ball: {particle: A, mass: m}}
+ask: {a: mass(ball)}
+)",
+                                             "data.yaml");
+  const Settings settings;
+  DataScope<double> data(statement.situations.front(), settings);
+  const Expression behind = parse_expression("behind", "data.yaml", Mark{});
+  std::string first;
+  for (int time = 0; time < 2; ++time) {
+    try {
+      data.value(behind);
+      ADD_FAILURE() << "it has no value";
+    } catch (const DomainError& error) {
+      if (time == 0) first = error.what();
+      EXPECT_EQ(error.what(), first);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::problem

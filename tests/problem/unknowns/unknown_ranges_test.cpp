@@ -1,0 +1,127 @@
+// What may stand under where:, how poses are told apart, and letters for which nothing is found.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "problem/answers/solve_statement.h"
+#include "problem/language/failure.h"
+
+namespace poinsot::problem {
+namespace {
+
+SolvedStatement solved(const std::string& text) { return solve_statement(read_statement(text, "test.yaml"), {}); }
+
+std::string whirled(const std::string& where, const std::string& facts) {
+  return "find: {n: rad/s}\nwhere: [" + where +
+         "]\npoints: {O: [0, 0, 0], A: [1 m, 0, 0]}\nbodies: {p: {particle: A, mass: 2 kg}}\n"
+         "joints: {s: {revolute: z, at: O, to: p, rate: n, accel: 0}}\ngravity: none\n" +
+         facts + "ask: {n: n}\n";
+}
+
+TEST(Where, equations_are_sent_to_the_facts) {
+  const auto message = [](const std::string& where) { return failure_of([&] { solved(whirled(where, "")); }); };
+  const std::string equation = message("n > 0, n^2 == 9 rad^2/s^2");
+  EXPECT_TRUE(equation.starts_with("test.yaml:2:16: error: ")) << equation;
+  EXPECT_NE(equation.find("fixes something"), std::string::npos) << equation;
+  EXPECT_NE(message("norm(force(s on p)) == 50 N").find("facts: {\"norm(force(s on p))\": 50 N}"), std::string::npos);
+}
+
+TEST(Where, bounds_of_quantities_tell_solutions_apart) {
+  const std::string facts = "facts: {norm(force(s on p)): 50 N}\n";
+  EXPECT_EQ(solved(whirled("n < 100 rad/s", facts)).solutions.size(), 2U);
+  const SolvedStatement one = solved(whirled("velocity(p).y < 0 m/s", facts));
+  ASSERT_EQ(one.solutions.size(), 1U);
+  EXPECT_NEAR(one.solutions[0].asks[0].value.number, -5, 1e-9);
+}
+
+std::vector<double> angles_of(const std::string& text) {
+  std::vector<double> found;
+  for (const Solution& solution : solved(text).solutions) found.push_back(solution.asks[0].value.number);
+  return found;
+}
+
+TEST(Poses, equilibrium_at_zero_is_found) {
+  const std::vector<double> found = angles_of(R"(
+find: {b: deg}
+where: [-20 deg < b < 20 deg]
+points: {O: [0, 0, 0], A: [0, -1 m, 0]}
+bodies: {p: {rod: [O, A], mass: 2 kg}}
+joints: {q: {revolute: z, at: O, to: p, angle: b, rate: 0}}
+gravity: -y
+facts: {"b''": 0}
+ask: {b: b}
+)");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0], 0);
+}
+
+TEST(Poses, a_half_turn_is_one_pose) {
+  const std::vector<double> found = angles_of(R"(
+given: {n: 6 rad/s}
+find: {b: deg}
+points: {O: [0, 0, 0], A: [0, -1 m, 0]}
+bodies: {sh: massless, p: {rod: [O, A], mass: 2 kg}}
+joints:
+  d: {revolute: y, at: O, to: sh, rate: n, accel: 0}
+  q: {revolute: z, at: O, from: sh, to: p, angle: b, rate: 0}
+gravity: -y
+facts: {"b''": 0}
+ask: {b: b}
+)");
+  // cos b = 3 g/(2 n^2 L) beside hanging and standing.
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_NEAR(found[0], -std::acos(1.5 * 9.80665 / 36), 1e-9);
+  EXPECT_EQ(found[1], 0);
+  EXPECT_NEAR(found[2], std::acos(1.5 * 9.80665 / 36), 1e-9);
+  EXPECT_NEAR(found[3], 3.141592653589793, 1e-9);
+}
+
+TEST(Letters, where_nothing_is_found_the_drawn_values_are_told) {
+  const SolvedStatement none = solved(R"(
+letters: {m: kg}
+find: {w: rad/s}
+points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {p: {particle: A, mass: m}}
+joints: {s: {revolute: z, at: O, to: p, rate: w, accel: 0}}
+gravity: none
+facts: {kinetic_energy(p): -1 J}
+ask: {w: w}
+)");
+  EXPECT_TRUE(none.solutions.empty());
+  ASSERT_FALSE(none.warnings.empty());
+  EXPECT_NE(none.warnings[0].find("the letters have no values: they were drawn"), std::string::npos)
+      << none.warnings[0];
+}
+
+// One ask that the statement does not answer leaves the others.
+TEST(Motions, that_are_not_fixed_leave_the_other_asks) {
+  const SolvedStatement all = solved(R"(
+points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {b: {rod: [O, A], mass: 3 kg}}
+joints: {j: {revolute: z, at: O, to: b, accel: 3 rad/s^2}}
+gravity: none
+ask: {a: angular_acceleration(b).z, w: angular_velocity(b).z @ 2 s}
+)");
+  EXPECT_EQ(all.solutions.at(0).asks[0].state, AskState::found);
+  EXPECT_EQ(all.solutions.at(0).asks[1].state, AskState::undetermined);
+  EXPECT_NE(all.solutions.at(0).asks[1].reason.find("the rate of joint 'j' is unknown"), std::string::npos);
+}
+
+TEST(Extrema, of_signed_letters_are_sought_on_both_sides) {
+  const SolvedStatement all = solved(R"(
+letters: {c: {signed: m}}
+points: {A: [c, 0, 0]}
+bodies: {p: {particle: A, mass: 1 kg}}
+ask:
+  left: {smallest: c, while: center(p).x > -3 m}
+  right: {largest: c, while: center(p).x < -3 m}
+)");
+  for (const SolvedAsk& ask : all.solutions.at(0).asks) {
+    EXPECT_EQ(ask.state, AskState::found) << ask.reason;
+    EXPECT_NEAR(ask.value.number, -3, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::problem
