@@ -12,7 +12,7 @@
 namespace poinsot::solve {
 namespace {
 
-// By how much a constraint is open.
+// The distance (m) or angle (rad) by which a constraint is open in this pose.
 template <class Scalar>
 Scalar gap_of(const MechanismStateOf<Scalar>& moment, std::size_t constraint) {
   const Mechanism<Scalar>& mechanism = moment.mechanism();
@@ -28,7 +28,7 @@ std::vector<std::size_t> constraints_on_positions(const Mechanism<Scalar>& mecha
   return found;
 }
 
-// Velocity coordinates that may move: those of coordinates without a value.
+// Marks the velocity coordinates that the closing may move: those of joints whose positions are not given.
 template <class Scalar>
 std::vector<bool> movable_coordinates(const Model<Scalar>& tree, const std::vector<bool>& given) {
   std::vector<bool> movable(static_cast<std::size_t>(tree.velocity_size()), true);
@@ -39,10 +39,10 @@ std::vector<bool> movable_coordinates(const Model<Scalar>& tree, const std::vect
   return movable;
 }
 
-// One step of Newton's method: displacements of the movable coordinates that close the gaps of some constraints.
+// One step of Newton's method: the displacements of the movable coordinates that close the linearised gaps.
 class ClosingStep {
  public:
-  // movable must outlive the step.
+  // The vector `movable` must outlive the step.
   template <class Scalar>
   ClosingStep(const Model<Scalar>& tree, double length, const std::vector<bool>& movable)
       : length_(length), movable_(movable) {
@@ -86,7 +86,8 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
   const int steps = std::clamp(static_cast<int>(std::ceil(largest / 0.05)), 4, 400);
   std::vector<double> before = result.q;
   for (int step = 1; step <= steps; ++step) {
-    // The others go on as they went: through a pose in which the loop could part, and close to where they will be.
+    // The start of each step continues the last one in a straight line: this leads through poses in which the loop
+    // could part, and lies close to the next closed pose.
     const std::vector<double> last = result.q;
     for (const Body<double>& body : tree.bodies())
       if (position_size(body.joint) == 1) {
@@ -112,7 +113,8 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
         }
         newton.add(c.kind, constraint_coefficients(moment, c), gap);
       }
-      // Near a pose in which the loop could part gaps are the squares of what the pose is off: the last steps count.
+      // Near a pose in which the loop could part a gap is the square of the distance from that pose, so that it
+      // becomes small long before the pose is reached. The last part goes on as long as its steps still help.
       const bool closed = worst < 1e-14 && (step < steps || worst > 0.25 * previous);
       if (closed || worst < 4 * std::numeric_limits<double>::epsilon()) break;
       previous = worst;
@@ -131,7 +133,8 @@ std::vector<Dual<1>> varied_pose(const Mechanism<Dual<1>>& mechanism, const std:
   std::vector<Dual<1>> q(closed.begin(), closed.end());
   for (std::size_t k = 0; k < q.size(); ++k)
     if (given[k]) q[k].partial = target[k].partial;
-  // What varies opens the gaps while the other coordinates are held; one step of theirs closes them again.
+  // The dual parts of the given coordinates open the gaps at first order. One Newton step of the movable coordinates
+  // closes them again and so gives their derivatives.
   const std::vector<bool> movable = movable_coordinates(tree, given);
   MechanismStateOf<Dual<1>> moment(mechanism);
   moment.set_positions(q);
@@ -156,7 +159,7 @@ void update_contacts(Mechanism<Scalar>& mechanism, const MechanismStateOf<Scalar
     const std::optional<Vector> r = detail::reach_of_rolling(tree, w, c);
     if (!r) continue;
     const Vector was = moment.position(c.at) - point_position(tree, w, c.on, c.center);
-    // What is nothing but rounding leaves the point where it is; its derivatives still count.
+    // A change that is nothing but rounding must not move the point, but its derivatives count.
     Vector change = *r - was;
     if (norm(plain(change)) < 1e-12 * plain(c.radius)) change = change - lifted<Scalar>(plain(change));
     if (vanishes(change.x) && vanishes(change.y) && vanishes(change.z)) continue;

@@ -12,7 +12,7 @@ ConstraintRow<Scalar> constraint_row(const MechanismStateOf<Scalar>& moment, con
   ConstraintRow<Scalar> row;
   row.coefficients.assign(static_cast<std::size_t>(tree.velocity_size()), Scalar(0));
   row.bias = line.bias;
-  // A cord acts on its other end.
+  // The two bodies meet at one point, but a cord pulls each of them at its own end.
   const auto add = [&](int body, const Vector3<Scalar>& p, double sign) {
     for_each_coordinate_motion(tree, w, body, p, [&](int k, const SpatialMotion<Scalar>& S) {
       row.coefficients[static_cast<std::size_t>(k)] +=

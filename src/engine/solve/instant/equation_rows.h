@@ -11,7 +11,8 @@ namespace poinsot::solve {
 
 inline constexpr const char* axis_names[] = {"x", "y", "z"};
 
-// sum_k coefficients[k] x_k = 0, the right side still to come. Coefficients that vanish for good are left out.
+// Adds the equation sum_k coefficients[k] x_k = 0; the caller sets the right side. Coefficients that are zero for
+// every value of the letters or of the dual part are left out.
 template <class Scalar>
 std::size_t add_row(LinearSystemOf<Scalar>& system, std::string_view words, double scale,
                     const std::vector<Scalar>& coefficients) {

@@ -12,15 +12,16 @@
 namespace poinsot::solve {
 namespace {
 
-
-// What is left of a vector's vanishing components and of vanishing differences, as part of their sizes.
+// What rounding leaves of a sum that should vanish, as a part of the sizes of its terms: some twenty units in the
+// last place.
 constexpr double rounding = 4e-15;
 
-// The coefficients of a constraint without what rounding has left in them: no arm is that small beside the mechanism.
+// The coefficients of a constraint, with those set to zero that are smaller than any arm in the mechanism could be
+// and so must be rounding.
 template <class Scalar>
 std::vector<Scalar> without_rounding(std::vector<Scalar> coefficients, const VelocityConstraint<Scalar>& constraint,
                                      const Model<Scalar>& tree, const Scales& scales) {
-  // Exact numbers have none.
+  // Formulas are exact and hold no rounding.
   if constexpr (std::is_same_v<Scalar, Formula>) return coefficients;
   const double least = 2e-14 * (constraint.kind == VelocityConstraintKind::angular ? 1 : scales.length);
   for (std::size_t k = 0; k < coefficients.size(); ++k) {
@@ -32,7 +33,8 @@ std::vector<Scalar> without_rounding(std::vector<Scalar> coefficients, const Vel
   return coefficients;
 }
 
-// An acceleration by the name of the coordinate's rate: "angular velocity of disk" -> "angular acceleration of disk".
+// Names the acceleration of a coordinate after its rate: "angular velocity of disk" becomes "angular acceleration of
+// disk".
 template <class Scalar>
 void add_acceleration(LinearSystemOf<Scalar>& system, std::string_view name, double scale) {
   for (const auto& [rate, acceleration] :
@@ -114,7 +116,8 @@ ForceUnknowns force_unknowns(const Mechanism<Scalar>& mechanism) {
 template <class Scalar>
 LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& moment, const Scales& scales,
                                         const std::vector<ConditionOf<Scalar>>& conditions) {
-  // What is left of the momentum rates without accelerations is known.
+  // With all accelerations at zero, what is left of the rates of momenta depends on the velocities alone and goes to
+  // the right side.
   if (std::any_of(moment.accelerations().begin(), moment.accelerations().end(),
                   [](const Scalar& a) { return !vanishes(a); })) {
     MechanismStateOf<Scalar> unaccelerated = moment;
@@ -184,7 +187,7 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& moment, 
       }
     });
   }
-  // Every wrench acts on one body and, reversed, on another.
+  // Every wrench acts on one body and, reversed, on another. Bodies that take no part have no equations.
   const auto on_both = [&](const Action& action, const Wrench& wrench, auto&& add) {
     for (const auto& [body, sign] : {std::pair{action.on, Scalar(1)}, std::pair{action.from, Scalar(-1)}}) {
       if (body == ground || !mechanism.takes_part[static_cast<std::size_t>(body)]) continue;

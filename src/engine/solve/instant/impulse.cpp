@@ -10,7 +10,6 @@
 namespace poinsot::solve {
 namespace {
 
-
 template <class Scalar>
 Vector3<Scalar> point_rate(const MechanismStateOf<Scalar>& moment, int body, const Vector3<Scalar>& p) {
   const BodyMotion<Scalar>& motion = moment.workspace().motion[static_cast<std::size_t>(body + 1)];
@@ -132,7 +131,8 @@ LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before,
     });
   }
 
-  // What joints, contacts and taut cords forbid is still forbidden; what does not act gives no impulse.
+  // A joint, contact or taut cord constrains the velocities after the blow as it did before. What does not act at
+  // this blow gives no equation.
   for (std::size_t i = 0; i < mechanism.constraints.size(); ++i) {
     const VelocityConstraint<Scalar>& constraint = mechanism.constraints[i];
     if (constraint.action >= 0 && !acting[static_cast<std::size_t>(constraint.action)]) continue;
@@ -159,7 +159,7 @@ LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before,
     system.add(row, static_cast<std::size_t>(k), Scalar(1));
     system.add_right_side(row, before.state().v[static_cast<std::size_t>(k)]);
   }
-  // Relative velocity after = -e times that before, along the push.
+  // Newton's restitution: along the push the relative velocity after the impact is -e times the one before.
   for (const ImpactOf<Scalar>& impact : blow.impacts) {
     const std::size_t row = system.add_equation({"restitution at '", impact.name, "'"}, scales.length);
     const Vector P = before.position(impact.at), n = before.direction(impact.push);

@@ -10,7 +10,7 @@
 namespace poinsot::solve {
 namespace {
 
-// About the ground's origin.
+// The wrench of a force and a couple, with its moment about the origin of the ground.
 template <class Scalar>
 SpatialForce<Scalar> wrench_of(const PlacedForce<Scalar>& f) {
   return {f.couple + cross(f.point, f.force), f.force};
@@ -67,8 +67,8 @@ SpatialForce<Scalar> MechanismStateOf<Scalar>::component_wrench(const Component<
   return wrench_of(component_force(mechanism_.tree, workspace_, component));
 }
 
-// What a motor about one axis passes on through gimbals that turn freely: a couple with moment one about its own axis
-// and none about the others.
+// The wrench per unit effort. A motor on an axis within gimbals that turn freely passes on a couple that has the
+// component one along its own axis and none along the axes of the gimbals.
 template <class Scalar>
 SpatialForce<Scalar> MechanismStateOf<Scalar>::drive_wrench(const Drive<Scalar>& drive) const {
   const Vector3<Scalar> d = direction(drive.along);
@@ -80,7 +80,7 @@ SpatialForce<Scalar> MechanismStateOf<Scalar>::drive_wrench(const Drive<Scalar>&
   } else if (drive.others.size() == 2) {
     couple = cross(direction(drive.others[0]), direction(drive.others[1]));
   }
-  // Axes in one plane leave no such couple; then it is that of the axis alone.
+  // If the axes lie in one plane there is no such couple, and the couple along the motor's own axis is taken.
   const Scalar about_own = dot(couple, d);
   return {std::abs(plain(about_own)) < 1e-9 ? d : couple / about_own, Vector3<Scalar>::zero()};
 }

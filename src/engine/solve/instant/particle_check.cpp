@@ -16,7 +16,7 @@ constexpr Real whole_turn = 2 * std::numbers::pi_v<Real>;
 
 Vector widened(const Vector3<double>& a) { return {a.x, a.y, a.z}; }
 
-// x -> place + turned x, on ground axes of the drawn pose.
+// A rigid displacement from the drawn pose, on ground axes: x goes to shift + turn x.
 struct Displacement {
   Matrix3<Real> turn = Matrix3<Real>::identity();
   Vector shift = Vector::zero();
@@ -39,7 +39,8 @@ Matrix3<Real> attitude(const double* c) {
           {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
 }
 
-// Where each link takes the drawn space at time t from now, to the second order in t that decides what is checked.
+// Where each link carries the space of the drawing at the time t from now. Coordinates go as q + v t + a t^2/2: first
+// and second derivatives at t = 0 depend on no more.
 std::vector<Displacement> displacements(const std::vector<CheckLink>& links, const std::vector<double>& q,
                                         const std::vector<double>& v, const std::vector<double>& a, Real t) {
   std::vector<Displacement> all(links.size());
@@ -55,7 +56,8 @@ std::vector<Displacement> displacements(const std::vector<CheckLink>& links, con
       case JointType::prismatic:
       case JointType::screw: {
         const Vector u = normalized(widened(link.axis));
-        // Whole turns are taken off: the digits of an angle that has gone round often are needed behind the point.
+        // Whole turns are taken off, as the angle of a body that has turned often would lose the digits behind the
+        // point.
         const Real now = link.type == JointType::revolute ? std::remainder(Real(q[link.position]), whole_turn)
                                                           : Real(q[link.position]);
         const Real x = now + travelled(link.velocity);
@@ -99,10 +101,10 @@ constexpr std::array<Real, 4> first_weights{Real(4) / 5, -Real(1) / 5, Real(4) /
 constexpr Real second_center = -Real(205) / 72;
 constexpr std::array<Real, 4> second_weights{Real(8) / 5, -Real(1) / 5, Real(8) / 315, -Real(1) / 560};
 
-// The larger one; what is no number stays.
+// std::max would lose a NaN; this keeps it.
 Real larger(Real a, Real b) { return std::isnan(a) || a > b ? a : b; }
 
-// A misfit that is no number counts as without bound.
+// A misfit over the size of its terms. What is not a number counts as infinite.
 Real ratio(Real misfit, Real size) {
   if (!std::isfinite(misfit) || !std::isfinite(size)) return std::numeric_limits<Real>::infinity();
   return size > 0 ? misfit / size : misfit > 0 ? 1 : 0;
@@ -113,7 +115,7 @@ Real ratio(Real misfit, Real size) {
 CheckResult check_with_particles(const std::vector<CheckLink>& links, const std::vector<CheckBody>& bodies,
                                  const std::vector<double>& q, const std::vector<double>& v,
                                  const std::vector<double>& a) {
-  // A step in which no angle changes by more than a few hundredths.
+  // The step of the differences is so short that no angle changes by more than a few hundredths in it.
   Real pace = 0, length = 0;
   for (const CheckBody& body : bodies)
     for (const auto& particle : body.particles) length = std::max(length, norm(widened(particle.position)));
@@ -139,7 +141,8 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
       const Real m = particle.mass;
       const Vector x = at[4][link](x0);
       Vector velocity = Vector::zero(), acceleration = Vector::zero();
-      // Differences are taken from the present place, so that no large position cancels.
+      // Differences are taken of displacements from the present place, so that a large distance from the origin does
+      // not cancel.
       for (std::size_t j = 1; j <= 4; ++j) {
         const Vector ahead = at[4 + j][link](x0) - x, behind = at[4 - j][link](x0) - x;
         velocity += first_weights[j - 1] / h * (ahead - behind);
@@ -150,7 +153,8 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
       T += m * norm_squared(velocity) / 2;
       F += m * acceleration;
       M += m * cross(x, acceleration);
-      // What comes to rest for an instant is measured by what its accelerations bring in a moment.
+      // A particle that is at rest for this instant has no speed to compare with: what its acceleration gives it in a
+      // small part of the motion's own time takes its place.
       const Real speed = std::max(norm(velocity), Real(1e-5) * pace * norm(x));
       L_size += std::abs(m) * speed;
       H_size += std::abs(m) * norm(x) * speed;
@@ -168,11 +172,13 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
     const Vector force = widened(body.wrench.force), moment = widened(body.wrench.moment);
     force_misfit = larger(norm(F - force), force_misfit);
     moment_misfit = larger(norm(M - moment), moment_misfit);
-    // A body that glides without forces: what would turn its momentum at the pace of the motion.
+    // On a body that glides without forces there are no forces to compare with: what would turn its momentum round in
+    // the motion's own time takes their place.
     force_size = std::max({force_size, F_size, Real(body.force_size), pace * L_size});
     moment_size = std::max({moment_size, M_size, Real(body.moment_size), pace * H_size});
   }
-  // Where only couples act, forces are small against couples over the length, and the other way round.
+  // Where only couples act the forces are small, and are compared with couples over the length of the mechanism; and
+  // the other way round.
   if (length > 0) force_size = std::max(force_size, moment_size / length);
   moment_size = std::max(moment_size, force_size * length);
   result.newton_euler =

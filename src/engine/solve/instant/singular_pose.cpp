@@ -14,11 +14,11 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// Singular values beside the largest: below `none` they are rounding, from there to `doubtful` they may be what is left
-// of zero in a pose that is off by the root of rounding.
+// Singular values as parts of the largest. Those below `none` are rounding. Those from there to `doubtful` may be
+// zeros: in a pose that is off by the root of rounding a vanishing singular value looks like that.
 constexpr double none = 4e-15, doubtful = 1e-5;
 
-// Gaps of the constraints and their rates per rate of each movable coordinate, in natural units.
+// The gaps of the constraints, and their rates for unit rates of the movable coordinates, in natural units.
 struct Loops {
   Eigen::VectorXd gap;
   Eigen::MatrixXd rates;
@@ -53,7 +53,7 @@ class LoopsInPose {
     return loops;
   }
 
-  // What rounding leaves of gaps: of the distances of which they are differences.
+  // The size of a gap that is nothing but rounding. A gap is a difference of distances, the farthest of which tells.
   double rounding() const {
     double farthest = length_;
     for (const std::size_t index : constraints_)
@@ -61,7 +61,7 @@ class LoopsInPose {
     return 16 * epsilon * farthest / length_;
   }
 
-  // Displaced by so much in the natural units of the movable coordinates.
+  // The pose after a displacement of the movable coordinates, which is given in their natural units.
   std::vector<double> moved(std::vector<double> q, const Eigen::VectorXd& by) const {
     std::vector<double> displacements(static_cast<std::size_t>(mechanism_.tree.velocity_size()));
     for (std::size_t j = 0; j < columns_.size(); ++j)
@@ -81,15 +81,16 @@ class LoopsInPose {
   std::vector<double> units_;
 };
 
-// Whether pivots above a least one leave it open which rank the rates have.
+// Whether some pivot lies between surely zero and surely not, so that the rank of the rates is open.
 bool rank_is_doubtful(const Eigen::MatrixXd& rates, double least) {
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rates);
   const Eigen::ArrayXd pivots = qr.matrixQR().diagonal().cwiseAbs();
   return ((pivots > least * pivots[0]) && (pivots < doubtful * pivots[0])).any();
 }
 
-// The displacement to where the rates have a rank, to first order: with U, V the singular vectors whose values stand
-// for zero, u^T J v vanishes there for all of them, and the other constraints are closed.
+// One Newton step to the pose where the rates of the gaps J have the given rank. With u, v the left and right
+// singular vectors of the singular values that stand for zero, u^T J v must vanish there for all pairs, and the gaps
+// along the other left singular vectors must close.
 Eigen::VectorXd step_to_rank(LoopsInPose& pose, const std::vector<double>& q, const Loops& loops,
                              const Eigen::JacobiSVD<Eigen::MatrixXd>& svd, Eigen::Index rank) {
   const Eigen::Index n = pose.size(), m = loops.gap.size();
@@ -131,7 +132,8 @@ void settle_on_singular_pose(const Mechanism<double>& mechanism, const std::vect
     if (!rank) rank = (sizes > doubtful).count();
     const bool singular = *rank == sizes.size() || sizes[*rank] <= none;
     if (singular && loops.gap.cwiseAbs().maxCoeff() <= pose.rounding()) {
-      // The given coordinates may themselves stand a little off such a pose: then it is another one.
+      // If the pose found is only almost singular for all coordinates together, the given coordinates are a little
+      // off the singular pose too. Then the stated pose is another one, and q stays.
       LoopsInPose all(mechanism, constraints, std::vector<bool>(movable.size(), true), length);
       if (!rank_is_doubtful(all.at(there).rates, 10 * none)) q = there;
       return;

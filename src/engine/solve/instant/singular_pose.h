@@ -8,10 +8,11 @@
 
 namespace poinsot::solve {
 
-// Near a singular pose gaps grow as the square of what the pose is off: one closed to rounding is off by the root of
-// that, and velocities that are open there seem to be fixed. Puts a closed pose q that cannot be told from a singular
-// one onto it, to rounding; leaves every other one as it is. constraints: those that bind positions, by their indices;
-// movable: for each velocity coordinate, whether it may be moved; length: a natural unit of the mechanism, m.
+// Near a singular pose the gaps grow as the square of the distance from it. A pose that is closed to rounding is
+// therefore off by the square root of rounding, and velocities that are free in the singular pose seem to be fixed.
+// This function moves a closed pose q that cannot be told from a singular one onto it, to rounding, and leaves every
+// other pose as it is. constraints: the indices of those that bind positions; movable: for each velocity coordinate
+// whether it may be moved; length: a natural unit of the mechanism, m.
 void settle_on_singular_pose(const Mechanism<double>& mechanism, const std::vector<std::size_t>& constraints,
                              const std::vector<bool>& movable, double length, std::vector<double>& q);
 

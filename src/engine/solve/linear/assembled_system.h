@@ -13,18 +13,19 @@
 
 namespace poinsot::solve {
 
-// A pivot below this part of the largest is rounding: entries are near one after scaling.
+// Entries are near one after scaling, so that a pivot below this part of the largest one is taken for rounding.
 inline constexpr double rank_tolerance = 1e-11;
 
-// Sizes: m equations (at least one: without equations one that says nothing leaves every unknown open), n unknowns.
+// The number of equations m is at least one: a system without equations gets a row of zeros, which leaves all of its
+// n unknowns open.
 template <class Scalar>
 struct AssembledSystem {
-  Eigen::MatrixXd A;            // coefficients that are rounding are zero
-  Eigen::VectorXd b, b_size;    // b_size: of the terms that b was made from
+  Eigen::MatrixXd A;            // coefficients, with those that are nothing but rounding set to zero
+  Eigen::VectorXd b, b_size;    // b_size: the sizes of the terms that b is the sum of
   Eigen::VectorXd row, column;  // from the units of the caller to natural ones: A_ij = row_i a_ij column_j
-  Eigen::MatrixXd A_rate;       // over duals: how A varies, and b; else empty
+  Eigen::MatrixXd A_rate;       // over dual numbers the rates of A and of b; else empty
   Eigen::VectorXd b_rate;
-  std::vector<std::size_t> bad;  // equations whose numbers are not finite; then A is not cleaned of rounding
+  std::vector<std::size_t> bad;  // equations with numbers that are not finite; if there are any, rounding stays in A
 
   explicit AssembledSystem(const LinearSystemOf<Scalar>& system);
 };
@@ -73,12 +74,13 @@ AssembledSystem<Scalar>::AssembledSystem(const LinearSystemOf<Scalar>& system) {
   }
   for (Eigen::Index i = 0; i < m && n; ++i)
     if (!known_rounding[static_cast<std::size_t>(i)])
-      // A row all of whose coefficients are rounding has no size of its own: then natural units tell.
+      // Where every coefficient of a row is rounding, the row has no size of its own and natural units give one.
       rounding.row(i).setConstant(std::max(1e-14 * A.row(i).cwiseAbs().maxCoeff(), 1e-15));
   A = (A.array().abs() <= rounding.array()).select(0, A);
 }
 
-// Ruiz's scaling: rows and columns are brought to a largest entry near one. A row or column without entries stays.
+// Scales rows and columns until the largest entry of each is near one (Ruiz 2001). Zero rows and columns are left
+// alone.
 void equilibrate(Eigen::MatrixXd& A, Eigen::VectorXd& rows, Eigen::VectorXd& columns);
 
 }  // namespace poinsot::solve

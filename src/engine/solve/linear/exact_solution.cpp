@@ -16,7 +16,8 @@ struct Pivot {
   std::size_t row, column;
 };
 
-// Few terms and little fill-in (Markowitz's count).
+// Chooses the pivot for which the elimination stays short: few terms in the entry, and few new entries by Markowitz's
+// count (the other entries of its row times those of its column).
 std::optional<Pivot> best_pivot(const std::vector<Row>& rows, const std::vector<bool>& used) {
   std::map<std::size_t, std::size_t> in_column;
   for (std::size_t i = 0; i < rows.size(); ++i)

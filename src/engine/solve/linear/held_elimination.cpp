@@ -10,7 +10,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Of terms that cancel: times the tolerance for zero, some tens of units in the last place.
+// The part of cancelling terms that may be left as rounding: times the tolerance for zero it makes some tens of units
+// in the last place.
 constexpr double rounding_share = 1e-5;
 
 struct Determinant {
@@ -32,14 +33,15 @@ Determinant determinant_of(const Eigen::PartialPivLU<MatrixXd>& lu) {
 }  // namespace
 
 HeldPivots pivots_of(const MatrixXd& A, double rank_tolerance, const std::vector<bool>& late) {
-  constexpr double good_size = 1e-6;  // of a pivot, after scaling
+  constexpr double good_size = 1e-6;  // a pivot of this size is good: entries are near one after scaling
   HeldPivots pivots;
   pivots.rows = Eigen::PermutationMatrix<Eigen::Dynamic>(A.rows());
   pivots.columns = Eigen::PermutationMatrix<Eigen::Dynamic>(A.cols());
   pivots.rows.setIdentity();
   pivots.columns.setIdentity();
   if (A.size() == 0 || A.isZero(0)) return pivots;
-  // Row by row and column by column of B = rows A columns; the rows that come late stand last until they are wanted.
+  // Below, row and column hold the order of B = rows A columns. The rows that come late stand last, and give pivots
+  // only when the others have no good one left.
   std::vector<Index> row, column;
   for (const bool last : {false, true})
     for (Index i = 0; i < A.rows(); ++i)
@@ -97,12 +99,13 @@ std::optional<Remainder> remainder_of(const HeldPivots& pivots, const MatrixXd& 
     if (!std::isfinite(det.log)) return std::nullopt;
     ratio = std::exp(det.log - pivots.log_determinant) * (det.negative == pivots.negative ? 1 : -1);
     const auto A21 = B.bottomLeftCorner(rest, rank);
-    // With one step of refinement.
+    // One step of refinement takes out what rounding has left in y.
     VectorXd y = lu.solve(c.head(rank));
     y += lu.solve(c.head(rank) - B.topLeftCorner(rank, rank) * y);
     left = A21 * y;
     terms = terms.cwiseMax((A21.cwiseAbs() * y.cwiseAbs()));
-    // Where y is nothing but what larger terms leave of each other, their rounding is what is left.
+    // Where y itself is the small difference of larger terms, their rounding reaches the remainder through A21 A11^-1
+    // and has to be allowed for in its size.
     const VectorXd cancelling = B.topLeftCorner(rank, rank).cwiseAbs() * y.cwiseAbs() + c.head(rank).cwiseAbs();
     if (rest > 0 && terms.maxCoeff() < 1e-9 * cancelling.maxCoeff()) {
       MatrixXd shares = A21.transpose();  // becomes (A21 A11^-1)^T with the rows in the order of the factors
@@ -111,7 +114,7 @@ std::optional<Remainder> remainder_of(const HeldPivots& pivots, const MatrixXd& 
       terms = terms.cwiseMax(rounding_share * (shares.transpose().cwiseAbs() * (lu.permutationP() * cancelling)));
     }
     if (open > 0 && rest > 0) {
-      // What is left of the other columns is zero, or they have a rank of their own.
+      // The Schur complement S of the columns without pivots must vanish; else A has a higher rank than the pivots.
       const auto A12 = B.topRightCorner(rank, open);
       const MatrixXd X = lu.solve(A12), S = B.bottomRightCorner(rest, open) - A21 * X;
       const double size = std::max(1.0, (A21.cwiseAbs() * X.cwiseAbs()).maxCoeff());

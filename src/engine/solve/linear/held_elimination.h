@@ -1,5 +1,5 @@
-// Overdetermined linear equations A y = b whose numbers vary with something else: what is left of them when the
-// unknowns y are eliminated, as a function that is as smooth as A and b.
+// Overdetermined linear equations A y = b whose numbers depend on further unknowns. The unknowns y are eliminated,
+// and the remainder is a function of the further unknowns that is as smooth as A and b are.
 //
 // The misfit of a least-squares solution also vanishes just where the equations can be satisfied, but it has narrow
 // features where A loses rank, and corners where its weights have them. Gauss's elimination with the same pivots
@@ -14,7 +14,7 @@
 
 namespace poinsot::solve {
 
-// The pivots of one system, to be held for others of its size.
+// The pivots found for one system. They are kept for other systems of the same size.
 struct HeldPivots {
   Eigen::PermutationMatrix<Eigen::Dynamic> rows, columns;  // bring the pivots to the upper left corner
   Eigen::Index rank = 0;
@@ -22,25 +22,28 @@ struct HeldPivots {
   bool negative = false;       // sign of det A11
 };
 
-// By complete pivoting. A: equations x unknowns, with rows and columns scaled to entries near one; the scaling must be
-// the same for all systems. The system should be one of the highest rank. late: of each row, whether it is a pivot's
-// only where the others have none of good size left.
+// Finds the pivots by complete pivoting. A has a row for each equation and a column for each unknown, both scaled to
+// entries near one; the scaling must be the same for all systems, and the system should be one of the highest rank.
+// late[i]: whether row i gives a pivot only when no other row has a good one left.
 HeldPivots pivots_of(const Eigen::MatrixXd& A, double rank_tolerance = 1e-11, const std::vector<bool>& late = {});
 
 struct Remainder {
-  Eigen::VectorXd values;    // one for each equation that is no pivot's, relative to det A11 of the pivots' system
-  double size = 0;           // of the largest term in them
-  double ratio = 1;          // of det A11 to that of the pivots' system
-  Eigen::VectorXd solution;  // of the pivots' equations; unknowns without a pivot are zero
+  // one for each equation without a pivot, divided by det A11 of the system that the pivots come from
+  Eigen::VectorXd values;
+  double size = 0;           // of the largest term in the values
+  double ratio = 1;          // of det A11 to that of the system that the pivots come from
+  Eigen::VectorXd solution;  // of the equations with pivots; unknowns without a pivot are zero
 };
 
-// A y = b has a solution only where all values vanish; conversely they tell that it has one unless A11 is singular
-// there. right_size: of the terms that b was made from. Nothing where A11 is singular to the last digit, where the
-// numbers are not finite, or where A has a higher rank than the pivots (which then belong to a special system).
+// A y = b has a solution only where all values vanish. Conversely, where they vanish it has one, unless A11 is
+// singular there. right_size: the sizes of the terms that b is the sum of. Returns nothing where A11 is singular to
+// the last digit, where numbers are not finite, or where A has a higher rank than the pivots (these were then taken
+// from a special system).
 std::optional<Remainder> remainder_of(const HeldPivots& pivots, const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
                                       const Eigen::VectorXd& right_size);
 
-// How values and solution vary when A and b do, with the pivots held. Of the remainder of the same system.
+// The rates of the remainder's values and of its solution when A and b change at the given rates and the pivots are
+// held. The remainder must be that of the same A and b.
 struct RemainderRates {
   Eigen::VectorXd values, solution;
 };

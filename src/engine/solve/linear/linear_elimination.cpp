@@ -6,9 +6,9 @@ namespace poinsot::solve {
 
 struct LinearElimination::Parts {
   std::size_t equations = 0;
-  Eigen::VectorXd row, column;  // Ruiz's scaling of the system in natural units
+  Eigen::VectorXd row, column;  // Ruiz's scaling, applied to the system in natural units
   HeldPivots pivots;
-  std::vector<std::size_t> left_over;  // equations, in the order of the remainder
+  std::vector<std::size_t> left_over;  // the equations without a pivot, in the order of the remainder
 };
 
 LinearElimination::LinearElimination(const LinearSystem& system, const std::vector<bool>& late) {

@@ -21,7 +21,7 @@ constexpr int scaling_sweeps = 8;
 void equilibrate(Eigen::MatrixXd& A, Eigen::VectorXd& rows, Eigen::VectorXd& columns) {
   if (A.size() == 0) return;
   const auto scale = [](double largest) { return largest == 0 ? 1 : 1 / std::sqrt(largest); };
-  // By loops in the order of the entries: the systems are small, and many.
+  // Plain loops in the order of storage: the systems are small, and there are many of them.
   const Eigen::Index m = A.rows(), n = A.cols();
   Eigen::VectorXd factors(m);
   double* const factor = factors.data();
@@ -56,7 +56,7 @@ bool LinearSolution::determined(std::size_t unknown) const {
 
 template <class Scalar>
 typename LinearSystemOf<Scalar>::Text LinearSystemOf<Scalar>::text_from(std::initializer_list<std::string_view> parts) {
-  // Room for the equations of a body or two.
+  // The equations of a body or two fit without another allocation.
   if (text_.empty()) {
     text_.reserve(512);
     unknowns_.reserve(16);
@@ -114,8 +114,8 @@ LinearSolution LinearSystemOf<Scalar>::solve() const {
 // Sizes: m equations (at least one), n unknowns. A y = b are the scaled equations: A_ij = row_i a_ij column_j.
 struct LinearFactors::Parts {
   Eigen::MatrixXd A;
-  Eigen::VectorXd row, column;              // from the units of the caller to the scaled ones
-  Eigen::VectorXd row_scale, column_scale;  // the part of them beyond natural units
+  Eigen::VectorXd row, column;              // factors from the units of the caller to the scaled ones
+  Eigen::VectorXd row_scale, column_scale;  // the part of these factors that goes beyond natural units
   Eigen::VectorXd x, misfit;                // scaled
   std::optional<Eigen::ColPivHouseholderQR<Eigen::MatrixXd>> qr;
   Eigen::Index rank = 0;
@@ -123,7 +123,7 @@ struct LinearFactors::Parts {
   LinearSolution solution;
 
   auto triangle() const { return qr->matrixR().topLeftCorner(rank, rank).template triangularView<Eigen::Upper>(); }
-  // The basic solution for a right side.
+  // Solves for a right side with the unknowns outside the pivots at zero.
   Eigen::VectorXd basic(const Eigen::VectorXd& right) const {
     Eigen::VectorXd c = right;
     c.applyOnTheLeft(qr->householderQ().setLength(qr->nonzeroPivots()).adjoint());
@@ -165,7 +165,7 @@ LinearFactors::LinearFactors(const LinearSystemOf<Scalar>& system) : parts_(std:
   const Eigen::Index m = A.rows(), n = A.cols();
   LinearSolution& solution = parts.solution;
   solution.value.assign(system.unknowns(), 0.0);
-  // Numbers that overflowed on the way hold nowhere.
+  // An equation whose numbers have overflowed is reported as one that does not hold.
   solution.conflict = assembled.bad;
   if (!solution.conflict.empty()) {
     solution.residual = std::numeric_limits<double>::infinity();
@@ -188,14 +188,14 @@ LinearFactors::LinearFactors(const LinearSystemOf<Scalar>& system) : parts_(std:
     if (parts.rank > 0) {
       const auto R = parts.qr->matrixR();
       solution.condition = std::abs(R(0, 0) / R(parts.rank - 1, parts.rank - 1));
-      // With one step of refinement.
+      // One step of refinement takes out what rounding has left in x.
       x = parts.basic(b);
       x += parts.basic(b - A * x);
     }
     parts.find_open_directions();
   }
 
-  // Misfit, relative to the largest term met anywhere.
+  // The misfit is measured by the largest term that occurs in any equation.
   parts.misfit = b - A * x;
   const Eigen::VectorXd& misfit = parts.misfit;
   for (Eigen::Index i = 0; i < m; ++i) solution.misfit.push_back(misfit[i] / parts.row_scale[i]);
@@ -228,7 +228,8 @@ const LinearSolution& LinearFactors::solution() const { return parts_->solution;
 
 namespace {
 
-// How the logarithms of the factors of equilibrate() vary with the largest entries that they come from.
+// The rates of the logarithms of the factors that equilibrate() finds. Each factor follows the largest entry of its
+// row or column, and so does its rate.
 struct ScalingRates {
   Eigen::VectorXd rows, columns;
 };
@@ -262,7 +263,7 @@ LinearDerivative LinearFactors::derivative(const LinearSystemOf<Dual<1>>& varied
     derivative.misfit.assign(static_cast<std::size_t>(m), none);
     return derivative;
   }
-  // h = db - dA x and g = dA^T r, scaled.
+  // The solution minimises |A x - b|. Its rate follows from h = db - dA x and g = dA^T r, r the misfit, all scaled.
   const AssembledSystem<Dual<1>> assembled(varied);
   const ScalingRates scaling = scaling_rates(assembled.A, assembled.A_rate);
   const Eigen::MatrixXd A_rate =

@@ -12,15 +12,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Accuracy, of the largest value. A square needs many values: there, what a coarser polynomial leaves unresolved is
-// tried again with one for a smaller square.
+// The accuracy of a polynomial, as a part of the largest value. On a square, where values are many, a coarse
+// polynomial does: what it leaves unresolved gets a new one on a smaller square.
 constexpr double wanted_on_line = 1e-12, wanted_on_square = 1e-7;
-constexpr double rounding_of_fit = 2e-15;      // of the size of the terms
-constexpr double still_usable = 1e-10;  // accuracy where noise allows no better, of the size of the terms
-constexpr double steepest = 1e6;        // see far_from_zero
-constexpr double safety = 4;            // of errors seen at some places, for all
+constexpr double rounding_of_fit = 2e-15;  // of the size of the terms
+constexpr double still_usable = 1e-10;     // accuracy where noise allows no better, of the size of the terms
+// the largest slope that far_from_zero reckons with, as a multiple of that of the whole range
+constexpr double steepest = 1e6;
+constexpr double safety = 4;  // factor by which the largest error may exceed those seen at a few places
 
-// The variables in a box that play a part.
+// Whether a variable has an extent in the box; one without plays no part.
 bool active(const Piece& box, int k) { return box.half[static_cast<std::size_t>(k)] > 0; }
 
 }  // namespace
@@ -31,7 +32,7 @@ CompactFunction::CompactFunction(RootFunction& function, double reach) : functio
     if (ranges_[k].infinite()) measure_growth(k, reach);
 }
 
-// By the values at two places beyond the reach.
+// Compares the values at two places beyond the reach to find the power of |u| with which they grow.
 void CompactFunction::measure_growth(std::size_t variable, double reach) {
   const RootRange& range = function_.problem().ranges[variable];
   const VectorXd u = function_.clamped(1.17 * middle_of_ranges(function_.problem()));
@@ -88,16 +89,16 @@ MatrixXd CompactFunction::unweighted(const Pair& t, const MatrixXd& slopes) cons
   return J;
 }
 
-// Values along a line through a box, at inner Chebyshev points of growing number.
+// The values of the equations along a line through a box, at growing numbers of inner Chebyshev points.
 struct ChebyshevFitter::Line {
   enum class Outcome { polynomial, rough, partly_valued, no_value } outcome = Outcome::rough;
   Index degree = 0;
   MatrixXd values;
-  double size = 0;     // of terms
+  double size = 0;     // of the terms
   double largest = 0;  // norm of values
   double least = 0;
-  double tail = 0;  // sum of the norms of the last coefficients
-  double cut = 0;   // where values begin or end
+  double tail = 0;  // the sum of the norms of the last coefficients
+  double cut = 0;   // the place where the equations begin or cease to have values
 };
 
 Pair ChebyshevFitter::random_place(const Piece& box) {
@@ -114,8 +115,8 @@ bool ChebyshevFitter::no_value_anywhere(const Piece& box, int places) {
   return true;
 }
 
-// In a tiny box without a polynomial (a jump, a corner) values that stay large leave no place for a root: it would need
-// slopes more than `steepest` times those of the whole range.
+// Decides a tiny box in which no polynomial fits, because of a jump or a corner. If its values stay large there is no
+// root in it: else slopes would be more than `steepest` times those of the whole range.
 bool ChebyshevFitter::far_from_zero(const Piece& box, double least, double largest) const {
   const Piece whole = function_.whole();
   double width = 0;
@@ -124,7 +125,7 @@ bool ChebyshevFitter::far_from_zero(const Piece& box, double least, double large
   return least > 0.1 * largest && least > steepest * width * std::max(typical_, largest);
 }
 
-// At a pole F / |F|^2 is smooth and bounded; where it is, F has no zero.
+// Near a pole of F the function F / |F|^2 is smooth and bounded. Where it has a polynomial that fits, F has no zero.
 bool ChebyshevFitter::smooth_inverse(const MatrixXd& values, double size) {
   const VectorXd norms = values.colwise().norm();
   if (!(norms.minCoeff() > 1e-6 * size)) return false;
@@ -147,7 +148,7 @@ ChebyshevFitter::Line ChebyshevFitter::along(const Piece& box, int variable, dou
   Index most = depth > 3 ? 15 : 31;
   double tail_before = 0;
   for (Index count = 7; count <= most; count = 2 * count + 1) {
-    // Every second point is known from the coarser line.
+    // Every second point belongs to the coarser line as well, and its value is known.
     std::vector<std::optional<VectorXd>> values(static_cast<std::size_t>(count));
     std::size_t missing = 0;
     Index rows = -1;
@@ -170,7 +171,7 @@ ChebyshevFitter::Line ChebyshevFitter::along(const Piece& box, int variable, dou
       return line;
     }
     if (missing > 0) {
-      // Halve the gap between a place with and one without a value.
+      // Some places have values and others have none: bisection finds the place where the values begin or cease.
       line.outcome = Line::Outcome::partly_valued;
       for (Index i = 0; i + 1 < count; ++i) {
         if (values[static_cast<std::size_t>(i)].has_value() == values[static_cast<std::size_t>(i + 1)].has_value())
@@ -203,7 +204,7 @@ ChebyshevFitter::Line ChebyshevFitter::along(const Piece& box, int variable, dou
         if (norms[i] > floor) line.degree = i;
       return line;
     }
-    // A high degree will do where the coefficients fall quickly.
+    // A higher degree is worth its evaluations if the coefficients fall quickly.
     if (count == 31 && function_.unknowns() == 1 && worst < 1e-2 * tail_before && depth <= 3) most = 63;
     tail_before = worst;
   }
@@ -215,7 +216,7 @@ Fit ChebyshevFitter::fit(const Piece& box, int depth) {
   return line ? fit_line(box, depth) : fit_square(box, depth);
 }
 
-// In fewer components, where the equations are dependent.
+// Where the equations depend on each other, the polynomial is written for fewer combinations of them.
 void ChebyshevFitter::finish(Fit& fit, const MatrixXd& values, double size) const {
   const auto norms = values.colwise().norm();
   fit.largest = norms.maxCoeff();
@@ -279,8 +280,8 @@ Fit ChebyshevFitter::fit_line(const Piece& box, int depth) {
     fit.outcome = Fit::Outcome::polynomial;
     return fit;
   }
-  // No polynomial yet, but is zero within its error? Coefficients that do not fall would hide a pole with a root
-  // beside.
+  // The degree does not suffice yet, but the box can be excluded if the constant term exceeds all others and the
+  // error. This is trusted only if the coefficients fall, as those of a pole with a root beside it do not.
   const VectorXd norms = fit.series.coefficients().colwise().norm();
   const Index third = count / 3;
   const bool falling = norms.tail(third).maxCoeff() <= 0.2 * norms.segment(third, third).maxCoeff();
@@ -308,7 +309,7 @@ ChebyshevFitter::Square ChebyshevFitter::fit_square_with(const Piece& box, Index
     }
   fit.series = interpolated(values, count0, count1);
   finish(fit, values, size);
-  // The last coefficients in each direction tell the truncation.
+  // The sizes of the last coefficients in each direction estimate what the polynomial leaves out.
   for (Index j = 0; j < count1 && count0 > 1; ++j) square.tail[0] += fit.series.coefficient(count0 - 1, j).norm();
   for (Index i = 0; i < count0 && count1 > 1; ++i) square.tail[1] += fit.series.coefficient(i, count1 - 1).norm();
   const auto off = mismatch(box, fit, 4);
@@ -334,8 +335,8 @@ Fit ChebyshevFitter::fit_square(const Piece& box, int depth) {
   const int wider = box.half[0] / whole.half[0] >= box.half[1] / whole.half[1] ? 0 : 1;
   cut_across(wider);
 
-  // The degrees, from a line along each variable. From a second one, unless its degree is low or that of the other is:
-  // a square is cheap then, and tells itself whether the degrees suffice.
+  // The degrees are found on a line along each variable, and on a second line unless the degree on either is low: a
+  // square costs little then, and shows by itself whether the degrees suffice.
   constexpr std::array<Pair, 2> offsets{{{-0.2718, 0.3142}, {0.8147, -0.7319}}};
   constexpr Index low_degree = 4;
   std::array<Index, 2> degree{};
@@ -362,13 +363,13 @@ Fit ChebyshevFitter::fit_square(const Piece& box, int depth) {
     }
   if (rough[0] || rough[1]) {
     cut_across(rough[0] && rough[1] ? wider : rough[0] ? 0 : 1);
-    // Far from zero a few values show that there is no root.
+    // Far from zero a polynomial of low degree suffices to show that there is no root.
     const Square coarse = fit_square_with(box, 5, 5);
     if (coarse.valued && (coarse.excludes_zero || far_from_zero(box, least, largest)))
       divide.outcome = Fit::Outcome::no_root;
     return divide;
   }
-  // One degree more shows the truncation.
+  // One degree more than the lines need shows what the polynomial leaves out.
   constexpr Index most_count = 30;
   std::array<Index, 2> count{};
   for (std::size_t k = 0; k < 2; ++k) count[k] = degree[k] == 0 ? 1 : degree[k] + 2;
@@ -383,7 +384,8 @@ Fit ChebyshevFitter::fit_square(const Piece& box, int depth) {
       divide.outcome = Fit::Outcome::no_root;
       return divide;
     }
-    // In the variable whose last coefficients are larger; in both, where they do not tell.
+    // The box is divided, and the degree raised, in the variable whose last coefficients are larger; where they are
+    // alike, in both.
     const bool first = square.tail[0] > 0.1 * square.tail[1], second = square.tail[1] > 0.1 * square.tail[0];
     if (first != second) cut_across(first ? 0 : 1);
     if (first) count[0] += std::max<Index>(2, count[0] / 2);

@@ -15,16 +15,16 @@ namespace poinsot::solve {
 // The equations as a function of t in the square |t_k| <= 1, see CompactRange; with one unknown t_1 plays no part.
 class CompactFunction {
  public:
-  // Measures how the equations grow towards infinite ends. function must outlive it.
+  // Measures how the equations grow towards infinite ends. The function must outlive this object.
   CompactFunction(RootFunction& function, double reach);
 
   RootFunction& function() const { return function_; }
   int unknowns() const { return static_cast<int>(ranges_.size()); }
   Piece whole() const;
 
-  std::optional<RootSample> at(const Pair& t) const;  // weighted values and size
+  std::optional<RootSample> at(const Pair& t) const;  // the values times their weights, and the size of their terms
   Eigen::VectorXd u(const Pair& t) const;
-  // d r / d u from the slopes of the weighted values by t, where they are zero.
+  // Turns slopes of the weighted values by t into d r / d u. This holds where the values are zero.
   Eigen::MatrixXd unweighted(const Pair& t, const Eigen::MatrixXd& slopes) const;
 
  private:
@@ -36,17 +36,17 @@ class CompactFunction {
 
 struct Fit {
   enum class Outcome {
-    polynomial,  // series stands for the equations in the box, but for error
-    no_root,     // their values stay far from zero
-    no_value,    // they have no value at any place tried
-    divide,      // no polynomial of moderate degree: divide at `cut` across `across`
+    polynomial,  // series stands for the equations in the box, up to error
+    no_root,     // the values stay far from zero
+    no_value,    // the equations have no value at any place that was tried
+    divide,      // no polynomial of moderate degree fits: divide the box at `cut`, across the variable `across`
   };
   Outcome outcome = Outcome::divide;
-  ChebyshevSeries series;  // of combinations of equations: basis^T r
+  ChebyshevSeries series;  // of combinations of the equations, basis^T r
   Eigen::MatrixXd basis;   // orthonormal columns
-  double error = 0;        // norm
-  double largest = 0;      // norm of the values met
-  double size = 0;         // of their terms
+  double error = 0;        // a bound for its norm
+  double largest = 0;      // the largest norm of the values met
+  double size = 0;         // the size of their terms
   int across = 0;
   double cut = 0;
 };
@@ -55,7 +55,7 @@ class ChebyshevFitter {
  public:
   explicit ChebyshevFitter(const CompactFunction& function) : function_(function) {}
 
-  // depth: how often boxes around this one were divided. Deep ones are tried with lower degrees.
+  // depth: how often a box was divided to arrive at this one. Deep boxes are tried with lower degrees.
   Fit fit(const Piece& box, int depth);
 
  private:
@@ -70,7 +70,8 @@ class ChebyshevFitter {
   Fit fit_square(const Piece& box, int depth);
   Square fit_square_with(const Piece& box, Eigen::Index count0, Eigen::Index count1);
   void finish(Fit& fit, const Eigen::MatrixXd& values, double size) const;
-  // The largest difference between the series and the equations at random places; nothing where they have no value.
+  // The largest difference between the series and the equations at some random places; nothing where these have no
+  // value.
   std::optional<double> mismatch(const Piece& box, const Fit& fit, int places);
   bool no_value_anywhere(const Piece& box, int places);
   bool far_from_zero(const Piece& box, double least, double largest) const;
@@ -79,7 +80,7 @@ class ChebyshevFitter {
 
   const CompactFunction& function_;
   std::mt19937_64 random_{11};
-  double typical_ = 0;  // norm of values, in the first box
+  double typical_ = 0;  // a norm of the values in the first box, with which others are compared
 };
 
 }  // namespace poinsot::solve

@@ -11,11 +11,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double small_half = 1.0 / 2048, least_half = 1e-7;  // not divided further, if there are many; at all
+// half widths below which a piece is not divided further: if there are many pieces, and in any case
+constexpr double small_half = 1.0 / 2048, least_half = 1e-7;
 constexpr std::size_t many = 60;
-constexpr double noise_factor = 30;        // pieces whose polynomial is within so many errors of zero are left
-constexpr std::size_t suspicious = 300;    // pieces alive at a time: is there a curve of zeros?
-constexpr std::size_t most_pieces = 2500;  // alive at a time
+constexpr double noise_factor = 30;  // a piece is left undecided if its polynomial is within this many errors of zero
+constexpr std::size_t suspicious = 300;    // with more pieces than this alive at a time, a curve of zeros is looked for
+constexpr std::size_t most_pieces = 2500;  // with more pieces than this alive at a time, the division ends
 
 struct Part {
   Piece piece;
@@ -23,7 +24,7 @@ struct Part {
   double error;
 };
 
-// The square |s_k| <= 1 of a part, narrowed to lower...upper.
+// The polynomial of a part on a smaller rectangle from lower to upper, in the part's variables |s_k| <= 1.
 Part narrowed(const Part& part, const Pair& lower, const Pair& upper) {
   Part result = part;
   for (int k = 0; k < 2; ++k) {
@@ -37,13 +38,14 @@ Part narrowed(const Part& part, const Pair& lower, const Pair& upper) {
   return result;
 }
 
-// |first coefficient| - sum of the others, of the combination of components by unit.
+// By how much the constant coefficient exceeds the sum of the others, for the combination of components given by a
+// unit vector. If this is positive the combination has no zero.
 double excess(const MatrixXd& coefficients, const VectorXd& unit) {
   const VectorXd c = coefficients.transpose() * unit;
   return 2 * std::abs(c[0]) - c.cwiseAbs().sum();
 }
 
-// Gauss-Newton steps, damped until they help; to the smallest value within reach of the square.
+// Damped Gauss-Newton steps to the smallest value of the polynomial in or near the square.
 Pair settled(const ChebyshevSeries& series, Pair s) {
   MatrixXd J;
   VectorXd F = series.with_slopes(s, J);
@@ -87,7 +89,7 @@ class PieceDivision {
   }
 
   PieceZeros run() {
-    // All pieces of a level before those of the next: the number alive tells curves of zeros from points.
+    // All pieces of one size are treated before smaller ones: their number tells a curve of zeros from single points.
     while (!alive_.empty()) {
       std::vector<Part> level;
       level.swap(alive_);
@@ -125,7 +127,8 @@ class PieceDivision {
       return;
     }
 
-    // Slopes in the middle, and what is perpendicular to them: there a zero needs curvature.
+    // J holds the slopes in the middle of the piece; narrow() also looks at the combinations of components
+    // perpendicular to its columns, which can vanish only by curvature.
     const auto n = static_cast<Index>(active_.size());
     MatrixXd J(C.rows(), n);
     for (Index k = 0; k < n; ++k) {
@@ -156,7 +159,8 @@ class PieceDivision {
     result_.touching.push_back(lowest);
   }
 
-  // Whether the part is done with: excluded, its only zero found, or replaced by a narrower one.
+  // Returns whether the part is done with: it has no zero, or its only zero is found, or a narrower part has replaced
+  // it.
   bool narrow(Part& part, const MatrixXd& J, const Eigen::ColPivHouseholderQR<MatrixXd>& qr) {
     const Index n = J.cols();
     const MatrixXd& C = part.series.coefficients();
@@ -171,7 +175,7 @@ class PieceDivision {
       }
     }
 
-    // G = P F, near s - s_zero.
+    // G = P F, with P the pseudo-inverse of the slopes, is nearly s - s_zero.
     ChebyshevSeries G(n, part.series.size(0), part.series.size(1));
     G.coefficients() = P * C;
     VectorXd error(n), departure = VectorXd::Zero(n);
@@ -182,14 +186,14 @@ class PieceDivision {
     for (Index k = 0; k < n; ++k) {
       const int variable = active_[static_cast<std::size_t>(k)];
       ChebyshevSeries slope = G.derivative(variable);
-      // Markov's inequality for the slopes of the error.
+      // The slopes of the error are bounded by Markov's inequality: at most the square of the degree times the error.
       const double degree = static_cast<double>(part.series.size(variable) - 1);
       slope.coefficient(0, 0)[k] -= 1;
       departure += slope.coefficients().cwiseAbs().rowwise().sum() + degree * degree * error;
     }
     if (!(departure.maxCoeff() < 1)) return false;
 
-    // At most one zero. Where is it?
+    // The part has at most one zero. Newton's method on G finds it.
     VectorXd s = -G({0, 0});
     const auto place = [&](const VectorXd& v) {
       Pair pair{0, 0};
@@ -210,7 +214,7 @@ class PieceDivision {
     }
     constexpr double border = 1e-9;
     if (s.allFinite() && s.cwiseAbs().maxCoeff() <= 1 + border) {
-      // Of this combination alone?
+      // The zero of G must be one of F too: G combines the components of F, and the others may not vanish there.
       if (part.series(place(s)).norm() > std::max(5 * part.error, touching_)) return true;
       Pair zero = part.piece.middle;
       const Pair at = place(s);
@@ -225,7 +229,7 @@ class PieceDivision {
       lower[i] = std::max(-1.0, start[k] - departure[k] - error[k]);
       upper[i] = std::min(1.0, start[k] + departure[k] + error[k]);
       if (!(lower[i] <= upper[i])) return true;
-      // Not to a point, where the polynomial would be constant.
+      // A part must not shrink to a point, on which every polynomial is constant.
       const double least = 1e-3;
       if (upper[i] - lower[i] < least) {
         lower[i] = std::max(-1.0, std::min(lower[i], 1 - least));
@@ -245,8 +249,8 @@ class PieceDivision {
     return true;
   }
 
-  // Across the variable in which the polynomial changes most, a little off the middle: symmetrical problems have zeros
-  // there.
+  // The part is divided across the variable in which the polynomial changes most, a little off the middle: zeros of
+  // symmetrical problems lie in the middle.
   void divide(const Part& part) {
     int across = active_.front();
     double largest = -1;
@@ -275,7 +279,8 @@ class PieceDivision {
     }
   }
 
-  // Walks from a zero near the pieces along the direction in which the polynomial does not change.
+  // Walks from a zero near the undecided pieces along the direction in which the polynomial does not change. If it
+  // stays zero there, it vanishes along a curve.
   std::optional<std::array<Pair, 2>> curve_among(const std::vector<Piece>& pieces) const {
     const double zero = noise_factor * error_ + 1e-12 * whole_.coefficients().cwiseAbs().maxCoeff();
     constexpr double walk = 0.02;

@@ -1,4 +1,4 @@
-// The zeros of a polynomial in [-1, 1] or in a square: all of them, by dividing it into pieces.
+// The zeros of a polynomial in [-1, 1] or in a square. All of them are found, by division into pieces.
 #pragma once
 
 #include <array>
@@ -15,17 +15,18 @@ struct Piece {
 };
 
 struct PieceZeros {
-  std::vector<Pair> zeros;  // simple ones, each the only one of a piece; those on borders may be listed twice
-  // What is left: neither free of zeros nor with a single simple one, as far as the error lets see.
+  std::vector<Pair> zeros;  // simple zeros, each the only one of its piece; one on a border may be listed twice
+  // Pieces that are neither shown to be free of zeros nor to hold a single simple one, as the error of the polynomial
+  // does not allow to tell.
   std::vector<Piece> left;
-  // Where pieces free of zeros have their smallest values, if these may be smaller than `touching`.
+  // The places of the smallest values in pieces free of zeros, where these values may be below `touching`.
   std::vector<Pair> touching;
-  // Two zeros of a curve of zeros, along which everything is left.
+  // Two zeros on a curve of zeros, if the pieces in `left` lie along one.
   std::optional<std::array<Pair, 2>> curve;
 };
 
-// error: by which the polynomial may be wrong anywhere (norm of all components). A variable in which the series has the
-// size 1 plays no part: zeros then have zero there.
+// error: a bound for the norm by which the polynomial may be wrong anywhere. A variable in which the series has the
+// size 1 plays no part, and zeros have the coordinate zero there.
 //
 // A piece is free of zeros where a combination of components has a constant coefficient larger than all others
 // together. It has at most one where, after multiplication with the inverse of the slopes in its middle, the slopes

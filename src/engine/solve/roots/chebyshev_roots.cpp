@@ -17,9 +17,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int most_zooms = 8;
-constexpr double least_box = 1e-11;    // half width, of the whole
-constexpr double noise_limited = 1e5;  // values within so many errors of zero gain little from a new polynomial
-constexpr double most_time = 0.5;      // part of the time allowed
+constexpr double least_box = 1e-11;  // half width as a part of the whole range, below which a box is not divided
+// where values are within this many errors of zero, a new polynomial would gain little
+constexpr double noise_limited = 1e5;
+constexpr double most_time = 0.5;  // part of the allowed time for this search
 constexpr int most_vain_polishes = 5;
 constexpr double reach_of_line = 1e6, reach_of_plane = 1e4;
 
@@ -40,8 +41,8 @@ Piece around(const Piece& a, const Piece& b) {
   return box;
 }
 
-// Boxes that touch become one box around them; none is made much narrower than long, as polynomials on it would have
-// rounding for slopes.
+// Joins boxes that touch to one box around them. None is left much narrower than long, since on such a box a
+// polynomial's slopes would be rounding.
 std::vector<Piece> clusters(std::vector<Piece> pieces) {
   for (Piece& piece : pieces)
     for (std::size_t k = 0; k < 2; ++k)
@@ -114,7 +115,8 @@ class Search {
     return width;
   }
 
-  // Two unknowns cost hundreds of evaluations for every level of division.
+  // Whether the search has resolved too little of the ranges for what it has spent. With two unknowns each level of
+  // division costs hundreds of evaluations.
   bool hopeless() const {
     const std::size_t spent = function_.evaluations() - begin_;
     if (function_.unknowns() == 1) return false;
@@ -136,7 +138,8 @@ class Search {
         break;
     }
     const PieceZeros found = zeros_of_pieces(fit.series, fit.error, zero_tolerance * fit.size);
-    // A curve of solutions is long; elsewhere the polynomial may have one within its error.
+    // A curve of solutions is looked for in wide boxes only: in a narrow one a polynomial may have such a curve
+    // within its error.
     if (found.curve && width(box.piece) > 1e-3)
       for (const Pair& s : *found.curve)
         if (follow(place(box.piece, s))) return;
@@ -166,7 +169,7 @@ class Search {
     }
   }
 
-  // A simple zero of the polynomial, on the equations themselves.
+  // Polishes a simple zero of the polynomial on the equations themselves.
   void confirm(const Piece& box, const Fit& fit, const Pair& s) {
     const Pair t = place(box, s);
     MatrixXd slopes;
@@ -191,7 +194,7 @@ class Search {
     result_.roots.add(function_, *root);
   }
 
-  // An unknown without influence in the whole box is open at a root there.
+  // An unknown on which the equations do not depend anywhere in a wide box is open at a root in that box.
   void note_idle(const Piece& box, const Fit& fit, const Pair& s, const PolishedRoot& root) {
     for (int k = 0; k < compact_.unknowns(); ++k) {
       const auto i = static_cast<std::size_t>(k);
@@ -217,7 +220,7 @@ class Search {
     std::sort(open.begin(), open.end());
   }
 
-  // Whether there is a curve of solutions through a place.
+  // Whether a curve of solutions goes through a place. If so, it is reported.
   bool follow(const Pair& t) {
     const auto root = polish(function_, compact_.u(t));
     if (!root || !root->zero || !function_.inside(root->u)) return false;
@@ -230,7 +233,7 @@ class Search {
     return true;
   }
 
-  // What one polynomial could not resolve: with a new one for a smaller box, until rounding is all that there is.
+  // Resolves what one polynomial could not by a new polynomial on a smaller box, until the values are rounding.
   void zoom(const Box& box, const Fit& fit, const Piece& cluster) {
     Piece inner;
     bool smaller = false;
@@ -258,13 +261,14 @@ class Search {
       leave(inner, "the misfit is too small to tell whether there is a root");
       return;
     }
-    // Several roots there cannot be told apart: one.
+    // Several roots that close together cannot be told apart and count as one, with a radius that covers the box.
     VectorXd extent = compact_.u(place(inner, {1, 1})) - compact_.u(place(inner, {-1, -1}));
     root->radius = std::max(root->radius, extent.norm());
     result_.roots.add(function_, *root);
   }
 
-  // Values so small count as zero, if no root in the neighbourhood accounts for them.
+  // A place where the equations touch zero without crossing it: it counts as a root if no root in the neighbourhood
+  // accounts for the small values.
   void touch_zero(const Pair& t) {
     const VectorXd u = compact_.u(t);
     for (const PolishedRoot& root : result_.roots.roots())
@@ -278,7 +282,7 @@ class Search {
 
   void leave(const Piece& piece, std::string reason) { unresolved_.emplace_back(piece, std::move(reason)); }
 
-  // A few parts are enough to tell where.
+  // Joins unresolved boxes until a few are left, which suffice to tell the reader where roots may be missing.
   void merge_unresolved() {
     constexpr std::size_t most_parts = 5;
     std::vector<std::pair<Piece, std::string>> parts;

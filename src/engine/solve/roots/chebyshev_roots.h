@@ -1,4 +1,4 @@
-// All roots of equations for one or two unknowns, by polynomials in their place.
+// All roots of equations for one or two unknowns, found as zeros of polynomials that approximate the equations.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,11 @@ namespace poinsot::solve {
 
 struct ChebyshevRoots {
   RootList roots;
-  std::vector<UnresolvedPart> unresolved;  // empty: the roots are all that there are
-  std::vector<Eigen::VectorXd> places;     // in the middle of unresolved parts, in natural sizes
-  double reach = 0;                        // infinite ranges end at so many natural sizes
-  // Unknowns that the equations leave open, and another solution. Along a curve of solutions the search ends.
+  std::vector<UnresolvedPart> unresolved;  // if empty, there are no other roots
+  std::vector<Eigen::VectorXd> places;     // the middles of the unresolved parts, in natural sizes
+  double reach = 0;                        // infinite ranges are searched as far as this many natural sizes
+  // The unknowns that the equations leave open, and another solution. The search ends where a curve of solutions is
+  // found.
   std::vector<std::size_t> open_unknowns;
   Eigen::VectorXd alternative;
 };

@@ -11,7 +11,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// T_0...T_{count-1} at s, and their derivatives k U_{k-1}.
+// The polynomials T_0 to T_{count-1} at s, and their derivatives k U_{k-1}.
 void chebyshev(double s, Index count, VectorXd& T, VectorXd* slope) {
   T.resize(count);
   T[0] = 1;
@@ -124,7 +124,7 @@ ChebyshevSeries ChebyshevSeries::derivative(int variable) const {
   const Index lines = size(1 - variable), line_stride = variable == 0 ? size_[0] : 1;
   for (Index line = 0; line < lines; ++line) {
     const auto column = [&](auto& c, Index k) { return c.col(line * line_stride + k * stride); };
-    // d_{k-1} = d_{k+1} + 2 k c_k, d_0 halved.
+    // The derivative has the coefficients d_{k-1} = d_{k+1} + 2 k c_k, where d_0 is halved at the end.
     for (Index k = count - 1; k >= 1; --k) {
       column(result.c_, k - 1) = 2 * static_cast<double>(k) * column(c_, k);
       if (k + 1 < count) column(result.c_, k - 1) += column(result.c_, k + 1);
@@ -159,7 +159,7 @@ double ChebyshevSeries::trim(double tolerance) {
 }
 
 double inner_point(Index count, Index k) {
-  // By the sine, exact zero in the middle.
+  // The sine gives an exact zero for the middle point, which a cosine would miss by rounding.
   return std::sin(std::numbers::pi * (0.5 - static_cast<double>(k + 1) / static_cast<double>(count + 1)));
 }
 

@@ -17,7 +17,7 @@ class ChebyshevSeries {
 
   Eigen::Index components() const { return c_.rows(); }
   Eigen::Index size(int variable) const { return size_[static_cast<std::size_t>(variable)]; }
-  // A column of `components` values.
+  // A column with one coefficient for each component.
   auto coefficient(Eigen::Index i, Eigen::Index j) { return c_.col(i + size_[0] * j); }
   auto coefficient(Eigen::Index i, Eigen::Index j) const { return c_.col(i + size_[0] * j); }
   // All coefficients: components x (size0 * size1).
@@ -28,11 +28,11 @@ class ChebyshevSeries {
   // The values, and their derivatives by the variables: components x 2.
   Eigen::VectorXd with_slopes(const Pair& s, Eigen::MatrixXd& slopes) const;
 
-  // The same polynomial where one variable is s = middle + half * s', in s'.
+  // The same polynomial on the part s = middle + half * s' of one variable, as a series in s'.
   ChebyshevSeries restricted(int variable, double middle, double half) const;
   // The derivative by a variable.
   ChebyshevSeries derivative(int variable) const;
-  // Drops the highest coefficients of norms below `tolerance` altogether; returns the sum of what was dropped.
+  // Drops the highest coefficients as long as the sum of their norms stays below `tolerance`; returns that sum.
   double trim(double tolerance);
 
  private:

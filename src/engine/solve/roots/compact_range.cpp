@@ -9,7 +9,7 @@ CompactRange::CompactRange(const RootRange& range, double reach) {
   begin_ = range.lower / range.scale;
   end_ = range.upper / range.scale;
   kind_ = low && high ? Kind::finite : low ? Kind::up : high ? Kind::down : Kind::line;
-  // (1 + t) / (1 - t) = reach, t / (1 - t^2) = reach.
+  // The ends of t for a reach: (1 + t) / (1 - t) = reach on half a line, t / (1 - t^2) = reach on the whole one.
   const double half = (reach - 1) / (reach + 1), line = 2 * reach / (1 + std::sqrt(1 + 4 * reach * reach));
   lower_ = kind_ == Kind::down ? -half : kind_ == Kind::line ? -line : -1;
   upper_ = kind_ == Kind::up ? half : kind_ == Kind::line ? line : 1;

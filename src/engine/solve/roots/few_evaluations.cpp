@@ -26,7 +26,7 @@ std::optional<Place> place_at(RootFunction& function, double u) {
   return Place{u, *sample};
 }
 
-// The method of false position in the form of Illinois, until the bracket is narrow.
+// Narrows a change of sign down by false position (Illinois' variant), until the bracket is small.
 double narrowed_down(RootFunction& function, Place a, Place b, Index component) {
   double at_a = a.sample.values[component], at_b = b.sample.values[component];
   for (int i = 0; i < 12 && std::abs(b.u - a.u) > 1e-4 * std::max(std::abs(a.u), std::abs(b.u)); ++i) {

@@ -1,4 +1,4 @@
-// Roots of equations of which an evaluation takes long.
+// Starting places for roots of equations that take long to evaluate.
 #pragma once
 
 #include <Eigen/Dense>
@@ -8,9 +8,10 @@
 
 namespace poinsot::solve {
 
-// Places from which a root is near. One unknown: the equations are evaluated at some 30 places across the range, closer
-// together near its finite ends and the natural size where it is infinite; changes of sign are narrowed down, and the
-// lowest misfits beside them. More unknowns: the lowest of some random places.
+// Places near which a root is likely. With one unknown the equations are evaluated at some 30 places across the
+// range, which lie closer together near finite ends and, where the range is infinite, near the natural size. Changes
+// of sign are narrowed down, and the places of the lowest misfits are added. With more unknowns the places of the
+// lowest misfits among some random ones are taken.
 std::vector<Eigen::VectorXd> starts_from_few_evaluations(RootFunction& function);
 
 }  // namespace poinsot::solve

@@ -13,15 +13,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double rounding_of_terms = 1e-12;  // slopes below this part of the terms, per natural size, are none
-constexpr double rank_tolerance = 1e-9;      // of columns of the same size
+constexpr double rounding_of_terms = 1e-12;  // a slope per natural size below this part of the terms counts as zero
+constexpr double rank_tolerance = 1e-9;      // of columns scaled to the same size
 
 struct WideSlopes {
   MatrixXd J;
   double size = 0;  // of the terms, the largest met
 };
 
-// By steps of half a natural size, and wider ones until the equations notice: exact for linear equations.
+// Slopes from steps of half a natural size, or wider ones until the equations notice. For linear equations any step
+// is exact.
 std::optional<WideSlopes> wide_slopes(RootFunction& function, const VectorXd& u0, const RootSample& sample) {
   constexpr double noticed = 1e-6;
   const VectorXd& r0 = sample.values;
@@ -51,8 +52,8 @@ std::optional<WideSlopes> wide_slopes(RootFunction& function, const VectorXd& u0
 }
 
 bool is_linear(RootFunction& function, const VectorXd& u0, const VectorXd& r0, const MatrixXd& J) {
-  // Two probes nearby and one anywhere in the ranges, far away in infinite ones, where small terms of higher order
-  // show.
+  // Two probes lie nearby and one anywhere in the ranges, which for infinite ones is far away: there small terms of
+  // higher order show.
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> part(-0.5, 0.5);
   for (int probe = 0; probe < 3; ++probe) {
@@ -77,7 +78,7 @@ bool is_linear(RootFunction& function, const VectorXd& u0, const VectorXd& r0, c
   return true;
 }
 
-// The ranges in natural sizes; their finite ends moved inwards by a part of the natural size.
+// A place with each coordinate moved into its range, at a distance from finite ends of some part of the natural size.
 VectorXd clamped_inside(const RootProblem& problem, const VectorXd& u, double part) {
   VectorXd v = u;
   for (Index k = 0; k < u.size(); ++k) {
@@ -89,8 +90,8 @@ VectorXd clamped_inside(const RootProblem& problem, const VectorXd& u, double pa
   return v;
 }
 
-// Of u + kernel t, a point within the ranges, if there is one: by projections in turn on the ranges and on the plane of
-// solutions.
+// A point u + basis t of the plane of solutions that lies within the ranges, if there is one. It is found by
+// alternate projections onto the ranges and onto the plane.
 std::optional<VectorXd> moved_inside(const RootFunction& function, const VectorXd& u, const MatrixXd& basis) {
   for (const double part : {1e-2, 1e-6, 0.0}) {
     VectorXd v = u;
@@ -139,7 +140,7 @@ std::optional<Roots> linear_roots(RootFunction& function) {
   const MatrixXd& J = slopes->J;
   if (!is_linear(function, u0, r0, J)) return std::nullopt;
 
-  // Columns of one size, so that the units of the unknowns do not matter.
+  // The columns are scaled to one size, so that the rank does not depend on the units of the unknowns.
   Roots roots;
   roots.search = RootSearch::linear;
   VectorXd stretch = VectorXd::Ones(n);
@@ -154,13 +155,14 @@ std::optional<Roots> linear_roots(RootFunction& function) {
   VectorXd misfit = r0 + J * (u - u0);
   double size = std::max(slopes->size, r0.norm() + (J * (u - u0)).norm());
   bool holds = misfit.norm() <= zero_tolerance * std::max(size, 1e-300);
-  // Once or twice more from there: what rounding left in the slopes matters less and less.
+  // The solution is refined a few times from where it is: this takes out what rounding has left in the slopes.
   for (int i = 0; holds && i < 3 && J.rows(); ++i) {
     const auto there = function.at(u);
     if (!there || there->values.size() != r0.size()) break;
     size = std::max(size, there->size);
     if (i == 2 || there->values.norm() <= 1e-15 * there->size) {
-      // Where a smoother function vanishes the equations themselves need not hold.
+      // The values may be those of a smoother function in place of the equations. Where it vanishes the equations
+      // themselves have to be asked.
       holds = there->values.norm() <= zero_tolerance * size && there->misfit <= there->allowed;
       break;
     }
@@ -168,7 +170,7 @@ std::optional<Roots> linear_roots(RootFunction& function) {
   }
   roots.best_misfit = misfit.size() ? misfit.cwiseAbs().maxCoeff() : 0;
   if (!holds) {
-    function.at(function.clamped(u));  // where they come closest
+    function.at(function.clamped(u));  // records there how close the equations come
     return roots;
   }
   if (qr.rank() == n) {

@@ -1,4 +1,4 @@
-// Linear equations among root problems: recognised by their values and solved at once.
+// Recognises root problems whose equations are linear by their values, and solves them at once.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace poinsot::solve {
 // A place well inside all ranges.
 Eigen::VectorXd middle_of_ranges(const RootProblem& problem);
 
-// Nothing if the equations are not linear.
+// Returns nothing if the equations are not linear.
 std::optional<Roots> linear_roots(RootFunction& function);
 
 }  // namespace poinsot::solve

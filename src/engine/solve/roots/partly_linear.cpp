@@ -15,17 +15,17 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double linear_tolerance = 1e-9;  // of the changes of an equation
-constexpr double rounding_of_all = 1e-13;         // of the terms of all
+constexpr double linear_tolerance = 1e-9;  // as a part of the changes of an equation
+constexpr double rounding_of_all = 1e-13;  // as a part of the terms of all equations
 
 using Marks = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
-// In which equations no product of two unknowns (for k and k: no square) stands, at some places.
+// Finds by differences which equations have no product of two given unknowns, or no square of one.
 class Structure {
  public:
   explicit Structure(RootFunction& function) : function_(function), n_(function.unknowns()) {}
 
-  // Whether the equations have values at enough places.
+  // Returns whether the equations have values at enough places to tell.
   bool look() {
     int seen = 0;
     std::vector<VectorXd> places = starts_at_random(function_.problem(), 8);
@@ -37,7 +37,8 @@ class Structure {
     return seen == 2;
   }
 
-  // The most unknowns that enter linearly together in as many equations as there are unknowns, and these equations.
+  // The largest set of unknowns that enter linearly together in at least as many equations as there are unknowns in
+  // all, and these equations.
   struct Linear {
     std::vector<Index> unknowns, equations;
   };
@@ -61,7 +62,8 @@ class Structure {
   }
 
  private:
-  // Mixed differences of second order, with steps that are large beside rounding_of_all.
+  // Takes mixed differences of second order at a place. Their steps are so large that rounding_of_all does not
+  // matter.
   bool look_at(const VectorXd& u) {
     const auto base = function_.smooth_at(u);
     if (!base || (rows_ > 0 && base->values.size() != rows_)) return false;
@@ -108,10 +110,10 @@ class Structure {
 
   RootFunction& function_;
   Index n_, rows_ = 0;
-  std::vector<Marks> linear_;  // of each pair
+  std::vector<Marks> linear_;  // for each pair of unknowns a mark for each equation
 };
 
-// The equations without the unknowns that enter linearly.
+// The equations after elimination of the unknowns that enter linearly.
 class Elimination {
  public:
   Elimination(RootFunction& function, Structure::Linear structure)
@@ -125,7 +127,7 @@ class Elimination {
 
   const std::vector<Index>& others() const { return others_; }
 
-  // Takes units and pivots at the best of some places. Whether the linear unknowns are fixed there.
+  // Fixes units and pivots at the best of some places. Returns whether the linear unknowns are determined there.
   bool hold() {
     for (const VectorXd& u : starts_at_random(function_.problem(), 6)) {
       auto rows = rows_at(u(others_));
@@ -150,7 +152,7 @@ class Elimination {
                         VectorXd::Constant(rows->b.size(), rows->size));
   }
 
-  // All unknowns, in natural sizes.
+  // All unknowns in natural sizes, from the others and the solution for the linear ones.
   VectorXd completed(const VectorXd& others, const Remainder& remainder) const {
     VectorXd u = reference_;
     for (std::size_t i = 0; i < others_.size(); ++i) u[others_[i]] = others[static_cast<Index>(i)];
@@ -160,7 +162,7 @@ class Elimination {
   }
 
  private:
-  // A (u - reference) = b for the linear unknowns.
+  // The equations that are linear in these unknowns u, written as A (u - reference) = b.
   struct Rows {
     MatrixXd A;
     VectorXd b;

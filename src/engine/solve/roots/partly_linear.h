@@ -1,4 +1,4 @@
-// Equations that are linear in some of their unknowns: with these eliminated, few unknowns are left.
+// Root problems whose equations are linear in some unknowns: these are eliminated, and few unknowns are left.
 #pragma once
 
 #include <Eigen/Dense>
@@ -10,14 +10,14 @@
 namespace poinsot::solve {
 
 struct PartlyLinearRoots {
-  std::vector<Eigen::VectorXd> places;  // near roots, in natural sizes, of all unknowns
-  bool complete = false;                // there are no others in the ranges, as far as `reach`
+  std::vector<Eigen::VectorXd> places;  // near roots, in natural sizes, for all unknowns
+  bool complete = false;                // whether the ranges hold no other roots, as far as `reach`
   double reach = 0;
 };
 
-// Where all unknowns but one or two enter linearly (for each value of these), the others are eliminated by Cramer's
-// rule, and what is left is a search for one or two unknowns. Nothing where the equations are not of this kind, or
-// leave the roots open. seconds: as for find_roots.
+// If all unknowns but one or two enter linearly for fixed values of these, they are eliminated by Cramer's rule,
+// which leaves a search for one or two unknowns. Returns nothing where the equations are not of this kind or leave
+// the roots open. seconds: as for find_roots.
 std::optional<PartlyLinearRoots> partly_linear_roots(RootFunction& function, double seconds);
 
 }  // namespace poinsot::solve

@@ -103,7 +103,8 @@ std::optional<MatrixXd> RootFunction::slopes(const VectorXd& u, const RootSample
     return sample->values;
   };
   for (Index k = 0; k < unknowns_; ++k) {
-    // The cube root of rounding balances it against the third derivative.
+    // The cube root of the machine precision makes the rounding of a central difference as large as its third-order
+    // error.
     const double h = 6e-6 * std::max(1.0, std::abs(u[k]));
     VectorXd v = u;
     v[k] = u[k] + h;

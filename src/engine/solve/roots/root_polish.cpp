@@ -13,8 +13,9 @@ using Eigen::VectorXd;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// Where all terms vanish at a root together, as at a pose of equilibrium, their sizes close to it are what its misfit
-// is measured by: it is one if the root of the tangent is no further away than epsilon leaves it.
+// At some roots all terms vanish together, as at a pose of equilibrium, and the misfit cannot be measured by them.
+// There the sizes of the terms close by are taken instead. It is a root only if the tangent's root is as near as
+// rounding explains.
 bool vanishes_with_its_terms(RootFunction& function, const VectorXd& u, const RootSample& sample, double least,
                              double misfit) {
   constexpr double aside = 1e-3;
@@ -34,8 +35,8 @@ PolishedRoot judged(RootFunction& function, VectorXd u, RootSample sample, Matri
   root.size = std::max(sample.size, (slopes.cwiseAbs() * u.cwiseAbs()).norm());
   const double misfit = sample.values.norm();
   root.zero = misfit <= zero_tolerance * root.size && sample.misfit <= sample.allowed;
-  // A misfit moves a regular root by misfit / slope. Near a multiple root slope and misfit vanish together, and this
-  // is of the order of the distance to it.
+  // The misfit moves a simple root by misfit / slope. Near a multiple root slope and misfit vanish together, and the
+  // quotient is of the order of the distance to the root.
   const VectorXd stretch = u.cwiseAbs().cwiseMax(1.0);
   double least = 0;
   if (slopes.rows() >= slopes.cols()) least = (slopes * stretch.asDiagonal()).jacobiSvd().singularValues().minCoeff();
@@ -48,7 +49,8 @@ PolishedRoot judged(RootFunction& function, VectorXd u, RootSample sample, Matri
   return root;
 }
 
-// Where a step leads that would leave the ranges: most of the way to their end, so that the search goes on along it.
+// Where a step ends that would leave the ranges: most of the way to the border, so that the search can go on along
+// it.
 VectorXd stepped(const RootFunction& function, const VectorXd& u, const VectorXd& step) {
   constexpr double rest = 0.1, at_end = 1e-6;
   VectorXd next = u + step;
@@ -96,7 +98,7 @@ std::optional<PolishedRoot> polish(RootFunction& function, const VectorXd& start
       }
       lambda *= 10;
     }
-    // At epsilon, or where the misfit only creeps: the smallest that there is.
+    // The search ends where the misfit is rounding, or falls so slowly that this is its minimum.
     creeping = ratio > 0.99 ? creeping + 1 : 0;
     if (moved && r->values.norm() <= enough * r->size) return judged(function, std::move(u), std::move(*r), *J);
     if (!moved || r->values.norm() <= std::max(epsilon * first, 0.5 * epsilon * r->size) || creeping > 4) break;
@@ -141,7 +143,7 @@ std::optional<RootFamily> family_through(RootFunction& function, const PolishedR
     if (!function.inside(ahead)) continue;
     const auto other = polish(function, ahead);
     if (!other || !other->zero || !function.inside(other->u)) continue;
-    // Back at the root, or on the way back to it, it stands alone.
+    // A walk that leads back to the root, or would, shows that the root stands alone.
     const VectorXd moved = (other->u - root.u).cwiseQuotient(stretch);
     if (moved.norm() < 0.5 * walk) continue;
     RootFamily family;

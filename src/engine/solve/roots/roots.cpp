@@ -63,8 +63,8 @@ class RootFinder {
     }
   }
 
-  // Of more unknowns, where all but one or two enter linearly. Whether that is all there is to find; where nothing was
-  // found, a search from many starts has the last word.
+  // For more unknowns, all but one or two of which enter linearly. Returns whether this settles the search; if
+  // nothing was found, a search from many starts must confirm it.
   bool by_elimination(Roots& roots) {
     const auto found = partly_linear_roots(function_, 0.25 * function_.seconds_left());
     if (!found) return false;
@@ -72,7 +72,7 @@ class RootFinder {
     for (const VectorXd& place : found->places) {
       const auto root = polish(function_, place);
       if (!root || !root->zero) continue;
-      // What has neighbours is for the search from many starts to judge.
+      // A root that belongs to a family is left to the search from many starts, which judges what is open.
       if (family_through(function_, *root))
         complete = false;
       else
@@ -90,7 +90,7 @@ class RootFinder {
     return true;
   }
 
-  // Whether a root differs from one that is known in open unknowns only.
+  // Whether a root agrees with a known one in all unknowns but the open ones.
   bool lies_along_a_known_one(const PolishedRoot& root, const std::vector<std::size_t>& open) const {
     const auto differs = [&](const PolishedRoot& other, Eigen::Index k) {
       return std::find(open.begin(), open.end(), static_cast<std::size_t>(k)) == open.end() &&
@@ -103,7 +103,7 @@ class RootFinder {
     });
   }
 
-  // Curves of solutions may be several, and other unknowns be open along another.
+  // There may be several curves of solutions, along which different unknowns are open.
   void look_for_other_families(Roots& roots) {
     constexpr std::size_t starts = 10;
     for (const VectorXd& start : starts_at_random(function_.problem(), starts)) {
@@ -137,8 +137,8 @@ class RootFinder {
     }
   }
 
-  // From the most promising of many places and from any, in turn. When a few starts have all led to one place in the
-  // ranges, it is taken for the only one; where nothing is found, more are tried.
+  // Starts alternate between the most promising of many places and any of them. When several starts have all led to
+  // one place in the ranges, it is taken for the only one. While nothing is found, more starts are tried.
   void from_random_starts(Roots& roots) {
     constexpr int enough = 12;
     constexpr std::size_t most_used = 24, most_in_vain = 120;
@@ -154,12 +154,14 @@ class RootFinder {
       if (!root || !function_.inside(root->u)) continue;
       if (!only) only = root->u;
       const bool same = (root->u - *only).norm() <= root->radius + 1e-6 * (1e-3 + only->norm());
-      led_there = same && led_there >= 0 ? led_there + 1 : -1;  // two places: never enough
+      // starts have led to two places: the search uses all of its starts
+      led_there = same && led_there >= 0 ? led_there + 1 : -1;
     }
     if (roots.open) look_for_other_families(roots);
   }
 
-  // The middle of the ranges, then places at random: those of the smallest misfit and the others alternate.
+  // The middle of the ranges and random places, in an order that alternates between those of the smallest misfit and
+  // the others.
   std::vector<VectorXd> promising_starts() {
     constexpr std::size_t places = 160;
     constexpr double most_time = 0.2;
@@ -182,7 +184,7 @@ class RootFinder {
     return starts;
   }
 
-  // Roots of the rough equations, each once.
+  // The roots of the rough equations, without repetition.
   std::vector<PolishedRoot> rough_roots() {
     constexpr double near_zero = 1e-4, enough = 1e-6, same = 1e-5;
     std::vector<PolishedRoot> found;
@@ -205,7 +207,8 @@ class RootFinder {
     return found;
   }
 
-  // One unknown needs no better slopes; those of several tell what is open.
+  // With one unknown the slopes of the rough equations suffice. With several, exact slopes at the root tell what is
+  // open.
   void from_rough(const PolishedRoot& rough, Roots& roots) {
     auto root = polish_with(function_, rough.u, rough.slopes);
     if (root && root->zero && function_.unknowns() > 1) {
@@ -234,7 +237,7 @@ class RootFinder {
     return root;
   }
 
-  // Where nothing was found: how close the equations come.
+  // Where nothing was found: the smallest misfit, which tells how close the equations come.
   double smallest_misfit() {
     if (function_.best().size() && !function_.out_of_time()) polish(function_, VectorXd(function_.best()));
     return function_.best_misfit();
@@ -246,8 +249,8 @@ class RootFinder {
   RootList found_;
 };
 
-// The same with wider natural sizes for unknowns without end that the equations notice only far away, if there are
-// such.
+// The same problem with larger natural sizes for those unbounded unknowns that the equations notice only far away.
+// Returns nothing if there are no such unknowns.
 std::optional<RootProblem> widened(const RootProblem& problem) {
   constexpr double noticed = 1e-6, near = 1e3, far = 1e18;
   RootProblem wider = problem;
@@ -280,7 +283,7 @@ Roots find_roots(const RootProblem& problem, double seconds) {
   const RootFunction time(problem, seconds);
   Roots roots = RootFinder(problem, seconds).find();
   if (!roots.points.empty() || problem.costly || time.out_of_time()) return roots;
-  // The equations may be moved only by values that are far larger than what is natural elsewhere.
+  // The unknowns may have an effect only at values that are far larger than their natural sizes.
   if (const auto wider = widened(problem))
     if (Roots far = RootFinder(*wider, time.seconds_left()).find(); !far.points.empty()) return far;
   return roots;

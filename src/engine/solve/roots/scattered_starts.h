@@ -1,4 +1,4 @@
-// Places from which to look for roots by a local method.
+// Starting places for a local search for roots.
 #pragma once
 
 #include <Eigen/Dense>
@@ -8,14 +8,15 @@
 
 namespace poinsot::solve {
 
-// At the part 0 to 1 of a range, in natural sizes: evenly where it is finite, else by so many decades to either side of
-// one natural size away from its finite end or from zero.
+// The place at a part (0 to 1) of a range, in natural sizes. It is spread evenly where the range is finite. Else it
+// covers so many decades to either side of one natural size, measured from the finite end or from zero.
 double place_in_range(const RootRange& range, double part, double decades);
 
-// One or two unknowns: places of a grid where the misfit is smaller than at all neighbours.
+// For one or two unknowns: the places of a grid where the misfit is smaller than at all neighbouring places.
 std::vector<Eigen::VectorXd> starts_on_grid(RootFunction& function);
 
-// Any number of unknowns: drawn at random; infinite ranges are covered over six decades of the natural size.
+// For any number of unknowns: places drawn at random. Infinite ranges are covered over six decades of the natural
+// size.
 std::vector<Eigen::VectorXd> starts_at_random(const RootProblem& problem, std::size_t count);
 
 }  // namespace poinsot::solve

@@ -6,7 +6,8 @@
 namespace poinsot::solve {
 namespace {
 
-// The diagonal scaling with powers of two that brings rows and columns to like sizes (Parlett and Reinsch, 1969).
+// Scales A by a diagonal matrix of powers of two, such that rows and columns have similar sizes (Parlett and Reinsch
+// 1969).
 Vector balanced(Matrix& A) {
   Vector scale = Vector::Ones(A.rows());
   for (bool changed = true; changed;) {

@@ -1,4 +1,4 @@
-// Eigenvalues of a matrix whose entries are known so far only, each with its own accuracy.
+// Eigenvalues of a matrix whose entries are known with an error bound each, and the error bounds of the eigenvalues.
 #pragma once
 
 #include <Eigen/Dense>
@@ -6,26 +6,26 @@
 
 namespace poinsot::solve {
 
-// A slow growth beside a fast spin is a small difference of large numbers, once they are taken as parts of one pace:
-// what is computed of differences is computed in longer numbers.
+// In natural units a slow growth beside a fast spin is a small difference of large numbers. So the matrix is built
+// from differences in doubles but its eigenvalues are computed in long doubles.
 using Real = long double;
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using ComplexMatrix = Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, Eigen::Dynamic>;
 
-// A matrix, and by how much each of its entries may be off.
+// A matrix, and a bound for the error of each entry.
 struct Doubted {
   Matrix value, doubt;
 };
 
 struct Rates {
   Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, 1> value;
-  Eigen::VectorXd doubt;  // of each, by perturbation of first order
-  ComplexMatrix motion;   // a column for each
+  Eigen::VectorXd doubt;  // a bound for the error of each, by perturbation of first order
+  ComplexMatrix motion;   // eigenvectors, a column for each value
 };
 
-// Eigenvalues, each with its own accuracy: |w| D |x| of left and right vectors with w x = 1 and the entries' doubts D.
-// Where some meet, the doubt grows beyond bounds.
+// The eigenvalues and a bound for the error of each: |w| D |x|, with left and right eigenvectors w x = 1 and the
+// bounds D of the entries. Where eigenvalues coincide the bound becomes infinite.
 Rates rates_of(const Doubted& A);
 
 }  // namespace poinsot::solve

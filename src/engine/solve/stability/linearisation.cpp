@@ -18,10 +18,11 @@ namespace {
 using Index = Eigen::Index;
 using VectorXd = Eigen::VectorXd;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-// An oscillation whose rate is known less closely than this, of itself, is too near to growing.
+// An oscillation is called stable only if its rate is known to this part of itself: the growth is hidden in the error
+// else.
 constexpr double decisive = 1e-7;
 
-// The adjoint of a twist: d/dt of a deviation's components on axes that move with the twist.
+// The adjoint of a twist, which gives the rate of a deviation's components on axes that move with the twist.
 Eigen::Matrix<double, 6, 6> adjoint(const SpatialMotion<double>& twist) {
   const auto tilde = [](const Vector3<double>& a) {
     Eigen::Matrix3d m;
@@ -49,7 +50,8 @@ class Lineariser {
   Linearisation linearise() {
     Linearisation result;
     const VectorXd a = accelerations(motion_.q, motion_.v);
-    // On axes that follow the frame but not the spin, velocities of a steady motion are constant.
+    // The state is described on axes that follow the frame and not the spin: there the velocities of a steady motion
+    // are constant, and deviations obey equations with constant coefficients.
     Eigen::MatrixXd spin = Eigen::MatrixXd::Zero(n_, n_), drift = Eigen::MatrixXd::Zero(n_, n_);
     for (int i = 0; i < tree_.body_count(); ++i) {
       const auto& body = tree_.body(i);
@@ -85,7 +87,7 @@ class Lineariser {
     }
     A.value.bottomRightCorner(n_, n_) += spin.cast<Real>();
     A.doubt += 4 * epsilon * A.value.cwiseAbs();
-    // In natural units, rates as parts of the pace.
+    // From here on deviations are in natural units, and rates are parts of the pace.
     Vector scale(2 * n_);
     for (Index k = 0; k < n_; ++k) {
       scale[k] = unit(k);
@@ -93,20 +95,21 @@ class Lineariser {
     }
     for (Matrix* each : {&A.value, &A.doubt})
       *each = (scale.cwiseInverse().asDiagonal() * *each * scale.asDiagonal()).eval() / Real(result.pace);
-    // As far as it does not quite rest, the entries belong to another motion near by.
+    // As far as the velocities are not quite constant, the matrix belongs to a steady motion near by, which adds to
+    // its doubt.
     A.doubt.bottomRows(n_).array() += Real(*unrest);
     Vector coupled = Vector::Zero(2 * n_);
     const DeviationRows rows = rows_of(scale, coupled);
     const SameMotion same = same_motion(A, rows, displacements(scale));
     const Matrix basis = deviations(rows, same.elsewhere, coupled);
-    // What is uncertain of the basis adds to what is of the entries.
+    // The error of the basis adds to that of the entries.
     const Matrix size = basis.cwiseAbs();
     const Matrix off = coupled * Matrix::Ones(1, basis.cols());
     const Doubted reduced{basis.transpose() * A.value * basis, size.transpose() * A.doubt * size +
                                                                    off.transpose() * A.value.cwiseAbs() * size +
                                                                    size.transpose() * A.value.cwiseAbs() * off};
     find_modes(result, reduced, basis);
-    // A symmetry has a conserved momentum: one more rate that vanishes and says nothing of stability.
+    // A symmetry brings a conserved momentum, and with it one more eigenvalue zero that says nothing about stability.
     leave_out(result, same.momenta);
     if (std::ranges::any_of(result.modes, is_doubtful)) look_without_momenta(result, reduced, basis, same.momenta);
     for (const double frequency : same.going_round) result.modes.push_back({0, frequency * result.pace, 0, {}});
@@ -127,7 +130,7 @@ class Lineariser {
       Mode mode;
       mode.growth_rate = static_cast<double>(rate.real() * Real(result.pace));
       mode.frequency = static_cast<double>(rate.imag() * Real(result.pace));
-      // A margin, as the doubts of the entries are seen on a few differences only.
+      // The doubts of the entries are estimated from a few differences only: the factor is a margin for that.
       mode.doubt = 4 * rates.doubt[m] * result.pace;
       const VectorXd moved = (basis * rates.motion.col(m).normalized()).cwiseAbs().cast<double>();
       for (int i = 0; i < tree_.body_count(); ++i) mode.moves.push_back(moves(i, moved));
@@ -135,8 +138,9 @@ class Lineariser {
     }
   }
 
-  // Beside the vanishing rates of the momenta, slow ones are known badly: the motions with other momenta, that A leads
-  // nowhere, are taken for none. With what is left of A n in the place of zero, other rates than theirs stay.
+  // Slow modes beside the zero eigenvalues of conserved momenta are known badly, as nearly equal eigenvalues disturb
+  // each other. This computes the modes again without the directions n for which A n vanishes within its doubt: these
+  // are motions with other momenta, and A has the other eigenvalues on their complement.
   void look_without_momenta(Linearisation& result, const Doubted& A, const Matrix& basis, Index momenta) const {
     const Eigen::JacobiSVD<Matrix> svd(A.value, Eigen::ComputeFullV);
     const Matrix& all = svd.matrixV();
@@ -147,7 +151,7 @@ class Lineariser {
       if (!((left - 10 * (A.doubt * n.cwiseAbs())).array() <= 0).all()) break;
       doubt += left * n.cwiseAbs().transpose();
     }
-    // More than those of the momenta: some of them are slow motions.
+    // If more directions vanish than there are momenta, some of them are slow motions, and this way is closed.
     if (count == 0 || count > momenta) return;
     const Matrix others = complement(all.rightCols(count)), size = others.cwiseAbs();
     find_modes(result, {others.transpose() * A.value * others, size.transpose() * doubt * size}, basis * others);
@@ -184,13 +188,13 @@ class Lineariser {
     v[static_cast<std::size_t>(k)] += h * unit(k);
     return v;
   }
-  // The derivative at zero by differences of sixth order, and by how much those with other steps differ. Where a
-  // displacement by the step h leads far away (a disk lying nearly flat passes through the floor), by shorter ones.
-  // Where the function is a quadratic (accelerations are, in the velocities) the slopes over the three steps of one
-  // difference agree but for epsilon, and one is enough.
+  // The derivative at zero by differences of sixth order, and an error estimate from differences with other steps.
+  // Where a displacement by h leads far away (a disk that lies nearly flat passes through the floor), shorter steps
+  // are taken. Where the function is quadratic, as accelerations are in the velocities, the slopes over the three
+  // steps agree but for rounding, and one difference is enough.
   struct Slope {
     VectorXd value, doubt;
-    bool of_quadratic = false;  // shorter steps would only bring more epsilon
+    bool of_quadratic = false;  // then shorter steps would only increase the rounding
   };
   template <class Function>
   static Slope slope(Function&& f, double h) {
@@ -206,9 +210,9 @@ class Lineariser {
   }
   template <class Function>
   static Slope slope_by(Function&& f, double h) {
-    // No multiples of each other: these would round alike and agree by chance.
+    // The steps are no multiples of each other: those would round alike and agree by chance.
     constexpr std::array<double, 3> ratios{1, 1.618, 2.718};
-    VectorXd sizes = VectorXd::Zero(0);  // of the values that cancel
+    VectorXd sizes = VectorXd::Zero(0);  // the sizes of the values that cancel in a difference
     const auto slopes_over = [&](double step) {
       std::array<VectorXd, 3> slopes;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -220,7 +224,7 @@ class Lineariser {
       }
       return slopes;
     };
-    // Without the terms of third and fifth order.
+    // The combination of the three slopes in which the terms of third and fifth order cancel.
     const auto sixth_order = [&](const std::array<VectorXd, 3>& slopes) -> VectorXd {
       VectorXd sum = VectorXd::Zero(slopes[0].size());
       for (std::size_t i = 0; i < 3; ++i) {
@@ -236,16 +240,16 @@ class Lineariser {
     };
     const std::array<VectorXd, 3> slopes = slopes_over(h);
     const VectorXd apart = spread(slopes), noise = epsilon / h * sizes;
-    // Solving for accelerations leaves up to some tens of times the epsilon of the values. The longest step has least
-    // of it; what a cubic would bring is less than twice what the slopes are apart.
+    // Solving for accelerations leaves some tens of times the rounding of the values. The longest step has the least
+    // of it; a cubic term would add less than twice what the slopes are apart.
     if ((apart.array() <= 64 * noise.array()).all()) return {slopes[2], (2 * apart).cwiseMax(noise), true};
     const std::array<VectorXd, 3> all{sixth_order(slopes), sixth_order(slopes_over(0.7 * h)),
                                       sixth_order(slopes_over(1.3 * h))};
     return {(all[0] + all[1] + all[2]) / 3, spread(all)};
   }
 
-  // By how much the velocities change, in natural units and parts of the pace; nothing if by more than the pose and
-  // they may be off. A: before the spin is added.
+  // The largest change of a velocity in natural units, as a part of the pace; nothing if it exceeds what the errors
+  // of the pose and the velocities explain: then the motion is not steady. A: the matrix before the spin is added.
   std::optional<double> unrest_of(const VectorXd& a, const Eigen::MatrixXd& spin, const Matrix& A, double pace) const {
     constexpr double closely = 1e-7;
     const Eigen::Map<const VectorXd> v(motion_.v.data(), n_);
@@ -263,8 +267,8 @@ class Lineariser {
     return largest;
   }
 
-  // Held coordinates do not deviate, constraints hold. coupled: by how much deviations that depend on others may be
-  // off.
+  // The conditions that deviations satisfy: held coordinates do not deviate, and constraints go on holding. coupled:
+  // receives the possible error of deviations that follow from others.
   DeviationRows rows_of(const Vector& scale, Vector& coupled) const {
     std::vector<Vector> rows;
     std::vector<Real> doubts;
@@ -277,7 +281,7 @@ class Lineariser {
           doubts.push_back(0);
         }
     const auto J = motion_.constraints(motion_.q);
-    // d(J v)/dq v along each coordinate.
+    // The derivative of J v along each coordinate, J the rates of the constraints.
     const auto rates = [&](const std::vector<double>& q) {
       const auto there = motion_.constraints(q);
       VectorXd result(static_cast<Index>(there.size()));
@@ -323,7 +327,7 @@ class Lineariser {
       if (row[k] != 0) coupled[k] = std::max(coupled[k], doubt);
   }
 
-  // An orthonormal basis of the deviations that are possible, without those that lead to the same motion elsewhere.
+  // An orthonormal basis of the possible deviations, without those that lead to the same motion elsewhere.
   Matrix deviations(const DeviationRows& rows, const Matrix& elsewhere, Vector& coupled) const {
     for (Index s = 0; s < elsewhere.cols(); ++s)
       if ((elsewhere.col(s).array() != 0).count() > 1) mark(coupled, elsewhere.col(s), 8 * epsilon);
@@ -331,7 +335,7 @@ class Lineariser {
     if (rows.value.rows() > 0) kernel = complement(rows.value.transpose());
     return elsewhere.cols() == 0 ? kernel : Matrix(kernel * complement(kernel.transpose() * elsewhere));
   }
-  // The stated displacements, of length one.
+  // The stated symmetries of the motion as displacements of length one.
   std::vector<Vector> displacements(const Vector& scale) const {
     std::vector<Vector> all;
     for (const std::vector<double>& stated : motion_.symmetries) {
@@ -350,7 +354,7 @@ class Lineariser {
     }
   }
 
-  // A body moves in a mode if a coordinate of it or of a body that it hangs on does.
+  // A body takes part in a mode if one of its coordinates does, or one of a body that carries it.
   bool moves(int body, const VectorXd& size) const {
     for (int i = body; i != ground; i = tree_.body(i).parent)
       for (int k = tree_.body(i).v; k < tree_.body(i).v + velocity_size(tree_.body(i).joint); ++k)

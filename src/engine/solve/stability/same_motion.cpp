@@ -9,10 +9,11 @@ namespace poinsot::solve {
 namespace {
 
 using Index = Eigen::Index;
-// How closely displacements depend on each other, or keep to what constraints allow.
+// How closely displacements must satisfy the constraints, or may depend on each other, as parts of their length: far
+// above the rounding of long doubles, far below any displacement that is meant.
 constexpr Real within = 1e-9L;
 
-// A matrix A and what is uncertain of A x.
+// A matrix A, and bounds for the error of A x.
 class Uncertain {
  public:
   explicit Uncertain(const Doubted& A) : A_(A.value) {
@@ -20,13 +21,14 @@ class Uncertain {
     doubt_of_terms_ = 10 * A.doubt + closely * A_.cwiseAbs();
     const Index n = A_.rows() / 2;
     const Real stiffness = n > 0 ? A_.bottomLeftCorner(n, n).cwiseAbs().maxCoeff() : 0;
-    // A spinning body whose center is on its axis but for rounding pulls as it turns, by as little of the square of the
-    // pace. What is no small part of the stiffness there is, is taken for that of a slow motion.
+    // A spinning body whose mass center lies on its axis but for rounding is pulled back as it turns, by that
+    // rounding times the square of the pace. Such a stiffness must not count, unless it is no small part of the whole
+    // stiffness: then it may belong to a slow motion.
     unbalance_ = std::min<Real>(20 * std::numeric_limits<double>::epsilon(), 1e-4L * stiffness);
   }
   Index size() const { return A_.rows(); }
   Matrix times(const Matrix& x) const { return A_ * x; }
-  // With the sizes of x.
+  // The error bound of A x, for the sizes of the entries of x.
   Vector uncertainty(const Vector& sizes) const {
     return doubt_of_terms_ * sizes + Vector::Constant(A_.rows(), unbalance_);
   }
@@ -39,14 +41,14 @@ class Uncertain {
 bool is_within(const Vector& left, const Vector& allowed) { return ((left.cwiseAbs() - allowed).array() <= 0).all(); }
 bool is_symmetry(const Uncertain& A, const Vector& x) { return is_within(A.times(x), A.uncertainty(x.cwiseAbs())); }
 
-// By how much a deviation of length one would break what deviations satisfy, beyond what is uncertain of that.
+// By how much a deviation of length one breaks each condition, as far as this exceeds the error of the condition.
 Vector breach(const DeviationRows& rows, const Vector& x) {
   const Vector off = (rows.value * x).cwiseAbs() - 10 * rows.doubt;
   return (off.array() > within).select(rows.value * x, Vector::Zero(off.size()));
 }
 bool is_possible(const DeviationRows& rows, const Vector& x) { return breach(rows, x).isZero(0); }
 
-// The columns of both that do not depend on those before.
+// The columns of both, without those that depend on columns before them.
 Matrix joined(const Matrix& one, const Matrix& other) {
   Matrix found = one;
   for (Index i = 0; i < other.cols(); ++i) {
@@ -59,9 +61,9 @@ Matrix joined(const Matrix& one, const Matrix& other) {
   return found;
 }
 
-// Those displacements that are possible and do lead to the same motion again, independent of each other. What is left
-// of A x must be no more than the uncertainty of the terms that cancel in it: a slow motion beside a fast one has
-// small entries that are not zero.
+// Of the displacements, those that are possible and lead to the same motion again (A x = 0), independent of each
+// other. A x is zero only if it is no more than the error of the terms that cancel in it: a slow motion beside a fast
+// one has small entries that are not zero.
 Matrix symmetries_of(const Uncertain& A, const DeviationRows& rows, const std::vector<Vector>& displacements) {
   const Matrix none(A.size(), 0);
   Matrix found = none, impossible = none;
@@ -71,14 +73,15 @@ Matrix symmetries_of(const Uncertain& A, const DeviationRows& rows, const std::v
     list = joined(list, x);
   }
   if (impossible.cols() == 0) return found;
-  // Together they may be possible: shifts along and across a slope.
+  // Displacements that are impossible each by itself may be possible together, as shifts along and across a slope
+  // are.
   Matrix breaches(rows.value.rows(), impossible.cols());
   for (Index i = 0; i < impossible.cols(); ++i) breaches.col(i) = breach(rows, impossible.col(i));
   const Matrix together = (impossible * complement(breaches.transpose())).colwise().normalized();
   return joined(found, together);
 }
 
-// A times each of some deviations as a sum of columns; nothing if it is none.
+// Writes A times each deviation as a combination of the columns; returns nothing if it is no combination of them.
 std::optional<Matrix> parts_among(const Matrix& columns, const Uncertain& A, const Matrix& deviations) {
   const Eigen::ColPivHouseholderQR<Matrix> qr(columns);
   const Matrix led = A.times(deviations), parts = qr.solve(led), left = led - columns * parts;
@@ -87,8 +90,9 @@ std::optional<Matrix> parts_among(const Matrix& columns, const Uncertain& A, con
   std::optional<Matrix> inverse_size;
   for (Index i = 0; i < left.cols(); ++i) {
     const Vector rounding = A.uncertainty(size + deviations.col(i).cwiseAbs());
-    // What is uncertain goes into the parts too, and with them elsewhere. Mostly it cannot be enough: the inverse of R
-    // is at most sqrt(n) 2^(n-1) / r_nn (Higham, SIAM Review 29, 575, 1987).
+    // The error of the right sides passes into the combination too. A cheap bound mostly shows that it is not enough
+    // to explain what is left: the inverse of the factor R is at most sqrt(n) 2^(n-1) / r_nn (Higham, SIAM Review 29,
+    // 575, 1987). Only where it does not, the inverse itself is computed.
     const Real most = std::sqrt(Real(n)) * std::ldexp(Real(1), static_cast<int>(n) - 1) * rounding.norm();
     const Real least = std::abs(qr.matrixR()(n - 1, n - 1));
     if (!is_within(least * left.col(i), least * rounding + most * size)) return std::nullopt;
@@ -98,9 +102,9 @@ std::optional<Matrix> parts_among(const Matrix& columns, const Uncertain& A, con
   return parts;
 }
 
-// In a frame that turns, displacements across its axis that lead to the same motion elsewhere go round in it: pairs
-// that go over into each other. At a steady rate they go round ever farther away, where such velocities are possible.
-// Neither is any of the motion.
+// In a frame that turns, displacements across its axis that lead to the same motion elsewhere go round: pairs of them
+// turn into each other. If the velocities of such displacements are possible as well, these go round at growing
+// distance. Neither says anything about the stability of the motion.
 Matrix goings_round(const Uncertain& A, const DeviationRows& rows, const std::vector<Vector>& displacements,
                     std::vector<double>& frequencies) {
   Matrix found(A.size(), 0);
@@ -127,14 +131,16 @@ Matrix goings_round(const Uncertain& A, const DeviationRows& rows, const std::ve
       drifts.bottomRows(A.size() / 2) = pair.topRows(A.size() / 2);
       both << pair, drifts;
       if (!is_possible(rows, drifts.col(0)) || !is_possible(rows, drifts.col(1))) continue;
-      // They go round as the displacements do. (Velocities of turning wobble.)
+      // The velocities must go round at the same rate as the displacements. (Velocities of a turned body wobble and
+      // do not.)
       const std::optional<Matrix> drifted = parts_among(both, A, drifts);
       if (drifted && (drifted->bottomRows(2) - *turned).norm() <= 1e-6L * turned->norm()) add(drifts);
     }
   return found;
 }
 
-// With such displacements also those that let them change steadily: rolling in another direction.
+// Adds to such displacements those that make them change steadily: a disk that rolls in a slightly different
+// direction moves farther and farther away.
 Matrix leading_to(Matrix elsewhere, const Uncertain& A, const DeviationRows& rows,
                   const std::vector<Vector>& displacements) {
   if (elsewhere.cols() == 0) return elsewhere;

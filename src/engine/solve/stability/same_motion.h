@@ -1,5 +1,5 @@
-// Deviations from a steady motion that lead to the same motion again, or to the same elsewhere: they are none of the
-// motion near it.
+// Deviations from a steady motion that lead to the same motion again, or to the same motion at another place. They do
+// not decay, and say nothing about stability, so they are taken out before rates of growth are computed.
 #pragma once
 
 #include <vector>
@@ -8,25 +8,26 @@
 
 namespace poinsot::solve {
 
-// What deviations satisfy: rows of length one, and by how much each may be off.
+// The conditions that deviations satisfy: rows of length one, and a bound for the error of each.
 struct DeviationRows {
   Matrix value;
   Vector doubt;
 };
 
 struct SameMotion {
-  // Independent columns: displacements that change nothing, pairs that go round in a frame that turns (with velocities
-  // by which they go ever farther), and what lets these change steadily, as rolling in another direction does.
+  // Independent columns: displacements that change nothing; pairs that go round in a frame that turns, with the
+  // velocities by which they move farther away; and what makes these change steadily, as rolling in another direction
+  // does.
   Matrix elsewhere;
-  std::vector<double> going_round;  // the frequencies of these pairs, as parts of the pace
-  Eigen::Index momenta = 0;         // how many rates of momenta may vanish beside them
+  std::vector<double> going_round;  // the angular frequencies of these pairs, as parts of the pace
+  Eigen::Index momenta = 0;         // how many further eigenvalues vanish because momenta are conserved
 };
 
-// A: of the deviations, coordinates first, then velocities, in natural units. displacements: of length one, those that
-// may lead to the same motion again; what the rows do not allow does not.
+// A: the matrix of the deviations, coordinates first, then velocities, in natural units. displacements: candidates of
+// length one; those that the rows exclude are left out.
 SameMotion same_motion(const Doubted& A, const DeviationRows& rows, const std::vector<Vector>& displacements);
 
-// An orthonormal basis of what is at right angles to all columns.
+// An orthonormal basis of all vectors that are perpendicular to the columns.
 Matrix complement(const Matrix& columns);
 
 }  // namespace poinsot::solve
