@@ -131,19 +131,21 @@ void Course::begin(std::size_t stage) {
     now.q = before.q;
     now.v = before.v;
   }
+  if (stage < situation_.stages.size()) {
+    const Stage& stated = situation_.stages[stage];
+    if (stated.lasts) {
+      const double duration = start_->data_number(*stated.lasts, dimensions::time);
+      if (!(duration >= 0)) fail(situation_.file, stated.lasts->mark(), "a stage lasts no negative time");
+      now.end = now.start + duration;
+      if (duration == 0) now.done = true;
+    } else if (!stated.until && stage + 1 < situation_.stages.size()) {
+      fail(situation_.file, stated.mark, "stage '" + stated.name + "' does not say how long it lasts",
+           "write lasts: 2 s, or until: theta == 30 deg");
+    }
+  }
+  // A stage that has no good duration has not begun, so that whoever asks again is told the same.
   now.begun = true;
   now.time = now.start;
-  if (stage >= situation_.stages.size()) return;
-  const Stage& stated = situation_.stages[stage];
-  if (stated.lasts) {
-    const double duration = start_->data_number(*stated.lasts, dimensions::time);
-    if (!(duration >= 0)) fail(situation_.file, stated.lasts->mark(), "a stage lasts no negative time");
-    now.end = now.start + duration;
-    if (duration == 0) now.done = true;
-  } else if (!stated.until && stage + 1 < situation_.stages.size()) {
-    fail(situation_.file, stated.mark, "stage '" + stated.name + "' does not say how long it lasts",
-         "write lasts: 2 s, or until: theta == 30 deg");
-  }
 }
 
 double Course::stage_start(std::size_t stage) {

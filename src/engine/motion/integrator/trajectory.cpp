@@ -9,6 +9,7 @@ namespace poinsot {
 
 void StepView::evaluate(double t, std::span<double> state) const {
   const std::size_t n = state.size();
+  if (n == 0) return;  // What has no freedoms has no coefficients either.
   if (form == StepForm::flow) {
     flow->advance(start, coefficients.first(n), t, state);
     return;
