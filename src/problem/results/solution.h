@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "poinsot/engine/math/formula/formula.h"
+#include "poinsot/engine/work/budget.h"
 #include "problem/entries/statement.h"
 #include "problem/language/value.h"
 
@@ -35,6 +36,8 @@ struct SolvedAsk {
   std::optional<Value<poinsot::Formula>> formula;
   std::string no_formula;
   std::string formula_road;  // how a formula was found that does not follow exactly: "by dimensional analysis"
+  // Where the caller's budget ended before the answer was found or known to be determined: it is undetermined for that.
+  std::optional<BudgetEnd> ended;
 };
 
 struct SolvedUnknown {
@@ -55,6 +58,7 @@ struct SolvedClaim {
   };
   AskState state = AskState::found;  // or undetermined
   std::string reason;                // for undetermined
+  std::optional<BudgetEnd> ended;    // as of asks
   bool holds = false;
   bool proved = false;                // else found on samples
   std::vector<Datum> counterexample;  // if it does not hold
@@ -114,6 +118,8 @@ struct SolvedStatement {
   std::vector<Solution> solutions;  // one for each root, ascending by the first unknown; none: warnings say why
   std::vector<Letter> open_letters;
   std::vector<std::string> warnings;
+  // What ended the run before everything was done: what was found by then is kept.
+  std::optional<BudgetEnd> ended;
 };
 
 }  // namespace poinsot::problem

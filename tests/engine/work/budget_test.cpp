@@ -1,0 +1,149 @@
+#include "poinsot/engine/work/budget.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace poinsot {
+namespace {
+
+using Clock = Budget::Clock;
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+
+// A clock that goes on by a step whenever it is looked at.
+struct SteppingClock {
+  Clock::duration step;
+  Clock::time_point now{};
+  int looks = 0;
+  Clock::time_point operator()() {
+    ++looks;
+    return now += step;
+  }
+};
+
+TEST(Budget, nothing_ends_without_a_scope) {
+  EXPECT_FALSE(budget_ended());
+  EXPECT_NO_THROW(check_budget());
+  EXPECT_NO_THROW(tell_progress({"roots", 0.5}));
+}
+
+TEST(Budget, nothing_ends_and_no_clock_is_read_where_a_budget_bounds_nothing) {
+  SteppingClock clock{milliseconds(1)};
+  const BudgetScope scope(Budget().by_clock(std::ref(clock)));
+  for (int i = 0; i < 1000; ++i) ASSERT_FALSE(budget_ended());
+  EXPECT_EQ(clock.looks, 0);
+}
+
+TEST(Budget, a_deadline_ends_the_work_and_stays) {
+  Clock::time_point now{};
+  const BudgetScope scope(Budget().by_clock([&now] { return now; }).end_after(milliseconds(5)));
+  EXPECT_FALSE(budget_ended());
+  now += milliseconds(6);
+  for (int i = 0; i < 16; ++i) budget_ended();
+  EXPECT_EQ(how_budget_ended(), BudgetEnd::deadline);
+  now = {};
+  EXPECT_TRUE(budget_ended());
+}
+
+TEST(Budget, the_end_says_what_it_was) {
+  const std::atomic<bool> flag = true;
+  const BudgetScope scope(Budget().end_when(&flag));
+  try {
+    check_budget();
+    FAIL() << "the flag was not seen";
+  } catch (const BudgetEnded& ended) {
+    EXPECT_EQ(words_of(ended.end), "interrupted");
+  }
+  EXPECT_EQ(words_of(BudgetEnd::deadline), "ended by the deadline");
+}
+
+// Code that answers errors by "there is no formula" must let the end pass.
+TEST(Budget, the_end_is_no_error) { EXPECT_FALSE((std::is_base_of_v<std::exception, BudgetEnded>)); }
+
+TEST(Budget, a_flag_or_a_stop_ends_at_the_next_call) {
+  std::atomic<bool> flag = false;
+  const BudgetScope outer(Budget().end_when(&flag));
+  {
+    std::stop_source source;
+    const BudgetScope scope(Budget().end_when(source.get_token()));
+    EXPECT_FALSE(budget_ended());
+    source.request_stop();
+    EXPECT_EQ(how_budget_ended(), BudgetEnd::interrupted);
+  }
+  EXPECT_FALSE(budget_ended());
+  flag = true;
+  EXPECT_TRUE(budget_ended());
+}
+
+TEST(Budget, a_scope_ends_with_those_around_it_and_leaves_them_as_they_were) {
+  Clock::time_point now{};
+  const auto clock = [&now] { return now; };
+  const BudgetScope outer(Budget().by_clock(clock).end_after(milliseconds(50)));
+  {
+    const BudgetScope inner(Budget().by_clock(clock).end_after(milliseconds(10)));
+    EXPECT_FALSE(budget_ended());
+    now += milliseconds(20);
+    for (int i = 0; i < 16; ++i) budget_ended();
+    EXPECT_TRUE(budget_ended());
+  }
+  EXPECT_FALSE(budget_ended());
+  const BudgetScope inner(Budget().by_clock(clock).end_after(milliseconds(1000)));
+  now += milliseconds(50);
+  for (int i = 0; i < 16; ++i) budget_ended();
+  EXPECT_TRUE(budget_ended());
+}
+
+TEST(Budget, a_respite_sets_it_aside) {
+  const std::atomic<bool> flag = true;
+  const BudgetScope scope(Budget().end_when(&flag));
+  {
+    const BudgetRespite respite;
+    EXPECT_FALSE(budget_ended());
+  }
+  EXPECT_TRUE(budget_ended());
+}
+
+// Calls every microsecond look at the clock seldom; when each call takes three milliseconds the deadline is still seen
+// within fifty.
+TEST(Budget, the_clock_is_looked_at_seldom_and_the_deadline_is_seen_in_time) {
+  Clock::time_point now{};
+  int looks = 0;
+  const auto clock = [&] {
+    ++looks;
+    return now;
+  };
+  const BudgetScope scope(Budget().by_clock(clock).end_after(milliseconds(100)));
+  for (int i = 0; i < 16000; ++i) {
+    now += microseconds(1);
+    ASSERT_FALSE(budget_ended());
+  }
+  EXPECT_LT(looks, 1100);
+  while (!budget_ended()) now += milliseconds(3);
+  EXPECT_LT(now - Clock::time_point{}, milliseconds(150));
+}
+
+TEST(Budget, progress_is_told_ten_times_a_second) {
+  SteppingClock clock{milliseconds(1)};
+  std::vector<std::string> told;
+  const BudgetScope outer(
+      Budget().by_clock(std::ref(clock)).tell([&](const Progress& progress) { told.emplace_back(progress.doing); }));
+  const BudgetScope inner{Budget()};  // one without a listener leaves it to the next one
+  for (int i = 0; i < 1000; ++i) tell_progress({"steps", {}, 1});
+  EXPECT_EQ(told, std::vector<std::string>(10, "steps"));
+}
+
+TEST(Budget, it_holds_for_its_thread_alone) {
+  const std::atomic<bool> flag = true;
+  const BudgetScope scope(Budget().end_when(&flag));
+  bool ended_elsewhere = true;
+  std::thread([&] { ended_elsewhere = budget_ended(); }).join();
+  EXPECT_FALSE(ended_elsewhere);
+  EXPECT_TRUE(budget_ended());
+}
+
+}  // namespace
+}  // namespace poinsot
