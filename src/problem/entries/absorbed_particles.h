@@ -1,4 +1,4 @@
-// Bodies after particles have struck them and stay.
+// The bodies after particles have struck them and stuck.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace poinsot::problem {
 
-// The problem of the motion that follows a blow in which particles of some mass stay: they belong to the bodies, and
-// nothing sudden happens any more. None if no particle stays.
+// The situation after a blow in which particles with mass stick to bodies: they are now parts of these bodies, and
+// nothing sudden happens any more. Returns nothing if no particle sticks.
 std::optional<Situation> with_absorbed_particles(const Situation& situation);
 
 }  // namespace poinsot::problem

@@ -10,8 +10,8 @@ namespace poinsot::problem {
 namespace {
 
 struct Extent {
-  double size = 0;  // operations
-  int depth = 0;    // names behind names
+  double size = 0;  // number of operations that one evaluation takes
+  int depth = 0;    // number of names that stand behind each other
 };
 
 class Measure {
@@ -41,7 +41,7 @@ class Measure {
            "'" + name + "' stands for an expression of more than " +
                std::to_string(static_cast<int>(DefinitionLimits::size)) + " operations",
            "define it with fewer of the other definitions");
-    // The value of a datum or point is found once, that of a definition wherever it stands.
+    // The value of a datum or point is computed once, that of a definition at each place where its name stands.
     if (!defined_.contains(name)) extent.size = 1;
     return known_[name] = extent;
   }

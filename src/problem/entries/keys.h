@@ -1,4 +1,5 @@
-// The keys of the problem language: one table from which the reader, the JSON Schema and the manual's tests are made.
+// The keys of the problem language in one table, from which the reader, the JSON Schema and the tests of the manual
+// are made.
 #pragma once
 
 #include <span>
@@ -16,22 +17,22 @@ enum class KeyType {
   text,
   boolean,
   unit,
-  object,  // a map with its own keys, see LanguageKey::object_name
-  named,   // a map from names of the author's choice to `object_name`
+  object,  // a map with keys of its own, which are those of LanguageKey::object_name
+  named,   // a map from names that the author chooses to objects of the kind object_name
   any,
 };
 
 struct LanguageKey {
-  std::string_view object;  // where it stands: "problem", "body", "disk", ...
+  std::string_view object;  // the map in which the key stands: "problem", "body", "disk", ...
   std::string_view key;
   KeyType type;
-  std::string_view object_name;  // for object and named
+  std::string_view object_name;  // for the types `object` and `named`
   std::string_view meaning;
 };
 
 std::span<const LanguageKey> language_keys();
 
-// The keys that `object` knows, in the order of the table.
+// The keys that `object` can have, in the order of the table.
 std::vector<std::string> keys_of(std::string_view object);
 
 const LanguageKey* find_key(std::string_view object, std::string_view key);

@@ -1,4 +1,4 @@
-// The JSON Schema of the problem file, made from the table of keys.
+// Makes the JSON Schema of the problem file from the table of keys.
 #include <nlohmann/json.hpp>
 
 #include "problem/entries/keys.h"
@@ -53,7 +53,8 @@ std::string problem_schema() {
     if (!key.meaning.empty()) property["description"] = key.meaning;
     object["properties"][std::string(key.key)] = property;
   }
-  // Shapes stand in bodies and parts. Moments of inertia stand under the names of the axes, facts under quantities.
+  // Keys of shapes stand directly in bodies and parts. Moments of inertia are named after the axes, and facts after
+  // quantities, so their maps take any key.
   for (const char* owner : {"body", "part"})
     for (const auto& [key, property] : definitions["shape"]["properties"].items())
       definitions[owner]["properties"][key] = property;

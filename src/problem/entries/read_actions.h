@@ -1,4 +1,4 @@
-// Reads what acts on bodies or carries them: frames, contacts, cords, springs, loads and everything sudden.
+// Reads what acts on bodies or carries them: frames, contacts, cords, springs, loads, and blows.
 #pragma once
 
 #include <string>

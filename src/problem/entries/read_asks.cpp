@@ -7,7 +7,7 @@
 namespace poinsot::problem {
 namespace {
 
-// The ask as its author wrote it.
+// The text of an ask as its author wrote it.
 std::string written(const Entry& entry) {
   if (entry.kind == Entry::Kind::scalar) return entry.text;
   std::string text;
@@ -15,7 +15,7 @@ std::string written(const Entry& entry) {
   return text.empty() ? "" : text + "]";
 }
 
-// {largest: w, while: stable(plate), situation: hanging}
+// Reads {largest: w, while: stable(plate), situation: hanging}.
 Extremum read_extremum(const Members& members, const Key& ask, const std::string& file) {
   Extremum extremum;
   extremum.largest = members.find("largest") != nullptr;
@@ -40,7 +40,7 @@ Extremum read_extremum(const Members& members, const Key& ask, const std::string
   return extremum;
 }
 
-// {table: {t: time, Ay: reaction(A).y}, over: {time: 0 s .. 2 s by 0.2 s}}
+// Reads {table: {t: time, Ay: reaction(A).y}, over: {time: 0 s .. 2 s by 0.2 s}}.
 Table read_table(const Members& members, const std::string& file) {
   Table table;
   const Entry& columns = members.require("table", "table: {t: time, w: norm(angular_velocity(disk))}");
@@ -72,7 +72,7 @@ Table read_table(const Members& members, const std::string& file) {
   return table;
 }
 
-// {first_time: reaction(A).z == 0}, {times: ..., from: 0 s, to: 4 s}
+// Reads {first_time: reaction(A).z == 0} or {times: ..., from: 0 s, to: 4 s}.
 WhenAsk read_when(const Members& members, const std::string& file) {
   WhenAsk when;
   when.first = members.find("first_time") != nullptr;
@@ -197,7 +197,7 @@ Expected read_expected(const Key& name, const Entry& entry, const std::string& f
 
 }  // namespace
 
-// `expect:` is one case (`letters:` gives its letters values), or several under `cases:`.
+// `expect:` holds one case, in which `letters:` gives values to letters, or several cases under `cases:`.
 std::vector<ExpectedCase> read_expect(const Entry& entry, const std::string& file) {
   if (entry.kind != Entry::Kind::map) fail(file, entry.mark, "expected parts and what they should be");
   const auto read_case = [&](const Key& name, const Entry& body) {

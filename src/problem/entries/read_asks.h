@@ -1,4 +1,4 @@
-// Reads what is asked, and what is expected.
+// Reads what is asked, and the values that are expected.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace poinsot::problem {
 
 Ask read_ask(const Key& name, const Entry& entry, const std::string& file);
 
-// `expect:` is one case (`letters:` gives its letters values), or several under `cases:`.
+// `expect:` holds one case, in which `letters:` gives values to letters, or several cases under `cases:`.
 std::vector<ExpectedCase> read_expect(const Entry& entry, const std::string& file);
 
 }  // namespace poinsot::problem

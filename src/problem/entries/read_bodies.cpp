@@ -8,7 +8,7 @@
 namespace poinsot::problem {
 namespace {
 
-// Shapes whose argument is a list of points or a single point.
+// Whether the argument of this shape is a point or a list of points.
 bool takes_points(const std::string& kind) { return find_key("shape", kind)->type != KeyType::object; }
 
 Shape read_shape(const std::string& kind, const Entry& entry, const std::string& file) {
@@ -25,7 +25,7 @@ Shape read_shape(const std::string& kind, const Entry& entry, const std::string&
     if (type == KeyType::text)
       shape.file = kind == "mesh" ? scalar_text(value, file, "the name of a file") : shape.file;
     if (type == KeyType::text || type == KeyType::unit) {
-      // A word or a unit is kept as it stands: 'open', 'mm'.
+      // A word such as 'open' or a unit such as 'mm' is kept as it is written.
       scalar_text(value, file, "a word");
       continue;
     }
@@ -99,7 +99,7 @@ std::vector<Part> read_parts(const Entry& entry, const std::string& file) {
   return parts;
 }
 
-// Moments stand under the names of the axes, products under two of them in either order.
+// Reads moments of inertia, named after the axes, and products, named after two axes in either order.
 StatedInertia read_inertia(const std::string& key, const Entry& entry, const ReadContext& context) {
   const auto& axes = context.axes;
   std::vector<std::string> moments(axes.begin(), axes.end());
@@ -186,7 +186,7 @@ Body read_body(const std::string& name, Mark mark, const Entry& entry, const Rea
   for (const char* key : {"radii_of_gyration", "inertia", "inertia_matrix"}) {
     const Entry* found = members.find(key);
     if (!found) continue;
-    if (found->kind == Entry::Kind::scalar && found->text == "any") continue;  // as if nothing were said of it
+    if (found->kind == Entry::Kind::scalar && found->text == "any") continue;  // as if the file did not mention it
     if (body.inertia) fail(file, found->mark, owner + " states its inertia twice");
     body.inertia = read_inertia(key, *found, context);
   }
@@ -198,7 +198,7 @@ Body read_body(const std::string& name, Mark mark, const Entry& entry, const Rea
          "give it a shape, or mass, center and radii_of_gyration or inertia, or write massless");
   if (body.parts.empty() && !body.amount.mass && !body.amount.weight)
     fail(file, mark, owner + " has no mass", "write mass: or weight:");
-  // Nothing is known of an inertia that neither a shape gives nor numbers state; its mark is then that of the body.
+  // If neither a shape nor numbers give the inertia it is open. Its mark is then that of the body.
   if (body.parts.empty() && !body.inertia) {
     body.inertia.emplace();
     body.inertia->mark = mark;

@@ -8,7 +8,7 @@ std::vector<Expression> one_or_more(const Entry& entry, const std::string& file)
   return {parse_expression(entry, file)};
 }
 
-// A comparison, or a call or name that is true or false.
+// Throws unless the expression is a comparison, or a call or name, which may be true or false.
 void require_truth(const Expression& expression, const std::string& file) {
   if (expression.as<Comparison>() || expression.as<Call>() || expression.as<Name>()) return;
   fail(file, expression.mark(), "'" + to_string(expression) + "' claims nothing",

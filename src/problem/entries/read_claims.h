@@ -9,13 +9,13 @@
 
 namespace poinsot::problem {
 
-// `m: kg`, or `x: {signed: m}` for a letter that may be negative.
+// Reads `m: kg`, or `x: {signed: m}` for a letter that may be negative.
 Letter read_letter(const Key& name, const Entry& entry, const std::string& file);
 
-// What stands under `assume:`: comparisons.
+// Reads the comparisons under `assume:`.
 std::vector<Expression> read_assumptions(const Members& members, const std::string& file);
 
-// `a: X == Y`, a list of such, or {claim: ..., assume: [...], axes: B, situation: S}.
+// Reads `a: X == Y`, a list of such, or {claim: ..., assume: [...], axes: B, situation: S}.
 Claim read_claim(const Key& name, const Entry& entry, const std::string& file);
 
 }  // namespace poinsot::problem

@@ -16,7 +16,7 @@ constexpr std::pair<const char*, JointKind> kinds[] = {
     {"planar", JointKind::planar},       {"screw", JointKind::screw},
 };
 
-// The keys of one freedom, as they stand in a joint of one freedom or under `freedoms:`.
+// Reads the keys of one freedom. They stand in the joint itself if it has one freedom, else under `freedoms:`.
 void read_freedom(const Members& members, const std::string& owner, const std::string& file, Freedom& freedom) {
   const char* position = freedom.turning ? "angle" : "displacement";
   const char* effort = freedom.turning ? "couple" : "force";
@@ -106,7 +106,7 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
   if (joint.kind != JointKind::screw && joint.pitch)
     fail(file, members.mark_of("pitch"), owner + " is no screw and has no pitch");
 
-  // The freedoms that the kind brings.
+  // Adds a freedom that the kind of joint has.
   const auto add = [&](const char* freedom_name, bool turning) {
     Freedom freedom;
     freedom.name = freedom_name;
@@ -149,7 +149,7 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
           add(item.members[0].first.text.c_str(), true);
           joint.freedoms.back().direction = parse_expression(item.members[0].second, file);
           joint.freedoms.back().mark = item.mark;
-          // The angle's own name is its coordinate.
+          // The name of an angle serves as the name of its coordinate.
           Entry word;
           word.kind = Entry::Kind::scalar;
           word.text = item.members[0].first.text;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_columns = 1000;
 
-// The name of a column becomes the name of a data set.
+// Data sets of a recording are named after its columns, so that these names are restricted.
 void check_column_name(const Key& name, const std::string& file) {
   const auto good = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||

@@ -1,4 +1,4 @@
-// Reads what is recorded of a motion.
+// Reads what is to be recorded of a motion.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace poinsot::problem {
 
-// {every: 1 ms, for: 100 s, columns: {t: time, theta: theta}, unit: {theta: deg}}
+// Reads {every: 1 ms, for: 100 s, columns: {t: time, theta: theta}, unit: {theta: deg}}.
 Record read_record(const Entry& entry, const std::string& file);
 
 }  // namespace poinsot::problem

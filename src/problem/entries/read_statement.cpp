@@ -1,4 +1,4 @@
-// From the tree of entries to the checked structure.
+// Turns the tree of entries into a checked statement.
 #include <algorithm>
 #include <set>
 
@@ -20,7 +20,7 @@ namespace {
 
 using Named = std::vector<std::pair<Key, Entry>>;
 
-// The members of a map from names of the author's choice; empty when the key is absent.
+// The members of a map whose keys are names of the author's choice; none if the key is absent.
 const Named& named(const Members& members, std::string_view key, const std::string& file) {
   static const Named none;
   const Entry* entry = members.find(key);
@@ -112,7 +112,7 @@ Stage read_stage(const Key& name, const Entry& entry, const std::string& file) {
   return stage;
 }
 
-// The bodies and frames of a statement, for messages about names.
+// Checks that every name of a body or frame in the situation is one, and suggests near names.
 void check_holders(const Situation& situation) {
   std::vector<std::string> bodies, holders{"ground"};
   for (const Body& body : situation.bodies) bodies.push_back(body.name);
@@ -183,13 +183,13 @@ void check_holders(const Situation& situation) {
     }
 }
 
-// The units in which the problem is stated.
+// Counts the units that the situation is stated in.
 void note_units(const Entry& entry, const std::string& file, UnitHabits& habits) {
   if (entry.is_scalar() && !entry.quoted) {
     try {
       habits.note(parse_expression(entry, file));
     } catch (const StatementError&) {
-      // A title or a file name.
+      // The text is no expression but a title or a file name.
     }
   }
   for (const Entry& item : entry.items) note_units(item, file, habits);
@@ -197,7 +197,7 @@ void note_units(const Entry& entry, const std::string& file, UnitHabits& habits)
     if (key.text != "title" && key.text != "source") note_units(value, file, habits);
 }
 
-// Choices are among impulses and added masses; only added masses can be left out.
+// `choose:` may name impulses, loads and added masses, `without:` added masses only; the latter are taken out here.
 void check_choices(Situation& situation) {
   std::vector<std::string> added, all;
   for (const Body& body : situation.bodies)
@@ -334,7 +334,7 @@ Situation read_one(const Entry& root, const std::string& file) {
     situation.instants.push_back(read_instant(name, entry, file));
   if (const Entry* facts = members.find("facts"))
     situation.instants.push_back(read_instant(Key{"facts", facts->mark}, *facts, file));
-  // Equations are solved as full matrices: a machine of more bodies would take minutes.
+  // Equations are solved as full matrices, so that a machine of more bodies would take minutes.
   constexpr std::size_t most_bodies = 100;
   if (situation.bodies.size() > most_bodies)
     fail(file, situation.bodies[most_bodies].mark, "there are more than " + std::to_string(most_bodies) + " bodies",
@@ -348,7 +348,7 @@ Situation read_one(const Entry& root, const std::string& file) {
   return situation;
 }
 
-// `overlay` laid over `base`: maps are merged key by key, everything else is replaced.
+// Lays one entry over another: maps are merged key by key, everything else is replaced.
 Entry laid_over(const Entry& base, const Entry& overlay) {
   if (base.kind != Entry::Kind::map || overlay.kind != Entry::Kind::map) return overlay;
   Entry merged = base;

@@ -1,4 +1,4 @@
-// Helpers to read a tree of entries: known keys only, and every complaint at its place.
+// Helpers to read a tree of entries. They accept known keys only and report every error at its place.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace poinsot::problem {
 
-// One map of the file, read as the `object` of the language's table of keys.
+// One map of the file, which the table of keys knows as an `object`.
 class Members {
  public:
-  // Throws StatementError unless `entry` is a map whose keys are all known to one of `objects` or are in `extra`.
+  // Throws StatementError unless the entry is a map each of whose keys belongs to one of `objects` or to `extra`.
   Members(const Entry& entry, const std::string& file, std::vector<std::string_view> objects,
           std::vector<std::string> extra = {});
 
@@ -35,13 +35,13 @@ class Members {
   std::string object_;
 };
 
-// Throws StatementError if the entry is no unit.
+// Reads a unit; throws StatementError if the entry is none.
 Unit read_unit(const Entry& entry, const std::string& file);
 
-// The text of a scalar; throws if the entry is anything else. `what` names it in the message.
+// The text of a scalar; throws for any other entry. `what` says in the message what was expected.
 const std::string& scalar_text(const Entry& entry, const std::string& file, std::string_view what);
 
-// Throws unless `name` can be a name in expressions.
+// Throws unless `name` can be used as a name in expressions.
 void check_name(const std::string& name, Mark mark, const std::string& file);
 
 // The items of a list as expressions; throws if the entry is no list.

@@ -1,4 +1,5 @@
-// A problem file as checked structure: every key is known, every scalar is parsed, nothing has a value yet.
+// What a problem file says, as a checked structure: every key is known and every scalar is parsed, but nothing has a
+// value yet.
 #pragma once
 
 #include <array>
@@ -34,20 +35,20 @@ struct Letter {
   std::string name;
   Unit unit;
   Mark mark;
-  bool either_sign = false;  // stated as signed; else it is positive, but for angles
+  bool either_sign = false;  // whether it was stated as signed; otherwise it is positive, unless it is an angle
 };
 
-// A uniform shape: `kind` is its key in the language, `arguments` what stands below it; a shape given by a list of
-// points (`rod: [A, B]`) has the single argument "points".
+// A uniform shape. Its kind is the key in the language, its arguments are what stands below that key; a shape given
+// by a list of points (`rod: [A, B]`) has the single argument "points".
 struct Shape {
   std::string kind;
   std::vector<NamedExpression> arguments;
-  std::string file;  // of a mesh, with the unit of its coordinates
+  std::string file;  // the file of a mesh; mesh_unit is the unit of its coordinates
   Unit mesh_unit;
   Mark mark;
 };
 
-// How much matter: at most one is stated.
+// The amount of matter. At most one of these is stated.
 struct Amount {
   std::optional<Expression> mass;
   std::optional<Expression> weight;
@@ -63,14 +64,14 @@ struct Part {
   Mark mark;
 };
 
-// Inertia in numbers; moments and products carry the signs of Eqs. 18.5 and 18.6.
+// Inertia given by numbers. Moments and products have the signs of Eqs. 18.5 and 18.6.
 struct StatedInertia {
   std::optional<Expression> about;                    // the point; the mass center when left out
   std::vector<Expression> axes;                       // three directions; those of the figure when left out
   std::array<std::optional<Expression>, 3> moments;   // I_x I_y I_z
   std::array<std::optional<Expression>, 3> products;  // I_xy I_yz I_zx
   std::optional<Expression> axis, axial, transverse;  // of a body of revolution
-  std::optional<Expression> matrix;                   // list of three rows, minus signs included
+  std::optional<Expression> matrix;                   // a list of three rows with the minus signs of Eq. 18.8
   bool rest_any = false;
   bool radii = false;  // the moments are radii of gyration
   Mark mark;
@@ -79,20 +80,20 @@ struct StatedInertia {
 struct Body {
   std::string name;
   bool massless = false;
-  Amount amount;            // of the whole, shared among parts that state none
+  Amount amount;            // of the whole body; parts that state no amount of their own share what is left
   std::vector<Part> parts;  // a body of one shape has one part
   std::optional<Expression> center;
   std::optional<StatedInertia> inertia;
   std::vector<Part> added;
-  std::vector<Part> absorbed;  // particles that have struck it and stay
+  std::vector<Part> absorbed;  // particles that have struck the body and stuck
   Mark mark;
 };
 
-// A point of view that turns and moves as stated.
+// A frame of reference that turns and moves as stated.
 struct Frame {
   std::string name;
   std::optional<Expression> origin, velocity, acceleration;
-  std::string rides_on;  // the body whose mass center carries the origin; "" if none
+  std::string rides_on;  // the body whose mass center the origin moves with; "" if none
   Mark rides_on_mark;
   std::optional<Expression> turns, rate, accel;
   Mark mark;
@@ -100,11 +101,11 @@ struct Frame {
 
 enum class JointKind { weld, revolute, prismatic, cylindrical, universal, ball, planar, screw };
 
-// One freedom of a joint: its motion side and its force side.
+// One freedom of a joint: how it moves, and the effort in it.
 struct Freedom {
   std::string name;                     // "" for the only freedom of its joint
-  bool turning = true;                  // an angle, else a displacement
-  std::optional<Expression> direction;  // axis or direction of sliding, where the joint's key does not say it
+  bool turning = true;                  // whether it is an angle; else it is a displacement
+  std::optional<Expression> direction;  // the axis or the direction of sliding, if the joint's key does not give it
   std::optional<Expression> position;
   std::optional<Expression> rate, accel;
   std::optional<Expression> effort;  // couple or force
@@ -112,9 +113,9 @@ struct Freedom {
   Mark mark;
 };
 
-// The components that one support of a joint can carry.
+// One support of a joint, and the components of force and couple that it can carry.
 struct Support {
-  std::string name;  // also the point, unless `at` says otherwise
+  std::string name;  // also names the point, unless `at` is given
   std::string kind;  // journal, thrust, collar, hinge, ball; "" when components are listed
   std::vector<Expression> forces, couples;
   std::optional<Expression> at;
@@ -144,7 +145,7 @@ struct Contact {
   Mark mark;
 };
 
-// A cord between two bodies, or (`direction`) one so long that only its direction counts.
+// A cord between two bodies. If `direction` is given it is so long that its direction does not change.
 struct Cord {
   std::string name, from, to;
   Mark from_mark, to_mark;
@@ -167,7 +168,7 @@ struct Load {
   Mark mark;
 };
 
-// A sudden push or twist, of a given impulse or of a force that lasts so short that nothing moves meanwhile.
+// A sudden push or twist, given as an impulse or as a force that lasts so short a time that nothing moves meanwhile.
 struct Impulse {
   std::string name, body, axes;
   Mark body_mark, axes_mark;
@@ -175,7 +176,7 @@ struct Impulse {
   Mark mark;
 };
 
-// A body strikes another, or an obstruction.
+// A body that strikes another one or an obstruction.
 struct Impact {
   std::string name, of, against;
   Mark of_mark, against_mark;
@@ -184,7 +185,7 @@ struct Impact {
   Mark mark;
 };
 
-// A particle hits a body and stays in it, or passes through and loses speed.
+// A particle that hits a body and stays in it, or passes through it and loses speed.
 struct Strike {
   std::string name, hits, relative_to;
   Mark hits_mark, relative_to_mark;
@@ -192,35 +193,35 @@ struct Strike {
   Expression at, velocity;
   bool stays = false;
   bool mass_neglected = false;
-  std::optional<Expression> loses;  // part of its relative speed
+  std::optional<Expression> loses;  // the part of its relative speed that it loses
   Mark mark;
 };
 
-// Exactly so many of some things: impulses, or masses added to bodies. What belongs to the others is zero.
+// A stated number of some things are to be used: impulses, or masses added to bodies. The others are zero.
 struct Choice {
   std::string name;
   std::vector<std::string> of;
   int exactly = 0;
-  bool least_total = false;  // the choice with the least sum of amounts, instead of a count
+  bool least_total = false;  // instead of a count: the choice with the least sum of amounts is taken
   Mark mark;
 };
 
-// What is known at an instant: `quantity == value` each, or that everything rests.
+// What is known at an instant: the value of a quantity, or that everything rests.
 struct Fact {
   Expression quantity;
   Expression value;
   Mark mark;
 };
 struct Instant {
-  std::string name;  // of an instant or stage, or a time such as `2 s`
+  std::string name;  // the name of an instant or stage, or a time such as `2 s`
   bool rest = false;
-  std::vector<std::pair<std::string, Mark>> nudged;  // coordinates that are disturbed a little
-  std::optional<Expression> found_when;              // at the first time when this holds
+  std::vector<std::pair<std::string, Mark>> nudged;  // coordinates that are disturbed slightly
+  std::optional<Expression> found_when;              // the instant is the first at which this holds
   std::vector<Fact> facts;
   Mark mark;
 };
 
-// Everything rests relative to a frame but for constant spins of bodies about axes that rest in it.
+// A body of a steady motion that spins at a constant rate about an axis at rest in the frame.
 struct Spin {
   std::string body;
   Expression about, rate;
@@ -234,8 +235,8 @@ struct Steady {
 
 struct Stage {
   std::string name;
-  std::optional<Expression> lasts, until;         // how long, or the event that ends it
-  std::optional<std::vector<std::string>> loads;  // all when left out
+  std::optional<Expression> lasts, until;         // how long it lasts, or the event that ends it
+  std::optional<std::vector<std::string>> loads;  // the loads that act; all of them if this is left out
   Mark mark;
 };
 
@@ -248,7 +249,7 @@ struct Extremum {
   std::string situation;  // "" if there is only one
   Mark situation_mark;
 };
-// Columns over time, a coordinate of the motion, or a datum.
+// Columns of quantities over time, over a coordinate of the motion, or over a datum.
 struct Table {
   std::vector<NamedExpression> columns;
   std::string over;
@@ -256,7 +257,7 @@ struct Table {
   Expression values;  // a range or a list
   std::map<std::string, Unit> units;
 };
-// When something happens in the motion: the first time, or all times in a span.
+// Asks when a condition holds in the motion: the first time, or all times in a span.
 struct WhenAsk {
   bool first = true;
   Expression condition;
@@ -264,7 +265,7 @@ struct WhenAsk {
 };
 struct Ask {
   std::string name;
-  // One quantity, several for a list; none where one of the next three is asked.
+  // One quantity, or several for a list; none if one of the next three is asked.
   std::vector<Expression> of;
   std::optional<Extremum> extremum;
   std::optional<Table> table;
@@ -276,11 +277,11 @@ struct Ask {
   Mark mark;
 };
 
-// That something holds for all values of the letters, and of the motion as far as the statement leaves it open.
+// A statement to be proved for all values of the letters, and of the motion as far as the file leaves it open.
 struct Claim {
   std::string name;
-  std::vector<Expression> of;      // comparisons and truth values, all of which must hold
-  std::vector<Expression> assume;  // comparisons, beside those of the problem
+  std::vector<Expression> of;      // comparisons and truth values that must all hold
+  std::vector<Expression> assume;  // comparisons that hold in addition to those of the situation
   std::optional<Expression> axes;
   std::string situation;  // "" if there is only one
   std::string text;       // as written
@@ -290,10 +291,10 @@ struct Claim {
 struct Expected {
   std::string part;
   std::optional<Expression> value, formula;
-  bool roots = false;  // value lists one number for each solution
+  bool roots = false;  // whether `value` lists one number for each solution
   std::optional<Unit> unit;
   std::optional<std::vector<std::string>> names;
-  std::vector<NamedExpression> columns;  // of a table: a list of numbers each
+  std::vector<NamedExpression> columns;  // of a table: a list of numbers for each
   std::optional<bool> holds;
   double relative_tolerance = 1e-6;
   double absolute_tolerance = 0;  // in the unit of the value
@@ -306,18 +307,19 @@ struct ExpectedCase {
   Mark mark;
 };
 
-// A setting of one machine: what the file says at its top, with the entries of the setting laid over it.
+// One setting of the machine: what the file says at its top, with the entries of this setting laid over it.
 struct Situation {
-  std::string name;                       // "" when the file states no situations
-  std::vector<std::string> own_unknowns;  // found in this situation by itself; the others are common to all
+  std::string name;  // "" when the file states no situations
+  // found in this situation alone; the other unknowns are common to all situations
+  std::vector<std::string> own_unknowns;
   std::string file;
   std::string title;
   std::vector<NamedExpression> given;
   std::vector<Letter> letters;
   std::vector<Unknown> find;
   std::vector<Choice> choose;
-  std::vector<Expression> neglect;   // squares of unknowns that count as nothing
-  std::vector<std::string> without;  // added masses and loads that are left out
+  std::vector<Expression> neglect;   // squares of unknowns that are neglected
+  std::vector<std::string> without;  // added masses and loads that this situation leaves out
   std::vector<Expression> where;     // comparisons that the unknowns must satisfy
   std::vector<Expression> assume;    // comparisons under which claims are made
   std::array<std::string, 3> axes{"x", "y", "z"};
@@ -336,12 +338,12 @@ struct Situation {
   std::vector<Stage> stages;
   std::vector<Instant> instants;
   std::optional<Steady> steady;
-  // Whether something sudden happens: then there is a before and an after.
+  // Whether there is a blow, so that velocities before and after it differ.
   bool has_blow() const { return !impulses.empty() || !impacts.empty() || !strikes.empty(); }
-  UnitHabits habits;  // the units used, for the answers
+  UnitHabits habits;  // the units used, from which those of the answers are chosen
 };
 
-// What is recorded of the motion: columns over time.
+// What is to be recorded of the motion: columns over time.
 struct Record {
   std::vector<NamedExpression> columns;
   Expression every;
@@ -351,7 +353,7 @@ struct Record {
   Mark mark;
 };
 
-// What one file says.
+// All that one file says.
 struct Statement {
   std::vector<Situation> situations;  // at least one
   std::vector<Ask> asks;              // in the order of the file
@@ -362,8 +364,8 @@ struct Statement {
   std::string file, title;
 };
 
-// Reads the text of a problem file. `file` is named in messages and its folder holds the meshes.
-// Throws StatementError: malformed, too large or too deep text, unknown or duplicate keys, malformed expressions.
+// Reads the text of a problem file. `file` is named in messages, and its folder holds the meshes. Throws
+// StatementError for malformed, too large or too deep text, unknown or duplicate keys, and malformed expressions.
 Statement read_statement(std::string_view text, const std::string& file);
 
 }  // namespace poinsot::problem

@@ -1,4 +1,4 @@
-// The unit in which an answer should come.
+// Chooses the unit of an answer from those that a statement uses.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ using namespace dimensions;
 
 Unit named(const char* text) { return text[0] == '\0' ? Unit{} : parse_unit(text); }
 
-// A unit text such as m^2/s^3 from bases and their exponents in twelfths.
+// One factor of a composed unit such as m^2/s^3, with its exponent in twelfths.
 struct Base {
   const char* name;
   int twelfths;
@@ -43,7 +43,8 @@ Unit composed(std::initializer_list<Base> bases, double factor, const Dimension&
   return unit;
 }
 
-// The radian is left out of a product of other units (v = omega r comes in m/s), but kept where it divides (N*m/rad).
+// The dimension without a radian in the numerator beside other units (v = omega r is in m/s). In a denominator the
+// radian stays (N*m/rad).
 Dimension without_idle_angle(const Dimension& dimension) {
   Dimension plain = dimension;
   if (plain.angle > 0 && (plain.length != 0 || plain.mass != 0)) plain.angle = 0;
@@ -56,7 +57,7 @@ Unit customary_unit(const Dimension& d, bool as_energy) {
   const double factor = std::pow(foot, d.length / 12.0) * std::pow(slug, d.mass / 12.0);
   if (same_kind(d, energy) && d.angle == 0) return named(as_energy ? "ft*lb" : "lb*ft");
   if (same_kind(d, dimensions::power)) return named("ft*lb/s");
-  // Masses and what is made of them without time in slugs, everything else by forces: slug = lb*s^2/ft.
+  // Mass without time is given in slugs, everything else through forces: slug = lb*s^2/ft.
   if (d.time == 0) return composed({{"slug", d.mass}, {"ft", d.length}, {"rad", d.angle}}, factor, d);
   return composed({{"lb", d.mass}, {"ft", d.length - d.mass}, {"rad", d.angle}, {"s", d.time + 2 * d.mass}}, factor, d);
 }

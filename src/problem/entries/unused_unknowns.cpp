@@ -12,7 +12,8 @@
 namespace poinsot::problem {
 namespace {
 
-// What is asked, claimed or expected of an unknown does not fix it. sections: of the file, or of one of its situations.
+// Collects the words of all sections that can fix an unknown. Being asked, claimed or expected does not. sections:
+// those of the file, or of one situation.
 void collect_fixing_words(const Entry& sections, std::set<std::string>& words) {
   static constexpr std::array asking{"ask", "claim", "expect", "find", "title"};
   for (const auto& [key, section] : sections.members) {

@@ -1,4 +1,4 @@
-// Unknowns that nothing can fix.
+// Finds unknowns that nothing can determine.
 #pragma once
 
 #include "problem/entries/statement.h"
@@ -6,8 +6,9 @@
 
 namespace poinsot::problem {
 
-// Throws StatementError for an unknown that stands nowhere in the figure, the facts and the conditions, nor anything
-// like it: what is misspelt there is told at its place when it is read. root: the whole file.
+// Throws StatementError for an unknown that occurs nowhere in the figure, the facts and the conditions, and is not
+// like any word there: a misspelt word is reported at its own place when it is read. root: the entry of the whole
+// file.
 void check_unused_unknowns(const Entry& root, const Statement& statement);
 
 }  // namespace poinsot::problem

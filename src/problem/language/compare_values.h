@@ -11,7 +11,7 @@ double size_of(const Value<double>& value);
 // Whether two values of one kind differ by no more than the tolerance (SI), item by item.
 bool same(const Value<double>& a, const Value<double>& b, double tolerance);
 
-// Of a list, that of its first item.
+// The dimension of a value; of a list, that of its first item.
 Dimension dimension_of(const Value<double>& value);
 
 bool has_vector(const Value<double>& value);

@@ -39,7 +39,8 @@ double replacement(char a, char b) { return a == b ? 0.0 : lower(a) == lower(b) 
 
 double largest_slip(std::size_t letters) { return letters < 2 ? 0.5 : letters < 5 ? 1.0 : letters < 8 ? 2.0 : 3.0; }
 
-// No name of a statement is meant by a word longer than this.
+// Suggestions are not sought for longer words: names are shorter, and the distance takes the product of the lengths
+// in steps.
 constexpr std::size_t longest_word = 80;
 
 }  // namespace
@@ -49,7 +50,7 @@ void fail(const std::string& file, Mark mark, std::string message, std::string h
 }
 
 double edit_distance(std::string_view a, std::string_view b) {
-  // Rows of the table of distances between the beginnings of a and b: the one before the last, the last, the present.
+  // The last three rows of the table of distances between the beginnings of a and b.
   std::vector<double> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) now[j] = static_cast<double>(j);
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -73,7 +74,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
     const bool same_letters = std::equal(word.begin(), word.end(), candidate.begin(), candidate.end(),
                                          [](char a, char b) { return lower(a) == lower(b); });
     const double distance = same_letters ? 0.5 : edit_distance(word, candidate);
-    // As many slips as letters: the words have nothing in common.
+    // Words that differ in as many places as they have letters have nothing in common.
     if (distance < least && distance < static_cast<double>(std::max(word.size(), candidate.size()))) {
       least = distance;
       best = candidate;

@@ -19,8 +19,8 @@ struct Mark {
 struct Diagnostic {
   std::string file;
   Mark mark;
-  std::string message;  // what is wrong, what was expected
-  std::string hint;     // what to do; may be empty
+  std::string message;  // what is wrong, and what was expected
+  std::string hint;     // what the author can do; may be empty
 };
 
 // `FILE:LINE:COLUMN: error: message (hint)`; without place `FILE: error: ...`.
@@ -30,7 +30,7 @@ std::string to_string(const Diagnostic& diagnostic);
 class StatementError : public std::exception {
  public:
   explicit StatementError(Diagnostic diagnostic);
-  // At least one diagnostic; std::invalid_argument if there is none.
+  // Takes at least one diagnostic; throws std::invalid_argument if there is none.
   explicit StatementError(std::vector<Diagnostic> diagnostics);
   StatementError(std::string file, Mark mark, std::string message, std::string hint = "");
 
@@ -49,7 +49,7 @@ class DomainError : public StatementError {
   using StatementError::StatementError;
 };
 
-// What is asked of a motion and the motion does not tell: the other questions are answered all the same.
+// A question that the motion does not answer (it ends before, say). The other questions are answered all the same.
 class UnansweredError : public StatementError {
  public:
   using StatementError::StatementError;
@@ -62,12 +62,12 @@ class UnansweredError : public StatementError {
 // string alignment). A replacement that only changes the case counts one half.
 double edit_distance(std::string_view a, std::string_view b);
 
-// The candidate nearest to the word, the first of several; "" if none is near enough to be a slip of the pen: up to
-// one slip in words of two to four letters, two up to seven, three beyond; words that differ only in case are always
-// near. A word itself is never its own suggestion.
+// The candidate nearest to the word, the first of several; "" if none is near enough to be a slip of the pen. That is
+// one slip in words of two to four letters, two in words of up to seven, three in longer ones; words that differ in
+// case only are always near. A word is never suggested for itself.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
-// The hint "did you mean 'x'?", or "" if nothing is near.
+// The hint "did you mean 'x'?", or "" if no candidate is near.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace poinsot::problem

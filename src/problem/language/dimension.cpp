@@ -18,7 +18,7 @@ struct Word {
   std::string_view text;
 };
 
-// Looked up first with the angle, then without it.
+// A dimension is looked up with its angle first, then without it.
 constexpr std::array words{
     Word{dimensions::none, "a pure number"},
     Word{dimensions::angle, "an angle"},

@@ -54,19 +54,21 @@ inline constexpr Dimension pressure = Dimension::of(-1, 1, -2);
 Dimension operator*(const Dimension& a, const Dimension& b);
 Dimension operator/(const Dimension& a, const Dimension& b);
 
-// To the power numerator/denominator; nothing if the exponents are then no twelfths, or the denominator is zero.
+// A power with the exponent numerator/denominator; nothing if exponents would be no whole twelfths or the denominator
+// is zero.
 std::optional<Dimension> power(const Dimension& a, int numerator, int denominator = 1);
 
-// All exponents within +-100.
+// Whether all exponents are within +-100.
 bool reasonable(const Dimension& a);
 
-// Equal but for the exponent of angle.
+// Whether two dimensions are equal but for the exponent of angle.
 bool same_kind(const Dimension& a, const Dimension& b);
 
-// No length, mass or time: a pure number or an angle.
+// Whether there is no length, mass or time: a pure number or an angle.
 bool is_pure(const Dimension& a);
 
-// In words, "a force", "an angular velocity", "a pure number"; without a word of its own "a quantity in kg*m^2/s^3".
+// In words: "a force", "an angular velocity", "a pure number"; a dimension without a word of its own is "a quantity
+// in kg*m^2/s^3".
 std::string to_string(const Dimension& a);
 
 // In SI base units: "kg*m/s^2", "rad/s", "1" for a pure number, "m^(1/2)" for a root.

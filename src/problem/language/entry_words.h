@@ -1,4 +1,4 @@
-// The words of a file's texts: what may be names.
+// The words that occur in the texts of a file and could be names.
 #pragma once
 
 #include <cctype>

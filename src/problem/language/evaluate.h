@@ -1,5 +1,5 @@
-// The value of an expression: arithmetic with dimensions, vectors and the mathematical functions. What names and other
-// calls mean is the scope's business.
+// The value of an expression: arithmetic with dimensions, vectors and the mathematical functions. The scope says what
+// names and all other calls mean.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace poinsot::problem {
 template <class Scalar>
 class Scope;
 
-// Evaluates in one scope; what a scope is handed so that it can evaluate the arguments of its own calls.
+// Evaluates expressions in one scope. Scopes receive it, so that they can evaluate the arguments of their own calls.
 template <class Scalar>
 class Evaluator {
  public:
@@ -23,8 +23,8 @@ class Evaluator {
 
   Value<Scalar> operator()(const Expression& expression) const;
 
-  // The value, which must be a number or a vector of the given dimension (angles ignored, but a bare number is no
-  // angle; a bare zero fits all, a scalar bare zero is also the zero vector).
+  // The value, which must be a number or a vector of the given dimension. Exponents of angle are ignored, but a
+  // number without unit is no angle. A zero without unit fits every dimension, and is the zero vector too.
   Scalar number(const Expression& expression, const Dimension& dimension) const;
   Vector3<Scalar> vector(const Expression& expression, const Dimension& dimension) const;
 
@@ -35,8 +35,8 @@ class Evaluator {
   const std::string& file() const { return file_; }
 
   [[noreturn]] void fail(const Mark& mark, std::string message, std::string hint = "") const;
-  // For a call that is neither one of the mathematical functions nor one of the scope's: says how the function is
-  // written if the name is right, otherwise the nearest name among the functions and `others`.
+  // Reports a call that is neither a mathematical function nor one of the scope's: if the name is right, it says how
+  // the function is written; otherwise it suggests the nearest name among the functions and `others`.
   [[noreturn]] void unknown_call(const Call& call, const Mark& mark, const std::vector<std::string>& others = {}) const;
 
  private:
@@ -44,34 +44,35 @@ class Evaluator {
   const std::string& file_;
 };
 
-// The meaning of names and calls. Hooks that are not overridden do what their comment says.
+// The meaning of names and calls. Hooks that are not overridden behave as their comments say.
 template <class Scalar>
 class Scope {
  public:
   virtual ~Scope() = default;
 
-  // Names but `pi` and `any`.
+  // The value of a name other than `pi` and `any`.
   virtual Value<Scalar> name(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) = 0;
-  // Calls but the mathematical functions in their own form (see mathematical_functions()). An unknown one is to be
-  // reported by evaluator.unknown_call().
+  // The value of a call other than a mathematical function in its own form (see mathematical_functions()). An unknown
+  // call is to be reported by evaluator.unknown_call().
   virtual Value<Scalar> call(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) = 0;
   // A->B: the value of B minus that of A, both vectors.
   virtual Value<Scalar> arrow(const Arrow& arrow, const Mark& mark, const Evaluator<Scalar>& evaluator);
-  // A of plate: refused.
+  // `A of plate`. By default this is refused.
   virtual Value<Scalar> of(const Of& of, const Mark& mark, const Evaluator<Scalar>& evaluator);
-  // .x .y .z of a vector; anything else is refused.
+  // `.x`, `.y` or `.z` of a vector. By default anything else is refused.
   virtual Value<Scalar> member(const Member& member, const Mark& mark, const Evaluator<Scalar>& evaluator);
-  // X @ instant: refused.
+  // `X @ instant`. By default this is refused.
   virtual Value<Scalar> at(const At& at, const Mark& mark, const Evaluator<Scalar>& evaluator);
 };
 
-// Throws StatementError for what can never be right (lb added to ft, cos(25)), its kind DomainError for what has no
-// value with the data at hand (division by zero, sqrt of a negative number, asin beyond 1, infinite results).
+// Throws StatementError for an expression that can never be right (lb added to ft, cos(25)), and the derived
+// DomainError for one that has no value with the data at hand (division by zero, square root of a negative number,
+// asin beyond 1, infinite results).
 //
-// Numbers: a literal without unit is `bare`, as is all that is built only from such. A bare zero fits every dimension.
-// A bare number that is not zero is no angle: sin(25) and `90 - theta` are refused with the repair. A list of three
-// numbers of one dimension is a vector. Angles are soft: the sum of m/s and rad*m/s is in m/s, that of a pure number
-// and an angle is an angle.
+// A number without unit is `bare`, and so is what is computed from bare numbers only. A bare zero fits every
+// dimension. Any other bare number is no angle: sin(25) and `90 - theta` are refused, with what to write instead. A
+// list of three numbers of one dimension is a vector. The sum of m/s and rad*m/s is in m/s, that of a pure number and
+// an angle is an angle.
 template <class Scalar>
 Value<Scalar> evaluate(const Expression& expression, Scope<Scalar>& scope, const std::string& file);
 

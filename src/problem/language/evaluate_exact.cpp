@@ -1,4 +1,4 @@
-// Expressions over formulas, and over formulas with derivatives by a velocity or the time.
+// Evaluates expressions to formulas, and to formulas with derivatives by a velocity or by the time.
 #include "problem/language/evaluate_templates.h"
 #include "problem/language/time_jet.h"
 

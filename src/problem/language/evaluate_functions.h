@@ -59,7 +59,8 @@ struct FunctionContext {
     }
     fail(argument, call.function + " takes a vector, not " + kind_in_words(value));
   }
-  // A vector that has a direction; formulas as they are, numbers of a size near one.
+  // A vector argument, which must have a direction. Numbers are scaled to a size near one, formulas are left as they
+  // are.
   Vector3<Scalar> along(const Call& call, const Expression& argument) const {
     const Value<Scalar> value = vector(call, argument);
     if (is_zero(value)) throw DomainError(evaluator.file(), beginning(argument), "the zero vector has no direction");
@@ -68,7 +69,7 @@ struct FunctionContext {
   Vector3<Scalar> direction(const Call& call, const Expression& argument) const {
     return normalized(along(call, argument));
   }
-  // By a power of two to a size whose square cannot overflow or vanish.
+  // The vector times the power of two that brings it to a size whose square can neither overflow nor vanish.
   static Vector3<Scalar> scaled(const Vector3<Scalar>& v) {
     if constexpr (is_exact<Scalar>) return v;
     const double largest = std::max({std::abs(plain(v.x)), std::abs(plain(v.y)), std::abs(plain(v.z))});
@@ -91,7 +92,7 @@ std::optional<Value<Scalar>> function_of_number(const Call& call, const Function
   if (f == "atan") return angle(atan(context.pure(call, argument)));
   if (f == "asin" || f == "acos") {
     Scalar x = context.pure(call, argument);
-    // Beyond 1 by rounding only is 1.
+    // An argument that exceeds 1 by rounding counts as 1.
     constexpr double rounding = 1e-12;
     if (std::abs(plain(x)) > 1 + rounding) {
       context.no_value(call.function + " of " + number_text(plain(x)) +
@@ -131,7 +132,7 @@ std::optional<Value<Scalar>> function_of_vectors(const Call& call, const Functio
       const Result v = context.vector(call, first);
       if (is_zero(v)) return Result::of_number(norm(v.vector), v.dimension, v.bare);
       if constexpr (is_exact<Scalar>) return Result::of_number(norm(v.vector), v.dimension, v.bare);
-      // |v| = (v . v/s)/|v/s| with s near |v|.
+      // With s a power of two near |v|, |v| = (v . v/s)/|v/s| neither overflows nor vanishes.
       const Vector3<Scalar> near_unit = context.scaled(v.vector);
       return Result::of_number(dot(v.vector, near_unit) / norm(near_unit), v.dimension, v.bare);
     }
@@ -154,7 +155,8 @@ std::optional<Value<Scalar>> function_of_vectors(const Call& call, const Functio
   if ((f == "angle" || f == "acute_angle") && pattern == "to") {
     const Vector3<Scalar> u = context.along(call, first);
     const Vector3<Scalar> v = context.along(call, second);
-    // From sine and cosine, in the same measure: exact near 0 and 180 degrees, where the arc cosine is not.
+    // The angle follows from its sine and cosine, both times the same factor. This is exact near 0 and 180 degrees,
+    // where the arc cosine alone loses half of the digits.
     const Scalar cosine = dot(u, v);
     return Result::of_number(atan2(norm(cross(u, v)), f == "angle" || !decided_negative(cosine) ? cosine : -cosine),
                              dimensions::angle);
@@ -162,7 +164,7 @@ std::optional<Value<Scalar>> function_of_vectors(const Call& call, const Functio
   return std::nullopt;
 }
 
-// min and max of several numbers, and the angle of two legs.
+// min and max of several numbers, and the angle whose legs are given.
 template <class Scalar>
 std::optional<Value<Scalar>> function_of_several(const Call& call, const FunctionContext<Scalar>& context) {
   using std::atan2;
@@ -204,7 +206,7 @@ std::optional<Value<Scalar>> function_of_several(const Call& call, const Functio
   return Result::of_number(best.number, dimension, bare);
 }
 
-// Nothing if the call is none of these functions in its own form.
+// Returns nothing if the call is none of these functions in its own form.
 template <class Scalar>
 std::optional<Value<Scalar>> mathematical_function(const Call& call, const FunctionContext<Scalar>& context) {
   if (call.arguments.empty()) return std::nullopt;

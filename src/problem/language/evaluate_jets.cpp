@@ -1,4 +1,5 @@
-// Expressions over functions of time, with and without a derivative by a variable.
+// Evaluates expressions to functions of time with their derivatives, and those with a further derivative by a
+// variable.
 #include "problem/language/evaluate_templates.h"
 
 namespace poinsot::problem {

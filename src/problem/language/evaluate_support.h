@@ -1,4 +1,4 @@
-// What evaluation needs to know of values: words for them, their zeros, how their dimensions join.
+// Shared helpers of evaluation: values in words, zeros, and the dimension of a sum.
 #pragma once
 
 #include <cmath>
@@ -13,11 +13,12 @@
 
 namespace poinsot::problem {
 
-// A number for messages: "25", "0.3".
+// A number as messages show it: "25", "0.3".
 std::string number_text(double x);
 
-// Of two quantities of one kind that are added. Pure numbers and rates are angles and turning rates if one of them is
-// (pi/2 - theta, omega + 2 pi/T); where other units are present the radian idles (v + omega r is a velocity).
+// The dimension of the sum of two quantities of one kind. A pure number plus an angle is an angle, a rate plus a
+// turning rate is a turning rate (pi/2 - theta, omega + 2 pi/T). Where other units are present the radian is left out
+// (v + omega r is a velocity).
 Dimension joined_dimension(const Dimension& a, const Dimension& b);
 
 struct UnknownCall {
@@ -46,7 +47,7 @@ std::string kind_in_words(const Value<Scalar>& value) {
   return "'any'";
 }
 
-// "a force", "the number 3 without unit".
+// A value in words: "a force", "the number 3 without unit".
 template <class Scalar>
 std::string quantity_in_words(const Value<Scalar>& value) {
   if (value.bare && value.is_number()) return "the number " + number_text(plain(value.number)) + " without unit";
@@ -60,13 +61,14 @@ bool is_zero(const Value<Scalar>& value) {
   return value.is_vector() && plain(value.vector.x) == 0 && plain(value.vector.y) == 0 && plain(value.vector.z) == 0;
 }
 
-// A zero written without unit: it fits every dimension.
+// Whether this is a zero written without unit, which fits every dimension.
 template <class Scalar>
 bool is_bare_zero(const Value<Scalar>& value) {
   return value.bare && is_zero(value);
 }
 
-// A list of three numbers of one kind, bare zeros fitting in, as the vector that it is; all else as it stands.
+// Turns a list of three numbers of one kind into a vector, where a bare zero fits any kind. Other values are returned
+// unchanged.
 template <class Scalar>
 Value<Scalar> as_vector(Value<Scalar> value) {
   if (!value.is_list() || value.items.size() != 3) return value;

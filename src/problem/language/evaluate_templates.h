@@ -1,5 +1,5 @@
-// Definitions of evaluate.h, instantiated in evaluate.cpp: the tree walk and arithmetic. Functions:
-// evaluate_functions.h.
+// Definitions of evaluate.h, which evaluate.cpp instantiates: the walk over the tree and arithmetic.
+// evaluate_functions.h holds the functions.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace poinsot::problem {
 
-// One visit of a node. Every operation checks forms and dimensions first, values second.
+// Evaluates one node of the tree. Every operation checks forms and dimensions first and values second.
 template <class Scalar>
 struct Evaluation {
   using Result = Value<Scalar>;
@@ -115,7 +115,7 @@ struct Evaluation {
       negated.number = -negated.number;
       negated.vector = -negated.vector;
     }
-    // A bare zero is the zero of any kind, the zero vector included.
+    // A bare zero can be added to a vector, where it stands for the zero vector.
     if (left.kind != right.kind && is_bare_zero(left)) return negated;
     if (left.kind != right.kind && is_bare_zero(right)) return left;
     if (left.kind != right.kind) {
@@ -139,7 +139,7 @@ struct Evaluation {
           a.bare || b.bare ? "a number without unit is a pure number; a unit stands after it and a blank" : "";
       evaluator.fail(mark, quantity_in_words(b) + " " + cannot + " " + quantity_in_words(a), hint);
     }
-    // `90 - theta`: the author thinks of degrees, the language of radians.
+    // In `90 - theta` the author thinks of degrees, while the language counts in radians. This is refused.
     const Expression* number = a.bare && is_plain_angle(right, b)  ? &left
                                : b.bare && is_plain_angle(left, a) ? &right
                                                                    : nullptr;
@@ -149,13 +149,13 @@ struct Evaluation {
           beginning(*number), "a number without unit meets an angle",
           number->as<Number>() ? "write " + text + " deg or " + text + " rad" : "give it the unit deg or rad");
     }
-    // Beside a number without unit the radians of the other are idle: 1 - theta^2/2.
+    // Beside a number without unit an angle counts as a pure number: 1 - theta^2/2.
     if (a.bare || b.bare) return dimensions::none;
     return joined_dimension(a.dimension, b.dimension);
   }
 
-  // Written as an angle: a name, literal or call with the dimension of an angle. In a composed expression the angle may
-  // be the radian of some omega r/v, which is a pure number.
+  // Whether something is written as an angle: a name, literal or call with that dimension. In a longer expression the
+  // radian may come from omega r/v, which is a pure number.
   static bool is_plain_angle(const Expression& expression, const Result& value) {
     if (value.dimension != dimensions::angle) return false;
     if (const Unary* unary = expression.as<Unary>()) return is_plain_angle(unary->operand, value);
@@ -231,7 +231,7 @@ struct Evaluation {
     }
     if (p == 0.5) return sqrt(base);
     if (p == std::round(p) && std::abs(p) <= 64) {
-      // By squaring: exact for whole numbers, and with derivatives at zero.
+      // Repeated squaring is exact for whole numbers, and has derivatives at zero.
       Scalar result(1), square = base;
       for (int n = static_cast<int>(std::abs(p)); n > 0; n /= 2) {
         if (n % 2 == 1) result = result * square;
@@ -240,7 +240,7 @@ struct Evaluation {
       return p < 0 ? Scalar(1) / result : result;
     }
     if constexpr (is_exact<Scalar>) {
-      // Half powers have roots; other powers have no formula.
+      // Half-integer powers are roots; other powers that are not whole have no formula.
       if (is_constant(exponent) && 2 * p == std::round(2 * p) && std::abs(p) <= 32)
         return power_value(sqrt(base), Scalar(2) * exponent);
       throw NoFormula("a power that is neither whole nor a half has no formula");
@@ -326,7 +326,7 @@ Vector3<Scalar> Evaluator<Scalar>::vector(const Expression& expression, const Di
   if (is_bare_zero(value)) return Vector3<Scalar>::zero();
   const Mark place = beginning(expression);
   if (value.is_list() && value.items.size() == 3) {
-    // Say which component does not fit.
+    // The message tells which component does not fit.
     const List* list = expression.as<List>();
     for (std::size_t i = 0; i < 3; ++i) {
       const Value<Scalar>& item = value.items[i];

@@ -11,12 +11,12 @@ namespace {
 
 Formula decimal(double value) {
   char text[40];
-  // The shortest digits that read back to the same double: those in the table of units.
+  // The shortest digits that read back to the same double are those written in the table of units.
   const auto [end, error] = std::to_chars(text, text + sizeof text, value);
   return Formula::number(std::string_view(text, static_cast<std::size_t>(end - text)));
 }
 
-// Exact by definition (NIST SP 811).
+// The factor of a unit that is exact by definition (NIST SP 811).
 Formula named_factor(const NamedUnit& unit) {
   const auto number = [](const char* digits) { return Formula::number(digits); };
   const Formula foot = number("0.3048"), pound_mass = number("0.45359237"), pound = pound_mass * number("9.80665"),
@@ -45,7 +45,7 @@ Formula named_factor(const NamedUnit& unit) {
   return decimal(unit.factor);
 }
 
-// A whole number, or one in parentheses: 2, -1, (1/2).
+// An exponent as units have it: a whole number, or a fraction in parentheses: 2, -1, (1/2).
 struct Exponent {
   int numerator = 1, denominator = 1;
 };
@@ -75,7 +75,7 @@ Formula power(const Formula& base, const Exponent& exponent) {
   throw std::domain_error("a unit with such a root has no exact factor");
 }
 
-// "5/8", "12.5", "1.5e-3": what stands before the blank of a literal.
+// The number of a literal, which stands before its blank: "5/8", "12.5", "1.5e-3".
 Formula read_number(std::string_view text) {
   const std::size_t slash = text.find('/');
   if (slash == std::string_view::npos) return Formula::number(text);
@@ -88,7 +88,7 @@ Formula exact_factor(const Unit& unit) {
   const std::string_view text = unit.text;
   Formula factor(1);
   bool inverse = false;
-  // The text has been read as a unit before: factors bind from left to right.
+  // The text has been accepted as a unit before, so that no errors are looked for. Factors bind from left to right.
   for (std::size_t at = 0; at < text.size();) {
     if (text[at] == '*' || text[at] == '/') {
       inverse = text[at++] == '/';

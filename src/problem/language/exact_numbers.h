@@ -14,7 +14,7 @@
 
 namespace poinsot::problem {
 
-// Why something cannot be had as a formula.
+// Thrown where something has no formula; what() says why.
 class NoFormula : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -28,12 +28,12 @@ inline constexpr bool is_exact<Formula> = true;
 template <int N, class Base>
 inline constexpr bool is_exact<Dual<N, Base>> = is_exact<Base>;
 
-// One of the unit in SI base units, radians.
+// One of the unit, in SI base units and radians, as an exact number.
 Formula exact_factor(const Unit& unit);
-// The value of a literal in SI.
+// The value of a literal in SI units, as an exact number.
 Formula exact_value(const Number& number);
 
-// The value of a literal in SI; a decimal text; pi.
+// The value of a literal in SI units, of a decimal text, and of pi, in either kind of scalar.
 template <class Scalar>
 Scalar literal_value(const Number& number) {
   if constexpr (is_exact<Scalar>)

@@ -1,4 +1,4 @@
-// Expressions of entries, and what can be asked of a tree.
+// The tree of an expression: how entries become expressions, and what can be asked of one.
 #include "problem/language/expression.h"
 
 #include <algorithm>

@@ -46,7 +46,7 @@ struct Expression {
   Mark mark() const;
 };
 
-// 12.5 lb: value 12.5, unit lb. 5/8 oz/ft: value 0.625.
+// For 12.5 lb the value is 12.5 and the unit lb; for 5/8 oz/ft the value is 0.625.
 struct Number {
   double value = 0;  // in `unit`
   Unit unit;         // of factor 1 and without dimension if has_unit is false
@@ -54,7 +54,7 @@ struct Number {
   std::string text;  // the literal as written, one blank before the unit
 };
 
-// turn'': name turn, primes 2.
+// For turn'' the name is turn and there are 2 primes.
 struct Name {
   std::string name;
   int primes = 0;
@@ -87,7 +87,7 @@ struct Call {
   std::string function;
   std::vector<Argument> arguments;
 
-  // The argument after the preposition ("" for the first), nullptr if there is none.
+  // The argument after a preposition ("" for the first), or nullptr if there is none.
   const Expression* argument(std::string_view preposition) const;
   // The prepositions in order: "on about" for couple(J on B about P), "" for one argument or none.
   std::string pattern() const;
@@ -133,7 +133,7 @@ struct Range {
 
 struct Node {
   std::variant<Number, Name, Member, Arrow, Of, Call, Unary, Binary, Comparison, At, List, Range> content;
-  Mark mark;       // of an operation: where its operator stands; of anything else: where it begins
+  Mark mark;       // of an operation the place of its operator, of anything else its beginning
   int height = 1;  // of the tree
 };
 
@@ -143,34 +143,34 @@ const T* Expression::as() const {
 }
 
 struct ExpressionLimits {
-  static constexpr int depth = 64;    // of parentheses, calls, lists, signs and powers in each other
-  static constexpr int height = 256;  // of the tree, so also the number of terms in one sum
+  static constexpr int depth = 64;  // how deep parentheses, calls, lists, signs and powers may stand within each other
+  static constexpr int height = 256;  // of the tree; this also bounds the number of terms of a sum
 };
 
-// The expression of an entry: of a scalar its text, of a list a List of its items' expressions.
-// Throws StatementError with the place in the file.
+// Parses the expression of an entry: of a scalar its text, of a list the List of its items' expressions. Throws
+// StatementError with the place in the file.
 Expression parse_expression(const Entry& entry, const std::string& file);
 
-// The expression of a text that begins at `mark`.
+// Parses the expression of a text that begins at `mark`.
 Expression parse_expression(std::string_view text, const std::string& file, Mark mark = {1, 1});
 
-// As infix text that reads back to the same tree.
+// Writes the expression as text that reads back to the same tree.
 std::string to_string(const Expression& expression);
 
-// Where the expression's first letter stands; mark() of an operation is that of its operator.
+// Where the first letter of the expression stands. (mark() of an operation is the place of its operator.)
 Mark beginning(const Expression& expression);
 
-// The word `any`, in place of a value that may be any.
+// Whether the expression is the word `any`, which stands for a value that may be any.
 bool is_any(const Expression& expression);
 
-// Equal but for marks and for how numbers are written.
+// Whether two expressions are equal but for marks and for how numbers are written.
 bool same_tree(const Expression& a, const Expression& b);
 
-// Every prepositional word of the language, "relative to" as one.
+// All prepositions of the language; "relative to" is one of them.
 const std::vector<std::string>& prepositions();
 bool is_preposition(std::string_view word);
 
-// Letter or underscore, then letters, digits and underscores; no preposition.
+// Whether the word is a letter or underscore followed by letters, digits and underscores, and no preposition.
 bool is_name(std::string_view word);
 
 }  // namespace poinsot::problem

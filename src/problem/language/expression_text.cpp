@@ -1,4 +1,4 @@
-// Expressions as text, and whether two are the same.
+// Writes expressions as text, and compares two of them.
 #include <algorithm>
 #include <cstdio>
 #include <type_traits>
@@ -8,8 +8,8 @@
 namespace poinsot::problem {
 namespace {
 
-// How tightly each form binds, after the grammar in expression.h.
-enum Level {
+// How tightly each form of an expression binds, in the order of the grammar in expression.h.
+enum Tightness {
   range_level,
   comparison_level,
   sum_level,
@@ -33,7 +33,7 @@ bool is_number_with_unit(const Expression& e) {
   return number && number->has_unit;
 }
 
-// May the text end in a unit? What follows then needs a blank.
+// Whether the text may end in a unit, so that a blank is needed before what follows.
 bool ends_in_unit(const std::string& text) {
   const std::size_t blank = text.find_last_of(' ');
   if (blank == std::string::npos) return false;
@@ -41,17 +41,17 @@ bool ends_in_unit(const std::string& text) {
   return !bracket || text.find("^(", blank) != std::string::npos;
 }
 
-// Does the text begin with a number that has a unit?
+// Whether the text begins with a number that has a unit.
 bool begins_with_quantity(const std::string& text) {
   return ((text[0] >= '0' && text[0] <= '9') || text[0] == '.') && text.find(' ') != std::string::npos;
 }
 
 class Writer {
  public:
-  // The text, in parentheses if it binds less tightly than `least`.
-  std::string text(const Expression& e, Level least) const {
+  // The text of an expression, in parentheses if it binds less tightly than `least`.
+  std::string text(const Expression& e, Tightness least) const {
     std::string plain = std::visit(*this, e->content);
-    return level(e) >= least ? plain : "(" + plain + ")";
+    return tightness(e) >= least ? plain : "(" + plain + ")";
   }
 
   std::string operator()(const Number& number) const { return number.text; }
@@ -84,7 +84,8 @@ class Writer {
     }
     const std::string left = text(binary.left, sum ? sum_level : product_level);
     const std::string right = text(binary.right, sum ? product_level : signed_level);
-    // A unit takes the signs and letters that touch it; a quotient of numbers before a unit would be one literal.
+    // Blanks are needed after a unit, which would take a sign or letter that touches it, and in a quotient before a
+    // number with a unit, which would be read as one literal.
     const bool apart = sum || ends_in_unit(left) || (binary.operation == '/' && begins_with_quantity(right));
     const std::string sign(1, binary.operation);
     return left + (apart ? " " + sign + " " : sign) + right;
@@ -112,30 +113,30 @@ class Writer {
   }
 
  private:
-  static Level level(const Expression& e) {
-    struct Levels {
-      Level operator()(const Number& number) const { return is_fraction(number) ? product_level : primary_level; }
-      Level operator()(const Name&) const { return primary_level; }
-      Level operator()(const Member&) const { return postfix_level; }
-      Level operator()(const Arrow&) const { return directed_level; }
-      Level operator()(const Of&) const { return riding_level; }
-      Level operator()(const Call&) const { return primary_level; }
-      Level operator()(const Unary&) const { return signed_level; }
-      Level operator()(const Binary& binary) const {
+  static Tightness tightness(const Expression& e) {
+    struct Visitor {
+      Tightness operator()(const Number& number) const { return is_fraction(number) ? product_level : primary_level; }
+      Tightness operator()(const Name&) const { return primary_level; }
+      Tightness operator()(const Member&) const { return postfix_level; }
+      Tightness operator()(const Arrow&) const { return directed_level; }
+      Tightness operator()(const Of&) const { return riding_level; }
+      Tightness operator()(const Call&) const { return primary_level; }
+      Tightness operator()(const Unary&) const { return signed_level; }
+      Tightness operator()(const Binary& binary) const {
         return binary.operation == '^'                              ? power_level
                : binary.operation == '*' || binary.operation == '/' ? product_level
                                                                     : sum_level;
       }
-      Level operator()(const Comparison&) const { return comparison_level; }
-      Level operator()(const At&) const { return stamped_level; }
-      Level operator()(const List&) const { return primary_level; }
-      Level operator()(const Range&) const { return range_level; }
+      Tightness operator()(const Comparison&) const { return comparison_level; }
+      Tightness operator()(const At&) const { return stamped_level; }
+      Tightness operator()(const List&) const { return primary_level; }
+      Tightness operator()(const Range&) const { return range_level; }
     };
-    return std::visit(Levels{}, e->content);
+    return std::visit(Visitor{}, e->content);
   }
 
-  // Numbers are no operands of the tight operators without parentheses: their units would take the sign.
-  std::string guarded(const Expression& e, Level least) const {
+  // A number stands in parentheses as the operand of a tight operator, since its unit would take the operator.
+  std::string guarded(const Expression& e, Tightness least) const {
     return e.as<Number>() && (least != stamped_level || is_number_with_unit(e)) ? "(" + text(e, range_level) + ")"
                                                                                 : text(e, least);
   }

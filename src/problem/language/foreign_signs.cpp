@@ -9,7 +9,7 @@ namespace {
 
 struct Sign {
   std::string_view sign;
-  std::string_view name;  // "" : the sign itself is quoted
+  std::string_view name;  // if this is empty, the sign itself is quoted
   std::string_view hint;
 };
 
@@ -56,7 +56,7 @@ constexpr std::array signs{
     Sign{"\xc2\xb5", "a Greek letter", "names have plain letters: write mu; the micrometre is um"},
 };
 
-// U+03B1 alpha to U+03C9 omega, in order.
+// The letters from U+03B1 alpha to U+03C9 omega, in their order.
 constexpr std::array greek{"alpha", "beta",   "gamma",   "delta", "epsilon", "zeta",    "eta",  "theta", "iota",
                            "kappa", "lambda", "mu",      "nu",    "xi",      "omicron", "pi",   "rho",   "sigma",
                            "sigma", "tau",    "upsilon", "phi",   "chi",     "psi",     "omega"};

@@ -1,4 +1,4 @@
-// Signs that people write in formulas and that the language writes otherwise.
+// Signs that people use in expressions and that this language writes differently.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace poinsot::problem {
 
-// For the beginning of a text: what is wrong and what to do, both empty if it is no known foreign sign.
+// For a text that begins with such a sign: what is wrong, and what to write. Both are empty if it does not.
 struct ForeignSign {
   std::string message;
   std::string hint;

@@ -18,11 +18,11 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-// Signs that join the factors of a unit elsewhere: the middle dot, the dot operator, the cross.
+// Signs for the product of units that the language does not have: the middle dot, the dot operator, the cross.
 constexpr std::array<std::string_view, 3> foreign_products{"\xc2\xb7", "\xe2\x8b\x85", "\xc3\x97"};
-// Signs that may end a unit elsewhere: raised digits.
+// Raised digits, which the language does not have either.
 constexpr std::array<std::string_view, 2> raised_digits{"\xc2\xb2", "\xc2\xb3"};
-// Units that are no letters.
+// Units whose names are signs and not letters.
 constexpr std::array<std::string_view, 5> unit_signs{"%", "\"", "\xc2\xb0", "\xc2\xb5", "\xce\xbc"};
 
 template <std::size_t N>
@@ -120,14 +120,14 @@ class Lexer {
     return token;
   }
 
-  // number ['/' number] [blank unit]
+  // Reads a literal: number ['/' number] [blank unit].
   Token literal() {
     Token token;
     token.kind = Token::Kind::literal;
     token.begin = at_;
     token.value = decimal();
     const std::size_t after_number = at_;
-    // A fraction is part of the literal only if a unit follows.
+    // A fraction belongs to the literal only if a unit follows.
     if (peek() == '/' && (is_digit(peek(1)) || (peek(1) == '.' && is_digit(peek(2))))) {
       ++at_;
       const double divisor = decimal();
@@ -154,7 +154,7 @@ class Lexer {
     return token;
   }
 
-  // 2/3/4 m and x^3/4 m can be read in two ways.
+  // Refuses a fraction with a unit after a quotient or a power: 2/3/4 m and x^3/4 m can be read in two ways.
   void check_fraction(std::size_t begin) const {
     if (tokens_.empty() || !(tokens_.back().is_sign("/") || tokens_.back().is_sign("^"))) return;
     source_.fail(begin, "a fraction with a unit after '" + tokens_.back().text + "' can be read in two ways",
@@ -186,7 +186,7 @@ class Lexer {
     return value;
   }
 
-  // Where a unit may begin behind blanks after a number, npos if none can.
+  // The place behind the blanks after a number at which a unit may begin; npos if there can be none.
   std::size_t unit_begin(std::size_t number_end) const {
     std::size_t begin = number_end;
     while (begin < text_.size() && is_blank(text_[begin])) ++begin;
@@ -203,7 +203,8 @@ class Lexer {
     return word == "relative" || is_preposition(word);
   }
 
-  // Is the word meant as a unit: one of the table, a common wrong word for one, or either with digits behind?
+  // Whether a word is meant as a unit: one of the table, a common wrong word for one, or either of these followed by
+  // digits.
   bool is_unit_like(std::size_t begin) const {
     if (!is_letter(text_[begin])) return true;
     std::size_t length = word_length(begin);
@@ -215,7 +216,8 @@ class Lexer {
     return known(rest(begin).substr(0, length));
   }
 
-  // The unit's text: factors joined without blanks, with the signs that the unit's own grammar will refuse.
+  // Finds the end of a unit. Its factors are joined without blanks; signs that are wrong in a unit are included, so
+  // that the grammar of units can refuse them.
   std::size_t unit_end(std::size_t begin) const {
     std::size_t end = begin;
     const auto piece = [&](std::size_t from) -> std::size_t {
@@ -274,7 +276,7 @@ class Lexer {
                  repair + "to subtract, put blanks around the '-'");
   }
 
-  // kg/(m*s)
+  // Refuses a unit with parentheses, such as kg/(m*s), and says what to write.
   void refuse_parenthesised_unit(std::size_t sign) const {
     const std::size_t close = text_.find(')', sign);
     if (close == std::string_view::npos) return;
@@ -310,7 +312,7 @@ class Lexer {
     at_ = end;
   }
 
-  // 5kg, 5%, 6', 5°
+  // Refuses a unit that touches its number: 5kg, 5%, 6', 5°.
   void refuse_glued(const Token& token) const {
     const std::size_t sign = any_of(unit_signs, rest(at_));
     if (peek() == '\'') source_.fail(at_, "a prime stands after a number", "feet are written '" + token.text + " ft'");

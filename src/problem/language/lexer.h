@@ -1,4 +1,4 @@
-// The words of an expression: literals with their units, names with their primes, signs.
+// The tokens of an expression: literals with their units, names with their primes, signs.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@ struct Token {
   enum class Kind { literal, name, preposition, sign, end };
 
   Kind kind = Kind::end;
-  std::string text;       // of a literal: as written with one blank before the unit; of a name: without primes
-  std::size_t begin = 0;  // bytes in the scalar's text
+  std::string text;       // as written, of a literal with one blank before the unit, of a name without its primes
+  std::size_t begin = 0;  // in bytes, within the text of the scalar
   std::size_t end = 0;
   int primes = 0;
-  double value = 0;  // of a literal, in its unit
+  double value = 0;  // of a literal, in its own unit
   Unit unit;
   bool has_unit = false;
 
@@ -30,7 +30,7 @@ struct Token {
 // The text of one expression and where it stands in the file.
 class ExpressionSource {
  public:
-  // Entry (a scalar) and file must outlive the source.
+  // The entry (a scalar) and the name of the file must outlive the source.
   ExpressionSource(const Entry& entry, const std::string& file) : entry_(entry), file_(file) {}
 
   std::string_view text() const { return entry_.text; }
@@ -44,8 +44,8 @@ class ExpressionSource {
   const std::string& file_;
 };
 
-// The last token is of kind end. Throws StatementError: a unit glued to its number, unknown units, numbers beyond the
-// range of double, signs that the language does not have.
+// The tokens, the last of which is of kind `end`. Throws StatementError for a unit that touches its number, an
+// unknown unit, a number beyond the range of double, or a sign that the language does not have.
 std::vector<Token> tokens_of(const ExpressionSource& source);
 
 }  // namespace poinsot::problem

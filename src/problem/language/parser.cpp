@@ -16,7 +16,7 @@ struct CallForm {
   std::string_view function;
   std::string_view form;
 };
-// How functions of several arguments are written, for the author who puts a comma.
+// How functions of several arguments are written. This is shown to an author who separates them by commas.
 constexpr std::array call_forms{
     CallForm{"cross", "cross(u with v)"},
     CallForm{"dot", "dot(u with v)"},
@@ -83,19 +83,19 @@ class Parser {
     return {std::make_shared<const Node>(Node{std::move(content), source_.place(offset), height_below + 1})};
   }
 
-  // Counts how deep constructs stand in each other, while it lives.
-  class Level {
+  // Counts how deep constructs stand within each other. The count goes down again when the object is destroyed.
+  class Nesting {
    public:
-    explicit Level(Parser& parser) : parser_(parser) {
+    explicit Nesting(Parser& parser) : parser_(parser) {
       if (++parser_.depth_ > ExpressionLimits::depth) {
         parser_.source_.fail(parser_.now().begin,
                              "this expression is nested more than " + std::to_string(ExpressionLimits::depth) + " deep",
                              "name parts of it under 'given:' or 'define:' and use the names");
       }
     }
-    ~Level() { --parser_.depth_; }
-    Level(const Level&) = delete;
-    Level& operator=(const Level&) = delete;
+    ~Nesting() { --parser_.depth_; }
+    Nesting(const Nesting&) = delete;
+    Nesting& operator=(const Nesting&) = delete;
 
    private:
     Parser& parser_;
@@ -160,7 +160,7 @@ class Parser {
 
   Expression signed_operand() {
     if (!now().is_sign("+") && !now().is_sign("-")) return power();
-    const Level level(*this);
+    const Nesting nesting(*this);
     const Token& sign = now();
     ++at_;
     Expression operand = signed_operand();
@@ -170,7 +170,7 @@ class Parser {
   Expression power() {
     Expression base = stamped();
     if (!now().is_sign("^")) return base;
-    const Level level(*this);
+    const Nesting nesting(*this);
     return binary(std::move(base), [this] { return signed_operand(); });
   }
 
@@ -246,7 +246,7 @@ class Parser {
     return make(Arrow{from, to}, mark, {&from, &to});
   }
 
-  // What stands after -> and of: a name, a call or something in parentheses.
+  // Parses what stands after `->` or `of`: a name, a call or something in parentheses.
   Expression operand_of(std::string_view word, const char* example) {
     const Token& token = now();
     if (token.kind == Token::Kind::literal ||
@@ -301,7 +301,7 @@ class Parser {
   }
 
   Expression parenthesised() {
-    const Level level(*this);
+    const Nesting nesting(*this);
     const Token& opening = now();
     ++at_;
     Expression inside = range();
@@ -310,7 +310,7 @@ class Parser {
   }
 
   Expression list() {
-    const Level level(*this);
+    const Nesting nesting(*this);
     const Token& opening = now();
     ++at_;
     List list;
@@ -326,7 +326,7 @@ class Parser {
   }
 
   Expression call(const Token& name) {
-    const Level level(*this);
+    const Nesting nesting(*this);
     const Token& opening = now();
     ++at_;
     Call call{name.text, {}};
@@ -378,7 +378,7 @@ class Parser {
                  form_of(function, "are joined by prepositions"));
   }
 
-  // Nothing can begin with the present token.
+  // Reports that no expression can begin with the present token.
   [[noreturn]] void fail_missing() const {
     const Token& token = now();
     const std::string after = at_ == 0 ? "" : " after " + quoted(before());
@@ -395,7 +395,7 @@ class Parser {
                                   " and " + quoted(token));
   }
 
-  // A whole expression was read, but the present token does not go on with it.
+  // Reports a token that does not continue the expression read before it.
   [[noreturn]] void fail_left_over(bool in_call) const {
     const Token& token = now();
     const std::string here = quoted(token);

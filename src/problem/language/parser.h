@@ -1,4 +1,4 @@
-// One expression from one scalar, by the grammar in expression.h.
+// Parses the expression of one scalar by the grammar in expression.h.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace poinsot::problem {
 
-// `list_item`: the scalar is an item of a list, where a comma may have cut it short. Throws StatementError.
+// list_item: whether the scalar is an item of a list, where a comma may have cut it short. Throws StatementError.
 Expression parse_scalar(const Entry& entry, const std::string& file, bool list_item);
 
 }  // namespace poinsot::problem

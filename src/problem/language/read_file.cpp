@@ -1,4 +1,4 @@
-// Reading a file's bytes with a limit, whatever the path leads to.
+// Reads the bytes of a file up to a limit, whatever kind of file the path leads to.
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -17,7 +17,7 @@ constexpr Mark head_of_file{1, 1};
 std::string read_stream(std::FILE* stream, const std::string& name) {
   std::string bytes;
   std::array<char, 16384> piece;
-  // A piece more than allowed tells a file of the largest size from a larger one.
+  // Reading may go one piece beyond the limit: this tells a file of just the largest size from a larger one.
   for (std::size_t count = 1; count > 0 && bytes.size() <= TreeLimits::bytes;) {
     count = std::fread(piece.data(), 1, piece.size(), stream);
     bytes.append(piece.data(), count);

@@ -1,4 +1,4 @@
-// Values over one scalar as values over another.
+// Conversion of values from one scalar to another.
 #pragma once
 
 #include "poinsot/engine/math/algebra/plain.h"
@@ -8,7 +8,7 @@ namespace poinsot::problem {
 
 using poinsot::lifted;
 
-// A value as a constant of another scalar.
+// A value as a constant of another scalar: its derivatives are zero.
 template <class Scalar, class Source>
 Value<Scalar> lifted(const Value<Source>& value) {
   Value<Scalar> result;

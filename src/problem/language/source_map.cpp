@@ -72,7 +72,7 @@ std::vector<Entry::Run> SourceMap::runs(std::string_view value, std::size_t toke
       if (!in_step) runs.push_back({i, mark(source)});
       in_step = value[i] != '\n';
       ++i;
-      // A doubled quote in single quotes is one quote of the value.
+      // Within single quotes a doubled quote stands for one.
       source += opening == '\'' && text_[source] == '\'' ? 2 : 1;
     } else if (is_white(text_[source])) {
       while (is_white(at(source))) ++source;

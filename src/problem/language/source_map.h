@@ -1,4 +1,4 @@
-// Byte offsets of a file's text as lines and columns.
+// Translates byte offsets in the text of a file to lines and columns.
 #pragma once
 
 #include <cstddef>
@@ -21,24 +21,26 @@ class SourceMap {
   // The character at an offset, '\0' at the end.
   char at(std::size_t offset) const { return offset < text_.size() ? text_[offset] : '\0'; }
 
-  // Has the bracket or brace at the offset its closing one? Those in quotes and comments count as well.
+  // Whether the bracket or brace at the offset has a closing one. Brackets in quotes and comments are counted as
+  // well.
   bool bracket_closes(std::size_t offset) const;
 
-  // Does the text in quotes that begins at the offset have its closing quote?
+  // Whether the quoted text that begins at the offset has its closing quote.
   bool quotes_close(std::size_t offset) const;
 
-  // Where the pieces of a scalar's value stand, given the offset at which its token begins in the text. The value and
-  // the text are matched letter by letter, folded line breaks allowed for; behind an escape in double quotes the places
-  // are those of the last piece.
+  // The places of the pieces of a scalar's value, whose token begins at the offset `token`. Value and text are
+  // compared letter by letter, where a folded line break counts as a blank. After an escape in double quotes the
+  // places are those of the last piece before it.
   std::vector<Entry::Run> runs(std::string_view value, std::size_t token) const;
 
  private:
   std::string_view text_;
-  // Characters before byte `offset`.
+  // The number of characters before the byte at `offset`.
   int characters_before(std::size_t offset) const;
 
   std::vector<std::size_t> line_starts_;
-  std::vector<int> counts_;  // characters before every 64th byte, so that a place is found quickly in long lines too
+  // the number of characters before every 64th byte, so that a place in a long line is found quickly
+  std::vector<int> counts_;
 };
 
 }  // namespace poinsot::problem

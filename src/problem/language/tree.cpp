@@ -28,8 +28,8 @@ std::string shortened(const std::string& text) {
   return text.substr(0, end) + "...";
 }
 
-// Receives the parser's events and builds the tree. Limits are checked as the events come, so that the parser is
-// stopped before it goes deeper or further than they allow.
+// Receives the parser's events and builds the tree. Limits are checked with each event, so that a text beyond them is
+// not read to its end.
 class Builder : public YAML::EventHandler {
  public:
   Builder(const SourceMap& source, const std::string& file) : source_(source), file_(file) {}
@@ -37,7 +37,7 @@ class Builder : public YAML::EventHandler {
   bool complete() const { return complete_; }
   Entry take() { return std::move(root_); }
 
-  // Where the innermost list or map that is still open in the parser's reading began; line 0 if none is.
+  // The beginning of the innermost list or map that is still open; line 0 if there is none.
   Mark innermost() const { return open_.empty() ? Mark{} : open_.back().entry.mark; }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
@@ -55,7 +55,7 @@ class Builder : public YAML::EventHandler {
     for (const std::string_view word : {"~", "null", "Null", "NULL"}) {
       if (rest.substr(0, word.size()) == word) entry.text = word;
     }
-    // An empty value has no place of its own: it is where its key is.
+    // An empty value has no place of its own and gets that of its key.
     const bool empty_value = entry.text.empty() && !open_.empty() && open_.back().key;
     entry.mark = empty_value ? open_.back().key->mark : place(mark);
     add(std::move(entry));
@@ -116,11 +116,11 @@ class Builder : public YAML::EventHandler {
   }
 
  private:
-  // A list or map whose end has not come yet.
+  // A list or map whose end has not been read yet.
   struct Open {
     Entry entry;
-    std::optional<Key> key;                       // of a map, read and waiting for its value
-    std::unordered_map<std::string, Mark> known;  // keys of a map
+    std::optional<Key> key;                       // of a map, while its value is awaited
+    std::unordered_map<std::string, Mark> known;  // the keys of a map that were read before
   };
 
   static std::size_t offset(const YAML::Mark& mark) { return mark.pos > 0 ? static_cast<std::size_t>(mark.pos) : 0; }
@@ -141,7 +141,7 @@ class Builder : public YAML::EventHandler {
            "state things flat, under names");
     }
     if (!open_.empty() && open_.back().entry.is_map() && !open_.back().key) {
-      // The parser takes a bracket that stays open for the beginning of a key.
+      // The parser takes a bracket that is never closed for the beginning of a key.
       const char bracket = source_.at(offset(mark));
       if ((bracket == '[' || bracket == '{') && !source_.bracket_closes(offset(mark))) {
         fail(place(mark), std::string("this '") + bracket + "' is never closed", "add the closing bracket");
@@ -205,7 +205,7 @@ class Builder : public YAML::EventHandler {
   bool complete_ = false;
 };
 
-// What the parser says, and how to say it to the author of a problem file.
+// A message of the YAML parser, and how an author of problem files is told the same.
 struct Translation {
   std::string_view of;
   std::string_view message;
@@ -257,7 +257,8 @@ void check_size(std::string_view text, const std::string& file) {
                        "a problem file is a page or two of text");
 }
 
-// A cheap bound before the parser sees the text: brackets in quotes and comments count as well.
+// Checks the depth of brackets before the parser sees the text. Brackets in quotes and comments are counted as well,
+// so this is only a bound.
 void check_brackets(const SourceMap& source, const std::string& file) {
   std::size_t depth = 0;
   for (std::size_t i = 0; i < source.text().size(); ++i) {

@@ -1,4 +1,4 @@
-// The problem file as a tree of entries with marks: text, lists and maps, nothing interpreted yet.
+// The problem file as a tree of entries with marks: texts, lists and maps. Nothing is interpreted yet.
 #pragma once
 
 #include <cstddef>
@@ -20,13 +20,13 @@ struct Key {
 struct Entry {
   enum class Kind { null, scalar, list, map };
 
-  // From text offset `start` on, the text stands in the file from `mark` on.
+  // From the offset `start` of the value on, the text stands in the file from `mark` on.
   struct Run {
     std::size_t start = 0;
     Mark mark;
   };
 
-  // Declared here and defined where Entry is complete: a pair of an incomplete type must not be instantiated.
+  // These are defined where Entry is complete, since a pair with an incomplete type must not be instantiated.
   Entry();
   Entry(const Entry&);
   Entry(Entry&&) noexcept;
@@ -36,23 +36,23 @@ struct Entry {
 
   Kind kind = Kind::null;
   std::string text;     // of a scalar
-  bool quoted = false;  // of a scalar: in quotes or as a block
+  bool quoted = false;  // of a scalar: whether it stands in quotes or as a block
   std::vector<Entry> items;
   std::vector<std::pair<Key, Entry>> members;  // in file order; keys are unique
   Mark mark;
-  std::vector<Run> runs;  // of a scalar that is quoted or goes over several lines: where its pieces stand
+  std::vector<Run> runs;  // of a scalar in quotes or over several lines, the places of its pieces
 
   bool is_null() const { return kind == Kind::null; }
   bool is_scalar() const { return kind == Kind::scalar; }
   bool is_list() const { return kind == Kind::list; }
   bool is_map() const { return kind == Kind::map; }
 
-  // The member's value or key, nullptr if there is none (or the entry is no map).
+  // The value or the key of a member; nullptr if there is none or the entry is no map.
   const Entry* find(std::string_view key) const;
   const Key* find_key(std::string_view key) const;
   std::vector<std::string> keys() const;
 
-  // Where byte `offset` of a scalar's text stands in the file.
+  // Where the byte at `offset` of a scalar's text stands in the file.
   Mark place(std::size_t offset) const;
 };
 
@@ -66,14 +66,14 @@ struct TreeLimits {
   static constexpr std::size_t scalar_bytes = 10'000;
 };
 
-// The tree of a YAML text. `file` stands in the messages only.
-// Throws StatementError for: malformed YAML, duplicate keys, keys that are no plain text, anchors, aliases, merge keys
-// and tags (not part of the language), several documents, nothing at all, text that is not UTF-8 or holds control
-// characters, anything beyond TreeLimits.
+// Reads the tree of a YAML text; `file` is named in messages only. Throws StatementError for malformed YAML,
+// duplicate keys, keys that are not plain text, what is not part of the language (anchors, aliases, merge keys, tags,
+// several documents), an empty text, text that is not UTF-8 or holds control characters, and anything beyond
+// TreeLimits.
 Entry read_tree(std::string_view text, const std::string& file);
 
-// The bytes of a file, of standard input for "-". Never reads more than TreeLimits::bytes + 1 bytes.
-// Throws StatementError if the file is missing, a directory, unreadable or too large.
+// The bytes of a file, or of standard input for "-". Reads no more than TreeLimits::bytes + 1 bytes. Throws
+// StatementError if the file is missing, a directory, unreadable or too large.
 std::string read_file(const std::string& path);
 
 }  // namespace poinsot::problem

@@ -11,7 +11,8 @@ namespace {
 
 using namespace dimensions;
 
-// Exact by definition (NIST SP 811): the international foot and pound, standard gravity for the pound-force.
+// These are exact by definition (NIST SP 811): the international foot and pound, and standard gravity for the
+// pound-force.
 constexpr double foot = 0.3048;
 constexpr double pound_mass = 0.45359237;
 constexpr double standard_gravity = 9.80665;

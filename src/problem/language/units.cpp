@@ -15,19 +15,18 @@ namespace poinsot::problem {
 namespace {
 
 constexpr std::size_t longest_unit = 100;
-constexpr int largest_exponent = 100;  // as of a dimension: what the program writes it reads
+constexpr int largest_exponent = 100;  // the same as for dimensions, so that the program can read what it writes
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Part of a unit's name: letters, % and everything beyond ASCII but the dots and raised digits that stand for
-// operations.
+// Whether a character can begin the name of a unit: a letter, % or the underscore.
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '%' || c == '_'; }
 
 struct Sign {
   std::string_view sign;
   std::string_view meaning;
 };
-// What stands for an operation elsewhere, and its form here.
+// Signs that stand for an operation elsewhere, and how the language writes it.
 constexpr Sign foreign_signs[] = {{"**", "^"},
                                   {".", "*"},
                                   {"-", "*"},
@@ -57,7 +56,7 @@ std::size_t name_length(std::string_view text) {
   return length;
 }
 
-// The text with foreign signs, raised digits and other spellings put into the language's form.
+// The text with foreign signs, raised digits and other spellings replaced by the language's own.
 std::string in_own_form(std::string_view text) {
   std::string own;
   bool after_name = false;
@@ -139,7 +138,7 @@ class UnitReader {
       fail("this exponent is not possible for a unit", "exponents go by halves, thirds, quarters, sixths or twelfths",
            begin);
     unit.dimension = unit.dimension * *dimension;
-    // Whole powers by multiplication: exact where the factors are.
+    // Whole powers are formed by multiplication, which is exact where the factors are.
     if (denominator != 1) {
       unit.factor *= std::pow(named->factor, static_cast<double>(numerator) / denominator);
     } else {
@@ -148,7 +147,7 @@ class UnitReader {
     }
   }
 
-  // ^2, ^-1, ^(1/2), ^(-3/2)
+  // Reads an exponent: ^2, ^-1, ^(1/2), ^(-3/2).
   void exponent(int& numerator, int& denominator) {
     const std::size_t begin = at_++;
     const bool bracket = at_ < text_.size() && text_[at_] == '(';
@@ -202,7 +201,8 @@ class UnitReader {
     fail("'" + sign + "' does not belong into a unit", repair("", "factors are joined by * and /"), at_);
   }
 
-  // "write '...'" with the whole unit in the language's form if that is a unit, otherwise with the piece's own repair.
+  // A hint "write '...'" with the whole unit in the language's spelling, if that is a unit; otherwise with the repair
+  // for the piece that is wrong.
   std::string repair(std::string_view piece, std::string otherwise = "") const {
     const std::string whole = in_own_form(text_);
     if (piece.find('\'') == std::string_view::npos && whole != text_ && is_unit(whole)) return "write '" + whole + "'";

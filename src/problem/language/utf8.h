@@ -8,18 +8,19 @@
 
 namespace poinsot::problem {
 
-// The character at `offset` and its length in bytes; nothing if the bytes are no UTF-8 (truncated, overlong, surrogate,
-// beyond U+10FFFF) or the offset is at the end.
+// The character at `offset` and its length in bytes. There is none if the bytes are not UTF-8 (truncated, overlong, a
+// surrogate, beyond U+10FFFF) or the offset is at the end.
 struct Character {
   char32_t code = 0;
   std::size_t bytes = 1;
 };
 std::optional<Character> character_at(std::string_view text, std::size_t offset);
 
-// Offset of the first byte that is no UTF-8 or a control character other than tab, line feed and carriage return.
+// The offset of the first byte that is not UTF-8, or is a control character other than tab, line feed and carriage
+// return.
 std::optional<std::size_t> first_binary_byte(std::string_view text);
 
-// Characters in a valid text.
+// The number of characters in a valid text.
 int character_count(std::string_view text);
 
 // The character at `offset` as its own string, for messages.

@@ -10,14 +10,16 @@
 
 namespace poinsot::problem {
 
-// Scalar: double or Dual<N>. Data in SI base units, angles in radians.
+// The scalar is double, Dual<N> or Formula. Values are in SI base units and radians.
 template <class Scalar>
 struct Value {
   enum class Kind { number, vector, list, boolean, text, any };
 
   Kind kind = Kind::any;
-  Dimension dimension;     // of a number or vector
-  bool bare = false;       // a number (or vector of such) written without unit and built only from such; never pi
+  Dimension dimension;  // of a number or vector
+  // whether a number (or vector of such) was written without unit, or computed from such numbers only; pi is never
+  // bare
+  bool bare = false;
   Scalar number{};         // of a number
   Vector3<Scalar> vector;  // of a vector
   std::vector<Value> items;
@@ -58,7 +60,7 @@ struct Value {
     value.text = std::move(text);
     return value;
   }
-  // `any`: unknown and unasked.
+  // The value `any`: it is unknown and not asked for.
   static Value any() { return {}; }
 
   bool is_number() const { return kind == Kind::number; }
