@@ -6,7 +6,7 @@
 namespace poinsot::problem {
 namespace {
 
-// ", as at m = 2 kg, L = 0.5 m".
+// The values of the letters at a point as words: ", as at m = 2 kg, L = 0.5 m".
 std::string at_values(const std::vector<Letter>& letters, const Point& point) {
   std::string words;
   for (const Letter& letter : letters) {
@@ -20,7 +20,7 @@ std::string at_values(const std::vector<Letter>& letters, const Point& point) {
   return words;
 }
 
-// The message without its numbers, which differ from point to point.
+// The message without its numbers, which differ between points: faults with equal ones are of one kind.
 std::string kind_of(const StatementError& error) {
   std::string kind = error.what();
   std::erase_if(kind, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; });

@@ -1,4 +1,4 @@
-// Why a statement could not be solved at the points at which a claim is tried.
+// Collects why a statement could not be solved at the points at which a claim is tried.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace poinsot::problem {
 
-// The fault that comes most often, the first of several, with the point at which it came first.
+// Counts faults by their kind, and keeps of each kind the first with its point.
 class ClaimFaults {
  public:
   void note(const StatementError& error, const Point& point);
   bool empty() const { return met_.empty(); }
 
-  // The fault, with the values of the letters there in its message.
+  // The most frequent fault (the first of several), with the values of the letters in its message.
   StatementError most_frequent(const std::vector<Letter>& letters) const;
-  // The same in words: "a moment of inertia is negative, as at m = 2 kg".
+  // The same as words: "a moment of inertia is negative, as at m = 2 kg".
   std::string words(const std::vector<Letter>& letters) const;
 
  private:

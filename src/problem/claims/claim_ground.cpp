@@ -35,8 +35,9 @@ Settings ClaimGround::with_letters(const Point& point) const {
   return settings;
 }
 
-// The statement solved at some point; where it holds for special values of the letters only, at one at which its
-// bodies are possible; else as a trial.
+// Solves the situation at some point, where formulas then decide signs. If what is stated of forces holds at none, a
+// point is taken at which at least positions and velocities have a solution; failing that, the situation is solved as
+// a trial.
 void ClaimGround::find_base() {
   if (base_) return;
   std::unique_ptr<SolvedInstant> possible;
@@ -46,7 +47,7 @@ void ClaimGround::find_base() {
     base_point_ = draw_point(letters_, attempt);
     std::unique_ptr<SolvedInstant> found;
     try {
-      // What refers to the settings must find them at their place.
+      // The instant refers to the settings and so needs them at a lasting address.
       bases_.push_back(with_letters(base_point_));
       if (neglects()) break;
       found = std::make_unique<SolvedInstant>(situation_, bases_.back(), when, OpenChoice{});
@@ -74,8 +75,8 @@ ClaimFormulas* ClaimGround::formulas(bool all_poses) {
   Road& road = all_poses ? along_ : drawn_;
   if (road.tried) return road.formulas.get();
   road.tried = true;
-  // What was found by numbers has no formula.
-  // Where squares are neglected, formulas are found anew.
+  // An unknown that was found as a number has no formula, and neither has the claim. Where squares are neglected the
+  // unknowns are found anew as formulas.
   const auto is_found_anew = [&](const std::string& name) {
     return neglects() && std::any_of(situation_.find.begin(), situation_.find.end(),
                                      [&](const Unknown& unknown) { return unknown.name == name; });

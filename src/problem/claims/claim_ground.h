@@ -1,4 +1,5 @@
-// What the claims about one situation share: the statement solved at some values of the letters, and as formulas.
+// What all claims about one situation share: its solution at some values of the letters, and its solution as
+// formulas.
 #pragma once
 
 #include <list>
@@ -18,30 +19,32 @@ inline constexpr int most_solved_points = 40;  // at which a claim is tried wher
 
 class ClaimGround {
  public:
-  // settings: values of letters, data and unknowns; exact: those that have one as formulas; unknowns: those that follow
-  // letters without value. All must outlive it.
+  // settings: values of letters, data and unknowns. exact: those of them that have a formula. unknowns: formulas of
+  // the unknowns in the letters without value. All must outlive this object.
   ClaimGround(const Situation& situation, const Settings& settings, const FormulaValues& exact,
               const FormulaValues& unknowns);
 
   const Situation& situation() const { return situation_; }
-  const std::vector<Letter>& letters() const { return letters_; }  // without value
+  const std::vector<Letter>& letters() const { return letters_; }  // those without value
   const Point& base_point() const { return base_point_; }
-  // With what is known at a point. Throws StatementError where an unknown has no value there.
+  // The settings, with the values that letters and unknowns have at a point. Throws StatementError where an unknown
+  // has no value there.
   Settings with_letters(const Point& point) const;
   const FormulaValues& unknowns() const { return unknowns_; }
-  // Whether squares of unknowns are left out: then a claim is one of formulas alone, as the numbers keep these squares.
+  // Whether squares of unknowns are neglected. A claim is then decided by formulas alone, as numbers include these
+  // squares.
   bool neglects() const { return !situation_.neglect.empty(); }
 
-  // Nothing where it has none: why not. all_poses: see ClaimFormulas.
+  // The situation as formulas; nullptr if it has none. all_poses: see ClaimFormulas.
   ClaimFormulas* formulas(bool all_poses);
 
-  // The statement solved by numbers at the base point; after formulas().
+  // The situation solved by numbers at the base point. formulas() must be called before.
   SolvedInstant& base() { return *base_; }
 
-  // A claim and its assumptions in the statement solved by numbers at a point, in the state that formulas have there;
-  // nothing where it cannot be solved.
+  // Whether the claim and its assumptions hold for numbers at a point, in the state that the formulas have there;
+  // nothing if the situation cannot be solved there.
   std::optional<Verdict> verdict_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point);
-  // Why it could not, so far.
+  // The faults at the points where it could not be solved so far.
   const ClaimFaults& faults() const { return faults_; }
 
  private:
@@ -64,7 +67,8 @@ class ClaimGround {
   Road drawn_, along_;
 };
 
-// Contacts and cords that a claim on forces or accelerations takes to hold, in words; none where it is about that.
+// The contacts and cords that a claim on forces or accelerations presumes to hold, in words. There are none if the
+// claim is about that.
 std::vector<std::string> assumed_holds(const Situation& situation, const Claim& claim);
 
 }  // namespace poinsot::problem

@@ -13,7 +13,7 @@
 namespace poinsot::problem {
 namespace {
 
-// What a name under define: stands for.
+// Follows names under define: to the expression that they stand for.
 Expression behind_names(const Situation& situation, Expression expression) {
   for (int depth = 0; depth < 50; ++depth) {
     const Name* name = expression.as<Name>();
@@ -26,7 +26,7 @@ Expression behind_names(const Situation& situation, Expression expression) {
   return expression;
 }
 
-// Whether it is an angle from 0 to 180 deg whatever the letters are.
+// Whether the expression is an angle that lies between 0 and 180 deg for all values of the letters.
 bool is_angle_between(const Situation& situation, const Expression& expression, const Value<Formula>& value) {
   if (value.number.is_number()) {
     const double angle = plain(value.number);
@@ -56,7 +56,7 @@ Relation reversed(Relation relation) {
   return Relation::equal;
 }
 
-// What find() returns, with what it decided on the way.
+// Returns what find() returns, and records the decisions on signs that it took.
 template <class Find>
 auto with_decisions(Decisions& decisions, const Find& find) {
   const DecisionScope scope;
@@ -175,7 +175,7 @@ void ClaimInstant::add_terms(const Expression& expression, const std::optional<E
   for (std::size_t i = 0; i < comparison->relations.size(); ++i) {
     Value<Formula> left = sides[i], right = sides[i + 1];
     const Relation relation = comparison->relations[i];
-    // A bare zero is the zero vector too; for all else the evaluator says what can be compared.
+    // A bare zero can be compared with a vector. For all other pairs the evaluator tells what can be compared.
     const bool zero_vector = relation == Relation::equal && ((left.is_vector() && right.is_number() && right.bare) ||
                                                              (right.is_vector() && left.is_number() && left.bare));
     const bool alike = ((left.is_number() && right.is_number()) ||

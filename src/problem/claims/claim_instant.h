@@ -1,4 +1,4 @@
-// What claims say, as formulas in the letters and in what the statement leaves open.
+// The comparisons of claims as formulas in the letters and in what the statement leaves open.
 #pragma once
 
 #include <map>
@@ -11,47 +11,48 @@
 
 namespace poinsot::problem {
 
-// A comparison of a claim or an assumption: of numbers one, of vectors one for each component.
+// A comparison of a claim or an assumption. One of vectors becomes three, one for each component.
 struct ClaimTerm {
   FormulaComparison comparison;
-  // The same said by cosines, where both sides are angles between 0 and 180 deg.
+  // The same comparison of cosines, if both sides are angles between 0 and 180 deg.
   std::optional<FormulaComparison> by_cosines;
   Dimension dimension;
 };
 
-// What formulas rest on beside the laws: see DecisionScope.
+// What formulas presume beside the laws of mechanics: see DecisionScope.
 struct Decisions {
-  std::vector<Formula> signs;  // each has everywhere the sign that it has at the base
+  std::vector<Formula> signs;  // each is presumed to have the sign everywhere that it has at the base point
   bool zeros_by_digits = false;
   void add(const Decisions& other);
 };
 
-// One situation at its instant, and just before its blow, as formulas: for all claims made of it.
+// The instant of a situation as formulas, which all claims about it share; with a blow also the instant before it.
 class ClaimFormulas {
  public:
-  // numbers: the same at some values of the letters, with these settings. all_poses: coordinates without name are
-  // letters too. Throws NoFormula, StatementError, std::domain_error, ExpressionTooLarge. All arguments must outlive
-  // it.
+  // numbers: the same instant solved at some values of the letters, with these settings. all_poses: whether
+  // coordinates without name become letters too, for claims along the motion. Throws NoFormula, StatementError,
+  // std::domain_error and FormulaTooLarge. All arguments must outlive the object.
   ClaimFormulas(const Situation& situation, const FormulaValues& values, const Settings& settings,
                 const SolvedInstant& numbers, bool all_poses);
 
   struct Found {
     Value<Formula> value;
-    Decisions decisions;  // that it took, those of the instant included
+    Decisions decisions;  // those that it took, with those of the instant
   };
-  // On ground axes; found once for all claims.
+  // The value of an expression, by default on ground axes. It is computed once for all claims.
   const Found& value(const Expression& expression, const std::optional<Expression>& axes);
-  // Without squares of unknowns that are neglected, and with the unknowns as they are to this order.
+  // The formula without the squares that are neglected, and with the unknowns to that order.
   Formula reduced(const Formula& x) const;
 
   const Situation& situation() const { return situation_; }
   const FormulaInstant& instant() const { return *instant_; }
   const Decisions& decisions() const { return decisions_; }
-  // What must vanish for the statement to hold.
+  // What must vanish if the situation has a solution.
   const std::vector<Formula>& remainders() const { return instant_->remainders(); }
-  // Positions and velocities that are open; accelerations and forces that nothing fixes.
+  // The letters made for positions and velocities that are open, and for accelerations and forces that nothing
+  // determines.
   const OpenLetters& open() const { return open_; }
-  // The state, before the blow where there is one.
+  // The state; if there is a blow, the one before it.
   const std::vector<Formula>& positions() const { return instant_->positions(); }
   const std::vector<Formula>& velocities() const { return velocities_; }
 
@@ -72,17 +73,17 @@ class ClaimFormulas {
   std::unique_ptr<SolvedInstant> before_numbers_;
   std::unique_ptr<ClaimFormulas> before_;
   std::map<std::string, Found> found_;
-  std::vector<std::string> small_;           // letters of unknowns whose squares are neglected
-  std::map<std::string, Formula> unknowns_;  // all unknowns then, to first order
+  std::vector<std::string> small_;           // letters of the unknowns whose squares are neglected
+  std::map<std::string, Formula> unknowns_;  // if there are such, all unknowns to first order
 };
 
 class ClaimInstant {
  public:
-  // Throws what ClaimFormulas does, which must outlive it.
+  // Throws what the constructor of ClaimFormulas does. The formulas must outlive the object.
   ClaimInstant(ClaimFormulas& formulas, const Claim& claim);
 
   const std::vector<ClaimTerm>& terms() const { return terms_; }
-  // What is assumed, what is stated and leaves no room for all values of the letters included.
+  // The assumptions of the claim, together with what is stated and does not hold for all values of the letters.
   const std::vector<FormulaComparison>& assumptions() const { return assumptions_; }
   const Decisions& decisions() const { return decisions_; }
   const std::vector<Letter>& open() const { return formulas_.open().made; }

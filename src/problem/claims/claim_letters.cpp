@@ -15,7 +15,7 @@ bool is_literal_zero(const Expression& expression) {
   return number && number->value == 0;
 }
 
-// Puts letters in place of `any`.
+// Replaces `any` by letters.
 class AnyReplacer {
  public:
   explicit AnyReplacer(Situation& situation) : situation_(situation) {}
@@ -27,7 +27,7 @@ class AnyReplacer {
   void replace(Expression& expression, const std::string& name, const Dimension& dimension, bool either_sign = false) {
     if (is_any(expression)) expression = letter(name, dimension, expression.mark(), either_sign);
   }
-  // What is not stated at all.
+  // Makes a letter of a value that is not stated at all.
   void make(std::optional<Expression>& expression, const std::string& name, const Dimension& dimension,
             const Mark& mark, bool either_sign = false) {
     if (!expression) expression = letter(name, dimension, mark, either_sign);
@@ -41,7 +41,7 @@ class AnyReplacer {
   Situation& situation_;
 };
 
-// Whether a rate is taken in an expression, also behind define:.
+// Whether an expression takes a rate, also within names under define:.
 struct RateFinder {
   const Situation& situation;
   int depth = 0;
@@ -71,7 +71,7 @@ struct RateFinder {
   }
 };
 
-// The functions called in an expression, also behind define:.
+// Collects the functions that an expression calls, also within names under define:.
 void functions_behind(const Situation& situation, const Expression& expression, std::set<std::string>& functions,
                       int depth = 0) {
   collect_functions(expression, functions);
@@ -81,8 +81,8 @@ void functions_behind(const Situation& situation, const Expression& expression, 
     if (names.contains(item.name) && depth < 50) functions_behind(situation, item.value, functions, depth + 1);
 }
 
-// Moments and products are letters of their own: which of them a body can have together is asked of every sample, and
-// what is proved holds for more than these.
+// Moments and products of inertia become independent letters. Every sample is checked for values that a body can
+// have; a proof holds for more values than these.
 void replace_inertia(StatedInertia& inertia, const std::string& of, AnyReplacer& replacer) {
   const Dimension& dimension = inertia.radii ? dimensions::length : dimensions::moment_of_inertia;
   const std::string moment = inertia.radii ? "radius of gyration " : "I";

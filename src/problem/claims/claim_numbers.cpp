@@ -12,13 +12,13 @@ namespace poinsot::problem {
 namespace {
 
 constexpr int most_seconds = 10;     // for the samples of a claim
-constexpr int most_motions = 10;     // along which one that is meant so is tried
-constexpr int most_edge_points = 4;  // from which the edges of the assumptions are looked for, letter by letter
+constexpr int most_motions = 10;     // points from which a claim that is meant along the motion is followed in time
+constexpr int most_edge_points = 4;  // points from which letters are moved, one by one, to where the assumptions end
 constexpr int most_edge_steps = 6, most_edge_halvings = 10;
-// Without letters nothing varies but what is open.
+// Without letters only what the statement leaves open can vary.
 constexpr int most_points_without_letters = 10;
 
-// The steady motion's rates of growth.
+// The number of eigenvalues of the linearised steady motion, where each oscillation has two.
 std::size_t modes_of(const Situation& situation, SolvedInstant& start) {
   std::size_t modes = 0;
   for (const solve::Mode& mode : start.linearisation(situation.steady->mark).modes) modes += mode.frequency > 0 ? 2 : 1;
@@ -46,12 +46,13 @@ class NumberTrier {
         faults.note(error, point);
       }
     }
-    // A claim may fail where its assumptions are just met, and nowhere else.
+    // A claim may fail only where its assumptions just hold.
     for (int attempt = 0, tried = 0; attempt < most && tried < most_edge_points && !found_.refuted; ++attempt) {
       if (std::chrono::steady_clock::now() > end) break;
       tried += try_at_edges(attempt, end);
     }
-    // What fails everywhere, before it is looked whether the assumptions hold, is no matter of values.
+    // If the samples all failed before any assumption could be evaluated, the reason is not in the values, and it is
+    // reported.
     const bool assumes = !claim_.assume.empty() || !situation_.assume.empty();
     if (!found_.possible && !faults.empty() && !(understood_ && assumes))
       throw StatementError(faults.most_frequent(ground_.letters()));
@@ -64,7 +65,7 @@ class NumberTrier {
   }
 
   bool is_assumed_at(const Point& point, int attempt) {
-    const Settings settings = ground_.with_letters(point);  // the instant looks them up
+    const Settings settings = ground_.with_letters(point);  // must outlive the instant, which refers to it
     try {
       SolvedInstant start(situation_, settings, When{0, situation_.has_blow()}, choice_of(attempt));
       if (states_forces(situation_)) start.solve_forces();
@@ -79,7 +80,8 @@ class NumberTrier {
     }
   }
 
-  // From a point that satisfies the assumptions one letter at a time is moved up to where they end. Whether it does.
+  // Moves one letter at a time from a point that satisfies the assumptions to where they end, and tries the claim
+  // there. Returns whether there was such a point.
   bool try_at_edges(int attempt, std::chrono::steady_clock::time_point end) {
     if (situation_.has_blow() || (claim_.assume.empty() && situation_.assume.empty())) return false;
     const Point from = draw_point(ground_.letters(), attempt);
@@ -103,7 +105,7 @@ class NumberTrier {
         try {
           try_at(inside, attempt);
         } catch (const StatementError&) {
-          // There nothing is claimed.
+          // There the situation has no solution, and nothing is claimed.
         }
       }
     return true;
@@ -146,7 +148,7 @@ class NumberTrier {
       found_.most_modes = std::max(found_.most_modes, modes_of(situation_, start));
   }
 
-  // Further on along the motion the pose is another.
+  // A claim along the motion is also tried later, where the pose is another one.
   Verdict further_on(const Settings& settings, const OpenChoice& choice) const {
     AllSettings all(statement_.situations.size(), settings);
     Sample sample(statement_, all, choice);

@@ -1,4 +1,5 @@
-// Claims without formulas: the statement is solved by numbers at points, with what it leaves open drawn too.
+// Tries claims without formulas: the situation is solved by numbers at random points, and what it leaves open is
+// random too.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +11,18 @@
 namespace poinsot::problem {
 
 struct NumberTrials {
-  bool possible = false;  // whether there was a point that satisfies what is assumed, and at which it was decided
-  bool close = false;     // whether there was one so near the edge that it was not
-  std::optional<std::pair<Point, Verdict>> refuted;  // where it fails
-  std::size_t most_modes = 0;  // rates of growth that do not vanish, of the steady motion where it is claimed stable
+  bool possible = false;  // whether there was a point that satisfies the assumptions and at which the claim was decided
+  bool close = false;     // whether there was one at which it was so close that rounding might decide
+  std::optional<std::pair<Point, Verdict>> refuted;  // a point at which the claim fails
+  // for a claim of stability, the largest number of eigenvalues of the steady motion that do not vanish
+  std::size_t most_modes = 0;
 };
 
-// Whether all that is claimed is the stability of a steady motion.
+// Whether the claim is just that a steady motion is stable.
 bool claims_stability(const Situation& situation, const Claim& claim);
 
-// Tries a claim until it fails, for some time. Throws the StatementError that keeps the statement from being solved at
-// any point, where that is no matter of what is assumed.
+// Tries a claim at points until it fails or the search ends. Throws the StatementError that prevents a solution at
+// every point, unless the assumptions are the reason.
 NumberTrials try_by_numbers(const Statement& statement, std::size_t situation, const Claim& claim, ClaimGround& ground);
 
 }  // namespace poinsot::problem

@@ -11,7 +11,8 @@ using Random = std::mt19937_64;
 
 int among(Random& random, int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); }
 
-// Moments of inertia alike, products and offsets small beside them; or, of a slender body, one moment that is small.
+// Values that a body is likely to have: moments of inertia of similar size, with products and offsets small beside
+// them; or one small moment, as a slender body has.
 double likely_of_a_body(const Letter& letter, int attempt, double value, Random& random) {
   const Dimension& kind = letter.unit.dimension;
   if (kind == dimensions::moment_of_inertia)
@@ -28,9 +29,9 @@ double likely_of_a_body(const Letter& letter, int attempt, double value, Random&
 
 }  // namespace
 
-// Small whole numbers first, then quarters; angles in multiples of 15 deg or quarters of a radian, now and then beyond
-// half a turn. At every other point numbers that a rigid body is likely to have; at some, numbers that are large or
-// small.
+// The first points have small whole numbers, later ones quarters. Angles are multiples of 15 deg or quarters of a
+// radian, now and then more than half a turn. Every other point has values that a rigid body is likely to have; some
+// have large or small numbers.
 Point draw_point(const std::vector<Letter>& letters, int attempt) {
   Random random(7000 + static_cast<std::uint64_t>(attempt));
   Point point;

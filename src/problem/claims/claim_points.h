@@ -1,4 +1,4 @@
-// Points at which a claim is tried: values of letters, and of what the statement leaves open.
+// Points at which a claim is tried: values of the letters and of what the statement leaves open.
 #pragma once
 
 #include <map>
@@ -9,11 +9,11 @@
 
 namespace poinsot::problem {
 
-using Point = std::map<std::string, double>;  // in SI
+using Point = std::map<std::string, double>;  // in SI units
 
-inline constexpr int simple_points = 60;  // the first ones, of small whole numbers
+inline constexpr int simple_points = 60;  // the first points, which have small whole numbers
 
-// The same for the same attempt everywhere.
+// The point of an attempt. It is the same everywhere for the same letters.
 Point draw_point(const std::vector<Letter>& letters, int attempt);
 
 }  // namespace poinsot::problem

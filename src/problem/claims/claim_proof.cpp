@@ -11,19 +11,19 @@ namespace poinsot::problem {
 namespace {
 
 constexpr std::size_t most_cases = 12;
-constexpr int most_tries = 60;  // cases that prove impossible included
+constexpr int most_tries = 60;  // includes cases that prove impossible
 
 bool contains(const std::vector<std::string>& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
-// x = slope * letter + rest, both without the letter.
+// x = slope * letter + rest, where neither holds the letter.
 struct Line {
   Formula slope, rest;
   Formula root() const { return -rest / slope; }
 };
 
-// x as a line in the letter; nothing where it is none.
+// Writes x as a line in the letter; nothing if it is not one.
 std::optional<Line> line_in(const Formula& x, const std::string& letter, poinsot::Sign sign) {
   const Formula slope = derivative(x, letter);
   if (slope.is_zero() || contains(slope.letters(), letter)) return std::nullopt;
@@ -39,7 +39,7 @@ bool never_zero(const Formula& x) {
 
 }  // namespace
 
-// Works assumptions into letters, one after the other.
+// Replaces letters so that the assumptions hold for all values of the new letters, one assumption after the other.
 class AssumptionWorker {
  public:
   AssumptionWorker(const std::vector<FormulaComparison>& assumptions, const std::vector<std::string>& positive)
@@ -67,7 +67,8 @@ class AssumptionWorker {
     start.equations = equations_;
     start.orders = orders_;
     take_ranges(start);
-    // Ranges of letters that equations hold in angles: then it is seen what of these equations cannot vanish.
+    // First the ranges of those letters for which no equation can be solved, as angles: with them it may show that
+    // factors of the equations cannot vanish.
     work_in_ranges(start, false);
     open_.push_back(std::move(start));
     std::vector<WorkedCase> cases;
@@ -85,7 +86,7 @@ class AssumptionWorker {
       cases.push_back(std::move(state.worked));
     }
     std::reverse(cases.begin(), cases.end());
-    // That in which no letter was taken for special comes first.
+    // The case in which fewest letters have special values comes first.
     std::stable_sort(cases.begin(), cases.end(), [](const WorkedCase& one, const WorkedCase& other) {
       return one.values_.size() < other.values_.size();
     });
@@ -94,8 +95,8 @@ class AssumptionWorker {
 
  private:
   struct Order {
-    Formula difference;  // > 0
-    bool weak = false;   // or >= 0
+    Formula difference;  // this is positive
+    bool weak = false;   // or it may also vanish
   };
   struct Range {
     std::optional<Formula> low, high;
@@ -103,11 +104,11 @@ class AssumptionWorker {
   };
   struct State {
     WorkedCase worked;
-    std::vector<Formula> equations;  // each vanishes
+    std::vector<Formula> equations;  // each of these vanishes
     std::vector<Order> orders;
     std::map<std::string, Range> ranges;
-    std::set<std::string> parts;  // letters of its own
-    bool dropped = false;         // whether a case of it could not be followed
+    std::set<std::string> parts;  // new letters, all positive
+    bool dropped = false;         // whether a case that branched off it was left out
   };
 
   bool is_positive(const State& state, const std::string& letter) const {
@@ -127,7 +128,7 @@ class AssumptionWorker {
     state.worked.values_[letter] = value;
   }
 
-  // Letters of either sign that are compared with numbers.
+  // Collects the ranges of letters of either sign that are compared with numbers.
   void take_ranges(State& state) const {
     std::vector<Order> others;
     for (const Order& order : state.orders) {
@@ -149,9 +150,9 @@ class AssumptionWorker {
     state.orders = std::move(others);
   }
 
-  // Letters between numbers. From 0 to at most 180 deg: tan(b/2) goes from 0 to a number or without end; other letters
-  // go from a number up or down, or between two. all: also those that stand in equations by themselves, by which these
-  // might be solved.
+  // Replaces letters with ranges by positive new letters s. An angle b between 0 and at most 180 deg has tan(b/2)
+  // between 0 and some number or infinity; other letters lie above or below a number, or between two. all: also
+  // letters for which an equation could be solved; these are otherwise left to the equations.
   void work_in_ranges(State& state, bool all) const {
     for (auto entry = state.ranges.begin(); entry != state.ranges.end();) {
       const auto& letter = entry->first;
@@ -164,7 +165,7 @@ class AssumptionWorker {
         continue;
       }
       if (state.worked.values_.contains(letter)) {
-        // An equation has given it a value: what it must keep to is an order like others.
+        // An equation has given the letter a value. Its range becomes an order for that value.
         const Formula x = state.worked.values_.at(letter);
         if (range.low) state.orders.push_back({x - *range.low, range.weak});
         if (range.high) state.orders.push_back({*range.high - x, range.weak});
@@ -194,13 +195,13 @@ class AssumptionWorker {
       set(state, letter, *range.low + (*range.high - *range.low) * part);
   }
 
-  // False where the equations cannot hold.
+  // Solves the equations for letters. Returns false if they cannot hold.
   bool work_in_equations(State& state) {
     while (!state.equations.empty()) {
       const Formula equation = state.worked.apply(state.equations.back());
       state.equations.pop_back();
       if (equation.is_zero()) continue;
-      // A product vanishes where one of its factors does.
+      // A product vanishes where one of its factors does. Each factor makes a case.
       const std::vector<Formula> factors = vanishing_factors(equation);
       if (factors.empty()) return false;
       for (std::size_t k = 1; k < factors.size(); ++k) {
@@ -212,7 +213,7 @@ class AssumptionWorker {
     }
     return true;
   }
-  // To be followed later, as a case of its own.
+  // Keeps a case to be followed later.
   void follow(State other, State& from) {
     if (open_.size() < most_cases)
       open_.push_back(std::move(other));
@@ -220,8 +221,8 @@ class AssumptionWorker {
       from.dropped = true;
   }
 
-  // By a letter that it holds without a root: one that stays positive by its look, or whose factor cannot vanish,
-  // first.
+  // Solves an equation for a letter that occurs in it linearly. Preferred are letters whose value is seen to be
+  // positive, or whose factor cannot vanish.
   void solve_for_letter(State& state, const Formula& equation) {
     struct Way {
       std::string letter;
@@ -241,20 +242,21 @@ class AssumptionWorker {
       return;
     }
     if (best->cost >= 2) {
-      // Where the factor vanishes the rest must, and the letter is free.
+      // Where the factor of the letter vanishes, the rest must vanish too, and the letter is free. That is another
+      // case.
       State special = state;
       special.equations.push_back(best->line.slope);
       special.equations.push_back(best->line.rest);
       follow(std::move(special), state);
     }
     const Formula root = best->line.root();
-    // A positive letter that becomes something else leaves behind that this is positive.
+    // If a positive letter is replaced, its value must be positive: this becomes an order.
     if (is_positive(state, best->letter) && (root.is_zero() || seen_sign(root).sign <= 0))
       state.orders.push_back({root, false});
     set(state, best->letter, root);
   }
 
-  // False where one of them cannot hold.
+  // Replaces letters so that the orders hold. Returns false if one of them cannot hold.
   bool work_in_orders(State& state) const {
     std::vector<Order> left = std::move(state.orders);
     for (bool progress = true; progress;) {
@@ -278,7 +280,7 @@ class AssumptionWorker {
     return true;
   }
 
-  // Whether a letter was found to hold it.
+  // Replaces a letter by which the order holds for all values. Returns whether there is one.
   bool work_in_order(State& state, const Order& order) const {
     const Formula difference = sign_part(state.worked.apply(order.difference), order.weak);
     for (const std::string& letter : difference.letters()) {

@@ -1,4 +1,4 @@
-// Proofs by reduction: what vanishes identically, and what has one sign under assumptions.
+// Proofs by reduction: formulas that vanish identically, or that have one sign under the assumptions.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace poinsot::problem {
 
-// left relation right, as formulas.
+// `left relation right`, both as formulas.
 struct FormulaComparison {
   Formula left, right;
   Relation relation = Relation::equal;
@@ -18,24 +18,24 @@ struct FormulaComparison {
   Formula difference() const { return left - right; }
 };
 
-// What is assumed of letters, worked into the letters themselves: I > J makes I = J + I_J with a positive letter,
-// 0 < b < 90 deg makes b = 2 atan(s/(1 + s)), c == m*g makes c = m*g. What cannot be worked in is left out of proofs.
-// Of several cases (a*x == b*x: a = b, or x = 0) this is one.
+// Assumptions worked into the letters themselves: I > J makes I = J + I_J with a positive letter I_J, 0 < b < 90 deg
+// makes b = 2 atan(s/(1 + s)), c == m*g makes c = m*g. Assumptions that cannot be worked in are not used in proofs.
+// Of several cases (a*x == b*x holds if a = b or x = 0) this is one.
 class WorkedCase {
  public:
   Formula apply(const Formula& x) const { return values_.empty() ? x : poinsot::substituted(x, values_); }
-  // What some letters are, in the others and in letters() of its own, which are positive.
+  // The values of some letters, in terms of the others and of new ones, letters(), which are positive.
   const std::map<std::string, Formula>& values() const { return values_; }
   const std::vector<std::string>& letters() const { return letters_; }
-  // Equations that could not be worked in: then nothing is proved or refuted by formulas alone.
+  // Equations that could not be worked in. If there are any, formulas alone prove and refute nothing.
   const std::vector<Formula>& unsolved() const { return unsolved_; }
 
-  // Whether an assumption allows equality: strict conclusions are not drawn.
+  // Whether an assumption allows equality, so that strict inequalities do not follow.
   bool is_weak() const { return weak_; }
 
   // Whether the comparison holds for all values of the letters in this case.
   bool proves(const FormulaComparison& comparison) const;
-  // Whether x has everywhere the given sign, or vanishes.
+  // Whether x has the given sign everywhere, or may vanish.
   bool keeps_sign(const Formula& x, int sign) const;
 
  private:
@@ -49,10 +49,11 @@ class WorkedCase {
 
 class WorkedAssumptions {
  public:
-  // positive: the letters that are positive by declaration.
+  // positive: the letters that are declared positive.
   WorkedAssumptions(const std::vector<FormulaComparison>& assumptions, const std::vector<std::string>& positive);
 
-  // Together they hold all values of the letters that satisfy the assumptions, if complete(). None: nothing does.
+  // If complete(), the cases together comprise all values of the letters that satisfy the assumptions. There are no
+  // cases if no values do.
   const std::vector<WorkedCase>& cases() const { return cases_; }
   bool complete() const { return complete_; }
 

@@ -8,7 +8,7 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr int most_names = 50;  // that stand for each other
+constexpr int most_names = 50;  // bound for names that stand for further names
 
 const NamedExpression* definition(const Situation& situation, const std::string& name) {
   const auto found = std::find_if(situation.define.begin(), situation.define.end(),
@@ -16,7 +16,7 @@ const NamedExpression* definition(const Situation& situation, const std::string&
   return found == situation.define.end() ? nullptr : &*found;
 }
 
-// X of rate(X), or of the prime of a name for X; nothing for other expressions.
+// The X of rate(X), or of a name for X with a prime; nothing for other expressions.
 Expression differentiated(const Situation& situation, Expression expression) {
   for (int depth = 0; depth < most_names; ++depth) {
     if (const Call* call = expression.as<Call>())
@@ -39,7 +39,8 @@ void collect_addends(const Situation& situation, const Expression& expression, b
   const Binary* sum = expression.as<Binary>();
   const Name* name = expression.as<Name>();
   const NamedExpression* item = name && name->primes == 0 ? definition(situation, name->name) : nullptr;
-  // A name that stands for a sum is split; one for something else says more than what it stands for.
+  // A name for a sum is replaced by its addends. Any other name stays, as it says more to a reader than what it
+  // stands for.
   const Binary* named = item ? item->value.as<Binary>() : nullptr;
   if (sum && (sum->operation == '+' || sum->operation == '-') && depth < most_names) {
     collect_addends(situation, sum->left, negative, addends, depth + 1);
@@ -77,7 +78,7 @@ std::vector<SolvedClaim::Part> by_addends(ClaimFormulas& formulas, const std::op
   return parts;
 }
 
-// How a letter that stands for a position or a velocity changes; nothing for others.
+// The rate of a letter that stands for a position or a velocity; nothing for other letters.
 std::optional<Formula> rate_of_letter(ClaimFormulas& formulas, const std::string& name) {
   const Formula letter = Formula::letter(name, poinsot::Sign::real);
   const std::vector<Formula>& v = formulas.velocities();

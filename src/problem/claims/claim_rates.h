@@ -1,4 +1,4 @@
-// The rates that claims of conservation speak of, in parts that cancel.
+// Splits the rates in claims of conservation into parts that cancel.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace poinsot::problem {
 
-// Adds to comparisons of a rate with zero the parts of the rate: those of the addends of what it is the rate of, or by
-// the coordinates and velocities in that. Leaves out what has none. comparisons: those of the claim's terms, in order.
+// For each comparison of a rate with zero, adds the parts of the rate: the rates of the addends, or the parts that
+// come from each coordinate and velocity. A comparison that cannot be split is left as it is. comparisons: those of
+// the claim's terms, in their order.
 void add_rate_parts(ClaimFormulas& formulas, const Claim& claim, std::vector<SolvedClaim::Comparison>& comparisons);
 
 }  // namespace poinsot::problem

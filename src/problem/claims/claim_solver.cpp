@@ -21,10 +21,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int most_points = 400;      // at which a claim is tried that is not proved
-constexpr int confirming_points = 2;  // at which the numbers must confirm a proof
+constexpr int most_points = 400;      // at which a claim without proof is tried
+constexpr int confirming_points = 2;  // at which numbers must confirm a proof
 constexpr int most_seconds = 10;      // for the samples of a claim
-constexpr int most_edge_points = 4;   // from which edges are sought
+constexpr int most_edge_points = 4;   // from which edges are looked for
 constexpr double most_telling_seconds = 1;
 
 class ClaimSolver {
@@ -64,7 +64,7 @@ class ClaimSolver {
     result_.reason = reason;
   }
 
-  // The claim as formulas, proved or not; false where it has none.
+  // Finds the formulas of the claim and tries to prove it. Returns false if it has no formulas.
   bool find_formulas() {
     const FormulaLimitScope limits({most_formula_terms, formula_deadline(most_formula_seconds)});
     try {
@@ -85,15 +85,15 @@ class ClaimSolver {
     } catch (const FormulaTooLarge&) {
       return formulas_ = nullptr, false;
     } catch (const StatementError&) {
-      // The same fault is found by numbers, or it is none there.
+      // The numbers meet the same fault and report it, or are not affected by it.
       return formulas_ = nullptr, false;
     }
     try {
       proved_ = is_proved();
     } catch (const FormulaTooLarge&) {
-      // The reduction does not end within its bounds.
+      // The proof would take more terms than allowed.
     } catch (const std::domain_error&) {
-      // It needs a formula where there is none.
+      // The proof would need a formula that does not exist.
     }
     return true;
   }
@@ -110,20 +110,20 @@ class ClaimSolver {
     return all && !reduction.zeros_by_digits();
   }
 
-  // Where the formulas were decided.
+  // The sign of a formula at the base point, where the formulas were decided.
   int base_sign(const Formula& sign) const {
     const PlainPointScope base(ground_.base_point());
     return plain(sign) < 0 ? -1 : 1;
   }
 
-  // Letters without value, and what the statement leaves open.
+  // The letters without value and those for what the statement leaves open.
   std::vector<Letter> all_letters() const {
     std::vector<Letter> all = ground_.letters();
     if (formulas_) all.insert(all.end(), formulas_->open().begin(), formulas_->open().end());
     return all;
   }
 
-  // Whether the formulas hold there: they were decided on signs.
+  // Whether the formulas hold at a point: the signs that were decided at the base must be the same there.
   bool decided_alike(const Point& point) const {
     return std::all_of(formulas_->decisions().signs.begin(), formulas_->decisions().signs.end(),
                        [&](const Formula& sign) {
@@ -147,13 +147,14 @@ class ClaimSolver {
     const std::optional<Verdict> numbers = ground_.verdict_at(claim_, formulas_->formulas(), drawn.point);
     if (!numbers) return Outcome::skipped;
     if (takes_derivatives(situation_, claim_) || ground_.neglects()) {
-      // They have no numbers: where the statement makes sense, the formulas count.
+      // Derivatives by letters and neglected squares have no numbers. The formulas decide wherever the situation has
+      // a solution.
       if (!formulas_hold) return Outcome::skipped;
     } else if (!formulas_hold) {
       if (numbers->close) return Outcome::skipped;
       verdict = *numbers;
     } else if (verdict.difference && numbers->holds) {
-      // The numbers cannot see what the exact ones tell.
+      // Rounding hides from the numbers what the exact formulas tell.
     } else if (numbers->close ? !verdict.close : numbers->holds != verdict.holds) {
       if (numbers->close) return Outcome::skipped;
       undetermined("formulas and numbers do not agree on it");
@@ -174,7 +175,7 @@ class ClaimSolver {
     int confirmed_points = 0, searched_edges = 0;
     bool possible = false;
     const auto end = Clock::now() + std::chrono::seconds(most_seconds);
-    // While it lives, what vanishes at one point alone is not taken for zero.
+    // As long as this exists, a formula that vanishes at one point only is not taken for zero.
     const DecisionScope elsewhere;
     for (int attempt = 0; attempt < most_points && Clock::now() < end; ++attempt) {
       const std::optional<ClaimTrials::Drawn> drawn = trials_->draw(attempt);
@@ -205,7 +206,7 @@ class ClaimSolver {
     for (std::string& hold : assumed_holds(situation_, claim_)) result_.assumptions.push_back(std::move(hold));
   }
 
-  // Where there are no formulas.
+  // Decides a claim that has no formulas.
   void decide_by_numbers() {
     if (takes_derivatives(situation_, claim_))
       return undetermined("the claim takes a derivative by a letter, which formulas tell, and this has none");
@@ -232,7 +233,8 @@ class ClaimSolver {
         for (const Formula* side : {&term.comparison.left, &term.comparison.right})
           for (const std::string& letter : side->letters()) used.insert(letter);
     for (const Letter& letter : all_letters()) {
-      // Those that the file declares, and what it leaves open where the claim depends on it.
+      // The counterexample shows the letters that the file declares, and those for what it leaves open if the claim
+      // depends on them.
       const std::vector<Letter>& own = ground_.letters();
       const bool declared = std::any_of(own.begin(), own.end(), [&](const Letter& known) {
         return known.name == letter.name && is_name(known.name);
@@ -253,7 +255,7 @@ class ClaimSolver {
       for (const Expression& assumption : *list) result_.assumptions.push_back(to_string(assumption));
     for (const Expression& square : situation_.neglect)
       result_.assumptions.push_back(to_string(square) + " is neglected");
-    // Where roots that the unknowns are have values.
+    // The unknowns may be roots, which have values only if what stands under the root is not negative.
     std::set<std::string> known(result_.assumptions.begin(), result_.assumptions.end());
     for (const auto& [name, value] : ground_.unknowns())
       for (std::size_t k = 0; k < (value.is_vector() ? 3U : 1U); ++k)
@@ -261,13 +263,13 @@ class ClaimSolver {
           if (one.ends_with(">= 0") && known.insert(one).second) result_.assumptions.push_back(one);
   }
 
-  // What a reader needs to follow it.
+  // Collects what a reader needs to follow the proof.
   void tell_formulas() {
     const FormulaLimitScope limits({most_formula_terms, formula_deadline(most_telling_seconds)});
     const PlainPointScope decisions(ground_.base_point());
     const DecisionScope elsewhere;
     const WorkedCase* one = worked_->cases().size() == 1 ? &worked_->cases().front() : nullptr;
-    // Under simple names.
+    // New letters are renamed p1, p2 and so on.
     std::map<std::string, Formula> parts;
     for (std::size_t k = 0; one && k < one->letters().size(); ++k)
       parts[one->letters()[k]] = Formula::letter("p" + std::to_string(k + 1), poinsot::Sign::positive);
@@ -287,7 +289,7 @@ class ClaimSolver {
       add_rate_parts(formulas_->formulas(), claim_, result_.comparisons);
     } catch (const std::domain_error&) {
     } catch (const FormulaTooLarge&) {
-      // What could be told stands.
+      // The parts found so far are shown.
     }
   }
 
@@ -299,7 +301,7 @@ class ClaimSolver {
   bool tell_;
   std::unique_ptr<ClaimInstant> formulas_;
   std::unique_ptr<WorkedAssumptions> worked_;
-  std::vector<Letter> letters_;  // all that the formulas may have
+  std::vector<Letter> letters_;  // all letters that may occur in the formulas
   std::unique_ptr<ClaimTrials> trials_;
   bool proved_ = false;
   SolvedClaim result_;

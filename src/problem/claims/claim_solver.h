@@ -1,4 +1,4 @@
-// Decides one claim.
+// Decides a single claim.
 #pragma once
 
 #include "problem/claims/claim_ground.h"
@@ -6,8 +6,8 @@
 
 namespace poinsot::problem {
 
-// ground: of that situation. tell: also what a worked solution shows of it. Throws StatementError for claims that can
-// never be right.
+// ground: that of the situation. tell: whether to collect what a worked solution shows of the proof. Throws
+// StatementError for a claim that can never be right.
 SolvedClaim solve_claim(const Statement& statement, std::size_t situation, const Claim& claim, ClaimGround& ground,
                         bool tell);
 

@@ -14,7 +14,7 @@ using FormulaDual = Dual<1, Formula>;
 using Matrix = std::vector<std::vector<Formula>>;
 
 constexpr std::size_t most_freedoms = 5;
-constexpr std::size_t highest_power = 6;  // of rates of growth
+constexpr std::size_t highest_power = 6;  // of the rate of growth in the characteristic polynomial
 
 Matrix zeros(std::size_t n) { return Matrix(n, std::vector<Formula>(n)); }
 
@@ -40,7 +40,7 @@ bool vanishes(const Matrix& A) {
   });
 }
 
-// By the first row.
+// Expands the determinant by the first row.
 Formula determinant(const Matrix& A) {
   if (A.empty()) return Formula(1);
   if (A.size() == 1) return A[0][0];
@@ -59,13 +59,13 @@ Formula determinant(const Matrix& A) {
   return total;
 }
 
-// Seen to be more than zero.
+// Whether the formula is seen to be positive.
 bool is_positive(const Formula& x) {
   const SeenSign seen = seen_sign(x);
   return seen.sign > 0 && seen.strict;
 }
 
-// Whether a check says so of each leading minor.
+// Whether a check holds for every leading principal minor.
 template <class Check>
 bool leading_minors(const Matrix& A, const Check& check) {
   for (std::size_t n = 1; n <= A.size(); ++n) {
@@ -76,10 +76,10 @@ bool leading_minors(const Matrix& A, const Check& check) {
   return true;
 }
 
-// The matrices of the linearised equations M x'' + C x' + K x = 0 of the free coordinates.
+// The linearised equations M x'' + C x' + K x = 0 of the deviations of the free coordinates.
 struct Linearised {
   Matrix M, C, K;
-  bool follows_spin = false;    // axes that turn beside the coordinates' own
+  bool follows_spin = false;    // whether axes turn relative to those of the coordinates
   std::vector<Formula> unrest;  // vanishes if the motion is steady
 };
 
@@ -114,13 +114,13 @@ class FormulaLineariser {
       const Vector3<Formula> own = direction_on_body(tree_, workspace, i, angular_velocity(workspace, i) - turning);
       if (looks_the_same(body.inertia, own)) put_adjoint(S, first, body.joint, about_center(body.inertia, own));
     }
-    // Accelerations of a steady motion: v is constant on axes that do not spin.
+    // The accelerations of the steady motion: v is constant on axes that follow the frame and not the spin.
     std::vector<Formula> a(n_);
     for (std::size_t i = 0; i < n_; ++i)
       for (std::size_t k = 0; k < n_; ++k) a[i] -= S[i][k] * motion_.v[k];
     for (const auto& rate : motion_.machine.accelerations) a[static_cast<std::size_t>(rate.velocity)] = rate.value;
 
-    // Derivatives of what is left of the equations, F - M a.
+    // Derivatives of the misfit F - M a of the equations of motion by positions and velocities.
     Matrix by_position = zeros(n_), by_velocity = zeros(n_);
     const EquationsOfMotion<Formula> here =
         equations_of_motion(motion_.machine.mechanism, State<Formula>{motion_.q, motion_.v});
@@ -147,7 +147,7 @@ class FormulaLineariser {
           (position ? by_position : by_velocity)[i][k] = change;
         }
       }
-    // l y = A_q x + (A_v + S) y with y = (l - S + D) x, times M.
+    // With y = (l - S + D) x the deviations of the velocities, l y = A_q x + (A_v + S) y. This is multiplied by M.
     Matrix mass = zeros(n_);
     for (std::size_t i = 0; i < n_; ++i)
       for (std::size_t k = 0; k < n_; ++k) mass[i][k] = here.mass[i * n_ + k];
@@ -172,7 +172,8 @@ class FormulaLineariser {
   static SpatialMotion<Formula> about_center(const SpatialInertia<Formula>& I, const Vector3<Formula>& w) {
     return {w, cross(center_of(I), w)};
   }
-  // Whether a body looks the same however far it has turned about its mass center along w.
+  // Whether a body's mass is symmetric about the axis through its mass center along w, so that its turning about it
+  // changes nothing.
   static bool looks_the_same(const SpatialInertia<Formula>& I, const Vector3<Formula>& w) {
     if (w.x.is_zero() && w.y.is_zero() && w.z.is_zero()) return false;
     if (I.mass.is_zero()) return true;
@@ -211,7 +212,7 @@ class FormulaLineariser {
   std::vector<std::size_t> free_;
 };
 
-// det(M l^2 + C l + K) as a polynomial in l, from the lowest power on.
+// The coefficients of det(M l^2 + C l + K) in ascending powers of l.
 std::vector<Formula> characteristic_polynomial(const Linearised& near) {
   const std::string name = "rate of growth";
   const Formula l = Formula::letter(name, poinsot::Sign::real);
@@ -229,10 +230,11 @@ std::vector<Formula> characteristic_polynomial(const Linearised& near) {
   return coefficients;
 }
 
-// By what stability is seen; each asks that some formulas are positive, which a check tells of each.
+// The criteria of stability. Each asks that some formulas are positive, and calls a check for each of them.
 enum class Criterion { negative_squares, hurwitz, energy };
 
-// All roots are negative and differ: coefficients of one sign, and as many real roots as can be.
+// Whether all roots are negative and different: the coefficients have one sign, and the discriminant shows that all
+// roots are real.
 template <class Check>
 bool negative_roots(const std::vector<Formula>& c, const Check& check) {
   if (!std::all_of(c.begin(), c.end(), check)) return false;
@@ -252,7 +254,7 @@ bool negative_roots(const std::vector<Formula>& c, const Check& check) {
   }
 }
 
-// Hurwitz: all roots have negative real parts.
+// Hurwitz's criterion: whether all roots have negative real parts.
 template <class Check>
 bool roots_on_the_left(const std::vector<Formula>& c, const Check& check) {
   if (!std::all_of(c.begin(), c.end(), check) || c.size() > highest_power + 1) return false;
@@ -267,7 +269,8 @@ bool roots_on_the_left(const std::vector<Formula>& c, const Check& check) {
   return leading_minors(H, check);
 }
 
-// The polynomial without its rates that vanish everywhere, from the lowest power on; `vanishing` counts these.
+// The characteristic polynomial in ascending powers, divided by l as often as l = 0 is a root identically;
+// `vanishing` counts these roots.
 struct Polynomial {
   std::vector<Formula> c;
   std::size_t vanishing = 0;
@@ -304,7 +307,8 @@ bool holds(Criterion criterion, const Linearised& near, const Polynomial& polyno
     case Criterion::energy:
       break;
   }
-  // The energy x' M x' + x K x stays what it is, and bounds both.
+  // If K is symmetric and definite and C is skew, the energy x'.M x' + x.K x is conserved and bounds x and x'
+  // (Thomson and Tait).
   if (!polynomial.is_even() || near.follows_spin || polynomial.vanishing > 0) return false;
   Matrix symmetric = near.C, skew = near.K;
   for (std::size_t i = 0; i < near.K.size(); ++i)
@@ -317,7 +321,7 @@ bool holds(Criterion criterion, const Linearised& near, const Polynomial& polyno
 
 std::optional<Criterion> stable_by(const Linearised& near, std::size_t symmetries) {
   const Polynomial polynomial = polynomial_of(near);
-  // Rates that vanish everywhere: those of the symmetries, and no others.
+  // The roots that vanish identically must be those of the symmetries and no others.
   if (polynomial.vanishing != symmetries || polynomial.c.empty()) return std::nullopt;
   for (const Criterion criterion : {Criterion::negative_squares, Criterion::hurwitz, Criterion::energy})
     if (holds(criterion, near, polynomial, is_positive)) return criterion;
@@ -367,7 +371,7 @@ bool proves_stability(const SteadyFormulas& motion, const WorkedAssumptions& ass
     return false;
   std::optional<Criterion> criterion;
   const bool proved = std::all_of(assumptions.cases().begin(), assumptions.cases().end(), [&](const WorkedCase& one) {
-    // Where an assumption allows equality the signs may vanish.
+    // If an assumption allows equality, what should be positive may vanish.
     if (!one.unsolved().empty() || one.is_weak()) return false;
     Linearised applied = near;
     for (Matrix* matrix : {&applied.M, &applied.C, &applied.K})

@@ -10,27 +10,28 @@
 
 namespace poinsot::problem {
 
-// A steady motion over formulas.
+// A steady motion whose numbers are formulas.
 struct SteadyFormulas {
   const MachineOf<Formula>& machine;
   const std::vector<Formula>&q, &v;
-  int frame = 0;          // in which all rests but spins
-  std::vector<int> held;  // velocity coordinates whose motion is given, and those that turn nothing
-  // How many rates of growth vanish because the whole may be displaced and still moves in the same way.
+  int frame = 0;          // in which everything rests but for spins
+  std::vector<int> held;  // velocity coordinates whose motion is given, and those of massless turning
+  // How many eigenvalues vanish because the whole can be displaced without changing the motion.
   std::size_t symmetries = 0;
 };
 
-// Whether no disturbance grows by the linearised equations, apart from such displacements, for all values of the
-// letters that satisfy the assumptions. Seen for trees of bodies (no loops, contacts or cords) of up to five freedoms:
-// with x the deviations of the coordinates on axes that follow the frame,
+// Whether by the linearised equations no disturbance grows, apart from such displacements, for all values of the
+// letters that satisfy the assumptions. This is decided for trees of bodies (without loops, contacts or cords) with
+// up to five degrees of freedom. The deviations x of the coordinates, on axes that follow the frame, grow at the
+// rates l for which
 //
-//   det(M l^2 + C l + K) = 0
+//   det(M l^2 + C l + K) = 0.
 //
-// for the rates of growth l. If odd powers of l are missing, all l^2 are negative and differ where the coefficients
-// have one sign and the discriminant is positive (up to the third power of l^2), or where K is definite and C l takes
-// no part in the energy (Thomson and Tait). Else all real parts are negative where Hurwitz's determinants are positive.
-// shown: what a reader may follow it by, also where no criterion is met; nothing if it is none of this kind. Throws
-// what operations on formulas do.
+// If no odd powers of l occur, the motion is stable if all l^2 are negative and different, which holds if the
+// coefficients have one sign and the discriminant is positive (up to the third power of l^2); or if K is definite and
+// C does no work (Thomson and Tait). Otherwise all real parts are negative if Hurwitz's determinants are positive.
+// shown: receives what a reader needs to follow this, also if no criterion is met; nothing if the motion is of
+// another kind. Throws what operations on formulas throw.
 using StabilityShown = SolvedClaim::Stability;
 bool proves_stability(const SteadyFormulas& motion, const WorkedAssumptions& assumptions,
                       std::optional<StabilityShown>* shown);

@@ -11,7 +11,7 @@
 namespace poinsot::problem {
 namespace {
 
-// The motion as formulas; nothing where it cannot be.
+// The steady motion with formulas for its numbers; nothing if it has none.
 std::optional<SteadyFormulas> steady_formulas(const ClaimFormulas& formulas, ClaimGround& ground,
                                               std::size_t most_modes) {
   const MachineOf<Formula>& machine = formulas.instant().machine();
@@ -24,7 +24,8 @@ std::optional<SteadyFormulas> steady_formulas(const ClaimFormulas& formulas, Cla
   for (const auto& rate : machine.accelerations) motion.held.push_back(rate.velocity);
   std::sort(motion.held.begin(), motion.held.end());
   motion.held.erase(std::unique(motion.held.begin(), motion.held.end()), motion.held.end());
-  // What has no rate of growth among the modes are displacements to the same motion.
+  // Twice as many eigenvalues as free velocities exist. Those that are not among the modes belong to displacements
+  // that do not change the motion.
   const std::size_t all = 2 * (motion.v.size() - motion.held.size());
   if (most_modes > all) return std::nullopt;
   motion.symmetries = all - most_modes;
@@ -61,7 +62,7 @@ bool proves_steady_stability(const Claim& claim, ClaimGround& ground, std::size_
   } catch (const std::domain_error&) {
   } catch (const FormulaTooLarge&) {
   } catch (const StatementError&) {
-    // Then it stays with the samples.
+    // The claim is then decided by samples.
   }
   return false;
 }

@@ -1,4 +1,4 @@
-// Claims that a steady motion is stable.
+// Proves claims that a steady motion is stable.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@
 
 namespace poinsot::problem {
 
-// Whether a steady motion that numbers found stable at many points is so for all values of the letters. most_modes:
-// rates of growth there that do not vanish. told: the polynomial and what was seen of it, also where that was not
-// enough; nothing where there are no formulas, or where none is wanted (null).
+// Whether a steady motion that numbers show to be stable at many points is stable for all values of the letters.
+// most_modes: the largest number of eigenvalues found there that do not vanish. told: receives the polynomial and
+// what is known of its signs, also if that does not suffice; nothing if there are no formulas. It may be null.
 bool proves_steady_stability(const Claim& claim, ClaimGround& ground, std::size_t most_modes,
                              std::optional<SolvedClaim::Stability>* told);
 

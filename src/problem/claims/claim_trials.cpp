@@ -10,15 +10,15 @@ namespace poinsot::problem {
 namespace {
 
 constexpr std::size_t most_edge_terms = 60;
-constexpr std::size_t most_edge_letters = 3;  // that are moved, in turn
+constexpr std::size_t most_edge_letters = 3;  // letters that are moved to an edge, in turn
 constexpr double most_edge_seconds = 0.05;
-constexpr int most_exact_equalities = 8;  // of a claim, where numbers cannot tell the sides apart
+constexpr int most_exact_equalities = 8;  // of one claim, whose sides numbers cannot tell apart
 constexpr double most_exact_seconds = 0.2;
 constexpr std::size_t most_exact_terms = 20000;
 
 bool is_strict(Relation relation) { return relation == Relation::less || relation == Relation::greater; }
 
-// The difference of two sides at a point, where rounding cannot tell it from zero.
+// The difference of two sides at a point as an exact formula, for where rounding hides it.
 std::optional<Formula> exactly(const Formula& difference, const ClaimTrials::Drawn& drawn) {
   std::map<std::string, Formula> numbers;
   for (const auto& [letter, value] : drawn.free) numbers[letter] = Formula(value);
@@ -28,7 +28,7 @@ std::optional<Formula> exactly(const Formula& difference, const ClaimTrials::Dra
   } catch (const std::domain_error&) {
     return std::nullopt;
   } catch (const FormulaTooLarge&) {
-    // As the sine of a number with many digits.
+    // An example is the sine of a number with many digits.
     return std::nullopt;
   }
 }
@@ -57,7 +57,7 @@ std::optional<ClaimTrials::Drawn> ClaimTrials::draw(int attempt) {
   for (const std::string& part : one.letters())
     if (!one.values().contains(part)) letters.push_back({part, {}, {}});
   Point free = draw_point(letters, attempt);
-  // Parts of a letter are small as often as large.
+  // In half of the attempts the new letters are small beside the others.
   if (attempt % 2 == 1)
     for (const std::string& part : one.letters())
       if (free.contains(part)) free[part] /= 4;
@@ -74,7 +74,7 @@ std::optional<ClaimTrials::Drawn> ClaimTrials::completed(const WorkedCase& one, 
   for (const Letter& letter : letters_)
     if (is_positive(letter) && !(all.at(letter.name) > 0)) return std::nullopt;
   Drawn drawn{std::move(all), &one, std::move(free), edge};
-  // Equations that are worked into the letters hold but for rounding.
+  // Assumed equations that are worked into the letters hold up to rounding and need no check.
   for (const FormulaComparison& assumption : formulas_.assumptions())
     if (assumption.relation != Relation::equal || !one.unsolved().empty()) {
       const Verdict assumed = compared(assumption, drawn, {});
@@ -83,7 +83,8 @@ std::optional<ClaimTrials::Drawn> ClaimTrials::completed(const WorkedCase& one, 
   return drawn;
 }
 
-// One comparison at a point; where rounding might decide, and at edges, it is exact if that can be had.
+// Judges a comparison at a point by numbers. Where rounding might decide, and at edges, it is judged exactly if
+// possible.
 Verdict ClaimTrials::compared(const FormulaComparison& comparison, const Drawn& drawn, const Dimension& dimension) {
   Verdict verdict;
   const double left = value_at(comparison.left, drawn.point), right = value_at(comparison.right, drawn.point);
@@ -94,7 +95,7 @@ Verdict ClaimTrials::compared(const FormulaComparison& comparison, const Drawn& 
   verdict.judge(left, right, comparison.relation, 0, dimension);
   if (comparison.relation == Relation::equal) {
     if (!verdict.holds || exact_equalities_ >= most_exact_equalities) return verdict;
-    // Decimals may differ where rounding does not see it.
+    // The sides may differ by less than rounding.
     ++exact_equalities_;
     const auto difference = exactly(comparison.difference(), drawn);
     if (!difference || !difference->is_number() || difference->is_zero()) return verdict;
@@ -117,7 +118,7 @@ Verdict ClaimTrials::compared(const FormulaComparison& comparison, const Drawn& 
 Verdict ClaimTrials::verdict(const Drawn& drawn) {
   Verdict verdict;
   for (const ClaimTerm& term : formulas_.terms()) {
-    // What vanishes identically does so but for rounding.
+    // Sides that are identical differ by rounding only.
     if (term.comparison.relation == Relation::equal && is_identity(*drawn.of, term.comparison)) continue;
     const Verdict own = compared(term.comparison, drawn, term.dimension);
     if (!own.holds && verdict.holds) {
@@ -133,7 +134,7 @@ const std::vector<ClaimTrials::Edge>& ClaimTrials::edges() {
   if (edges_) return *edges_;
   edges_.emplace();
   const FormulaLimitScope limits({most_edge_terms, formula_deadline(most_edge_seconds)});
-  // Of what is claimed, and of what is assumed.
+  // Both claims and assumptions have edges.
   std::vector<FormulaComparison> comparisons;
   for (const ClaimTerm& term : formulas_.terms()) comparisons.push_back(term.comparison);
   for (const FormulaComparison& assumption : formulas_.assumptions()) comparisons.push_back(assumption);
@@ -146,7 +147,7 @@ const std::vector<ClaimTrials::Edge>& ClaimTrials::edges() {
         for (const Formula& factor : vanishing_factors(difference)) edges_->push_back({&one, factor});
       } catch (const std::domain_error&) {
       } catch (const FormulaTooLarge&) {
-        // Such a case is tried at random points alone.
+        // Such a comparison is tried at random points only.
       }
     }
   return *edges_;
@@ -185,7 +186,7 @@ std::vector<ClaimTrials::Drawn> ClaimTrials::at_edges(const Drawn& from, int att
           if (!is_part(letter) || place > 0) add(letter, place);
       } catch (const std::domain_error&) {
       } catch (const FormulaTooLarge&) {
-        // No value there, or none that is found soon.
+        // The formula has no value there, or its value takes too many terms.
       }
   }
   return found;

@@ -1,4 +1,5 @@
-// Points at which the formulas of a claim are tried: letters drawn within what is assumed, and where sides meet.
+// Points at which the formulas of a claim are tried: letters drawn such that the assumptions hold, and points at
+// which both sides of a comparison are equal.
 #pragma once
 
 #include <optional>
@@ -10,32 +11,32 @@
 
 namespace poinsot::problem {
 
-// Letters that stand for positive numbers.
+// Whether a letter stands for a positive number.
 bool is_positive(const Letter& letter);
 
 class ClaimTrials {
  public:
-  // letters: all that the formulas may have. All must outlive it.
+  // letters: all that may occur in the formulas. All arguments must outlive the object.
   ClaimTrials(const ClaimInstant& formulas, const WorkedAssumptions& worked, const std::vector<Letter>& letters)
       : formulas_(formulas), worked_(worked), letters_(letters) {}
 
-  // A point of one of the cases, on which what is assumed holds.
+  // A point at which the assumptions hold, drawn for one of the cases.
   struct Drawn {
     Point point;
     const WorkedCase* of = nullptr;
     Point free;         // the letters of the case that were drawn
-    bool edge = false;  // chosen so that sides meet
+    bool edge = false;  // whether it was chosen such that both sides are equal
   };
   std::optional<Drawn> draw(int attempt);
-  // Points where the sides of an inequality meet, and on either side of these: one letter moved, the others kept. What
-  // an assumption sets apart meets too, where it allows that.
+  // Points at which the sides of an inequality are equal, and points on either side of these. One letter is moved and
+  // the others are kept. Where an assumption allows equality, its sides are made equal too.
   std::vector<Drawn> at_edges(const Drawn& from, int attempt);
 
-  // What is claimed, at a point.
+  // Whether the claim holds at a point.
   Verdict verdict(const Drawn& drawn);
 
  private:
-  // Where the sides of inequalities meet: factors of their differences, in each case.
+  // Where the sides of inequalities are equal: the factors of their differences in each case.
   struct Edge {
     const WorkedCase* of;
     Formula factor;
@@ -48,7 +49,7 @@ class ClaimTrials {
   const WorkedAssumptions& worked_;
   const std::vector<Letter>& letters_;
   std::optional<std::vector<Edge>> edges_;
-  int exact_equalities_ = 0;  // that were looked at
+  int exact_equalities_ = 0;  // how often equal sides were compared exactly
 };
 
 }  // namespace poinsot::problem

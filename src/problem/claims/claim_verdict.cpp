@@ -11,7 +11,7 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double equal_tolerance = 1e-9;  // between two sides, relative
+constexpr double equal_tolerance = 1e-9;  // relative difference up to which two sides count as equal
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Whether a claim holds at one point.
+// The verdict on a claim at a single point.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,23 @@ namespace poinsot::problem {
 
 struct Verdict {
   bool holds = true;
-  bool close = false;                              // so near the edge that rounding might decide
-  bool exact = false;                              // and it was decided without rounding
-  std::optional<std::pair<double, double>> sides;  // of what does not hold
-  std::optional<double> difference;                // of these, where it was decided exactly and rounding hides it
+  bool close = false;                              // whether the sides are so close that rounding might decide
+  bool exact = false;                              // whether it was decided without rounding all the same
+  std::optional<std::pair<double, double>> sides;  // of the comparison that does not hold
+  std::optional<double> difference;  // the difference of the sides, if it was decided exactly and rounding hides it
   Dimension dimension;
 
-  // Takes in one more comparison. natural: the size that the sides naturally have.
+  // Adds one comparison of numbers. natural: the natural size of the sides.
   void judge(double left, double right, Relation relation, double natural, const Dimension& of);
-  // The same where it is known exactly whether it holds.
+  // Adds a comparison that is known exactly not to hold.
   void refute(double left, double right, const Dimension& of);
 };
 
-// What stands before an `@ before` in claims made after a blow.
+// Evaluates `X @ before` in claims about the state after a blow.
 using ClaimElsewhere = SolvedInstant::Elsewhere;
 
-// Takes in comparisons, and truth values such as stable(plate), of a solved instant. It is close where the linearised
-// equations do not decide stability.
+// Adds the comparisons of an expression, and truth values such as stable(plate), at a solved instant. The verdict is
+// close if the linearised equations do not decide stability.
 void judge_numbers(Verdict& verdict, const Situation& situation, SolvedInstant& instant,
                    const ClaimElsewhere& elsewhere, const Expression& expression,
                    const std::optional<Expression>& axes);

@@ -25,14 +25,14 @@ std::size_t situation_of_claim(const Statement& statement, const Claim& claim) {
        did_you_mean(claim.situation, names));
 }
 
-// The first unknown that is known neither as number nor as formula.
+// The first unknown that has neither a number nor a formula.
 const std::string* without_value(const Situation& situation, const Settings& settings, const FormulaValues& formulas) {
   for (const Unknown& unknown : situation.find)
     if (!settings.contains(unknown.name) && !formulas.contains(unknown.name)) return &unknown.name;
   return nullptr;
 }
 
-// Whether g stands for the number of standard gravity.
+// Whether the weight of the situation uses the number of standard gravity, and g is not otherwise taken.
 bool has_standard_gravity(const Situation& situation, const Settings& settings) {
   const auto is_g = [](const auto& item) { return item.name == "g"; };
   return situation.gravity && situation.find.empty() && !settings.contains("g") &&
@@ -40,8 +40,8 @@ bool has_standard_gravity(const Situation& situation, const Settings& settings) 
          std::none_of(situation.letters.begin(), situation.letters.end(), is_g);
 }
 
-// The claim made for any g: what is proved of it is proved of the number too. And formulas are easier to follow with
-// the letter in them, where the claim is decided alike.
+// Decides the claim with a letter in place of standard gravity. A proof for any g holds for the number too, and
+// formulas are easier to follow with the letter; so the result is used if the verdict is the same.
 void decide_with_letter_for_gravity(const Statement& prepared, std::size_t k, const Claim& claim,
                                     const Settings& settings, const FormulaValues& exact, bool tell,
                                     SolvedClaim& solved) {
@@ -58,7 +58,7 @@ void decide_with_letter_for_gravity(const Statement& prepared, std::size_t k, co
     solved.assumed = std::move(told.assumed);
     solved.stability = std::move(told.stability);
   } catch (const StatementError&) {
-    // The size of gravity is stated in another way.
+    // The size of gravity is stated in some other way, and the letter cannot stand for it.
   }
 }
 
