@@ -11,7 +11,7 @@
 namespace poinsot::problem {
 namespace {
 
-// All numbers of a value, in order.
+// All numbers of a value in order.
 template <class Scalar>
 std::vector<Scalar> numbers_of(const Value<Scalar>& value) {
   if (value.is_number()) return {value.number};
@@ -27,7 +27,7 @@ bool has_numbers_only(const Value<Formula>& value) {
   return value.is_list() && std::all_of(value.items.begin(), value.items.end(), has_numbers_only);
 }
 
-// What `find` returns; whatever keeps it from a formula becomes the reason why there is none.
+// Returns what `find` returns. Errors that prevent a formula become a NoFormula with the reason.
 template <class Find>
 auto or_no_formula(const Find& find) {
   try {
@@ -140,7 +140,7 @@ std::vector<Formula> FormulaAnswers::remainders() const {
 std::vector<std::string> neglected_letters(const Situation& situation, const FormulaValues& values) {
   std::vector<std::string> letters;
   for (const Expression& square : situation.neglect) {
-    // read_problem has seen that it is the square of an unknown.
+    // The reader has checked that each entry is the square of an unknown.
     const auto value = values.find(square.as<Binary>()->left.as<Name>()->name);
     if (value == values.end() || !value->second.is_number()) continue;
     for (const std::string& letter : value->second.number.letters()) letters.push_back(letter);

@@ -1,4 +1,4 @@
-// The answers of a statement with letters left open, as formulas.
+// The answers of a statement as formulas in the letters without value.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ namespace poinsot::problem {
 inline constexpr std::size_t most_formula_terms = 20000;
 inline constexpr double most_formula_seconds = 5;
 
-// Why `find` cannot come to a formula, also where it takes too long; nothing if it can.
+// Why `find` does not yield a formula, possibly because it takes too long; nothing if it yields one.
 template <class Find>
 std::optional<std::string> why_no_formula(const Find& find) {
   try {
@@ -32,40 +32,41 @@ std::optional<std::string> why_no_formula(const Find& find) {
   }
 }
 
-// What stands for a letter in formulas. Lengths, masses, durations and what is made of them are positive, angles real.
+// The letter as a formula. Lengths, masses, durations and what is made of them are positive; angles may have either
+// sign.
 Value<Formula> formula_of(const Letter& letter);
 
-// The value of `--set NAME=TEXT`, exactly; read_setting has understood it before.
+// The exact value of `--set NAME=TEXT`. The text has been read as a value before.
 Value<Formula> exact_setting(const Situation& situation, const std::string& name, const std::string& text);
 
-// The letters of unknowns whose squares are neglected; values: of unknowns as letters.
+// The letters of the unknowns whose squares are neglected. values: the unknowns, as letters.
 std::vector<std::string> neglected_letters(const Situation& situation, const FormulaValues& values);
 
-// The pull of a cord or the push of a contact at an instant, and what is assumed where it is positive, in words.
+// The tension of a cord or the push of a contact at an instant, and the assumption under which it acts, in words.
 struct OneSidedForce {
   Sample::Home home;
   std::string action;
   std::string assumption;
   Formula value;
 };
-// "the cord 'c' stays taut".
+// An assumption in words: "the cord 'c' stays taut".
 std::string holding_words(const std::string& action, bool cord);
 
-// All formulas of one root.
+// All formulas of one solution.
 class FormulaAnswers {
  public:
-  // values: of each situation, for letters, data from outside and unknowns. numbers: the same at values of the letters.
-  // All arguments must outlive it.
+  // values: of each situation, the letters, the data from outside and the unknowns as formulas. numbers: the
+  // statement solved at some values of the letters. All arguments must outlive the object.
   FormulaAnswers(const Statement& statement, const std::vector<FormulaValues>& values, Sample& numbers)
       : statement_(statement), values_(values), numbers_(numbers) {}
 
   // Throws NoFormula with the reason.
   Value<Formula> value(const Ask& ask);
-  // Those of the instants that were solved with their forces.
+  // The forces of all instants that were solved with their forces.
   std::vector<OneSidedForce> one_sided_forces() const;
-  // Solves everything that the situations state, for the remainders.
+  // Solves everything that the situations state, so that remainders() is complete.
   void solve_all();
-  // What must vanish if the facts hold, of all instants that were needed; without the squares that are neglected.
+  // What must vanish if the facts hold, for all instants that were needed, without the squares that are neglected.
   std::vector<Formula> remainders() const;
 
  private:
@@ -76,18 +77,18 @@ class FormulaAnswers {
   const std::vector<FormulaValues>& values_;
   Sample& numbers_;
   std::map<Sample::Home, std::unique_ptr<FormulaInstant>> instants_;
-  std::map<Sample::Home, std::string> no_instant_;  // why there are no formulas, once that was tried
+  std::map<Sample::Home, std::string> no_instant_;  // why an instant has no formulas, once this was tried
 };
 
-// Whether a formula has the given value at values of the letters: to `tolerance`, relative, and `natural` times a small
-// part of the tolerance where all cancels.
+// Whether a formula has the given value at values of the letters: up to a relative `tolerance`, or a small part of
+// this times `natural` where its terms cancel.
 bool agrees(const Value<Formula>& formula, const Value<double>& value, const LetterValues& letters, double tolerance,
             double natural);
 
-// The same formula with others in place of letters.
+// The formula with other formulas in place of letters.
 Value<Formula> substituted(const Value<Formula>& formula, const std::map<std::string, Formula>& letters);
 
-// The letters in it.
+// The letters that occur in it.
 std::vector<std::string> letters_in(const Value<Formula>& formula);
 
 }  // namespace poinsot::problem

@@ -26,7 +26,8 @@ FormulaInstant::FormulaInstant(const Situation& situation, const FormulaValues& 
   }
   MachineOptions options;
   if (!situation.stages.empty()) options.loads = situation.stages.front().loads;
-  // Values given as `any`, and gravity of which nothing is said, change no answer that is given.
+  // Values given as `any`, and gravity of which nothing is said, have no influence on the answers that are given, so
+  // that any number will do.
   const AnyValue any = [](const Dimension&) { return 1.0; };
   machine_ = build_machine(situation, *data_, timed, any, options);
   scales_ = solve::natural_scales(machine_.mechanism);
@@ -42,7 +43,8 @@ InstantView<Formula> FormulaInstant::view() const {
   return {situation_, *data_, machine_, *moment_, scales_, time_, before_ ? &*before_ : nullptr};
 }
 
-// Coordinates without value, with a pose of free bodies and balls by the quaternion (1, a, b, c) / sqrt(1 + ...).
+// Makes letters of coordinates without value. The pose of a free body or ball has three: it is the quaternion (1, a,
+// b, c) / sqrt(1 + a^2 + b^2 + c^2).
 void FormulaInstant::open_positions() {
   const auto letter = [&](const std::string& name, const Dimension& dimension) {
     open_->made.push_back({name, si_unit(dimension), {}, true});
@@ -90,7 +92,8 @@ void FormulaInstant::set_positions(const std::vector<const Instant*>& instants) 
     }
   if (open_) open_positions();
   moment_->set_positions(machine_.q);
-  // Loops are closed as drawn; where they do not stay so, the pose is found by Newton's method and has no formula.
+  // Loops are closed in the pose as drawn. If they do not stay closed, the pose is found by Newton's method and has
+  // no formula.
   const auto& constraints = machine_.mechanism.constraints;
   for (std::size_t i = 0; i < constraints.size(); ++i) {
     if (!solve::binds_positions(constraints[i])) continue;
@@ -125,7 +128,7 @@ void FormulaInstant::solve_velocities() {
   hold_nonlinear(stated.nonlinear);
 }
 
-// Facts that are not linear, where what they speak of is solved.
+// Facts that are not linear leave a remainder, once the state that they speak of is solved.
 void FormulaInstant::hold_nonlinear(const std::vector<const Fact*>& facts) {
   const Elsewhere earlier = [this](const At& past, const Mark& mark) {
     if (past.instant != "before" || !before_)
@@ -169,8 +172,8 @@ void FormulaInstant::solve_blow() {
   hold_nonlinear(stated.nonlinear);
 }
 
-// Which cords and contacts act in the blow is decided as the numbers decide it: those that do pull or push, those that
-// do not give way.
+// The numbers decide which cords and contacts act in the blow. This records the assumption for each: that those that
+// act pull or push, and that the others part.
 void FormulaInstant::note_who_acts() const {
   const Mechanism<Formula>& mechanism = machine_.mechanism;
   const auto n = static_cast<std::size_t>(mechanism.tree.velocity_size());

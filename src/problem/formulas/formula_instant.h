@@ -1,7 +1,7 @@
-// One situation of a statement with letters left open, solved at an instant as formulas.
+// One situation, solved at an instant with formulas in the letters without value.
 //
-// The same machine, conditions and equations as in SolvedInstant, over exact scalars; the linear equations are solved
-// exactly for letters in general position.
+// Machine, conditions and equations are those of SolvedInstant, over exact scalars. The linear equations are solved
+// exactly for letters in general position, which are no special values.
 #pragma once
 
 #include <map>
@@ -17,30 +17,30 @@
 
 namespace poinsot::problem {
 
-// Letters, data from outside the file and unknowns, each as a formula.
+// Letters, data from outside the file and unknowns by name, each as a formula.
 using FormulaValues = std::map<std::string, Value<Formula>>;
 
-// Collects what a statement leaves open, as letters in place of zero: for claims, which hold whatever it is.
+// Letters that stand in place of zero for what a statement leaves open. Claims use them, as they hold for all values.
 struct OpenLetters {
-  bool all_poses = false;         // coordinates without name are open too
-  std::vector<Letter> made;       // positions and velocities
-  std::set<std::string> unfixed;  // accelerations, forces and impulses that nothing fixes
+  bool all_poses = false;         // whether coordinates without name become letters too
+  std::vector<Letter> made;       // for positions and velocities
+  std::set<std::string> unfixed;  // accelerations, forces and impulses that nothing determines
 };
 
 class FormulaInstant {
  public:
-  // numbers: the same instant solved at some values of the letters, for what is decided on numbers: which cords and
-  // contacts act in a blow. problem and numbers must outlive the instant. Throws NoFormula for what has none: loops
-  // that close in another pose than drawn, later stages; what the roads of expressions throw (StatementError,
-  // std::domain_error, ExpressionTooLarge).
-  // open: what the statement leaves open is a letter there, and zero when left out.
+  // numbers: the same instant solved at some values of the letters, which decides what formulas leave open, such as
+  // which cords and contacts act in a blow. Situation and numbers must outlive the object. open: receives letters for
+  // what the statement leaves open; without it this is zero. Throws NoFormula for loops that close in another pose
+  // than the one drawn and for later stages, and what the evaluation of expressions throws (StatementError,
+  // std::domain_error, FormulaTooLarge).
   FormulaInstant(const Situation& situation, const FormulaValues& values, const SolvedInstant& numbers,
                  OpenLetters* open = nullptr);
 
-  // The value of an ask on the given axes (ground axes where none are stated).
+  // The value of an ask on the given axes, or on ground axes if none are given.
   using Elsewhere = std::function<Value<Formula>(const At& at, const Mark& mark)>;
   Value<Formula> ask(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere);
-  // The same with vectors on ground axes.
+  // The same, but vectors are on ground axes.
   Value<Formula> raw(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere);
 
   void solve_forces();
@@ -49,14 +49,15 @@ class FormulaInstant {
   const Situation& situation() const { return situation_; }
   const std::vector<Formula>& positions() const { return machine_.q; }
   const std::vector<Formula>& velocities() const { return v_; }
-  // With accelerations once forces are solved; the unknowns of the motion, and of a blow with the motion before it.
+  // The state, which has accelerations once forces are solved. The unknowns are those of the motion; if there is a
+  // blow, those of the motion before it.
   const solve::MechanismStateOf<Formula>& moment() const { return *moment_; }
   const std::vector<Formula>& unknowns() const { return unknowns_; }
   const std::optional<solve::MechanismStateOf<Formula>>& before() const { return before_; }
   const solve::BlowOf<Formula>& blow() const { return blow_; }
   const std::vector<Formula>& impulses() const { return impulses_; }
   const std::vector<Formula>& velocities_before_blow() const { return v_before_; }
-  // What is left of the facts and equations solved so far: it vanishes if all of them hold.
+  // What is left of the facts and equations solved so far. It vanishes if all of them hold.
   const std::vector<Formula>& remainders() const { return remainders_; }
 
  private:
@@ -86,7 +87,7 @@ class FormulaInstant {
   solve::BlowOf<Formula> blow_;
   std::vector<Formula> v_, v_before_, unknowns_, impulses_;
   bool forces_solved_ = false;
-  // The scope of the present state, and what was decided on the way to it.
+  // The scope of the present state, and the decisions on signs taken on the way to it.
   struct Present {
     bool with_forces, noted;
     QuantityScope<Formula> scope;
@@ -94,7 +95,7 @@ class FormulaInstant {
     bool zeros_by_digits;
   };
   std::optional<Present> present_;
-  std::string no_forces_;  // why they have no formulas, once that was tried
+  std::string no_forces_;  // why forces have no formulas, once this was tried
   std::vector<Formula> remainders_;
 };
 

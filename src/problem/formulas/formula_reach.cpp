@@ -17,9 +17,9 @@ constexpr std::size_t most_points = 24;
 constexpr double most_seconds = 0.4;
 constexpr int most_condition_points = 200;  // at which a formula is looked at
 constexpr int most_confirmations = 3;       // of what it shows, by numbers
-constexpr double branch_tolerance = 1e-6;          // of answers, relative: another branch is another number
+constexpr double branch_tolerance = 1e-6;   // relative difference of answers from which they are on different branches
 
-// Letters far off; `only`: the one that alone is so.
+// A point at which letters have values far from the ordinary. `only` names the letter if it is a single one.
 struct FarPoint {
   LetterValues letters;
   std::string only;
@@ -45,7 +45,7 @@ std::vector<FarPoint> far_points(const std::vector<Letter>& open, const LetterVa
     for (const double far : {1e2, 1e-2, 1e4, 1e-4}) moved(letter, far * value);
     if (letter.either_sign) moved(letter, -value);
   }
-  // All together.
+  // Finally points at which all letters are far from their ordinary values.
   for (int i = 0; i < 4; ++i) {
     FarPoint point{base, ""};
     for (const Letter& letter : open) {
@@ -79,7 +79,7 @@ class FarSearch {
         try {
           hold(i, point, sample);
         } catch (const StatementError&) {
-          // Without sense there.
+          // The statement makes no sense at this point.
         } catch (const std::domain_error&) {
           take_back(i, point);
         }
@@ -122,7 +122,7 @@ class FarSearch {
     }
   }
 
-  // Whether something is unphysical at the instant, which the solution then assumes not to happen.
+  // Whether a cord or contact acts the wrong way at the instant. The solution then assumes that this does not happen.
   bool assume_physical(const SolvedInstant& instant, const Sample::Home& home, const LetterValues& letters) {
     const std::vector<std::string> reasons = instant.unphysical();
     for (const std::string& reason : reasons) {
@@ -134,7 +134,7 @@ class FarSearch {
     return !reasons.empty();
   }
 
-  // With the formula of the force, told of where it is known to be negative.
+  // Adds an assumption, and tells with the formula of the force where it is known not to hold.
   void assume(const std::string& assumption, const Sample::Home& home, const LetterValues& letters) {
     auto& all = solution_.assumptions;
     if (std::find(all.begin(), all.end(), assumption) != all.end()) return;
@@ -147,7 +147,8 @@ class FarSearch {
       }
   }
 
-  // Where a cord would push or a contact pull by its formula, and by the numbers there.
+  // Looks for letters at which the tension of a cord or the push of a contact is negative by its formula, and
+  // confirms this by numbers.
   void look_where_negative(const OneSidedForce& force, const LetterValues& base) {
     auto& all = solution_.assumptions;
     if (std::find(all.begin(), all.end(), force.assumption) != all.end()) return;
@@ -172,7 +173,7 @@ class FarSearch {
           if (reason.find("'" + force.action + "'") != std::string::npos)
             return assume(force.assumption, force.home, letters);
       } catch (const StatementError&) {
-        // Without sense there.
+        // The statement makes no sense at this point.
       }
     }
   }

@@ -13,13 +13,13 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr int draws = 2;            // at which every formula is checked, beside the one that is there
-constexpr int most_attempts = 30;   // until a draw makes sense
-constexpr double formula_tolerance = 1e-8;  // between formula and numbers, relative
+constexpr int draws = 2;                    // random points at which every formula is checked, besides the first
+constexpr int most_attempts = 30;           // attempts to draw a point at which the statement makes sense
+constexpr double formula_tolerance = 1e-8;  // relative difference allowed between formula and numbers
 constexpr double check_tolerance = 1e-8;
-constexpr double unknown_tolerance = 1e-7;  // of unknowns, which are found by search
+constexpr double unknown_tolerance = 1e-7;  // the same for unknowns, which are found by a search
 
-// The letter that stands for an unknown, or for a component of it.
+// The letter for an unknown or for one of its components.
 std::string letter_of(const Statement& statement, const std::string& unknown, std::size_t situation,
                       const std::string& component = "") {
   const std::string name =
@@ -27,7 +27,7 @@ std::string letter_of(const Statement& statement, const std::string& unknown, st
   return component.empty() ? name : name + "_" + component;
 }
 
-// A statement solved at values of the letters.
+// The statement solved at some values of the letters.
 struct Checkpoint {
   LetterValues letters;
   Sample* sample = nullptr;
@@ -104,7 +104,7 @@ class FormulaSearch {
     solution_.unknowns = std::move(all);
   }
 
-  // Each unknown once, those of situations by situation.
+  // Visits each unknown once, or once for each situation if it belongs to situations.
   template <class Visit>
   void for_each_unknown(const Visit& visit) const {
     for (std::size_t i = 0; i < task_.statement.situations.size(); ++i)
@@ -152,12 +152,12 @@ class FormulaSearch {
     }
   }
 
-  // Solves the statement at other values of the letters.
+  // Solves the statement at random values of the letters.
   void draw() {
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       AllSettings settings = task_.settings;
       for (const Letter& letter : task_.open) {
-        // Unknowns have their roots only where the letters have such sizes.
+        // With unknowns the values stay close to the first ones, as roots may exist only there.
         const double value = !task_.unknowns.empty() ? task_.settings.front().at(letter.name).number *
                                                            std::uniform_real_distribution<double>(0.8, 1.25)(random_)
                              : letter.unit.dimension == dimensions::angle
@@ -171,7 +171,7 @@ class FormulaSearch {
           if (!root) continue;
           settings = *root;
         } catch (const StatementError&) {
-          // No statement that makes sense there.
+          // The statement makes no sense there.
           continue;
         }
       }
@@ -193,8 +193,8 @@ class FormulaSearch {
     throw NoFormula("no other values of the letters were found at which the statement makes sense");
   }
 
-  // The root at other values of the letters that the formulas of the unknowns are; nothing if there is no root. Throws
-  // NoFormula if there are roots and they are none of them.
+  // The root, at other values of the letters, that agrees with the formulas of the unknowns; nothing if there is no
+  // root. Throws NoFormula if there are roots but none agrees.
   std::optional<AllSettings> root_near(const Settings& with_letters) const {
     Settings settings = task_.known;
     for (const Letter& letter : task_.open) settings[letter.name] = with_letters.at(letter.name);
@@ -275,7 +275,7 @@ bool confirmed_by_particles(Sample& sample) {
 
 std::vector<OneSidedForce> find_formulas(const FormulaTask& task, Solution& solution) {
   const FormulaLimitScope limits({most_formula_terms, formula_deadline(most_formula_seconds)});
-  // What is decided on the way is decided as the numbers decide it.
+  // Signs that are decided on the way are decided as at the numbers of the first solution.
   LetterValues point;
   for (const Letter& letter : task.open) point[letter.name] = task.settings.front().at(letter.name).number;
   for (std::size_t i = 0; i < task.settings.size(); ++i)

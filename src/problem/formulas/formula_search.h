@@ -1,4 +1,4 @@
-// Finds the formulas of a solved statement and holds each against numbers.
+// Finds the formulas of a solved statement and compares each with numbers.
 #pragma once
 
 #include <vector>
@@ -11,22 +11,22 @@ namespace poinsot::problem {
 struct FormulaTask {
   const Statement& statement;
   const std::vector<Letter>& open;  // letters without value
-  const FormulaValues& given;       // what has a value from outside, exactly
-  const Settings& known;            // the same in numbers
+  const FormulaValues& given;       // values from outside the file, exactly
+  const Settings& known;            // the same values as numbers
   const std::vector<Unknown>& unknowns;
-  const AllSettings& settings;         // of each situation, with values for the open letters and the unknowns of a root
-  Sample& sample;                      // solved at these
-  const std::vector<double>& natural;  // the size that each ask naturally has
+  const AllSettings& settings;  // of each situation, with values for the open letters and for the unknowns of one root
+  Sample& sample;               // the statement solved with these settings
+  const std::vector<double>& natural;  // the natural size of each ask
 };
 
-// Adds to every ask of the solution that has numbers its formula, or the reason why it has none; lists the unknowns
-// that have formulas. Every formula is compared with the numbers at `settings` and at letters drawn at random twice,
-// where the statement is solved anew and checked on particles. What has no exact formula may have a law
-// (law_search.h). Never throws for a formula that cannot be had.
-// Returns the formulas of what can only pull or push in the instants solved on the way, where there are no unknowns.
+// Adds to every ask of the solution that has numbers its formula, or the reason why it has none, and lists the
+// unknowns that have formulas. Every formula is compared with the numbers at `settings` and at two random points of
+// the letters, where the statement is solved again and checked with particles. An answer without exact formula may
+// follow a law (law_search.h). The absence of a formula is never thrown. Returns the formulas of forces that can only
+// pull or push in the instants solved on the way, if there are no unknowns.
 std::vector<OneSidedForce> find_formulas(const FormulaTask& task, Solution& solution);
 
-// Whether the check on particles confirms every instant of a sample that was solved.
+// Whether the check with particles confirms every instant of a sample that was solved.
 bool confirmed_by_particles(Sample& sample);
 
 }  // namespace poinsot::problem

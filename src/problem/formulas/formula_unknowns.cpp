@@ -10,9 +10,9 @@ namespace poinsot::problem {
 namespace {
 
 constexpr int highest_degree = 4;
-constexpr double near_root = 1e-6;  // relative: how near a formula must be to the root that is meant
+constexpr double near_root = 1e-6;  // relative distance within which a formula belongs to the root that is meant
 
-// x as a polynomial in a letter, from the lowest power on; nothing if it is none of a small degree.
+// The coefficients of x as a polynomial in a letter, in ascending order; nothing if it is none of low degree.
 std::optional<std::vector<Formula>> polynomial_in(const Formula& x, const std::string& letter) {
   std::vector<Formula> coefficients;
   Formula slope = x, rest = x;
@@ -31,23 +31,24 @@ std::optional<std::vector<Formula>> polynomial_in(const Formula& x, const std::s
   return std::nullopt;
 }
 
-// A root of a polynomial as a formula; `squared`: its square, where only that is needed.
+// A root of a polynomial as a formula; `square` is its square, if only that is needed.
 struct Root {
   Formula root;
   std::optional<Formula> square;
   double sign = 1;
 };
 
-// One of two values, the one nearer to a number.
+// The one of two formulas whose value is closer to a number.
 Formula nearer(const Formula& a, const Formula& b, double value) {
   return std::abs(plain(a) - value) <= std::abs(plain(b) - value) ? a : b;
 }
 
-// The root near the value.
+// The root of the polynomial that is close to the value.
 std::optional<Root> root_of(std::vector<Formula> c, double value) {
   while (c.size() > 1 && c.front().is_zero() && std::abs(value) > 0) c.erase(c.begin());
   if (c.size() == 1) return c.front().is_zero() ? std::optional(Root{Formula(0), {}, 1}) : std::nullopt;
-  // a x^2 + b x + d = 0. Divided by one of the coefficients, common factors are gone; the shortest form is taken.
+  // Solves a x^2 + b x + d = 0. Division by a coefficient may cancel common factors; the shortest of the forms is
+  // taken.
   const auto quadratic = [&](const Formula& a, const Formula& b, const Formula& d, double near) {
     std::optional<Formula> shortest;
     std::size_t length = 0;
@@ -75,7 +76,8 @@ std::optional<Root> root_of(std::vector<Formula> c, double value) {
   return std::nullopt;
 }
 
-// The formula of one unknown for which the expression vanishes; `degree` is how hard it was.
+// The formula of an unknown for which an expression vanishes. `degree` orders such formulas by the effort that they
+// took.
 struct Found {
   Formula formula;
   std::size_t degree = 0;
@@ -91,7 +93,7 @@ std::optional<Found> solve_for(const Formula& remainder, const UnknownLetter& un
       if (!root) return std::nullopt;
       return Found{root->root, coefficients->size() - 1};
     }
-    // With t = tan(u/2) all is algebraic.
+    // With t = tan(u/2) sines and cosines of u are rational functions of t.
     const std::string half = unknown.name + "_half";
     const Formula t = Formula::letter(half, poinsot::Sign::real);
     const Formula algebraic = numerator(substituted(remainder, {{unknown.name, Formula(2) * atan(t)}}));

@@ -80,8 +80,8 @@ class LawSearch {
     ask.no_formula = reason.value_or("");
   }
 
-  // An angle may be any: beyond a right angle another extreme may be the largest. What holds for positive angles alone
-  // says so, and where it could not be tried.
+  // Tries a law at angles all round, as beyond a right angle another extreme may be the largest. If it holds for
+  // positive angles only, or could not be tried at some, the solution says so in its assumptions.
   void hold_all_round(ScalingTrials& trials, std::size_t i, const ScalingLaw& law) {
     std::set<std::string> assumed;
     for (const std::string& name : solution_.asks[i].letters) {
@@ -111,7 +111,7 @@ class LawSearch {
   void add_unknown(ScalingTrials& trials, std::size_t k, const std::vector<std::string>& letters) {
     const Unknown& unknown = *unknowns_[k].unknown;
     const std::size_t situation = unknowns_[k].situation;
-    // Where there is none, the asks say why.
+    // The asks report why there is no law.
     static_cast<void>(why_no_formula([&] {
       const ScalingLaw law = scaling_law(trials, solution_.asks.size() + k, letters);
       SolvedUnknown solved{unknown.name, unknown.unit, task_.settings[situation].at(unknown.name), law.formula};
@@ -121,7 +121,7 @@ class LawSearch {
     }));
   }
 
-  // Asks and then unknowns.
+  // The answers of the asks, followed by the unknowns.
   ScalingTrials::Answers answers_at(const LetterValues& letters) {
     const std::clock_t begun = std::clock();
     ScalingTrials::Answers answers(solution_.asks.size() + unknowns_.size());
@@ -148,7 +148,7 @@ class LawSearch {
     return answers;
   }
 
-  // Whether what is assumed of the letters holds.
+  // Whether the assumptions about the letters hold.
   bool is_assumed(const AllSettings& settings) const {
     for (std::size_t s = 0; s < settings.size(); ++s) {
       const Situation& situation = task_.statement.situations[s];
@@ -157,13 +157,14 @@ class LawSearch {
           const Value<double> truth = data.value(expression);
           if (truth.is_boolean() && !truth.truth) return false;
         } catch (const StatementError&) {
-          // It speaks of more than letters.
+          // The assumption is about more than letters.
         }
     }
     return true;
   }
 
-  // With the unknowns found there; nothing where they have not as many roots as they have at the letters drawn first.
+  // The settings with the unknowns found at these letters; nothing unless they have as many roots as at the first
+  // values of the letters.
   std::optional<AllSettings> settings_at(const LetterValues& letters) {
     AllSettings settings = task_.settings;
     for (AllSettings::value_type& one : settings)
@@ -200,7 +201,7 @@ class LawSearch {
   const FormulaTask& task_;
   Solution& solution_;
   std::vector<Sought> unknowns_;
-  std::optional<std::size_t> root_;  // of the roots, ascending, the one of this solution
+  std::optional<std::size_t> root_;  // the index of this solution's root, in ascending order
   std::size_t roots_ = 0;
 };
 

@@ -1,4 +1,5 @@
-// The laws that answers found by numbers follow: motions followed and unknowns searched at other letters.
+// Finds the laws of answers that are found by numbers: the motion is followed, or unknowns are searched, at several
+// values of the letters.
 #pragma once
 
 #include "problem/formulas/formula_search.h"
@@ -6,12 +7,12 @@
 
 namespace poinsot::problem {
 
-// Gives every ask of the solution that has no formula yet, but needs letters, its law if it has one (scaling_law.h),
-// else the reason why it has none; lists unknowns with laws if none are listed. The trials are checked on particles.
-// Never throws for a law that cannot be had.
+// Gives every ask of the solution that depends on letters and has no formula its law (scaling_law.h), or the reason
+// why it has none, and lists the unknowns that have laws if none are listed. The trials are checked with particles.
+// The absence of a law is never thrown.
 void find_laws(const FormulaTask& task, Solution& solution);
 
-// Notes how the formulas that stand were found, where they are laws.
+// Notes of each formula that is a law how it was found.
 void tell_laws(const Statement& statement, Solution& solution);
 
 }  // namespace poinsot::problem

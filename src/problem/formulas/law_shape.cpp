@@ -117,7 +117,7 @@ std::optional<std::vector<LawShape::Part>> product_of(const std::string& letter,
   std::map<Factor, int> halves;
   for (std::size_t f = 0; f < independent.size(); ++f)
     halves[independent[f]] = static_cast<int>(std::lround(2 * found(static_cast<Eigen::Index>(f) + 1)));
-  // sin(a/2) cos(a/2) is half of sin(a).
+  // sin(a/2) cos(a/2) is written as sin(a)/2.
   int &sine = halves[Factor::half_sine], &cosine = halves[Factor::half_cosine];
   if ((sine > 0) == (cosine > 0)) {
     const int common = sine > 0 ? std::min(sine, cosine) : std::max(sine, cosine);

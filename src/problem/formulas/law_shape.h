@@ -1,5 +1,5 @@
-// How a number may depend on letters: (a + b f(angle)) times a product of powers of letters, and of sines and cosines
-// of angles.
+// The forms in which a number may depend on letters: (a + b f(angle)) times a product of powers of letters and of
+// sines and cosines of angles.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace poinsot::problem {
 
-// A function of a letter that has a power; the others are of angles.
+// A factor whose power stands in the product: a letter, or a function of an angle.
 enum class Factor { letter, half_sine, half_cosine, cosine, sine };
-// The function of an angle in the sum.
+// The function f of the angle in the sum.
 enum class Term { none, angle, sine, cosine, cosine_squared };
 
 double number_of(Factor factor, double letter);
@@ -20,34 +20,35 @@ double number_of(Term term, double angle);
 Formula formula_of(Factor factor, const Formula& letter);
 Formula formula_of(Term term, const Formula& angle);
 
-// base^(halves/2)
+// The power base^(halves/2).
 Formula power_of(const Formula& base, int halves);
 
 struct LawShape {
   struct Part {
     std::string letter;
     Factor factor = Factor::letter;
-    int halves = 0;  // the exponent
+    int halves = 0;  // the exponent, times two
   };
   std::vector<Part> product;
   Term term = Term::none;
-  std::string angle;  // of the term
+  std::string angle;  // the angle of the term
 
   double product_at(const LetterValues& letters) const;
 };
 
-// A number at values of an angle.
+// The values of a number at several angles.
 struct AngleSamples {
   std::vector<double> angles, numbers;
 };
 
-// The powers of functions of the angle that the numbers follow, to a relative tolerance; none if they do not.
+// The powers of functions of the angle whose product the numbers follow, to a relative tolerance; nothing if they
+// follow none.
 std::optional<std::vector<LawShape::Part>> product_of(const std::string& letter, const AngleSamples& samples,
                                                       double tolerance);
-// The f of a + b f(angle).
+// The function f, if the numbers follow a + b f(angle).
 std::optional<Term> term_of(const AngleSamples& samples, double tolerance);
 
-// `digits` digits of a number, counted from the first of the largest.
+// The number rounded to so many digits, which are counted from the first digit of `largest`.
 Formula rounded(double number, double largest, int digits);
 
 }  // namespace poinsot::problem

@@ -12,12 +12,13 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr int most_digits = 12;              // of the number of a law
-constexpr int least_digits = 6;              // below that there is no telling a law from a coincidence
-constexpr double measured_over_actual = 16;  // of the error of a motion
-constexpr double noise = 1e-9;               // of a component beside its vector
-constexpr double exponent_to = 1e-4;         // how closely an exponent is measured
-constexpr std::size_t least_samples = 6;     // of an angle
+constexpr int most_digits = 12;  // of the numbers in a law
+constexpr int least_digits = 6;  // with fewer digits a law cannot be told from a coincidence
+// The measured error of a motion may be this much smaller than the actual one.
+constexpr double measured_over_actual = 16;
+constexpr double noise = 1e-9;            // size below which a component counts as zero beside its vector
+constexpr double exponent_to = 1e-4;      // how close a measured exponent must be to a multiple of one half
+constexpr std::size_t least_samples = 6;  // values of an angle at which an answer must exist
 
 std::vector<double> all_numbers(const Value<double>& value) {
   if (value.is_number()) return {value.number};
@@ -42,7 +43,7 @@ Value<Formula> shaped_like(const Value<double>& value) {
   return Value<Formula>::of_list(std::move(items));
 }
 
-// The law of one number of an answer.
+// Finds the law of one number of an answer.
 class OneNumber {
  public:
   OneNumber(ScalingTrials& trials, std::size_t answer, std::size_t place, const Dimension& dimension,
@@ -69,7 +70,7 @@ class OneNumber {
   }
 
  private:
-  // The number, or zero where it is rounding beside the others of its answer.
+  // The number at a point; zero if it is rounding beside the other numbers of its answer.
   std::optional<double> at(const ScalingTrials::Point& point) const {
     const std::optional<Value<double>>& value = point.answers[answer_];
     if (!value) return std::nullopt;
@@ -89,10 +90,10 @@ class OneNumber {
     return true;
   }
 
-  // The units that nothing in the problem fixes: in others the number is the same quantity.
+  // Finds the units that nothing in the problem fixes: if they are changed, the number remains the same quantity.
   void find_units() {
     for (const Units units : {Units::length, Units::mass, Units::time, Units::fall}) {
-      // Where gravity is stated in numbers, lengths and times are scaled together.
+      // If gravity is given by a number, lengths and times can be changed only together.
       if (units == Units::fall && (is_free(Units::length) || is_free(Units::time))) continue;
       const auto& [scale, point] = trials_.scaled(units);
       const std::optional<double> number = at(point);
@@ -103,7 +104,7 @@ class OneNumber {
   }
   bool is_free(Units units) const { return std::ranges::find(units_, units) != units_.end(); }
 
-  // Letters whose dimensions are independent: their powers follow from those of the others.
+  // Chooses letters of independent dimensions. Their exponents follow from those of the other letters by dimensions.
   void find_pivots() {
     for (std::size_t i = 0; i < sizes_.size() && pivots_.size() < units_.size(); ++i) {
       pivots_.push_back(i);
@@ -121,7 +122,7 @@ class OneNumber {
             exponent_of(sizes_[letters[column]].unit.dimension, units_[row]);
     return matrix;
   }
-  // The exponents of the pivots that make up a dimension in the free units. Throws NoFormula if there are none.
+  // The exponents with which the pivots form a dimension in the free units. Throws NoFormula if there are none.
   Eigen::VectorXd pivot_exponents(const Eigen::VectorXd& dimension) const {
     const Eigen::MatrixXd matrix = dimensions_of(pivots_);
     if (pivots_.empty()) {
@@ -139,7 +140,7 @@ class OneNumber {
     return exponents;
   }
 
-  // How the number follows a letter that is moved alone.
+  // Finds the exponent of a letter from points at which it alone has other values.
   void measure(std::size_t i) {
     const std::string& name = sizes_[i].name;
     int count = 0;
@@ -184,7 +185,7 @@ class OneNumber {
       if (halves_[i] != 0) shape_.product.push_back({sizes_[i].name, Factor::letter, halves_[i]});
   }
 
-  // How the number follows an angle that is moved alone.
+  // Finds the dependence on an angle from points at which it alone has other values.
   void follow(const std::string& angle) {
     AngleSamples samples;
     const auto add = [&](const ScalingTrials::Point& point) {
@@ -208,7 +209,7 @@ class OneNumber {
     }
   }
 
-  // The numbers of the law from all that has been tried, which must agree.
+  // Finds the numbers of the law from all points tried, which must agree on them.
   Formula with_numbers() {
     std::vector<std::pair<double, double>> measured;  // the term and the number over the product
     const auto add = [&](const ScalingTrials::Point& point) {
@@ -256,11 +257,11 @@ class OneNumber {
   const std::size_t answer_, place_;
   const Dimension dimension_;
   ScalingLaw& law_;
-  std::vector<Letter> sizes_, angles_;  // all but angles, and angles
+  std::vector<Letter> sizes_, angles_;  // all letters but angles; the angles
   double tolerance_ = 1e-8;
   std::vector<Units> units_;
   std::vector<std::size_t> pivots_;
-  std::vector<int> halves_;  // exponents of sizes_
+  std::vector<int> halves_;  // the exponents of sizes_, times two
   LawShape shape_;
 };
 

@@ -1,4 +1,4 @@
-// A problem with open letters, solved by numbers at letters chosen to tell how its answers depend on them.
+// A problem solved by numbers at values of the letters that are chosen to show how its answers depend on them.
 #pragma once
 
 #include <functional>
@@ -14,46 +14,48 @@
 
 namespace poinsot::problem {
 
-// Which units are changed; `fall`: those of length and time, so that accelerations (of gravity) keep their numbers.
+// The units that are changed. `fall` changes those of length and time such that accelerations (of gravity) keep their
+// numbers.
 enum class Units { length, mass, time, fall };
-// The power of the scale by which numbers of a dimension change then.
+// The power of the scale with which the numbers of a dimension change.
 double exponent_of(const Dimension& dimension, Units units);
 
-// Each trial is made once, for all answers.
+// Solves each trial once, for all answers.
 class ScalingTrials {
  public:
-  // Every answer; none where it has no value there.
+  // The value of every answer; nothing where it has none.
   using Answers = std::vector<std::optional<Value<double>>>;
-  // Throws StatementError where the letters make no sense.
+  // Throws StatementError where the problem makes no sense at the letters.
   using Solve = std::function<Answers(const LetterValues& letters)>;
   struct Point {
     LetterValues letters;
     Answers answers;
   };
 
-  // base: letters at which everything has a value. near: other values stay within a quarter of these, for answers that
-  // exist only there; else they are drawn over two octaves, angles from 0.2 to 1.2 rad. error: of the numbers,
-  // relative.
+  // base: values of the letters at which all answers exist. near: other values stay within a quarter of these, for
+  // answers that exist only there; otherwise they are drawn over two octaves, and angles from 0.2 to 1.2 rad. error:
+  // the relative error of the numbers.
   ScalingTrials(std::vector<Letter> letters, LetterValues base, bool near, double error, Solve solve);
 
   const std::vector<Letter>& letters() const { return letters_; }
   const Letter& letter(const std::string& name) const;
   double error() const { return error_; }
 
-  // These throw NoFormula if there are not enough values of the letters at which the problem makes sense.
+  // The following throw NoFormula if there are not enough values of the letters at which the problem makes sense.
   const Point& base();
-  // In other units: all letters scaled as their dimensions ask, with the scale.
+  // The point at which all letters are scaled by their dimensions, as if units were changed, and the scale.
   const std::pair<double, Point>& scaled(Units units);
-  // One letter alone at other values.
+  // Points at which a single letter has other values.
   const std::vector<Point>& moved(const std::string& letter);
-  // An angle alone beyond those values: up to a half turn, and negative. Empty where others stay near the base. A point
-  // has no answers where they take too long, or beyond one that lacks an answer.
+  // Points at which an angle alone goes beyond those values: up to half a turn, and negative. There are none if
+  // trials stay near the base. A point has no answers if they take too long, or if it lies beyond a point that lacks
+  // an answer.
   const std::vector<Point>& turned(const std::string& angle);
-  // All letters drawn at random, three times.
+  // Three points at which all letters are random.
   const std::vector<Point>& drawn();
 
  private:
-  // Points found once, or why there are none.
+  // Points that are found once, or the reason why there are none.
   class Known {
    public:
     const std::vector<Point>& get(const std::function<std::vector<Point>()>& find);
