@@ -14,15 +14,15 @@ using Eigen::VectorXd;
 
 constexpr double tolerance = 1e-9;
 
-// A x = b with x not negative, but for the unknowns that may have either sign.
+// The conditions A x = b, where x >= 0 for all unknowns but those that may have either sign.
 struct LinearConditions {
   MatrixXd A;
   VectorXd b;
-  std::vector<std::string> words;  // of each row
+  std::vector<std::string> words;  // a description of each row
   std::vector<bool> signed_unknown;
 };
 
-// The least |A x - b| over x >= 0 (C. L. Lawson and R. J. Hanson, Solving Least Squares Problems, 1974, chapter 23).
+// The least |A x - b| for x >= 0 (C. L. Lawson and R. J. Hanson, Solving Least Squares Problems, 1974, chapter 23).
 double least_misfit(const MatrixXd& A, const VectorXd& b) {
   std::vector<Index> passive;
   VectorXd x = VectorXd::Zero(A.cols());
@@ -80,7 +80,8 @@ bool feasible(const LinearConditions& conditions, const std::vector<Index>& rows
   return least_misfit(A, b) <= tolerance * std::max(1.0, b.norm());
 }
 
-// The conditions on all unknowns, around a place in their ranges; nothing where they are not linear or have no value.
+// The conditions on all unknowns, evaluated around a place in their ranges; nothing if they are not linear or have no
+// value.
 std::optional<LinearConditions> linear_conditions(UnknownEquations& equations) {
   const std::vector<solve::RootRange>& ranges = equations.ranges();
   const std::size_t n = ranges.size();
@@ -121,12 +122,12 @@ std::optional<LinearConditions> linear_conditions(UnknownEquations& equations) {
   if (!groups) return std::nullopt;
   for (const GroupConditions& group : *groups)
     for (const std::string& words : equations.condition_words(group)) conditions.words.push_back(words);
-  // Rows of one size.
+  // Rows are scaled to one size.
   for (Index i = 0; i < conditions.A.rows(); ++i) {
     double largest = std::abs(conditions.b[i]);
     for (std::size_t k = 0; k < n; ++k)
       largest = std::max(largest, std::abs(conditions.A(i, static_cast<Index>(k))) * ranges[k].scale);
-    // What rounding left of zero demands nothing.
+    // A row that is nothing but rounding states nothing.
     if (largest <= 1e-11 * size[i]) {
       conditions.A.row(i).setZero();
       conditions.b[i] = 0;
@@ -182,7 +183,7 @@ ChoiceClash choice_clash(UnknownEquations& equations, const std::vector<std::set
     clash.told = !clash.would_do.empty();
     return clash;
   }
-  // A condition without which the others still clash does not stand in the way.
+  // A condition is left out if the others clash without it too.
   for (std::size_t i = 0; i < facts.size();) {
     std::vector<std::string> others = facts;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));

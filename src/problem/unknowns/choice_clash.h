@@ -1,4 +1,4 @@
-// Why no choice of amounts that are not negative satisfies the conditions (`choose:`).
+// Explains why no choice of non-negative amounts satisfies the conditions (`choose:`).
 #pragma once
 
 #include <set>
@@ -9,15 +9,16 @@
 
 namespace poinsot::problem {
 
-// Of conditions that are linear in the unknowns, what stands in the way of every choice.
+// The conditions that no choice can satisfy together, if the conditions are linear in the unknowns.
 struct ChoiceClash {
-  bool told = false;                    // not of conditions that are not linear
-  std::vector<std::string> conditions;  // that clash even if all amounts may take part; none: more amounts would do
-  bool by_sign = false;                 // negative values would satisfy them
-  std::vector<std::size_t> would_do;    // else: the fewest amounts that do
+  bool told = false;  // false if the conditions are not linear
+  // Those that clash even if all amounts may be used; empty if more amounts would satisfy them.
+  std::vector<std::string> conditions;
+  bool by_sign = false;               // whether negative amounts would satisfy them
+  std::vector<std::size_t> would_do;  // otherwise the smallest set of amounts that satisfies them
 };
 
-// unknowns_of: of each amount, the unknowns in it; all others may take part in any case.
+// unknowns_of: for each amount the unknowns that it depends on. All other unknowns are free in any case.
 ChoiceClash choice_clash(UnknownEquations& equations, const std::vector<std::set<std::string>>& unknowns_of);
 
 }  // namespace poinsot::problem

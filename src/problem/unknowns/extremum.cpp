@@ -11,8 +11,8 @@ namespace poinsot::problem {
 namespace {
 
 constexpr double boundless = std::numeric_limits<double>::infinity();
-constexpr double nothing = 1e-6;  // of the scale of a datum
-constexpr double unseen = 2e-6;   // of an end: where it is decided within this it is known
+constexpr double nothing = 1e-6;  // a part of the scale of the datum below which a value counts as vanishing
+constexpr double unseen = 2e-6;   // an end is known if the conditions are decided within this part of it
 
 std::string number_text(double value) {
   char text[40];
@@ -59,7 +59,7 @@ ExtremumSearch::ExtremumSearch(const Statement& statement, const Ask& ask, const
     }
 }
 
-// Data are positive by nature, but for angles.
+// Data are positive unless they are angles or stated as signed.
 ExtremumSearch::Span ExtremumSearch::span() const {
   const std::string& name = ask_.extremum->name;
   const bool signed_letter =
@@ -104,7 +104,7 @@ std::unique_ptr<Sample> ExtremumSearch::sample_at(double value) {
     }
     return sample;
   };
-  // Unknowns of the situation follow the datum.
+  // The other unknowns of the situation are found for each value of the datum.
   const bool unknowns = std::any_of(situation_.find.begin(), situation_.find.end(),
                                     [&](const Unknown& unknown) { return unknown.name != ask_.extremum->name; });
   if (!unknowns) return holds_in(all);
@@ -128,7 +128,7 @@ ExtremumSearch::Truth ExtremumSearch::truth_at(double value) {
   }
 }
 
-// What ends at a value beyond which the conditions do not plainly fail.
+// Explains an end beyond which the conditions do not clearly fail.
 std::string ExtremumSearch::told_beyond(double inside, double outside) {
   const Truth beyond = truth_at(outside);
   const std::string here = number_text(inside) + " (SI)";
@@ -150,7 +150,7 @@ bool ExtremumSearch::is_at(double value) {
   const double side = ask_.extremum->largest ? 1 : -1;
   const Span range = span();
   const double step = 1e-6 * (value != 0 ? std::abs(value) : range.scale);
-  // At the end of its range nothing is beyond.
+  // Beyond the end of its range a datum has no values.
   const bool at_end = side > 0 ? value >= range.upper : value <= range.lower;
   return holds(at_end ? value : value - side * step) && (at_end || !holds(value + side * step));
 }
@@ -158,7 +158,7 @@ bool ExtremumSearch::is_at(double value) {
 ExtremumFound ExtremumSearch::find() {
   const Span range = span();
   const double side = ask_.extremum->largest ? 1 : -1;
-  // Towards the asked end: the values of a grid, evenly where the range is finite, by decades where it is not.
+  // The grid of values runs towards the end that is asked for: evenly if the range is finite, otherwise in decades.
   constexpr int count = 36;
   std::vector<double> grid;
   for (int i = 0; i <= count; ++i) {
@@ -177,7 +177,7 @@ ExtremumFound ExtremumSearch::find() {
   if (side < 0) std::reverse(grid.begin(), grid.end());
   ExtremumFound found;
   const std::string what = std::string(side > 0 ? "largest" : "smallest") + " value";
-  // From the asked end inwards.
+  // The search goes inwards from that end to the first value at which the conditions hold.
   const auto at = std::find_if(grid.rbegin(), grid.rend(), [&](double value) { return holds(value); });
   if (at == grid.rend()) {
     if (!ever_ && refusal_) throw *refusal_;
@@ -195,14 +195,14 @@ ExtremumFound ExtremumSearch::find() {
     found.sample = sample_at(*at);
     return found;
   }
-  // The boundary between the last value at which it holds and the next one.
+  // Bisection finds the border between this value and the one before.
   double inside = *at, outside = *std::prev(at);
   for (int i = 0; i < 200; ++i) {
     const double middle = 0.5 * (inside + outside);
     if (std::abs(outside - inside) <= 4e-15 * std::abs(middle) || middle == inside || middle == outside) break;
     (holds(middle) ? inside : outside) = middle;
   }
-  // Data that may be as small as one likes have no least value.
+  // A datum that may be arbitrarily small has no least value.
   const bool to_nothing = range.lower == 0 && side < 0 && inside < nothing * range.scale;
   if (to_nothing && truth_at(outside) != Truth::fails) {
     found.reason =

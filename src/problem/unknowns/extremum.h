@@ -1,4 +1,4 @@
-// The largest or smallest value of a datum for which something holds: {largest: w, while: stable(plate)}.
+// The largest or smallest value of a datum for which conditions hold: {largest: w, while: stable(plate)}.
 #pragma once
 
 #include <memory>
@@ -13,14 +13,14 @@ namespace poinsot::problem {
 
 struct ExtremumFound {
   std::optional<Value<double>> value;
-  std::string reason;              // where there is none
-  std::string note;                // where beyond the value the conditions are not seen to fail
+  std::string reason;              // why there is no such value
+  std::string note;                // tells if the conditions do not clearly fail beyond the value
   std::unique_ptr<Sample> sample;  // the instants at the value, where the conditions still hold
 };
 
 class ExtremumSearch {
  public:
-  // All arguments must outlive the search. settings: of each situation.
+  // All arguments must outlive the search. settings: one for each situation.
   ExtremumSearch(const Statement& statement, const Ask& ask, const AllSettings& settings, const OpenChoice& choice);
 
   ExtremumFound find();
@@ -32,7 +32,7 @@ class ExtremumSearch {
     double lower = 0, upper = 0, scale = 1;
   };
   Span span() const;
-  // What becomes of the conditions at a value. Doubtful: the linearised equations do not decide stability there.
+  // What the conditions come to at a value. Doubtful: the linearised equations do not decide about stability.
   // Refused: there is no such motion.
   enum class Truth { holds, fails, doubtful, refused };
   Truth truth_at(double value);
@@ -47,8 +47,8 @@ class ExtremumSearch {
   const Situation& situation_;
   Dimension dimension_;
   std::optional<StatementError> refusal_;
-  bool doubtful_ = false;  // whether of the value looked at last
-  bool ever_ = false;      // whether the conditions had a truth at any value
+  bool doubtful_ = false;  // of the value tried last
+  bool ever_ = false;      // whether the conditions could be evaluated at any value
 };
 
 }  // namespace poinsot::problem

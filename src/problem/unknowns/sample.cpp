@@ -74,7 +74,7 @@ std::optional<Sample::Home> Sample::resolve_in(std::size_t i, const std::string&
   return std::nullopt;
 }
 
-// What asks nothing of the model is the same in all situations.
+// An expression that asks for nothing of the model has the same value in every situation.
 Situated Sample::situated_in(const Expression& expression, std::size_t otherwise) const {
   if (!asks_model(statement_.situations[otherwise], expression)) return {otherwise, expression};
   return situated(statement_, expression);
@@ -112,7 +112,7 @@ std::vector<double> Sample::times(const Ask& ask) {
   return found;
 }
 
-// The columns with another value of a datum, with the unknowns that follow it.
+// Adds the columns at another value of a datum, for which the unknowns are found anew.
 void Sample::add_row_over_datum(const Ask& ask, const AllSettings& settings, std::vector<Value<double>>& values) {
   const Situation& situation = statement_.situations.front();
   AllSettings all = settings;
@@ -154,7 +154,7 @@ void Sample::note_unphysical(const Ask& ask, const Value<double>& row) {
   }
 }
 
-// One row after the other: the values that the table runs over, then every column there.
+// Fills the table row by row: the value that the row stands for, and then every column at this value.
 std::vector<Value<double>> Sample::table(const Ask& ask) {
   const Table& table = *ask.table;
   const Home first = home_of(ask);
@@ -172,7 +172,7 @@ std::vector<Value<double>> Sample::table(const Ask& ask) {
     fail(situation.file, table.over_mark, "'" + table.over + "' is neither time, nor a coordinate or datum",
          did_you_mean(table.over, known));
   }
-  // The values that it runs over.
+  // The values for which there are rows.
   std::vector<double> rows;
   constexpr std::size_t most_rows = 10'000;
   Dimension dimension = dimensions::time;
@@ -191,7 +191,7 @@ std::vector<Value<double>> Sample::table(const Ask& ask) {
       fail(situation.file, table.values.mark(), "the table has more than 10 000 rows", "take a larger step");
     for (std::size_t k = 0; k <= static_cast<std::size_t>(count); ++k)
       rows.push_back(from + (span < 0 ? -by : by) * static_cast<double>(k));
-    // The end of a range that ends at an extreme belongs to it.
+    // If the range ends at an extreme of the motion, this end gets a row of its own.
     if (asks_motion_feature(range->to) && std::abs(rows.back() - to) > 1e-9 * by) rows.push_back(to);
   } else {
     for (const Expression& item : table.values.as<List>()->items) rows.push_back(number(item));

@@ -1,4 +1,4 @@
-// The instants of a statement, solved for one choice of everything that it leaves open.
+// The instants of a statement, solved for one choice of what it leaves open.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 
 namespace poinsot::problem {
 
-// Whether an expression asks anything of the model: a quantity function, a coordinate or an unknown, also by define:.
-// What stands before an @ counts only if `into_at`.
+// Whether an expression asks for anything of the model: a quantity, a coordinate or an unknown, possibly by a name
+// under define:. What stands before an @ is looked at only if `into_at`.
 inline bool asks_model(const Situation& situation, const Expression& expression, bool into_at = true, int depth = 0) {
   std::set<std::string> functions;
   collect_functions(expression, functions, into_at);
@@ -34,7 +34,7 @@ inline bool asks_model(const Situation& situation, const Expression& expression,
     if (std::any_of(situation.choose.begin(), situation.choose.end(),
                     [&](const Choice& choice) { return choice.name == name; }))
       return true;
-    // A point that rides with a body: A of plate.
+    // `A of plate` is a point that moves with a body.
     if (std::any_of(situation.bodies.begin(), situation.bodies.end(),
                     [&](const Body& body) { return body.name == name; }))
       return true;
@@ -47,24 +47,24 @@ inline bool asks_model(const Situation& situation, const Expression& expression,
   return false;
 }
 
-// What has a value from outside the file or is found, in each situation.
+// For each situation the values that come from outside the file or were found.
 using AllSettings = std::vector<Settings>;
 
-// The situation that an extremum is sought in. Throws StatementError if it is not named or not known.
+// The situation in which an extremum is sought. Throws StatementError if it is not named or does not exist.
 std::size_t situation_of(const Statement& statement, const Ask& ask);
 
-// One choice of everything that the statement leaves open, and the instants solved for it so far.
+// One choice of what the statement leaves open, and the instants solved for it so far.
 class Sample {
  public:
   Sample(const Statement& statement, AllSettings settings, const OpenChoice& choice)
       : statement_(statement), settings_(std::move(settings)), choice_(choice) {}
 
-  // Where something is asked.
+  // The situation and the instant for which something is asked.
   struct Home {
     std::size_t situation = 0;
-    std::size_t instant = 0;     // the stage at whose start; where there is a blow, 0 before it, and one more after it
+    std::size_t instant = 0;     // the stage whose beginning is meant; with a blow, 0 is before it and 1 after it
     std::optional<double> time;  // along the motion, s
-    bool ending = false;         // the end of the stage `instant`, with its own loads
+    bool ending = false;         // the end of that stage, while its own loads still act
     bool operator<(const Home& other) const {
       return std::tie(situation, instant, time, ending) <
              std::tie(other.situation, other.instant, other.time, other.ending);
@@ -82,18 +82,18 @@ class Sample {
       items.push_back(value_at(home(expression, ask.mark), expression, ask.axes));
     return ask.is_list ? Value<double>::of_list(std::move(items)) : items.front();
   }
-  // At the instant of a situation at which it is meant.
+  // The value at the start of a situation, after its blow if it has one.
   Value<double> value_in(std::size_t situation_index, const Expression& expression) {
     return value_at(start_of(situation_index), expression, std::nullopt);
   }
   const std::map<Home, std::unique_ptr<SolvedInstant>>& instants() const { return instants_; }
   const std::map<std::size_t, std::unique_ptr<Course>>& motions() const { return motions_; }
-  // The instant at a time of a motion.
+  // The instant at some time of a motion.
   SolvedInstant& instant_at(std::size_t situation_index, double time) { return instant({situation_index, 0, time}); }
   SolvedInstant& instant_of(const Ask& ask) { return instant(home_of(ask)); }
   const Situation& situation_at(const Ask& ask) { return statement_.situations[home_of(ask).situation]; }
 
-  // What a name after @ means.
+  // The situation and instant that a name after @ means.
   Home resolve(const std::string& name, const Mark& mark) {
     std::vector<std::string> known;
     for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
@@ -123,8 +123,9 @@ class Sample {
     return *(motions_[situation_index] = std::move(motion));
   }
 
-  // Where what stands without @ is meant: in the only situation and stage there is, after a blow if there is one. An
-  // expression all of whose quantities have an @ is at home at the first of these.
+  // The instant that an expression without @ means: it exists if there is only one situation with at most one stage,
+  // and is that after a blow if there is one. An expression each of whose quantities has an @ belongs to the first of
+  // these instants.
   Home home(const Expression& expression, const Mark& mark) {
     const bool one = statement_.situations.size() == 1 && statement_.situations.front().stages.size() <= 1;
     const At* at = first_at(expression);
@@ -155,10 +156,10 @@ class Sample {
   }
   SolvedInstant& instant(const Home& home);
 
-  // Times at which something happens; the table of an ask, column by column.
+  // The times that an ask is for; the table of an ask, one list for each column.
   std::vector<double> times(const Ask& ask);
   std::vector<Value<double>> table(const Ask& ask);
-  // Of tables over a datum, by ask: what is unphysical in their first row that is.
+  // For tables over a datum, by ask: what is unphysical in the first row in which something is.
   const std::map<std::string, std::string>& unphysical_rows() const { return unphysical_rows_; }
 
  private:
@@ -167,10 +168,10 @@ class Sample {
       return instant(resolve(at.instant, mark)).raw(at.expression, axes, nullptr);
     });
   }
-  // Of a table the first situation that it asks about.
+  // For a table, the first situation that it asks about.
   Home home_of(const Ask& ask);
   Situated situated_in(const Expression& expression, std::size_t otherwise) const;
-  // The only instant, or that just after a blow.
+  // The only instant, or the one just after the blow.
   Home start_of(std::size_t situation_index) const {
     return {situation_index, statement_.situations[situation_index].has_blow() ? 1u : 0u, std::nullopt};
   }
@@ -178,7 +179,7 @@ class Sample {
   void note_unphysical(const Ask& ask, const Value<double>& row);
   std::optional<Home> resolve_in(std::size_t i, const std::string& name, const Mark& mark,
                                  std::vector<std::string>& known, const std::string& prefix);
-  // Whether an expression names a quantity of the model and not only unknowns.
+  // Whether an expression asks for a quantity of the model, and not for unknowns only.
   bool asks_instant(const Expression& expression) const {
     Situation bare = statement_.situations.front();
     bare.find.clear();

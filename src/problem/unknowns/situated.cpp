@@ -11,7 +11,7 @@
 namespace poinsot::problem {
 namespace {
 
-// Takes `@ situation` off and notes which situations stood there.
+// Removes `@ situation` from an expression and records the situations named there.
 class SituationsTakenOff {
  public:
   explicit SituationsTakenOff(const Statement& statement) : statement_(statement) {}

@@ -1,4 +1,4 @@
-// What is asked of a motion in a file with several situations.
+// Finds out which of several situations an expression is about.
 #pragma once
 
 #include "problem/entries/statement.h"
@@ -10,9 +10,9 @@ struct Situated {
   Expression expression;  // without the `@ situation` behind its quantities
 };
 
-// The situation in which an expression is meant, which stands behind its quantities: `theta @ large == 0`. With only
-// one situation it is that, and what stands behind an @ stays. Throws StatementError if none is named, if several are,
-// or if a quantity stands without one.
+// The situation that is named after the quantities of an expression: `theta @ large == 0`. If there is only one
+// situation it is that one, and the expression is left as it is. Throws StatementError if no situation or several are
+// named, or if a quantity stands without one.
 Situated situated(const Statement& statement, const Expression& expression);
 
 }  // namespace poinsot::problem

@@ -10,14 +10,14 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double rounding_of_terms = 1e-12;  // slopes below this part of the terms, per natural size, are none
-constexpr double rank_tolerance = 1e-8;      // of columns of the same size
+constexpr double rounding_of_terms = 1e-12;  // a slope per natural size below this part of the terms is rounding
+constexpr double rank_tolerance = 1e-8;      // of columns scaled to the same size
 
 struct GroupSlopes {
-  std::vector<MatrixXd> groups;                      // of each group: a row for each condition, a column for each slot
+  std::vector<MatrixXd> groups;                      // of each condition
   std::vector<std::vector<std::string>> words = {};  // of each condition
 
-  // What is rounding beside the terms of the group is zero.
+  // Slopes that are rounding beside the terms of their group are set to zero.
   void set(std::size_t slot, const std::vector<GroupConditions>& from, const std::vector<GroupConditions>& to,
            double step, double reach) {
     for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -43,8 +43,8 @@ bool same_form(const std::vector<GroupConditions>& a, const std::vector<GroupCon
   });
 }
 
-// How the conditions of each group change with each slot, relative to their size, at some values that make sense: by
-// steps of a part of the natural size, and wider ones until the conditions notice.
+// The slopes of each group's conditions by each slot, relative to the conditions' size, at a place in the ranges
+// where all have values. Steps are a part of the natural size, and wider until the conditions change.
 GroupSlopes slopes_of(UnknownEquations& equations) {
   constexpr double noticed = 1e-6;
   const std::size_t n = equations.slots().size();
@@ -96,7 +96,7 @@ class BlockOrder {
   std::vector<UnknownSystem> blocks() {
     std::vector<UnknownSystem> list;
     while (auto block = next()) list.push_back(std::move(*block));
-    // The rest together: it is short of conditions, or nothing is left.
+    // The rest makes one block: it has too few conditions, or is empty.
     UnknownSystem rest;
     for (const Unknown& unknown : system_.unknowns)
       if (!found_.contains(unknown.name)) rest.unknowns.push_back(unknown);
@@ -107,7 +107,7 @@ class BlockOrder {
   }
 
  private:
-  // The unknowns that a group speaks of and that are not found yet.
+  // The unknowns on which a group depends and that are not found yet.
   std::set<std::string> fresh(std::size_t group) const {
     std::set<std::string> names;
     for (std::size_t k = 0; k < slots_.size(); ++k) {
@@ -121,7 +121,7 @@ class BlockOrder {
     const std::set<std::string> names = fresh(group);
     return !used_[group] && std::includes(block.begin(), block.end(), names.begin(), names.end());
   }
-  // Enough conditions among those that speak of nothing else?
+  // Whether the conditions that depend on nothing else suffice to determine the block.
   bool is_fixed(const std::set<std::string>& block) const {
     std::vector<Index> columns;
     for (std::size_t k = 0; k < slots_.size(); ++k)
@@ -135,7 +135,7 @@ class BlockOrder {
     }
     return rank_of(all) == all.cols();
   }
-  // The group with the fewest new unknowns, and more groups until they suffice.
+  // Takes the group with the fewest new unknowns, and adds groups until they determine these.
   std::optional<UnknownSystem> next() {
     std::set<std::string> block;
     do {
@@ -210,7 +210,7 @@ std::string surplus_in_words(const SystemPart& part) {
 
 namespace {
 
-// Rows and columns of a part of the slopes, with their words.
+// Some rows and columns of the slopes, with their descriptions.
 class PartOfSlopes {
  public:
   PartOfSlopes(const UnknownEquations& equations, const MatrixXd& slopes, const std::vector<std::string>& words)
@@ -225,7 +225,7 @@ class PartOfSlopes {
     part.independent = static_cast<std::size_t>(rank_of(slopes_(rows, columns)));
     return part;
   }
-  // The rows in which one of the columns stands, and the columns that stand in one of the rows.
+  // The rows that have an entry in one of the columns, and the columns that have one in one of the rows.
   std::vector<Index> rows_with(const std::vector<Index>& columns) const {
     std::vector<Index> rows;
     for (Index i = 0; i < slopes_.rows(); ++i)
@@ -245,7 +245,7 @@ class PartOfSlopes {
   const std::vector<std::string>& words_;
 };
 
-// Which columns take part in combinations that vanish.
+// The columns that occur in a vanishing combination of columns.
 std::vector<Index> dependent_columns(MatrixXd matrix) {
   std::vector<Index> columns;
   if (matrix.rows() == 0)
@@ -268,7 +268,7 @@ Balance balance_of(UnknownEquations& equations) {
   const std::size_t n = equations.slots().size();
   const GroupSlopes slopes = slopes_of(equations);
   if (slopes.groups.empty()) return {n, n, n, {}, {}};
-  // Of all conditions those that change with the unknowns.
+  // The conditions that change with the unknowns, of all groups.
   MatrixXd all(0, slopes.groups.front().cols());
   std::vector<std::string> words;
   for (std::size_t g = 0; g < slopes.groups.size(); ++g)

@@ -1,4 +1,4 @@
-// Which unknowns can be found before which.
+// Splits the unknowns into blocks that can be found one after the other.
 #pragma once
 
 #include <string>
@@ -8,26 +8,27 @@
 
 namespace poinsot::problem {
 
-// The groups of conditions in the order in which as few new unknowns as possible enter, each block with as many
-// independent conditions as unknowns. What is short of conditions comes last, in one block.
+// The groups of conditions, in an order in which each brings as few new unknowns as possible. Each block has as many
+// independent conditions as unknowns. What has too few conditions forms the last block.
 std::vector<UnknownSystem> blocks_of(UnknownEquations& equations);
 
-// Unknowns and the conditions that speak of them, in words.
+// Some unknowns and the conditions on them, in words.
 struct SystemPart {
   std::vector<std::string> unknowns, conditions;
-  std::size_t numbers = 0, equations = 0, independent = 0;  // sought, stated, and independent among these
+  // Numbers that are sought, conditions that are stated, and how many of these are independent.
+  std::size_t numbers = 0, equations = 0, independent = 0;
 };
 // "a, b: 2 unknowns, but one independent condition on them: mass(bar) at 'now'"
 std::string shortage_in_words(const SystemPart& part);
 // "a, b: 2 unknowns in 3 conditions: mass(bar) at 'now'; ..."
 std::string surplus_in_words(const SystemPart& part);
 
-// How many numbers are sought, how many conditions change with them, and how many of these are independent, at some
-// values of the unknowns. All alike where no values make sense.
+// The number of values that are sought, of conditions that depend on them, and of independent ones among these, at
+// some values of the unknowns. If no values make sense all three are equal.
 struct Balance {
   std::size_t unknowns = 0, conditions = 0, independent = 0;
-  SystemPart short_of;  // unknowns that can change together without changing any condition to first order
-  SystemPart surplus;   // conditions of which at least one follows from the others, or contradicts them
+  SystemPart short_of;  // unknowns that can change together, to first order without any effect on the conditions
+  SystemPart surplus;   // conditions of which at least one follows from the others or contradicts them
 };
 Balance balance_of(UnknownEquations& equations);
 

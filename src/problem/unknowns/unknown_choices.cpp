@@ -1,4 +1,4 @@
-// Unknowns of which some are chosen (`choose:`): those of what is not chosen are zero.
+// Finds unknowns of which some are chosen (`choose:`). Those that belong to what is not chosen are zero.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -42,7 +42,7 @@ RootsFound UnknownSearch::find_with_choices(const UnknownSystem& system, const A
   if (choices.empty()) return find_by_blocks(system, settings);
   if (choices.size() > 1) fail(statement_.file, choices[1]->mark, "only one choice can be made in a problem");
   const Choice& choice = *choices.front();
-  // What does not depend on the choice is found before it.
+  // What does not depend on the choice is found first.
   std::set<std::string> chosen_unknowns;
   for (const std::string& name : choice.of) chosen_unknowns.merge(unknowns_of_amount(statement_, name));
   UnknownSystem rest = system;
@@ -61,12 +61,13 @@ RootsFound UnknownSearch::find_with_choices(const UnknownSystem& system, const A
   return all;
 }
 
-// Every choice that leads to a solution gives one.
+// Tries every choice. Each that has a solution contributes it.
 RootsFound UnknownSearch::find_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice) {
-  // Where all holds without any of them, none is needed.
+  // If the conditions hold without any of the amounts, none is needed.
   if (RootsFound none = find_subset(system, settings, choice, 0); !none.roots.empty() && none.open.empty()) return none;
   RootsFound all;
-  // Of linear conditions, the least total is reached by no more amounts than there are independent conditions.
+  // If conditions are linear, the least total needs no more amounts than there are independent conditions (a vertex
+  // of a linear programme).
   std::size_t most = 0;
   if (choice.least_total) {
     UnknownEquations equations = equations_of(system, settings);
@@ -83,7 +84,7 @@ RootsFound UnknownSearch::find_chosen(const UnknownSystem& system, const AllSett
     }
     ++tried;
     RootsFound found = find_subset(system, settings, choice, subset);
-    if (choice.least_total && !found.open.empty()) continue;  // fewer would do
+    if (choice.least_total && !found.open.empty()) continue;  // then a choice of fewer amounts has a solution too
     for (AllSettings& more : found.roots) {
       if (choice.least_total) {
         const double total = total_of(choice, more);
@@ -117,7 +118,7 @@ std::string UnknownSearch::nothing_chosen(const UnknownSystem& system, const All
   for (const std::string& name : choice.of) unknowns_of.push_back(unknowns_of_amount(statement_, name));
   UnknownEquations equations = equations_of(system, settings);
   const ChoiceClash clash = choice_clash(equations, unknowns_of);
-  // Where enough of them would do, a range or where: stands in the way.
+  // Enough amounts were allowed, so that a range or a condition under where: must be the reason.
   const bool enough = clash.conditions.empty() &&
                       (choice.least_total || clash.would_do.size() <= static_cast<std::size_t>(choice.exactly));
   if (!clash.told || enough) return text + ": " + conditions_in_words(statement_, system);
@@ -129,7 +130,7 @@ std::string UnknownSearch::nothing_chosen(const UnknownSystem& system, const All
          (clash.by_sign ? "; negative values could" : "");
 }
 
-// With the amounts of what is not chosen zero.
+// Finds the unknowns with the amounts set to zero that are not in the subset.
 RootsFound UnknownSearch::find_subset(const UnknownSystem& system, const AllSettings& settings, const Choice& choice,
                                       std::size_t subset) {
   AllSettings chosen = settings;

@@ -34,7 +34,7 @@ UnknownEquations::UnknownEquations(const Statement& statement, UnknownSystem sys
                                                : Value<double>::of_number(unit, unknown.unit.dimension));
     }
   const std::vector<std::size_t> situations = system_.situations();
-  // Sizes that are natural in this problem, with one unit of each unknown.
+  // Natural sizes come from the problem, with each unknown at one unit.
   std::vector<double> natural(slots_.size(), 0.0);
   try {
     std::vector<double> ones;
@@ -44,7 +44,7 @@ UnknownEquations::UnknownEquations(const Statement& statement, UnknownSystem sys
     SolvedInstant instant(statement_.situations[first], trial_[first], When{}, choice_);
     for (std::size_t k = 0; k < slots_.size(); ++k) natural[k] = instant.natural_size(slots_[k].unknown.unit.dimension);
   } catch (const StatementError&) {
-    // These values make no sense; the units serve.
+    // The problem makes no sense at these values, and units serve as natural sizes.
   }
   ranges_ = ranges_of(statement_, system_, settings_, natural);
   for (std::size_t i : situations)
@@ -81,7 +81,7 @@ std::vector<std::string> UnknownEquations::condition_words(const GroupConditions
   const std::string& situation = statement_.situations[group.group.situation].name;
   std::vector<std::string> list;
   for (const std::string& words : group.words) {
-    // Conditions on facts are called 'now': mass(bar).
+    // A fact is described as 'now': mass(bar), where 'now' is its instant.
     const std::size_t colon = words.starts_with("'") ? words.find("': ") : std::string::npos;
     const std::string fact = colon == std::string::npos ? "" : words.substr(colon + 3);
     list.push_back((colon == std::string::npos ? words
@@ -115,8 +115,8 @@ bool UnknownEquations::follows_motion() const {
                      [](const ConditionGroup& group) { return group.aspect == Aspect::later; });
 }
 
-// Places of less than the highest rank are rare, but zero and the ends of ranges are among them: places are tried until
-// one tells nothing more.
+// Pivots are taken where the equations have the highest rank. Places of lower rank are rare, but zero and the ends of
+// ranges are among them; so places are tried until one brings no higher rank.
 void UnknownEquations::hold_measures() {
   if (measured_) return;
   measured_ = true;
@@ -141,32 +141,32 @@ bool UnknownEquations::take_measures(const std::vector<double>& x) {
     SolvedInstant instant(situation, trial_[i], When{0, situation.has_blow()}, choice);
     if (forces) instant.solve_forces();
     measures_.scales.emplace(i, instant.scales());
-    const auto hold = [&](Level level, const solve::LinearSystem& system) {
+    const auto hold = [&](InstantSystem which, const solve::LinearSystem& system) {
       solve::LinearElimination elimination(system, facts_among(system));
-      // Without rank it tells nothing: its numbers may not be finite there.
+      // An elimination of rank zero tells nothing: numbers may not be finite there.
       told_more = told_more || elimination.rank() == 0;
-      const auto [held, fresh] = measures_.eliminations.try_emplace({i, level}, elimination);
+      const auto [held, fresh] = measures_.eliminations.try_emplace({i, which}, elimination);
       if (!fresh && elimination.rank() <= held->second.rank()) return;
       held->second = elimination;
       told_more = true;
     };
-    if (velocities) hold(Level::velocities, instant.velocity_equations());
-    if (velocities && instant.after_blow()) hold(Level::blow, instant.blow_equations());
-    if (forces) hold(Level::motion, instant.motion_equations());
+    if (velocities) hold(InstantSystem::velocities, instant.velocity_equations());
+    if (velocities && instant.after_blow()) hold(InstantSystem::blow, instant.blow_equations());
+    if (forces) hold(InstantSystem::motion, instant.motion_equations());
   }
   return told_more;
 }
 
-bool UnknownEquations::add_left_over(GroupConditions& group, Level level, const solve::LinearSystem& system,
+bool UnknownEquations::add_left_over(GroupConditions& group, InstantSystem which, const solve::LinearSystem& system,
                                      const SolvedInstant& instant, bool with_words) const {
-  const auto held = measures_.eliminations.find({group.group.situation, level});
+  const auto held = measures_.eliminations.find({group.group.situation, which});
   const auto left = held == measures_.eliminations.end() ? std::nullopt : held->second.remainder(system);
   if (!left) return false;
   group.values.insert(group.values.end(), left->values.begin(), left->values.end());
   if (with_words)
     for (const std::size_t equation : left->equations) group.words.emplace_back(system.words(equation));
   group.size = std::max(group.size, left->size);
-  for (const SolvedInstant::NonlinearMisfit& misfit : instant.nonlinear_misfits(level, left->solution)) {
+  for (const SolvedInstant::NonlinearMisfit& misfit : instant.nonlinear_misfits(which, left->solution)) {
     group.values.push_back(misfit.value);
     if (with_words) group.words.push_back(misfit.words);
     group.size = std::max(group.size, misfit.size);
@@ -208,7 +208,7 @@ const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<
     const auto positions = static_cast<std::ptrdiff_t>(instant.position_misfits());
     const auto velocities = static_cast<std::ptrdiff_t>(instant.misfits().size());
     if (has(Aspect::forces)) {
-      // What is left over of their equations needs no solution of them.
+      // The misfits can be formed without solving the equations for forces.
       if (wanted == Wanted::everything)
         instant.solve_forces();
       else
@@ -224,14 +224,16 @@ const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<
     }
     if (has(Aspect::velocities)) {
       GroupConditions& group = group_of(Aspect::velocities);
-      complete = complete && add_left_over(group, Level::velocities, instant.velocity_equations(), instant, with_words);
+      complete = complete &&
+                 add_left_over(group, InstantSystem::velocities, instant.velocity_equations(), instant, with_words);
       if (instant.after_blow())
-        complete = complete && add_left_over(group, Level::blow, instant.blow_equations(), instant, with_words);
+        complete = complete && add_left_over(group, InstantSystem::blow, instant.blow_equations(), instant, with_words);
       add(equations.values, values.begin() + positions, values.begin() + velocities);
     }
     if (has(Aspect::forces)) {
       GroupConditions& group = group_of(Aspect::forces);
-      complete = complete && add_left_over(group, Level::motion, instant.motion_equations(), instant, with_words);
+      complete =
+          complete && add_left_over(group, InstantSystem::motion, instant.motion_equations(), instant, with_words);
       add(equations.values, values.begin() + velocities, values.end());
     }
     equations.size = std::max(equations.size, instant.misfit_size());
@@ -257,7 +259,8 @@ std::optional<solve::RootEquations> UnknownEquations::exact(const std::vector<do
     makes_sense_ = true;
     return equations;
   } catch (const StatementError& error) {
-    // Values without sense are outside the range; a statement without sense has no value anywhere.
+    // If only these values make no sense, they are outside the range; a statement that makes no sense has values
+    // nowhere.
     refusal_ = error;
     return std::nullopt;
   }
@@ -272,7 +275,7 @@ std::optional<std::vector<GroupConditions>> UnknownEquations::conditions_at(cons
   }
 }
 
-// Without the squares of some unknowns: the equations, linear in these around zero.
+// Where squares are neglected, the equations are replaced by their linear part around zero.
 std::optional<solve::RootEquations> UnknownEquations::operator()(const std::vector<double>& x) {
   if (small_.empty()) return exact(x);
   std::vector<double> at = x;
@@ -322,7 +325,7 @@ solve::RootProblem UnknownEquations::problem() {
   problem.costly = follows_motion();
   problem.equations = [this](const std::vector<double>& x) { return (*this)(x); };
   if (!problem.costly && small_.empty()) {
-    // Sooner than all where forces need not be solved.
+    // Smooth equations alone are evaluated faster, as forces need not be solved.
     if (std::any_of(system_.groups.begin(), system_.groups.end(),
                     [](const ConditionGroup& group) { return group.aspect == Aspect::forces; }))
       problem.smooth = [this](const std::vector<double>& x) { return smooth(x); };

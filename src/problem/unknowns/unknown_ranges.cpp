@@ -20,7 +20,7 @@ bool is_bare(const Expression& expression, const std::string& name) {
 bool is_bare(const std::optional<Expression>& expression, const std::string& name) {
   return expression && is_bare(*expression, name);
 }
-// As an item of a list of coordinates, or of a list of places.
+// Whether the name is an item of a list of coordinates, or of a list of places.
 bool stands_in(const Expression& place, const std::string& name) {
   const List* list = place.as<List>();
   return list && std::any_of(list->items.begin(), list->items.end(),
@@ -40,14 +40,14 @@ bool any_shape_argument(const Situation& situation, Visit&& visit) {
   return false;
 }
 
-// A radius, a side, the length of a relaxed spring.
+// Whether the name is an extent: a radius, a side, or the length of a relaxed spring.
 bool is_extent(const Situation& situation, const std::string& name) {
   return any_shape_argument(situation, [&](const Expression& argument) { return is_bare(argument, name); }) ||
          std::any_of(situation.springs.begin(), situation.springs.end(),
                      [&](const Spring& spring) { return is_bare(spring.free_length, name); });
 }
 
-// A length that stands by itself among the coordinates of a place, or as a displacement.
+// Whether the name is a coordinate of a place or a displacement, which may have either sign.
 bool is_coordinate(const Situation& situation, const std::string& name) {
   const auto any_of = [](const auto& list, const auto& holds) { return std::any_of(list.begin(), list.end(), holds); };
   return any_of(situation.points, [&](const NamedExpression& point) { return stands_in(point.value, name); }) ||
@@ -71,7 +71,7 @@ bool is_coordinate(const Situation& situation, const std::string& name) {
          });
 }
 
-// A stiffness or a damping resists.
+// Whether the name is a stiffness or a damping constant. These are not negative.
 bool is_resistance(const Situation& situation, const std::string& name) {
   for (const Joint& joint : situation.joints)
     for (const Freedom& freedom : joint.freedoms)
@@ -81,7 +81,7 @@ bool is_resistance(const Situation& situation, const std::string& name) {
   });
 }
 
-// What is chosen among can only push.
+// Whether the name belongs to an amount that may be chosen. These can only push.
 bool is_chosen_push(const Statement& statement, const Situation& situation, const std::string& name) {
   return std::any_of(situation.choose.begin(), situation.choose.end(), [&](const Choice& choice) {
     return std::any_of(choice.of.begin(), choice.of.end(),
@@ -97,7 +97,7 @@ bool is_never_negative(const Statement& statement, const Situation& situation, c
   return is_resistance(situation, unknown.name) || is_chosen_push(statement, situation, unknown.name);
 }
 
-// Whether a quantity of the model stands in it, and not data and unknowns alone.
+// Whether the expression asks for a quantity of the model, and not for data and unknowns only.
 bool asks_quantity(const Situation& situation, const Expression& expression) {
   Situation bare = situation;
   bare.find.clear();
@@ -105,7 +105,7 @@ bool asks_quantity(const Situation& situation, const Expression& expression) {
   return asks_model(bare, expression);
 }
 
-// At the start, or just after a blow. A root at which the statement contradicts itself is left out later.
+// The quantity at the start, or just after a blow. Contradictions in the statement are found later, for each root.
 Value<double> quantity_at(const Situation& situation, const Settings& settings, const Expression& condition) {
   OpenChoice choice;
   choice.trial = true;
@@ -139,7 +139,7 @@ void narrow_ranges(const Situation& situation, const Settings& settings, std::ve
           const Value<double> value = data.value(e);
           return value.is_number() ? std::optional(value.number) : std::nullopt;
         } catch (const StatementError&) {
-          return std::nullopt;  // it names an unknown itself
+          return std::nullopt;  // the bound depends on an unknown
         }
       };
       for (const auto& [name, bound, above] : {std::tuple{&left, &right, greater}, std::tuple{&right, &left, less}}) {
@@ -165,7 +165,7 @@ bool satisfies_where(const Statement& statement, const std::vector<std::size_t>&
                      const AllSettings& settings, const std::set<std::string>& sought) {
   for (std::size_t i : situations)
     for (const Expression& condition : statement.situations[i].where) {
-      // What speaks of unknowns that are found later is judged then.
+      // A condition on unknowns that are found later is judged when they are.
       std::set<std::string> names;
       collect_names(condition, names);
       const bool later = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
@@ -175,7 +175,7 @@ bool satisfies_where(const Statement& statement, const std::vector<std::size_t>&
       const Situation& situation = statement.situations[i];
       Value<double> value;
       if (asks_quantity(situation, condition)) {
-        // What is to be solved for another unknown first is judged then.
+        // A condition on a quantity is judged once all unknowns of the situation have values.
         if (std::any_of(situation.find.begin(), situation.find.end(),
                         [&](const Unknown& unknown) { return !settings[i].contains(unknown.name); }))
           continue;
@@ -196,7 +196,8 @@ std::vector<solve::RootRange> ranges_of(const Statement& statement, const Unknow
   std::vector<solve::RootRange> ranges;
   for (std::size_t k = 0; k < slots.size(); ++k) {
     solve::RootRange range;
-    // The unit in which an unknown is wanted is a natural size of it, unless the problem is of another order.
+    // The stated unit of an unknown is its natural size, unless the sizes in the problem are of a very different
+    // order.
     range.scale = slots[k].unknown.unit.factor;
     const double ratio = natural[k] / range.scale;
     if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e4 || ratio < 1e-4)) range.scale = natural[k];
@@ -223,7 +224,7 @@ std::vector<solve::RootRange> ranges_of(const Statement& statement, const Unknow
         range.lower = range.upper > -half_turn ? -half_turn : range.upper - 2 * half_turn;
       if (!std::isfinite(range.upper)) range.upper = range.lower < half_turn ? half_turn : range.lower + 2 * half_turn;
     }
-    // A narrow range sets the size.
+    // A narrow range is its own natural size.
     if (const double half = (range.upper - range.lower) / 2; half > 0) range.scale = std::min(range.scale, half);
   }
   return ranges;

@@ -1,4 +1,4 @@
-// The range in which an unknown is sought: as `where:` states it, and as nature has it where nothing is stated.
+// The range in which an unknown is sought: the one stated under `where:`, or else the one that its nature allows.
 #pragma once
 
 #include <functional>
@@ -11,18 +11,19 @@
 
 namespace poinsot::problem {
 
-// `where:` comparisons between one unknown and values narrow its range; slot_of tells which range is that of a name.
+// Narrows ranges by the comparisons of single unknowns with values under `where:`. slot_of gives the index of the
+// range that belongs to a name.
 using SlotOf = std::function<std::optional<std::size_t>(const std::string& name)>;
 void narrow_ranges(const Situation& situation, const Settings& settings, std::vector<solve::RootRange>& ranges,
                    const SlotOf& slot_of);
 
-// natural: the size that a quantity of each slot's dimension has in the problem, 0 where that is not known. A stated
-// range is the range. Else masses, durations, lengths that are no coordinates of places, stiffnesses, dampings and
-// pushes that are chosen among are not negative; angles are within a half turn.
+// natural: the size of a quantity of each slot's dimension in this problem, or 0 if unknown. A range that is stated
+// is taken. Otherwise masses, durations, lengths that are not coordinates, stiffnesses, dampings and pushes to choose
+// from are not negative, and angles are within half a turn of zero.
 std::vector<solve::RootRange> ranges_of(const Statement& statement, const UnknownSystem& system,
                                         const AllSettings& settings, const std::vector<double>& natural);
 
-// Whether what stands under `where:` holds, as far as it does not speak of `sought` unknowns without a value.
+// Whether the conditions under `where:` hold, except those on `sought` unknowns without value.
 bool satisfies_where(const Statement& statement, const std::vector<std::size_t>& situations,
                      const AllSettings& settings, const std::set<std::string>& sought);
 

@@ -19,7 +19,7 @@ double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// How far the equations are from holding.
+// The root of the sum of the squared misfits of the equations.
 double misfit(UnknownEquations& equations, const std::vector<double>& x) {
   const auto found = equations(x);
   if (!found) return std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ double misfit(UnknownEquations& equations, const std::vector<double>& x) {
   return std::sqrt(sum);
 }
 
-// What is left of zero by rounding is zero: where the equations hold there as well as at the root that was found.
+// Sets a value to zero that rounding has left small, if the equations hold as well with zero.
 void round_to_zero(UnknownEquations& equations, std::vector<double>& point) {
   for (std::size_t k = 0; k < point.size(); ++k) {
     if (point[k] == 0 || std::abs(point[k]) > 1e-9 * equations.ranges()[k].scale) continue;
@@ -38,7 +38,8 @@ void round_to_zero(UnknownEquations& equations, std::vector<double>& point) {
   }
 }
 
-// Angles a whole turn apart, at both ends of their range, are one pose if the equations do not tell them apart.
+// Angles at both ends of their range may be a whole turn apart. Such points are one pose if the equations have the
+// same values there, and only one is kept.
 std::vector<std::vector<double>> each_pose_once(UnknownEquations& equations,
                                                 const std::vector<std::vector<double>>& points) {
   constexpr double turn = 6.283185307179586, same = 1e-9;
@@ -51,7 +52,7 @@ std::vector<std::vector<double>> each_pose_once(UnknownEquations& equations,
       turned = turned || turns;
     }
     if (!turned) return false;
-    // Nor anywhere else.
+    // The equations must agree near both points too.
     std::vector<double> here = a, there = b;
     for (std::size_t k = 0; k < a.size(); ++k) {
       const double step = 0.1 * (equations.ranges()[k].upper - equations.ranges()[k].lower);
@@ -150,7 +151,7 @@ bool UnknownSearch::still_holds(const AllSettings& root, const OpenChoice& choic
   return true;
 }
 
-// Why a statement with these values has no solution.
+// Why a statement with these values has no solution; nothing if it has one.
 std::optional<StatementError> UnknownSearch::objection(const AllSettings& root) const {
   for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
     const Situation& situation = statement_.situations[i];
@@ -163,8 +164,8 @@ std::optional<StatementError> UnknownSearch::objection(const AllSettings& root) 
   return std::nullopt;
 }
 
-// A root or another solution may be nothing that can be built. Where no root makes sense, the reason is told when it is
-// solved.
+// Drops roots that are impossible machines. If none is left they are all kept: the reason is reported when the
+// statement is solved.
 void UnknownSearch::leave_out_nonsense(RootsFound& found) const {
   std::vector<AllSettings> sensible;
   std::vector<std::string> reasons;
@@ -215,7 +216,7 @@ RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained
   std::vector<std::vector<double>> kept;
   for (std::vector<double> point : each_pose_once(equations, result.points)) {
     round_to_zero(equations, point);
-    // Points that differ in what is open only are one.
+    // Points that differ only in open unknowns are the same.
     const bool again = !result.open_unknowns.empty() && std::any_of(kept.begin(), kept.end(), [&](const auto& other) {
       for (std::size_t k = 0; k < point.size(); ++k) {
         const bool open = std::find(found.open.begin(), found.open.end(), slots[k].unknown.name) != found.open.end();
@@ -252,7 +253,7 @@ RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained
   return found;
 }
 
-// What was tried in vain, and what clashes where the conditions come closest to being satisfied.
+// Reports how roots were sought in vain, and which conditions clash where they come closest to holding.
 std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded) const {
   const UnknownSystem& system = equations.system();
   std::string how;
@@ -285,7 +286,8 @@ std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solv
       break;
     }
   if (result.best.empty()) return text;
-  // Solved as it stands there, the statement says itself what clashes; not while other unknowns have no value yet.
+  // If the situation is solved at this place, its error tells what clashes. That needs values for all of its
+  // unknowns.
   const AllSettings nearest = equations.settings_at(result.best);
   for (std::size_t i : system.situations()) {
     const Situation& situation = statement_.situations[i];

@@ -1,4 +1,4 @@
-// The values of what a statement asks for by `find:`, from its conditions.
+// Finds the values of the unknowns under `find:` from the conditions on them.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace poinsot::problem {
 struct RootsFound {
   std::vector<AllSettings> roots;
   std::vector<std::string> open, warnings;
-  std::optional<AllSettings> alternative;  // another solution, where unknowns stay open
+  std::optional<AllSettings> alternative;  // another solution, if some unknowns are open
 };
 
 class UnknownSearch {
@@ -35,30 +35,30 @@ class UnknownSearch {
     return problem::is_own(statement_, situation, name);
   }
 
-  // All values of the unknowns that satisfy what is stated, with the given values of everything else. First the
-  // unknowns common to all situations, from the situations that have none of their own, then those of each situation.
-  // Everything that the statement leaves open is taken as `choice` says. What it leaves out when the time is over
-  // stands among the warnings.
+  // All values of the unknowns that satisfy the conditions, for given values of everything else. The unknowns common
+  // to all situations come first, from the situations that have none of their own, and then those of each situation.
+  // `choice` says how to take what the statement leaves open. The warnings tell what was left out when the time was
+  // over.
   RootsFound find(const Settings& settings, const OpenChoice& choice = {});
 
-  // Whether what find() found still satisfies what is stated when `choice` is taken for what is left open.
+  // Whether a solution of find() still satisfies the conditions with another choice of what is left open.
   bool still_holds(const AllSettings& root, const OpenChoice& choice);
 
  private:
-  // What is sought together, one after the other: the unknowns common to all situations, then those of each.
+  // The systems that are solved one after the other: that of the common unknowns, then that of each situation.
   std::vector<UnknownSystem> systems() const;
-  // Every solution so far, refined by one more search.
+  // Continues every solution so far by another search.
   template <class Find>
   void refine(RootsFound& all, const Find& find) const;
   RootsFound find_with_choices(const UnknownSystem& system, const AllSettings& settings);
   RootsFound find_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice);
   RootsFound find_subset(const UnknownSystem& system, const AllSettings& settings, const Choice& choice,
                          std::size_t subset);
-  // Why no choice leads to a solution.
+  // Explains why no choice has a solution.
   std::string nothing_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice) const;
   double total_of(const Choice& choice, const AllSettings& settings) const;
   RootsFound find_by_blocks(const UnknownSystem& system, const AllSettings& settings);
-  // explained: where nothing is found, a warning says why.
+  // explained: whether a warning says why nothing is found.
   RootsFound find_block(const UnknownSystem& system, const AllSettings& settings, bool explained = true);
   RootsFound find_block(UnknownEquations& equations, bool explained = true);
   std::string nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded) const;
@@ -69,14 +69,14 @@ class UnknownSearch {
 
   const Statement& statement_;
   std::vector<Unknown> unknowns_;
-  std::set<std::string> known_;  // given from outside
+  std::set<std::string> known_;  // those given from outside the file
   OpenChoice choice_;
   double seconds_;
   std::function<double()> clock_;
-  double begun_ = 0;  // by the clock
+  double begun_ = 0;  // in the time of the clock
 };
 
-// Adds what another search found, but for its roots.
+// Adds the findings of another search except its roots.
 void merge(RootsFound& all, const RootsFound& more);
 
 template <class Find>

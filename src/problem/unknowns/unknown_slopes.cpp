@@ -1,4 +1,4 @@
-// How the conditions on unknowns vary with them: by dual numbers.
+// The slopes of the conditions by the unknowns, from dual numbers.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,12 +9,12 @@
 
 namespace poinsot::problem {
 
-std::vector<Dual<1>> UnknownEquations::varied_left_over(std::size_t situation, Level level,
+std::vector<Dual<1>> UnknownEquations::varied_left_over(std::size_t situation, InstantSystem which,
                                                         VariedInstant& instant) const {
-  const auto left = measures_.eliminations.at({situation, level}).remainder(instant.equations(level));
+  const auto left = measures_.eliminations.at({situation, which}).remainder(instant.equations(which));
   if (!left) throw std::domain_error("what is left over has no value over dual numbers");
   std::vector<Dual<1>> values = left->values;
-  const std::vector<Dual<1>> more = instant.nonlinear_misfits(level, left->solution);
+  const std::vector<Dual<1>> more = instant.nonlinear_misfits(which, left->solution);
   values.insert(values.end(), more.begin(), more.end());
   return values;
 }
@@ -33,11 +33,11 @@ void UnknownEquations::add_slopes(std::vector<GroupConditions>& groups, std::siz
       if (!own(group)) continue;
       std::vector<Dual<1>> values;
       if (group.group.aspect == Aspect::positions) values = varied.position_misfits();
-      if (group.group.aspect == Aspect::forces) values = varied_left_over(situation, Level::motion, varied);
+      if (group.group.aspect == Aspect::forces) values = varied_left_over(situation, InstantSystem::motion, varied);
       if (group.group.aspect == Aspect::velocities) {
-        values = varied_left_over(situation, Level::velocities, varied);
+        values = varied_left_over(situation, InstantSystem::velocities, varied);
         if (instant.after_blow())
-          for (const Dual<1>& value : varied_left_over(situation, Level::blow, varied)) values.push_back(value);
+          for (const Dual<1>& value : varied_left_over(situation, InstantSystem::blow, varied)) values.push_back(value);
       }
       if (values.size() != group.values.size()) throw std::domain_error("conditions differ over dual numbers");
       for (std::size_t i = 0; i < values.size(); ++i) {
@@ -61,7 +61,7 @@ std::optional<std::vector<GroupConditions>> UnknownEquations::sloped_groups(cons
     for (const auto& [situation, instant] : all.instants) add_slopes(groups, situation, *instant, unknowns);
     return groups;
   } catch (const StatementError&) {
-    // A quantity that has no derivatives; differences tell whether it has values.
+    // The quantity has no derivatives. Differences will show whether it has values.
   } catch (const std::domain_error&) {
   } catch (const NoFormula&) {
   }
@@ -107,7 +107,7 @@ std::optional<UnknownEquations::LinearPart> UnknownEquations::linear_part_by_dif
   part.values = *base;
   part.slopes.assign(base->size(), std::vector<double>(small_.size()));
   for (std::size_t i = 0; i < small_.size(); ++i)
-    // Of the sixth order: rounding and the seventh derivative leave about 1e-13 of the terms.
+    // The differences are of sixth order: rounding and the seventh derivative leave about 1e-13 of the terms.
     for (const auto& [step, weight] : {std::pair{1, 0.75}, {2, -0.15}, {3, 1.0 / 60}})
       for (const double side : {1.0, -1.0}) {
         const double h = 1e-2 * ranges_[small_[i]].scale;

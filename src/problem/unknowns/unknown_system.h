@@ -1,4 +1,4 @@
-// Unknowns that are sought together, and the conditions that they must satisfy.
+// A system of unknowns that are sought together and of the conditions on them.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace poinsot::problem {
 
-// What conditions speak of. They are evaluated together: those on the positions of a situation, on its velocities, on
-// its forces, and on the motion that follows.
+// What conditions are about. Those of one aspect are evaluated together: positions, velocities or forces of a
+// situation, or the motion that follows.
 enum class Aspect { positions, velocities, forces, later };
 
 struct ConditionGroup {
@@ -20,7 +20,7 @@ struct ConditionGroup {
   bool operator==(const ConditionGroup&) const = default;
 };
 
-// One number: an unknown or a component of one.
+// One number that is sought: an unknown or a component of one.
 struct UnknownSlot {
   Unknown unknown;
   std::size_t component;
@@ -34,23 +34,23 @@ struct UnknownSystem {
   bool has(const ConditionGroup& group) const;
   bool seeks(const std::string& name) const;
   std::vector<UnknownSlot> slots() const;
-  bool operator==(const UnknownSystem& other) const;  // the same unknowns and groups in the same order
+  bool operator==(const UnknownSystem& other) const;  // whether unknowns and groups are the same, in the same order
 };
 
 // The groups of conditions that a situation has.
 std::vector<ConditionGroup> groups_of(const Statement& statement, std::size_t situation);
 Aspect aspect_of(const Situation& situation, const Instant& instant, const Fact& fact);
 
-// Whether an unknown has one value for all situations, or one of its own in a situation.
+// Whether an unknown has one value for all situations; whether it belongs to one situation.
 bool is_common(const Statement& statement, const std::string& name);
 bool is_own(const Statement& statement, std::size_t situation, const std::string& name);
 
-// The unknowns that stand in the data of an impulse, a load or an added mass.
+// The unknowns in the data of an impulse, a load or an added mass.
 std::set<std::string> unknowns_of_amount(const Statement& statement, const std::string& name);
 
 // The names of unknowns, separated by commas.
 std::string listed(const std::vector<Unknown>& unknowns);
-// What the author states for the unknowns to satisfy.
+// The conditions that the author has stated for the unknowns.
 std::string conditions_in_words(const Statement& statement, const UnknownSystem& system);
 
 template <class Item>
