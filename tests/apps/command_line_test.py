@@ -190,36 +190,6 @@ class Documents(unittest.TestCase):
         self.assertTrue(result.stdout)
 
 
-@unittest.skipUnless(os.environ.get("FLINT_ON_DEMAND") == "1", "FLINT is linked as usual here")
-class LibrariesOfFormulas(unittest.TestCase):
-    NUMBERS = """
-given: {m: 2 kg, r: 3 m}
-points: {G: [0, 0, 0]}
-bodies:
-  disk: {disk: {center: G, normal: z, radius: r}, mass: m}
-ask:
-  I: moment_of_inertia(disk about z at G)
-"""
-    LETTERS = NUMBERS.replace("given: {m: 2 kg, r: 3 m}", "letters: {m: kg, r: m}")
-
-    def test_they_are_loaded_where_a_formula_is_made(self):
-        for text, wanted in [(self.NUMBERS, False), (self.LETTERS, True)]:
-            result = run("solve", "-", input=text, env={**os.environ, "LD_DEBUG": "files"})
-            self.assertIn("m*r^2" if wanted else "kg", result.stdout)
-            self.assertEqual("libflint" in result.stderr, wanted)
-
-    def test_without_them_the_message_says_what_to_do(self):
-        with tempfile.TemporaryDirectory() as folder:
-            for name in re.findall(r"calling init: \S*/(lib(?:flint-)?arb\S*)",
-                                   run("solve", "-", input=self.LETTERS,
-                                       env={**os.environ, "LD_DEBUG": "files"}).stderr):
-                (pathlib.Path(folder) / name).write_text("no library", encoding="utf-8")
-            result = run("solve", "-", input=self.LETTERS, env={**os.environ, "LD_LIBRARY_PATH": folder})
-            self.assertEqual((result.returncode, result.stdout), (3, ""))
-            self.assertIn("formulas need FLINT and Arb, which cannot be loaded", result.stderr)
-            self.assertIn("Install them again", result.stderr)
-
-
 class Check(unittest.TestCase):
     def test_a_failing_file_has_one_line_and_the_count_is_last(self):
         text = EXAMPLES[0].read_text(encoding="utf-8")
