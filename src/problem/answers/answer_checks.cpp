@@ -11,13 +11,15 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double check_tolerance = 1e-8;   // residual on the road of particles, relative
-constexpr double seen_error = 5e-7;        // in the six digits that answers are shown with
-constexpr double fact_tolerance = 1e-6;    // of a fact, relative; unknowns make it hold as far as rounding lets them
-constexpr double motion_tolerance = 1e-5;  // error of a motion, relative; as measured some sixteen times what it is
+constexpr double check_tolerance = 1e-8;  // relative misfit allowed in the check with particles
+constexpr double seen_error = 5e-7;       // errors beyond this show in the six digits of an answer
+// Relative misfit allowed for a fact; where unknowns make it hold, rounding is larger.
+constexpr double fact_tolerance = 1e-6;
+// Relative error allowed for a motion; the measured error is some sixteen times the actual one.
+constexpr double motion_tolerance = 1e-5;
 
-// Whether forces enter only as the question whether contacts touch and cords are taut, which is answered where they do
-// not as well.
+// Whether forces matter only for the question whether contacts touch and cords are taut. That is answered also where
+// they do not hold.
 bool tells_whether_it_holds(const std::vector<Expression>& asked) {
   std::set<std::string> functions;
   for (const Expression& expression : asked) collect_functions(expression, functions, true);
@@ -57,7 +59,7 @@ std::string stability_words(const solve::Linearisation& near) {
   return words.empty() ? "stable" : "stable: disturbed, it swings at " + words + " rad/s";
 }
 
-// How far a motion may be off, in the units of the problem.
+// The error of a motion in the units of the problem.
 std::string words_of(const MotionError& error, const Situation& situation) {
   std::string words;
   const auto add = [&](double size, const Dimension& dimension) {
@@ -102,7 +104,7 @@ void refuse_unphysical(const Statement& statement, const AskValues& asked, Sampl
     if (tells_whether_it_holds(ask.of)) continue;
     SolvedInstant& instant = sample.instant_of(ask);
     const Situation& situation = sample.situation_at(ask);
-    // Where stated forces fix unknowns, whether they are possible concerns these as well.
+    // If stated forces determine unknowns, these are impossible where the forces are.
     const bool forces_stated = states_forces(situation) && situation.neglect.empty() && !situation.has_blow() &&
                                !(situation.contacts.empty() && situation.cords.empty());
     const bool needs_forces = std::any_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) {
@@ -120,7 +122,7 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
   std::map<std::size_t, double> latest;
   for (const auto& [home, instant] : sample.instants())
     if (home.time) latest[home.situation] = std::max(latest[home.situation], *home.time);
-  // Some instants of each motion.
+  // The check covers some instants of each motion.
   for (const auto& [situation, motion] : sample.motions())
     for (const double part : {0.31, 0.67, 1.0}) sample.instant_at(situation, part * motion->reached()).solve_forces();
   std::vector<SolvedInstant*> instants;
@@ -149,7 +151,7 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
     const double at_times = std::max(motion->values_until(), latest[situation]);
     std::optional<MotionError> error = motion->error(std::max(at_times, motion->extremes_until()));
     if (error && error->relative > motion_tolerance && motion->extremes_until() > at_times) {
-      // How far an extreme goes need not depend on when it comes.
+      // The size of an extreme may be certain although its time is not.
       const double apart = motion->extremes_error();
       if (apart > motion_tolerance) {
         error->relative = apart;
@@ -197,7 +199,7 @@ void add_notes(const Statement& statement, const Sample& sample, Solution& resul
       result.notes.push_back("the steady motion" + (situation.name.empty() ? "" : " @ " + situation.name) + " is " +
                              stability_words(instant->linearisation(situation.steady->mark)));
     } catch (const StatementError&) {
-      // The statement does not say enough of what holds the motion: stability is not told.
+      // The statement does not say enough about what holds the motion, and stability is not reported.
     }
   }
   for (const auto& [situation, motion] : sample.motions()) {

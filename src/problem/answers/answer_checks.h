@@ -1,5 +1,5 @@
-// What is done with answers before they are given: those that are unphysical or fail a check are refused, and what the
-// reader of a motion wants to know besides is noted.
+// Checks of answers before they are given. Answers that are unphysical or fail a check are refused, and notes tell
+// what else a reader of a motion should know.
 #pragma once
 
 #include <memory>
@@ -10,16 +10,17 @@
 
 namespace poinsot::problem {
 
-// A cord that would push or a contact that would pull: what depends on forces is refused, tables with such a row,
-// extrema at which it is so, and unknowns that follow from stated forces; not whether it touches or is taut.
+// Where a cord would push or a contact pull, this refuses the answers that depend on forces, tables with such a row,
+// extrema at which it happens, and unknowns that follow from stated forces. Whether something touches or is taut is
+// still answered.
 void refuse_unphysical(const Statement& statement, const AskValues& asked, Sample& sample, Solution& result);
 
-// The check on particles of every instant that was solved, the drift of energy and the error of motions; what fails it
-// is refused, and everything where a fact does not hold in what was found. extremal: instants at extrema.
+// Checks every solved instant with particles, the drift of energy, and the error of motions. What fails is refused;
+// if a fact does not hold in the solution, everything is. extremal: the instants at extrema.
 void check_answers(const Statement& statement, Sample& sample, const std::vector<std::unique_ptr<Sample>>& extremal,
                    Solution& result);
 
-// Stability of steady motions, what happened on the way of a motion and how it was found.
+// Adds notes on the stability of steady motions, on events during a motion, and on how it was found.
 void add_notes(const Statement& statement, const Sample& sample, Solution& result);
 
 }  // namespace poinsot::problem

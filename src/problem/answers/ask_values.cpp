@@ -11,7 +11,7 @@
 namespace poinsot::problem {
 namespace {
 
-// What has no value where all open velocities are taken for zero, but has one elsewhere, is not determined.
+// An ask may have no value where all open velocities are zero, but one elsewhere. Then it is not determined.
 std::optional<Diagnostic> fails_where_open(const Statement& statement, Sample& sample, const Ask& ask,
                                            const AllSettings& settings) {
   const auto has_value = [&](std::size_t direction) {

@@ -1,4 +1,4 @@
-// The values of all asks for one choice of everything that the statement leaves open.
+// The values of all asks for one choice of what the statement leaves open.
 #pragma once
 
 #include <map>
@@ -14,11 +14,12 @@
 namespace poinsot::problem {
 
 struct AskValues {
-  std::vector<std::optional<WatchedValue>> values;  // in the order of the asks; missing where there is none
-  std::vector<std::unique_ptr<Sample>> extremal;    // at the extrema that are asked
-  std::map<std::string, std::string> no_extremum;   // why there is none, by ask
-  std::vector<std::string> notes;                   // what else ends where an extremum is
-  std::map<std::string, Diagnostic> unanswered;     // what a motion does not tell or a velocity leaves open, by ask
+  std::vector<std::optional<WatchedValue>> values;  // in the order of the asks; missing for an ask without value
+  std::vector<std::unique_ptr<Sample>> extremal;    // the samples at the extrema that are asked for
+  std::map<std::string, std::string> no_extremum;   // for each ask without extremum the reason
+  std::vector<std::string> notes;                   // on extrema beyond which the conditions do not clearly fail
+  // For each ask that a motion does not answer or a velocity leaves open, the message.
+  std::map<std::string, Diagnostic> unanswered;
 };
 
 // settings: those of the sample. Throws StatementError.

@@ -14,8 +14,8 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double same_tolerance = 1e-9;     // between two choices of what is open, relative
-constexpr double refound_tolerance = 1e-7;  // the same where unknowns are found anew
+constexpr double same_tolerance = 1e-9;     // relative difference between two choices up to which an answer is the same
+constexpr double refound_tolerance = 1e-7;  // the same if unknowns are found anew
 
 using Values = std::vector<std::optional<WatchedValue>>;
 
@@ -35,7 +35,7 @@ class Variation {
       vary({.seed = 12, .gravity = true}, [](const Ask&) {
         return std::string("it depends on gravity, of which nothing is said: write gravity: -y or gravity: none");
       });
-    // Every open direction by itself, so that only what moves an answer is named.
+    // Each open direction is varied by itself, so that only what changes an answer is named.
     std::size_t velocities = 0, forces = 0;
     for (const auto& [home, instant] : found_.sample.instants()) {
       velocities = std::max(velocities, instant->velocities().open.size());
@@ -48,7 +48,7 @@ class Variation {
       forces = std::max(forces, motion->open_impulses());
     }
     vary_velocities(std::min(velocities, most_directions));
-    // Of a motion from its start on they are varied together: each means following it anew.
+    // In a motion all open directions at its start are varied together, since each variation follows the motion anew.
     if (velocities == 0 && turnings > 0)
       vary(
           {.seed = 13, .velocities = true, .direction = OpenChoice::every},
@@ -79,7 +79,7 @@ class Variation {
                           : reason + ", or on the inertia of " + listed(bodies, "and") + ", which is not stated";
   }
 
-  // The unknowns found anew where they may depend on what is chosen; none if they cannot be.
+  // The settings with the unknowns found anew, if they may depend on the choice; nothing if no solution is found.
   std::optional<AllSettings> settings_for(const OpenChoice& choice) {
     if (found_.search.unknowns().empty() || !(choice.any || choice.gravity || choice.velocities))
       return found_.settings;
@@ -100,7 +100,7 @@ class Variation {
     if (nearest == found.roots.end()) return std::nullopt;
     return *nearest;
   }
-  // How far an unknown of a situation is from where it was found; nothing if it has no value.
+  // The distance of an unknown from its value in the solution; nothing if it has no value.
   std::optional<double> distance_of(const Unknown& unknown, const Settings& settings, std::size_t situation) const {
     const auto& base = std::as_const(found_.settings[situation]);
     const auto a = settings.find(unknown.name);
@@ -128,7 +128,7 @@ class Variation {
     Sample sample(found_.statement, *settings, choice);
     Values values;
     for (std::size_t i = 0; i < asks.size(); ++i) {
-      // What forces are open changes nothing but forces.
+      // Open forces have no influence on anything but forces.
       if (choice.forces && !choice.any && !choice.gravity && !choice.velocities && !rests_on_forces(asks[i])) {
         values.push_back(base[i]);
         continue;
@@ -180,13 +180,15 @@ class Variation {
     }
   }
 
-  // Whether an ask is about a state that a motion reaches. It starts only where all that moves mass is fixed.
+  // Whether an ask is about a state that a motion reaches. A motion starts only where all velocities of masses are
+  // known.
   bool follows_motion(const Ask& ask) {
     if (found_.sample.motions().empty()) return false;
     return ask.when || ask.table || found_.sample.instant_of(ask).velocities().open.empty() ||
            std::any_of(ask.of.begin(), ask.of.end(), asks_motion_feature);
   }
-  // What moves no mass changes a motion by nothing but the errors with which it is followed.
+  // Massless turning changes a motion by no more than the error with which it is followed; only a larger difference
+  // counts.
   bool differs_beyond_following(std::size_t i, const std::optional<WatchedValue>& other) const {
     constexpr double following = 1e-5;
     const std::optional<WatchedValue>& base = found_.asked.values[i];
@@ -200,7 +202,8 @@ class Variation {
     return follows_motion(found_.statement.asks[i]) ? differs_beyond_following(i, other) : differs(found_, i, other);
   }
 
-  // The coordinates in one of the open directions, at the instant of an ask or at the start of its motion.
+  // Adds the coordinates that move in one of the open directions, at the instant of an ask or at the start of its
+  // motion.
   void add_open_names(const Ask& ask, std::size_t direction, std::vector<std::string>& names) {
     const auto add = [&](std::string_view name) {
       if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
@@ -217,7 +220,7 @@ class Variation {
 
   void vary_velocities(std::size_t directions) {
     const std::size_t asks = found_.statement.asks.size();
-    std::vector<std::vector<std::string>> rates(asks);  // that an ask depends on and nothing fixes
+    std::vector<std::vector<std::string>> rates(asks);  // for each ask, rates that it depends on and nothing determines
     std::vector<std::size_t> missing(asks, 0);
     for (std::size_t d = 0; d < directions; ++d) {
       const Values other = varied({.seed = 13, .velocities = true, .direction = d});
@@ -233,7 +236,8 @@ class Variation {
       if (missing[i] > 0) add_reason(result_.asks[i], open_velocities(rates[i], missing[i]));
   }
 
-  // What rests on several of them at once, as the product of gravity and a velocity, moves with none by itself.
+  // An answer that is a product of two open values, as of gravity and a velocity, does not change with either alone
+  // if both are zero. So all are varied together too.
   void vary_together(bool any, bool gravity, bool velocities, bool forces) {
     const Values other = varied({.seed = 15,
                                  .any = any,
@@ -259,7 +263,7 @@ class Variation {
     ask.reason += (ask.reason.empty() ? "" : "; ") + why;
   }
 
-  // Of a vector that is not determined, the components that are.
+  // Records which components of a vector that is not determined are so nevertheless.
   void note_fixed_components(std::size_t i, const std::optional<WatchedValue>& varied) {
     const Value<double>& base = found_.asked.values[i]->answer;
     const Value<double>* other = varied ? &varied->answer : nullptr;
@@ -283,7 +287,7 @@ class Variation {
 
   const AnswersFound& found_;
   Solution& result_;
-  std::vector<std::array<bool, 3>> fixed_;  // components of each ask that no variation moves
+  std::vector<std::array<bool, 3>> fixed_;  // for each ask, the components that no variation changes
   std::set<std::string> moved_unknowns_;
 };
 
@@ -297,7 +301,8 @@ double same_answer_tolerance(const AnswersFound& found, std::size_t index, const
 
 namespace {
 
-// Beside what rounding in the whole machine may be, only the numbers themselves tell what is rounding.
+// Whether two values differ by rounding only. Below the rounding of the whole machine this is decided by the numbers
+// themselves, computed with different rounding.
 bool is_rounding(const AnswersFound& found, std::size_t index, const Value<double>& a, const Value<double>& b) {
   const Ask& ask = found.statement.asks[index];
   if (ask.table || ask.when || ask.extremum || !found.sample.motions().empty()) return false;
@@ -318,7 +323,7 @@ bool differs(const AnswersFound& found, std::size_t index, const std::optional<W
     const double natural = found.sample.instant_of(found.statement.asks[index]).natural_size(dimension_of(a));
     if (!same(a, b, same_tolerance * std::max(size_of(a), size_of(b)) + 1e-11 * natural)) return true;
   }
-  // Alone, without unknowns and motions, the numbers tell better than sizes what is rounding.
+  // Without unknowns, motions and deciding values the comparison of rounded numbers is sharper than one by sizes.
   const bool told = base->deciding.empty() && found.search.unknowns().empty() && found.sample.motions().empty();
   if (!told) return !same(answer, another, same_answer_tolerance(found, index, answer, another));
   const double tolerance =

@@ -1,5 +1,5 @@
-// Which answers are determined: everything that the statement leaves open is varied, each by itself, and the answers
-// are compared, so that what an answer depends on can be named.
+// Finds out which answers are determined. Everything that the statement leaves open is varied, one thing at a time,
+// and the answers are compared, so that what an answer depends on can be named.
 #pragma once
 
 #include <set>
@@ -13,7 +13,7 @@
 
 namespace poinsot::problem {
 
-// Answers as found, and from what.
+// The answers found, and what they were found from.
 struct AnswersFound {
   const Statement& statement;
   UnknownSearch& search;
@@ -21,17 +21,19 @@ struct AnswersFound {
   Sample& sample;
   const AskValues& asked;
   const std::vector<double>& natural_sizes;  // of the asks, as in FinishedAsk
-  RoundedValues& rounded;                    // at the settings
+  RoundedValues& rounded;                    // at these settings
 };
 
-// Up to which difference two values of an ask are the same.
+// The difference up to which two values of an ask are the same.
 double same_answer_tolerance(const AnswersFound& found, std::size_t index, const Value<double>& a,
                              const Value<double>& b);
-// Whether an ask has another value for another choice, or what decides it has; one that has none there depends on it.
+// Whether another choice changes the value of an ask or the values that decide it. An ask without value there depends
+// on the choice.
 bool differs(const AnswersFound& found, std::size_t index, const std::optional<WatchedValue>& other);
 
-// Marks the answers that values given as `any`, gravity of which nothing is said, open velocities or forces change as
-// undetermined, with the reason and the components that are fixed nevertheless. Returns the unknowns that they move.
+// Marks answers as undetermined that depend on values given as `any`, on gravity of which nothing is said, or on open
+// velocities or forces, with the reason and the components that are determined nevertheless. Returns the unknowns
+// that depend on these.
 std::set<std::string> mark_undetermined(const AnswersFound& found, Solution& result);
 
 }  // namespace poinsot::problem

@@ -10,7 +10,7 @@ namespace {
 
 class FactCheck {
  public:
-  // before: the instant before a blow, if this is the one after it.
+  // before: the instant before the blow, if `instant` is the one after it.
   FactCheck(const Situation& situation, SolvedInstant& instant, const SolvedInstant* before,
             SolvedInstant::Elsewhere elsewhere)
       : situation_(situation), instant_(instant), before_(before), elsewhere_(std::move(elsewhere)) {}
@@ -30,7 +30,7 @@ class FactCheck {
         if (!is_any(list->items[k]))
           compare(quantity.vector[k], at(list->items[k]).number, size_of(quantity), quantity.dimension);
     } else if (quantity.is_vector()) {
-      // The number 0 stands for no vector at all.
+      // The number 0 stands for the zero vector.
       const Value<double> value = at(fact.value);
       for (std::size_t k = 0; k < 3; ++k)
         compare(quantity.vector[k], value.is_vector() ? value.vector[k] : 0, size_of(quantity), quantity.dimension);
@@ -52,7 +52,7 @@ class FactCheck {
   Value<double> at(const Expression& expression) { return instant_.raw(expression, std::nullopt, elsewhere_); }
 
   void compare(double found, double stated, double size, const Dimension& dimension) {
-    // What comes to rest, or never moved, has no size of its own.
+    // A quantity of something at rest has no size of its own, and is compared with the natural unit.
     constexpr double at_rest = 1e-6;
     double beside = std::max({size, std::abs(found), std::abs(stated), instant_.natural_size(dimension),
                               at_rest * natural_unit(instant_.scales(), dimension)});

@@ -1,4 +1,4 @@
-// Whether what is stated holds in the answer, one fact after the other, evaluated there as it stands.
+// Checks each stated fact in the solution, evaluated as it stands in the file.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace poinsot::problem {
 
-// The largest difference between what facts state and what is found, at the start and before and after a blow, relative
-// to the larger side or the natural size of such a quantity; rates and accelerations that joints state included. Facts
-// about forces count where forces are solved. Nothing where no instant has facts. Throws StatementError where a fact
-// has no value.
+// The largest difference between stated and found values of facts, at the start and before and after a blow. It is
+// relative to the larger side or to the natural size of the quantity. Rates and accelerations stated in joints are
+// included, and facts about forces if forces are solved. Nothing if no instant has facts. Throws StatementError if a
+// fact has no value.
 std::optional<double> largest_fact_misfit(const Statement& statement, Sample& sample);
 
 }  // namespace poinsot::problem

@@ -76,7 +76,7 @@ SolvedAsk finished_table(const Statement& statement, const Ask& ask, const Value
   return solved;
 }
 
-// Whether any number is small enough to be rounding.
+// Whether any number is so small that it may be rounding.
 bool has_small_numbers(const Value<double>& value, double size) {
   const auto small = [&](double x) { return x != 0 && std::abs(x) < size; };
   if (value.is_number()) return small(value.number);

@@ -1,4 +1,5 @@
-// An ask's value with what its reader needs besides: the unit in which it is shown, words, names of components.
+// The value of an ask with what a reader needs: the unit in which it is shown, a description, the names of
+// components.
 #pragma once
 
 #include "problem/answers/ask_values.h"
@@ -9,11 +10,11 @@ namespace poinsot::problem {
 
 struct FinishedAsk {
   SolvedAsk solved;
-  double natural_size = 0;  // asked_size() of its value, SI: what is far below it is noise
+  double natural_size = 0;  // asked_size() of the value, in SI units; far smaller values are noise
 };
 
-// asked: the values at `sample`, of which `rounded` tells what is rounding. index: of the ask in the statement. Throws
-// StatementError: what asks nothing of the model, units that do not fit.
+// asked: the values of all asks at `sample`; `rounded` tells which numbers are rounding. index: of the ask in the
+// statement. Throws StatementError if the ask is not about the model or its unit does not fit.
 FinishedAsk finished_ask(const Statement& statement, std::size_t index, const AskValues& asked, Sample& sample,
                          RoundedValues& rounded);
 

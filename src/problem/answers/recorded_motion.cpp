@@ -13,12 +13,13 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double recording_tolerance = 1e-8;  // residual on the road of particles, relative
-// A block is long beside the making of its equations, and short beside the patience of who waits for its end.
+constexpr double recording_tolerance = 1e-8;  // relative misfit allowed in the check with particles
+// A block is long enough that setting up its equations costs little, and short enough that nobody waits long for its
+// end.
 constexpr double most_block_rows = 500;
-constexpr double block_paces = 500;  // times in which the motion changes noticeably
+constexpr double block_paces = 500;  // in units of the time in which the motion changes noticeably
 
-// What a motion does not tell is no fault of the file.
+// A question that the motion does not answer is not an error of the file.
 template <class Function>
 auto answered(Function&& function) {
   try {
@@ -44,7 +45,7 @@ const Record& record_of(const Statement& statement) {
   return *statement.record;
 }
 
-// The columns at some times, as a question like any other.
+// Solves for the columns at some times as if they were asked for.
 SolvedStatement solve_at(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
                          const std::vector<double>& times) {
   const Record& record = *statement.record;
@@ -99,7 +100,7 @@ struct RecordedMotion::Parts {
   RecordedChecks check(double time);
 };
 
-// every: and for:, and when the stages end.
+// Reads every: and for:, and finds the times at which stages end.
 void RecordedMotion::Parts::read_times() {
   const Record& record = *statement.record;
   DataScope<double> data(situation(), settings);
@@ -147,7 +148,7 @@ RecordedMotion::RecordedMotion(Statement statement, const std::vector<std::pair<
   }
   parts.read_times();
 
-  // What the columns rest on shows when the motion has changed noticeably.
+  // Whether a column is determined may show only after the motion has changed noticeably.
   const double reached = answered([&] {
     parts.motion = std::make_unique<Course>(parts.situation(), parts.settings, OpenChoice{});
     const MotionCheckpoint start = parts.motion->checkpoint();
@@ -160,7 +161,7 @@ RecordedMotion::RecordedMotion(Statement statement, const std::vector<std::pair<
   for (const SolvedColumn& column : solved.solutions.front().asks.front().columns)
     parts.columns.push_back({column.name, column.unit});
 
-  // Whoever records waits as long as it takes; the time that has passed must not decide what is recorded.
+  // A recording may take any time, and its content must not depend on the time that has passed.
   parts.motion->set_time_limit(std::numeric_limits<double>::infinity());
   parts.block_rows = static_cast<std::uint64_t>(
       std::clamp(std::floor(block_paces * parts.motion->pace_time() / parts.every), 1.0, most_block_rows));
@@ -211,7 +212,7 @@ RecordedBlock RecordedMotion::block(std::uint64_t first_row, const RecordedState
     if (last) end_row = *parts.rows;
     const double reached = motion.follow(parts.time_of(last ? end_row - 1 : end_row));
     const bool over = motion.is_over();
-    // The end of the motion belongs to it, whatever rounding says.
+    // The last instant belongs to the motion, even if rounding puts it behind the end.
     const double allowed = reached * (1 + 1e-12) + 1e-12;
     if (over && !last) ++end_row;
 

@@ -9,9 +9,9 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double noise = 1e-14;       // rounding, relative to the natural size of a quantity
-constexpr double last_digit = 4e-16;  // the same of one operation
-constexpr double another = 0.3;       // a number that moves by more than this part of itself is another one
+constexpr double noise = 1e-14;       // rounding, as a part of the natural size of a quantity
+constexpr double last_digit = 4e-16;  // the rounding of a single operation
+constexpr double another = 0.3;       // a number that changes by more than this part of itself is not real
 
 class RoundingScope {
  public:
@@ -24,7 +24,7 @@ class RoundingScope {
   int before_;
 };
 
-// Calls visit(number, size of its vector, the same numbers of `others`) for every number of a value.
+// Calls visit(number, size of its vector, the same number in `others`) for every number of a value.
 template <class Visit>
 void for_each_number(Value<double>& value, const std::vector<const Value<double>*>& others, const Visit& visit) {
   std::vector<double> there(others.size());
@@ -71,7 +71,7 @@ const std::vector<Value<double>>& RoundedValues::of(const Ask& ask) {
       Sample sample(statement_, settings_, OpenChoice{});
       entry->second.push_back(sample.value(ask));
     } catch (const StatementError&) {
-      // What hangs on the last digit so has no value; the other way may have one.
+      // Rounded this way the ask has no value. Rounded the other way it may have one.
     }
   }
   return entry->second;

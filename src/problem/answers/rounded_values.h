@@ -1,5 +1,5 @@
-// What of a number is rounding, told by the numbers themselves: solved anew with every operation rounded upwards, and
-// again downwards, what is only left over from rounding is another number, and what is real stays.
+// Tells which numbers of a value are rounding. The statement is solved again with every operation rounded upwards and
+// once more downwards: a number that is nothing but rounding changes, and a real one stays.
 #pragma once
 
 #include <map>
@@ -12,13 +12,14 @@ namespace poinsot::problem {
 
 class RoundedValues {
  public:
-  // The arguments must outlive it.
+  // The arguments must outlive the object.
   RoundedValues(const Statement& statement, const AllSettings& settings) : statement_(statement), settings_(settings) {}
 
-  // The values of an ask for each way of rounding; none where it has no value so. Not for asks that follow a motion.
+  // The values of an ask for each direction of rounding, left out where it has none. This is not for asks that follow
+  // a motion.
   const std::vector<Value<double>>& of(const Ask& ask);
 
-  // How far rounding moves any number of the ask's value.
+  // The largest change that rounding makes in any number of the ask's value.
   double spread(const Ask& ask, const Value<double>& value);
 
  private:
@@ -27,9 +28,9 @@ class RoundedValues {
   std::map<std::string, std::vector<Value<double>>> known_;  // by ask
 };
 
-// Numbers that are rounding become zero. From 1e-14 of `size` on none is taken for it; below, one is if it is less than
-// the last digit of its vector or of `asked_size`, or another number in one of the rounded values. Where there are none
-// of these: if it is less than 1e-14 of its vector or of asked_size.
+// Sets numbers to zero that are rounding. Numbers of at least 1e-14 of `size` are not. A smaller one is rounding if
+// it is less than the last digit of its vector or of `asked_size`, or if one of the rounded values has a different
+// number. Without rounded values it is if it is less than 1e-14 of its vector or of asked_size.
 void drop_noise(Value<double>& value, double size, double asked_size, const std::vector<Value<double>>& rounded);
 
 }  // namespace poinsot::problem

@@ -29,9 +29,9 @@ namespace {
 constexpr int most_first_draws = 32;  // of letters, until unknowns have a solution
 constexpr double most_draw_seconds = 8;
 
-// spread: how far from one unit later draws reach.
+// Draws a value of a letter. Later draws reach farther from one unit, as `spread` grows.
 double draw(const Letter& letter, std::mt19937_64& random, int spread = 0) {
-  // Beyond four decades nothing is drawn.
+  // Values stay within four decades.
   const double reach = std::min(0.7 + 0.4 * spread, 9.2);
   if (spread > 0 && letter.unit.dimension != dimensions::angle)
     return letter.unit.factor * std::exp(reach * std::uniform_real_distribution<double>(-1, 1)(random));
@@ -39,7 +39,7 @@ double draw(const Letter& letter, std::mt19937_64& random, int spread = 0) {
   return letter.unit.factor * std::uniform_real_distribution<double>(0.5, 2)(random);
 }
 
-// Letters without value.
+// The letters without value.
 std::vector<Letter> open_letters(const Statement& statement, const Settings& settings) {
   std::vector<Letter> open;
   for (const Situation& situation : statement.situations)
@@ -50,7 +50,7 @@ std::vector<Letter> open_letters(const Statement& statement, const Settings& set
   return open;
 }
 
-// Draws letters, finds unknowns and answers the asks at each root.
+// Draws values for letters, finds the unknowns and answers the asks for each root.
 class StatementSolver {
  public:
   // exact: the settings as formulas.
@@ -70,7 +70,8 @@ class StatementSolver {
       if (!open_.empty()) add_formulas(result.solutions.back());
       return result;
     }
-    // With letters open, roots are sought at drawn values, to see which answers depend on which letters.
+    // If letters are open, roots are sought at random values of them. Then it is seen which answers depend on which
+    // letters.
     std::optional<StatementError> refusal;
     RootsFound found = roots_at_draw(search_, refusal);
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(most_draw_seconds);
@@ -104,7 +105,8 @@ class StatementSolver {
     tell_laws(statement_, solution);
   }
 
-  // None at letters for which the statement makes no sense (a body that cannot be); the first reason is kept.
+  // Returns no roots if the statement makes no sense at the letters (as for an impossible body), and keeps the first
+  // reason.
   RootsFound roots_at_draw(UnknownSearch& search, std::optional<StatementError>& refusal) const {
     try {
       return search.find(settings_with_letters());
@@ -115,7 +117,7 @@ class StatementSolver {
     }
   }
 
-  // What holds at drawn letters only is told with them.
+  // Adds the values of the letters to warnings that hold at these values only.
   void tell_draws(std::vector<std::string>& warnings) const {
     const int draws = std::min(first_draw_ + 1, most_first_draws);
     std::string values;
@@ -132,7 +134,7 @@ class StatementSolver {
                  "; at other values there may be solutions: give them by --set";
   }
 
-  // Where unknowns were found at drawn letters: they, and all answers, follow the letters.
+  // Unknowns found at random values of letters depend on the letters, and so do all answers.
   void leave_to_letters(Solution& solution) const {
     for (SolvedAsk& ask : solution.asks) {
       ask.state = AskState::needs_letters;
@@ -142,7 +144,7 @@ class StatementSolver {
     solution.unknowns.clear();
   }
 
-  // What another solution of the conditions changes is not determined.
+  // An answer is not determined if another solution of the conditions changes it.
   void mark_what_unknowns_leave_open(const RootsFound& found, Solution& solution) {
     const std::vector<double> natural = natural_;
     const Solution other = found.alternative ? solve_one(*found.alternative) : Solution{};
@@ -151,7 +153,7 @@ class StatementSolver {
     for (const std::string& name : found.open) names += (names.empty() ? "'" : ", '") + name + "'";
     for (std::size_t i = 0; i < solution.asks.size(); ++i) {
       SolvedAsk& ask = solution.asks[i];
-      // What varies with something else that is open may only follow the unknowns.
+      // A dependence on something else that is open may come from the unknowns alone.
       if (ask.state != AskState::found && ask.state != AskState::undetermined) continue;
       if (found.alternative && same(ask.value, other.asks[i].value,
                                     same_answer_tolerance(answers_found(), i, ask.value, other.asks[i].value)))
@@ -164,7 +166,7 @@ class StatementSolver {
     });
   }
 
-  // What is stated of later instants, of extremes and periods follows from the rest: it must be true.
+  // Facts about later instants, extremes and periods follow from the others, and must be true.
   void hold_later_facts() const {
     for (const Situation& situation : statement_.situations) {
       if (!has_later_facts(situation)) continue;
@@ -200,7 +202,7 @@ class StatementSolver {
     return settings;
   }
 
-  // The answers with everything known that will be known.
+  // Solves for the answers, with values for everything that will have one.
   Solution solve_one(const AllSettings& settings) {
     base_ = settings;
     sample_.reset();
@@ -222,7 +224,8 @@ class StatementSolver {
     return result;
   }
 
-  // On which letters the answers depend. Where there are unknowns, they follow the letters: solve() tells.
+  // Finds the letters that each answer depends on. If there are unknowns they depend on the letters, and solve()
+  // deals with that.
   void mark_letters(Solution& result) {
     if (!search_.unknowns().empty()) return;
     for (const Letter& letter : open_) {
@@ -235,7 +238,7 @@ class StatementSolver {
     }
   }
 
-  // Whether there are roots, at letters for which the statement can be solved.
+  // Whether there are roots, and the statement can be solved at their letters.
   bool makes_sense(const RootsFound& found) {
     try {
       for (const AllSettings& root : found.roots) {
@@ -248,8 +251,8 @@ class StatementSolver {
     return !found.roots.empty();
   }
 
-  // With open letters drawn at random until the statement makes sense; the draw is kept in base_ and sample_. only: the
-  // letter that is drawn anew.
+  // The asks at values of open letters that are drawn until the statement makes sense; base_ and sample_ keep the
+  // result. only: the single letter that gets a new value.
   AskValues with_letters(const std::string* only) {
     constexpr int most_draws = 40;
     for (int attempt = 0;; ++attempt) {
@@ -257,7 +260,7 @@ class StatementSolver {
       std::mt19937_64 random(1000 + static_cast<std::uint64_t>(first_draw_ + attempt) + (only ? 500 : 0));
       for (const Letter& letter : open_) {
         const double value = draw(letter, random, first_draw_);
-        // A root comes with the values of the letters at which it was found.
+        // A root belongs to the values of the letters at which it was found.
         if (!search_.unknowns().empty() || (only && *only != letter.name)) continue;
         for (Settings& one : settings) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
       }
@@ -281,12 +284,12 @@ class StatementSolver {
   UnknownSearch search_;
   std::vector<Letter> open_;
   AllSettings base_;
-  int first_draw_ = 0;  // of letters at which unknowns have a solution
+  int first_draw_ = 0;  // the draw of letters at which unknowns have a solution
   std::unique_ptr<Sample> sample_;
-  AskValues asked_;  // at sample_
+  AskValues asked_;  // the values at sample_
   std::optional<RoundedValues> rounded_;
   std::vector<double> natural_;
-  std::set<std::string> undetermined_;  // unknowns that a variation moves
+  std::set<std::string> undetermined_;  // unknowns that a variation changes
 };
 
 }  // namespace
@@ -318,7 +321,7 @@ Settings read_settings(const Statement& statement, const std::vector<std::pair<s
 
 namespace {
 
-// Without the situations that claims alone speak of: their letters are no data of the questions.
+// The statement without situations that only claims are about: their letters are not data of the questions.
 Statement for_questions(const Statement& statement) {
   Statement result = statement;
   std::erase_if(result.situations, [&](const Situation& situation) {
@@ -333,7 +336,7 @@ Statement for_questions(const Statement& statement) {
   return result.situations.empty() ? statement : result;
 }
 
-// The settings with the unknowns found, in each situation.
+// The settings of each situation with the unknowns of a root.
 AllSettings settings_of_root(const Statement& statement, const Settings& settings, const Solution& solution) {
   AllSettings all(statement.situations.size(), settings);
   for (const SolvedUnknown& unknown : solution.unknowns)
@@ -345,7 +348,7 @@ AllSettings settings_of_root(const Statement& statement, const Settings& setting
   return all;
 }
 
-// The unknowns that follow open letters, in each situation.
+// The formulas of each situation for unknowns that depend on open letters.
 std::vector<FormulaValues> formulas_of_root(const Statement& statement, const Solution& solution) {
   std::vector<FormulaValues> all(statement.situations.size());
   for (const SolvedUnknown& unknown : solution.unknowns)

@@ -1,8 +1,8 @@
-// All questions of a statement, answered.
+// Answers all questions of a statement.
 //
-// An answer is determined when no choice of what the statement leaves open changes it: letters without value, values
-// given as `any`, gravity of which nothing is said, velocities and forces that no equation fixes. Each of these is
-// varied by itself and the answers are compared, so that what an answer depends on can be named.
+// An answer is determined when it is the same for every choice of what the statement leaves open: letters without
+// value, values given as `any`, gravity of which nothing is said, velocities and forces that no equation determines.
+// These are varied one at a time and the answers compared, so that what an answer depends on can be named.
 #pragma once
 
 #include <string>
@@ -14,13 +14,13 @@
 
 namespace poinsot::problem {
 
-// sets: names of letters and data with the texts of their values; a later one for a name counts.
-// tell_claims: also what a worked solution shows of claims: their comparisons, assumed, stability. Throws
-// StatementError: unknown names, wrong dimensions, contradictions, unphysical bodies.
+// sets: names of letters and data with the texts of their values; for a name given twice the later one counts.
+// tell_claims: whether to keep what a worked solution shows of claims (comparisons, assumptions, stability). Throws
+// StatementError for unknown names, wrong dimensions, contradictions and unphysical bodies.
 SolvedStatement solve_statement(const Statement& statement,
                                 const std::vector<std::pair<std::string, std::string>>& sets, bool tell_claims = false);
 
-// The settings that the texts stand for. Throws StatementError.
+// The settings given by these texts. Throws StatementError.
 Settings read_settings(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets);
 
 }  // namespace poinsot::problem

@@ -55,7 +55,7 @@ class Watch {
   void operator()(const List& list) {
     for (const Expression& item : list.items) look_at(item);
   }
-  // At another instant, so do what decides it.
+  // What is asked at another instant is decided by values at that instant.
   void operator()(const At& at) {
     const std::size_t before = deciding.size();
     look_at(at.expression);
@@ -101,7 +101,7 @@ WatchedValue watched_value(const Statement& statement, Sample& sample, const Ask
     try {
       result.deciding.push_back(sample.value(one));
     } catch (const StatementError&) {
-      // Without value here: it decides by being so.
+      // The expression has no value here, which itself may decide the answer.
       result.deciding.push_back(Value<double>::of_text("none"));
     }
   }

@@ -1,7 +1,8 @@
-// What decides an answer that jumps.
+// Records the values that decide an answer that can jump.
 //
-// Whether an energy is above a bound, or the larger of two masses, may be the same at some places that are tried and
-// another at the next. Such an answer is determined only if what it is decided by does not change at all.
+// Whether an energy is above a bound, or which of two masses is larger, may be the same at some choices that are
+// tried and different at the next. Such an answer is determined only if the values that decide it do not change at
+// all.
 #pragma once
 
 #include <vector>
@@ -10,15 +11,16 @@
 
 namespace poinsot::problem {
 
-// The value of an ask with what decides it where it jumps: both sides of an inequality, the numbers of which the least
-// or largest is asked, growth rate and frequencies for stability, the tension of a cord and the force of a contact that
-// is asked to hold, rate and moments of inertia of a free body whose precession is told in words.
+// The value of an ask together with the values that decide it: both sides of an inequality, the numbers whose minimum
+// or maximum is asked for, growth rate and frequencies for stability, the tension of a cord and the force of a
+// contact that is asked to hold, and the rate and moments of inertia of a free body whose precession is described in
+// words.
 struct WatchedValue {
   Value<double> answer;
   std::vector<Value<double>> deciding;
 };
 
-// Throws StatementError where the ask has no value.
+// Throws StatementError if the ask has no value.
 WatchedValue watched_value(const Statement& statement, Sample& sample, const Ask& ask);
 
 }  // namespace poinsot::problem

@@ -1,4 +1,4 @@
-// From a solved statement to a worked solution: which instants are explained, with which numbers and formulas.
+// Turns a solved statement into a worked solution: chooses the instants to explain, their numbers and their formulas.
 #include "problem/explanation/explanation.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr int most_draws = 40;           // of open letters, until the statement
 constexpr double formula_seconds = 1.5;  // for all formulas of one instant
 constexpr std::size_t formula_terms = 3000;
 
-// Whether a datum stays a number in formulas: what has a special value (0, 45 deg) or counts (2).
+// Whether a datum appears in formulas as a number, since it has a special value (0, 45 deg) or is a count (2).
 bool stays_number(double value, const Dimension& dimension) {
   if (value == 0) return true;
   if (dimension == dimensions::none) return value == std::round(value);
@@ -69,7 +69,7 @@ class Explainer {
     return statement_.situations.size() > 1 ? ", *" + statement_.situations[situation].name + "*" : "";
   }
 
-  // Answers stand even where their explanation meets what the statement does not tell.
+  // An answer is given even if its explanation needs something that the statement does not tell.
   template <class Add>
   void or_left_out(const Add& add) {
     try {
@@ -81,7 +81,7 @@ class Explainer {
     std::erase_if(explanation_.sections, [](const ExplainedSection& section) { return section.steps.empty(); });
   }
 
-  // Situations of which nothing is asked but how far something holds: they are explained at that limit.
+  // Finds the situations about which it is only asked how far something holds. They are explained at that limit.
   void find_limits() {
     limits_.clear();
     for (std::size_t k = 0; k < statement_.asks.size(); ++k) {
@@ -119,7 +119,7 @@ class Explainer {
   std::vector<std::string> open_letters(std::optional<std::size_t> situation = std::nullopt) const {
     std::vector<std::string> names;
     for (const Letter& letter : solved_.open_letters) {
-      // At a limit its letter has a value.
+      // At its limit a letter has a value.
       const auto limit = situation ? limits_.find(*situation) : limits_.end();
       if (limit != limits_.end() && statement_.asks[limit->second].extremum->name == letter.name) continue;
       names.push_back(letter.name);
@@ -133,7 +133,8 @@ class Explainer {
     }
   }
 
-  // The settings of the solution: what is set, the unknowns found, open letters at random until all can be solved.
+  // Chooses the numbers of the solution: settings, the unknowns found, and random values of open letters until
+  // everything can be solved.
   bool choose_numbers() {
     const std::vector<Settings>& stated = stated_;
     for (int attempt = 0; attempt < (solved_.open_letters.empty() ? 1 : most_draws); ++attempt) {
@@ -178,7 +179,7 @@ class Explainer {
         if (unknown.name == name || unknown.name == name + own) settings_[i][name] = value;
       }
     }
-    // Without an answer for some unknown there are no numbers.
+    // If an unknown has no answer there are no numbers.
     for (std::size_t i = 0; i < settings_.size(); ++i)
       for (const Unknown& unknown : situation(i).find)
         if (!settings_[i].contains(unknown.name)) return false;
@@ -196,7 +197,7 @@ class Explainer {
     SolvedInstant& instant = sample_->instant(home);
     SolvedInstant* before = instant.after_blow() ? &sample_->instant({home.situation, 0, std::nullopt}) : nullptr;
     ExplanationTex tex(stated, open_letters(home.situation));
-    // The formulas: everything that has one number is a letter.
+    // In the formulas every datum that is a single number is a letter.
     Situation lettered = stated;
     LetterValues point;
     const FormulaValues values = formula_values(home.situation, lettered, point);
@@ -234,7 +235,7 @@ class Explainer {
     return ", at the start" + (home.instant > 0 ? " of stage " + std::to_string(home.instant + 1) : std::string());
   }
 
-  // Data that are one number, letters, unknowns and standard gravity as letters; their values.
+  // Data that are single numbers, letters, unknowns and standard gravity as letters; `point` receives their values.
   FormulaValues formula_values(std::size_t situation, Situation& lettered, LetterValues& point) const {
     FormulaValues values;
     const Settings& settings = settings_[situation];
@@ -271,7 +272,7 @@ class Explainer {
       } else {
         add(name, value.number, value.dimension, value.dimension == dimensions::angle);
       }
-      // A special value that is set stays what it is.
+      // A datum that is set to a special value stays a number.
       if (!values.contains(name)) values[name] = Value<Formula>::of_number(Formula(value.number), value.dimension);
     }
     return values;
@@ -280,8 +281,8 @@ class Explainer {
   const Statement& statement_;
   const SolvedStatement& solved_;
   const Solution& solution_;
-  AllSettings stated_, settings_;              // as they are set; with unknowns, letters and limits
-  std::map<std::size_t, std::size_t> limits_;  // situations with the ask of whose limit they are explained
+  AllSettings stated_, settings_;              // as they are set; and with values for unknowns, letters and limits
+  std::map<std::size_t, std::size_t> limits_;  // situations that are explained at a limit, with the ask for that limit
   std::unique_ptr<Sample> sample_;
   StatementQuestions questions_;
   Explanation explanation_;

@@ -1,5 +1,5 @@
-// A solved statement as a worked solution: what is given, the principle, the two sides of its equations in components,
-// the unknowns. Every line is computed from the model; the last step, the answers, is left to whoever shows them.
+// A solved statement as a worked solution: what is given, the principle, both sides of its equations in components,
+// and the unknowns. Every line is computed from the model. The last step, the answers, is left to the caller.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace poinsot::problem {
 
-// What a symbol in an equation stands for, as number in the unit in which it is shown.
+// A symbol in an equation, and its value in the unit in which it is shown.
 struct ExplainedSymbol {
   std::string tex;
   double value = 0;
@@ -19,15 +19,15 @@ struct ExplainedSymbol {
 
 // One displayed equation.
 struct ExplainedEquation {
-  std::string name;           // TeX of what is balanced, as \Sigma M_x; "" where there is nothing to say
-  std::string tex;            // TeX, without delimiters, with `=` between its sides
-  std::vector<double> sides;  // what each side amounts to, SI: from the terms that are shown, rounded as shown or exact
-  double size = 0;            // of the largest term in them
-  std::vector<ExplainedSymbol> symbols{};  // in an equation between numbers and unknowns: what solves it
+  std::string name;           // TeX for what is balanced, as \Sigma M_x; "" if there is nothing to say
+  std::string tex;            // TeX without delimiters, with `=` between the sides
+  std::vector<double> sides;  // the value of each side in SI units, from the terms as they are shown, rounded or exact
+  double size = 0;            // the size of the largest term in the sides
+  std::vector<ExplainedSymbol> symbols{};  // if it is an equation in numbers and unknowns, the solution
 };
 
-// A paragraph of Markdown, with TeX between dollar signs, and the equations below it. "Eq. 18.25" in it is a row of
-// docs/theory.md.
+// A paragraph of Markdown with TeX between dollar signs, and the equations below it. A reference such as "Eq. 18.25"
+// is to a row of docs/theory.md.
 struct ExplainedStep {
   std::string text;
   std::vector<ExplainedEquation> equations;
@@ -42,8 +42,8 @@ struct Explanation {
   std::vector<ExplainedSection> sections;
 };
 
-// One solution of a solved statement explained. sets: as they were for solve_statement. What cannot be shown (letters
-// without value where there is no formula) is left out, and the text says so. Throws StatementError as
+// Explains one solution of a solved statement. sets: those given to solve_statement. What cannot be shown, because a
+// letter has no value and there is no formula, is left out, and the text says so. Throws StatementError as
 // solve_statement does.
 Explanation explain(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
                     const SolvedStatement& solved, std::size_t solution);

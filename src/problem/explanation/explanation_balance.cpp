@@ -1,5 +1,5 @@
-// The two sides of the equations of motion, or of a blow: what acts on bodies from outside, what becomes of their
-// momenta, component by component, and the unknowns.
+// Both sides of the equations of motion (Eqs. 18.1, 18.2) or of a blow (Eq. 17.4): the external forces on bodies, and
+// the change of their momenta, component by component, solved for the unknowns.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace poinsot::problem {
 namespace {
 
-// The symbol of a row that says no more than that it is zero.
+// If the row says only that a single symbol is zero, this symbol.
 std::optional<std::string> vanishing_symbol(const std::vector<ShownTerm>& left, const std::vector<ShownTerm>& right,
                                             double natural) {
   std::optional<std::string> symbol;
@@ -29,7 +29,7 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
   std::vector<int> massive;
   for (const int body : bodies)
     if (mechanism().tree.body(body).inertia.mass > 0) massive.push_back(body);
-  // Coordinates that do not move these bodies play no part.
+  // Coordinates that do not move these bodies take no part.
   const Balance<double> trial = balance_of(figures_.numbers, system.plan, Vector3<double>::zero());
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < system.plan.open.size(); ++i)
@@ -55,7 +55,7 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
       inertia_step(section("Inertia"), body, fixed ? &point : nullptr);
     }
   }
-  // Where only rates of momenta are asked and all accelerations are known, nothing is left to solve.
+  // If rates of momenta are asked for and all accelerations are known, there is nothing to solve.
   if (!sudden() && !situation_.steady && questions_.forces.empty() && questions_.pushes.empty() && open.empty()) return;
   ExplainedSection& free_body = section(sudden() ? "Impulses" : "Free-body side");
   if (situation_.bodies.size() > 1)
@@ -78,7 +78,7 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
       formulas.reset();
     }
   }
-  // Forces that meet in the point and are not asked need no equations of force.
+  // If forces meet at the reference point and are not asked for, no equations of forces are needed.
   std::vector<bool> meets;
   std::vector<std::string> met;
   bool asked = false;
@@ -149,7 +149,7 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
     }
     for (ExplainedEquation& equation : tex_.balance(name, left, right, dimension, natural_of(dimension))) {
       if (!situation_.neglect.empty()) {
-        // The sides differ by what is neglected.
+        // The sides differ by the neglected squares.
         equation.sides.clear();
         equation.symbols.clear();
       }

@@ -7,8 +7,7 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr std::size_t most_values = 8;  // of a counterexample, in a sentence
-
+constexpr std::size_t most_values = 8;  // values of a counterexample that are shown in a sentence
 
 std::string relation_tex(const std::string& relation) {
   if (relation == "==") return "=";
@@ -47,7 +46,7 @@ class ClaimExplainer {
   ExplainedStep& add(const std::string& text) { return steps_.emplace_back(ExplainedStep{text, {}}); }
   static void add_line(ExplainedStep& step, const std::string& tex) { step.equations.push_back({"", tex, {}, 0}); }
 
-  // A formula, or a number with its unit.
+  // The formula as TeX; a number with its unit.
   std::optional<std::string> shown(const Formula& formula, const Dimension& dimension) const {
     if (formula.is_zero()) return "0";
     if (formula.is_number()) return tex_.with_unit(plain(formula), dimension);
@@ -95,7 +94,7 @@ class ClaimExplainer {
       add("No values of the letters give the difference another sign.");
   }
 
-  // An expression of the statement as a term in a formula.
+  // An expression of the file as a term in a formula.
   static std::string term(const std::string& expression) {
     if (is_name(expression)) return ExplanationTex::symbol(expression);
     std::string escaped;
@@ -103,7 +102,7 @@ class ClaimExplainer {
     return "\\left(\\texttt{" + escaped + "}\\right)";
   }
 
-  // The rate as the sum of what cancels.
+  // Shows the rate as a sum of parts that cancel.
   void add_parts(const SolvedClaim::Comparison& comparison) {
     std::vector<std::string> lines;
     for (const SolvedClaim::Part& part : comparison.parts) {
@@ -160,7 +159,7 @@ class ClaimExplainer {
     if (values.size() > most_values) values = {"the values that `poinsot solve` prints"};
     std::string text = values.empty() ? "" : "Take " + in_words(values);
     if (solved_.sides) {
-      // Stated in the claim's unit.
+      // The sides are given in the unit of the claim.
       const auto si = [&](double number) {
         return tex_.with_unit(number * solved_.unit.factor, solved_.unit.dimension);
       };

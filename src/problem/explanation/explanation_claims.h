@@ -1,4 +1,4 @@
-// What decided each claim, as a section of a worked solution.
+// The section of a worked solution that shows what decided each claim.
 #pragma once
 
 #include "problem/answers/solve_statement.h"
@@ -6,7 +6,7 @@
 
 namespace poinsot::problem {
 
-// solution: of solve_statement with what it tells of claims. Without steps where there are no claims.
+// solution: from solve_statement, with what it keeps of claims. The section has no steps if there are no claims.
 ExplainedSection claims_section(const Statement& statement, const Solution& solution, const ExplanationTex& tex);
 
 }  // namespace poinsot::problem

@@ -1,4 +1,4 @@
-// What else holds between unknown motions: restitution, and what joints, cords and contacts forbid.
+// Further conditions on unknown motions: restitution, and the constraints of joints, cords and contacts.
 #include <algorithm>
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 namespace poinsot::problem {
 
-// Restitution and constraints between coordinates.
+// Shows restitution and the constraints between coordinates.
 void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed,
                                         ExplainedSection& here) {
   const InstantFigures<double>& numbers = figures_.numbers;
@@ -50,7 +50,7 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
     if (sudden() && constraint.action >= 0 && !solved_.blow_acting().empty() &&
         !solved_.blow_acting()[static_cast<std::size_t>(constraint.action)])
       continue;
-    // With velocities but without accelerations, the bias is what the velocities bring.
+    // With accelerations at zero, the bias is the part that depends on the velocities.
     const auto row = [&](const auto& figures) {
       using Scalar = ScalarOf<decltype(figures)>;
       solve::MechanismStateOf<Scalar> moment = figures.now;
@@ -71,7 +71,7 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
                                 {}});
       continue;
     }
-    // What the coordinates that are given bring goes to the other side.
+    // The terms of coordinates with given motion go to the right side.
     const Shown right = shown([&](const auto& figures) {
       using Scalar = ScalarOf<decltype(figures)>;
       const auto all = row(figures);
@@ -89,7 +89,7 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
   }
 }
 
-// What joints, cords and contacts beyond the tree of joints say of velocities that nobody states.
+// Shows what joints, cords and contacts beyond the tree of joints require of velocities that are not stated.
 void InstantExplainer::velocity_conditions() {
   if (situation_.steady || sudden() || mechanism().constraints.empty() || solved_.velocities().value.empty()) return;
   const auto& rates = figures_.numbers.machine->rates;

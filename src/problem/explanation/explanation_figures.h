@@ -1,7 +1,7 @@
-// What an explanation reads of a solved instant: masses, momenta and their rates, and the balances of forces and
-// impulses on sets of bodies, as coefficients of what is unknown in them.
+// The numbers of a solved instant that an explanation shows: masses, momenta and their rates, and the balances of
+// forces or impulses on sets of bodies, with coefficients for their unknowns.
 //
-// Scalar: double, or Formula. All vectors on ground axes.
+// The scalar is double or Formula. All vectors are on ground axes.
 #pragma once
 
 #include <algorithm>
@@ -21,17 +21,17 @@ namespace poinsot::problem {
 template <class Scalar>
 struct InstantFigures {
   const MachineOf<Scalar>* machine = nullptr;
-  solve::MechanismStateOf<Scalar> now;                      // with accelerations where forces are solved
-  bool forces = false;                                      // whether they are
-  std::vector<Scalar> unknowns{};                           // of the motion, as solve::force_unknowns orders them
-  std::optional<solve::MechanismStateOf<Scalar>> before{};  // a blow
+  solve::MechanismStateOf<Scalar> now;                      // with accelerations if forces are solved
+  bool forces = false;                                      // whether forces are solved
+  std::vector<Scalar> unknowns{};                           // of the motion, in the order of solve::force_unknowns
+  std::optional<solve::MechanismStateOf<Scalar>> before{};  // the state before a blow
   solve::BlowOf<Scalar> blow{};
-  std::vector<Scalar> impulses{};  // as solve::impulse_unknowns orders them
+  std::vector<Scalar> impulses{};  // in the order of solve::impulse_unknowns
 
   const Mechanism<Scalar>& mechanism() const { return machine->mechanism; }
 };
 
-// Mass, mass center and central inertia of one body where it is now.
+// The mass, mass center and central inertia of a body in its present pose.
 template <class Scalar>
 MassProperties<Scalar> mass_of(const solve::MechanismStateOf<Scalar>& moment, int body) {
   const Model<Scalar>& tree = moment.mechanism().tree;
@@ -42,7 +42,8 @@ MassProperties<Scalar> mass_of(const solve::MechanismStateOf<Scalar>& moment, in
   return {I.mass, body_mass_center(tree, moment.workspace(), body), rotated(R, central)};
 }
 
-// The moment of inertia on an axis, and the product of a pair of them (xy, yz, zx) with the plus sign of Eq. 18.6.
+// The moment of inertia about an axis, and the product for a pair of axes (xy, yz, zx) with the plus sign of Eq.
+// 18.6.
 template <class Scalar>
 const Scalar& moment_on(const SymmetricMatrix3<Scalar>& I, std::size_t axis) {
   return axis == 0 ? I.xx : axis == 1 ? I.yy : I.zz;
@@ -71,37 +72,38 @@ Momentum<Scalar> momentum_rate_of(const solve::MechanismStateOf<Scalar>& moment,
   return sum;
 }
 
-// A force or impulse on a set of bodies that is unknown.
+// An unknown force or impulse on a set of bodies.
 struct UnknownForce {
   enum class Kind { component, effort, impact } kind = Kind::component;
-  std::size_t index = 0;   // among components, drives or impacts
-  std::size_t column = 0;  // among the unknowns of the instant
-  double sign = 1;         // -1 if what stands in the model acts on the other side
+  std::size_t index = 0;   // of the component, drive or impact
+  std::size_t column = 0;  // of the unknown of the instant
+  double sign = 1;         // -1 if the set of bodies is on the other side of the action than in the model
 };
-// A force or impulse on a set of bodies that is known.
+// A known force or impulse on a set of bodies.
 struct KnownAction {
   std::size_t action = 0;
   double sign = 1;
 };
 
-// What acts on a set of bodies from outside, and what is open in their motion.
+// The external forces on a set of bodies, and what is unknown in their motion.
 struct BalancePlan {
   std::set<int> bodies;
   std::vector<UnknownForce> unknown;
-  std::vector<KnownAction> known;  // springs, loads, drives of given effort, given impulses
-  std::vector<std::size_t> open;   // velocity coordinates whose acceleration (velocity after) is unknown
+  std::vector<KnownAction> known;  // springs, loads, drives with given effort, given impulses
+  std::vector<std::size_t> open;   // velocity coordinates whose acceleration (in a blow, velocity after) is unknown
   bool sudden = false;
 };
 
-// All about one point; `moment` is the moment about it.
+// The terms of a balance. All are about one point.
 template <class Scalar>
 struct Balance {
-  std::vector<SpatialForce<Scalar>> unknown;  // of size one
+  std::vector<SpatialForce<Scalar>> unknown;  // for a unit of each unknown
   std::vector<SpatialForce<Scalar>> known;
   std::vector<SpatialForce<Scalar>> weights;  // of each body with mass, in the order of the set
-  std::vector<SpatialForce<Scalar>> motion;   // of each open coordinate: rate of momentum (momentum after) for one unit
-  SpatialForce<Scalar> rest{};                // the same with all open coordinates zero
-  SpatialForce<Scalar> before{};              // momentum before a blow
+  // For each open coordinate: the rate of momentum (momentum after) per unit of it.
+  std::vector<SpatialForce<Scalar>> motion;
+  SpatialForce<Scalar> rest{};    // the same with all open coordinates at zero
+  SpatialForce<Scalar> before{};  // the momentum before a blow
 };
 
 template <class Scalar>
@@ -114,7 +116,7 @@ SpatialForce<Scalar> as_wrench(const Momentum<Scalar>& momentum) {
   return {momentum.angular, momentum.linear};
 }
 
-// The momentum after a blow that particles which stay have, at the velocities of a moment.
+// The momentum of particles that stay after a blow, with the velocities of a state.
 template <class Scalar>
 SpatialForce<Scalar> absorbed_momentum(const InstantFigures<Scalar>& figures,
                                        const solve::MechanismStateOf<Scalar>& moment, const std::set<int>& bodies,
@@ -189,13 +191,13 @@ Balance<Scalar> balance_of(const InstantFigures<Scalar>& figures, const BalanceP
   return balance;
 }
 
-// Row 0 to 2: of the force, 3 to 5: of the moment.
+// Rows 0 to 2 are those of the force, 3 to 5 those of the moment.
 template <class Scalar>
 const Scalar& entry(const SpatialForce<Scalar>& wrench, std::size_t row) {
   return row < 3 ? wrench.force[row] : wrench.moment[row - 3];
 }
 
-// Velocity of the struck point relative to what it strikes, along the push.
+// The velocity of the struck point relative to what it strikes, along the push.
 template <class Scalar>
 Scalar approach_of(const solve::MechanismStateOf<Scalar>& moment, const solve::ImpactOf<Scalar>& impact) {
   const Vector3<Scalar> place = moment.position(impact.at);

@@ -1,4 +1,4 @@
-// Masses, motion and momenta at an instant.
+// Explains masses, motion and momenta at an instant.
 #include "problem/explanation/explanation_instant.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double formula_tolerance = 1e-8;  // between a formula and the number it stands for
+constexpr double formula_tolerance = 1e-8;  // relative difference allowed between a formula and its number
 
 }  // namespace
 
@@ -62,7 +62,7 @@ Shown InstantExplainer::confirmed(double number, const std::optional<Formula>& f
     const double size = std::max(std::abs(value), std::abs(number));
     if (std::abs(value - number) <= formula_tolerance * size + 1e-11) return {formula->is_zero() ? 0 : number, formula};
   } catch (const std::exception&) {
-    // A formula that cannot be looked at is none.
+    // If the formula cannot be evaluated, only the number is shown.
   }
   return {number, std::nullopt};
 }
@@ -78,12 +78,12 @@ ShownVector InstantExplainer::confirmed(const Vector3<double>& number,
   return {clean, formula};
 }
 
-// What rounding leaves is small beside this; unknowns are found less closely than they are calculated with.
+// Numbers far below this are rounding. If there are unknowns it is larger, as they are found with less accuracy.
 double InstantExplainer::noise_size(const Dimension& dimension) const {
   return solved_.natural_size(dimension) * (situation_.find.empty() ? 1 : 1e3);
 }
 
-// Without what rounding has left of zero.
+// Sets the value to zero if it is rounding.
 Shown InstantExplainer::clean(Shown value, const Dimension& dimension) const {
   if (is_rounding(value.number, noise_size(dimension))) value.number = 0;
   return value;
@@ -121,7 +121,7 @@ std::optional<std::string> InstantExplainer::named_point(const Vector3<double>& 
       const Vector3<double> place = data.place(point.value);
       if (norm(place - position) <= 1e-9 * (solved_.scales().length + norm(position))) return point.name;
     } catch (const StatementError&) {
-      // A point that cannot be placed names nothing.
+      // A point without a place cannot be the point sought.
     }
   }
   return std::nullopt;
@@ -141,7 +141,7 @@ ExplainedPoint InstantExplainer::point_of(const Expression& expression) {
     try {
       formula = formula_instant_->raw(expression, std::nullopt, nullptr).vector;
     } catch (const std::exception&) {
-      // Without a formula the number stands alone.
+      // Without formula the number is shown alone.
     }
   }
   const Name* name = expression.as<Name>();
@@ -161,7 +161,7 @@ bool InstantExplainer::rests(int body, const Vector3<double>& point) const {
                      (norm(earlier.w) + norm(motion.w)) * solved_.scales().length);
 }
 
-// Moments and products of inertia about the mass center or a fixed point, once for each.
+// Shows moments and products of inertia about the mass center or a fixed point, once for each.
 void InstantExplainer::inertia_step(ExplainedSection& section, int body, const ExplainedPoint* fixed) {
   if (!inertia_said_.insert(fixed ? body + 10000 : body).second) return;
   const auto tensor = [&, fixed](const auto& figures) {
@@ -215,7 +215,7 @@ void InstantExplainer::explain_masses() {
     if (mechanism().tree.body(body).inertia.mass > 0) inertia_step(here, body, nullptr);
 }
 
-// How a body moves now, as far as it has not been said.
+// Shows the present motion of a body, as far as it was not shown before.
 void InstantExplainer::motion_step(std::vector<ExplainedStep>& steps, int body, const std::string& index,
                                    bool with_velocity, bool with_accelerations) {
   const auto at = static_cast<std::size_t>(body + 1);

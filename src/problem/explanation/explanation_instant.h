@@ -1,4 +1,4 @@
-// One solved instant as steps of a worked solution.
+// Explains one solved instant as steps of a worked solution.
 #pragma once
 
 #include <memory>
@@ -17,19 +17,19 @@
 
 namespace poinsot::problem {
 
-// The figures of an instant in numbers, and in formulas where these were found.
+// The figures of an instant in numbers, and in formulas if there are any.
 struct ExplainedFigures {
   InstantFigures<double> numbers;
   std::optional<InstantFigures<Formula>> formulas{};
 };
 
-// A point of the figure with its label.
+// A point of the drawing with its label.
 struct ExplainedPoint {
   std::string label;
   ShownVector position;
 };
 
-// The point on the road of a scalar. Throws std::domain_error where it has no formula.
+// The position of a point as number or formula. Throws std::domain_error if it has no formula.
 template <class Scalar>
 Vector3<Scalar> position_of(const ExplainedPoint& point) {
   if constexpr (std::is_same_v<Scalar, double>) {
@@ -39,7 +39,7 @@ Vector3<Scalar> position_of(const ExplainedPoint& point) {
     return *point.position.formula;
   }
 }
-// The scalar of some figures.
+// The scalar type of some figures.
 template <class Scalar>
 Scalar scalar_of(const InstantFigures<Scalar>& figures);
 template <class Figures>
@@ -47,17 +47,17 @@ using ScalarOf = decltype(scalar_of(std::declval<Figures>()));
 
 class InstantExplainer {
  public:
-  // formulas: the same instant as formulas, if it could be had; letters: values of the letters in them. All arguments
-  // must outlive it.
+  // formulas: the same instant as formulas, if there are any; letters: the values of their letters. All arguments
+  // must outlive the object.
   InstantExplainer(const Situation& situation, SolvedInstant& solved, SolvedInstant* before, FormulaInstant* formulas,
                    const LetterValues& letters, const ExplanationTex& tex, const InstantQuestions& questions,
                    const Settings& settings, Explanation& explanation);
 
-  // All that the questions need, as sections.
+  // Adds sections with everything that the questions need.
   void explain(const std::string& suffix);
 
  private:
-  // The value on both roads; the formula only where it agrees with the number.
+  // The value as a number, and as a formula if this agrees with the number.
   template <class Get>
   Shown shown(const Get& get) const {
     return confirmed(get(figures_.numbers), in_formulas<Formula>(get));
@@ -83,7 +83,7 @@ class InstantExplainer {
   ShownVector clean(ShownVector value, const Dimension& dimension) const;
   ShownVector confirmed(const Vector3<double>& number, const std::optional<Vector3<Formula>>& formula) const;
 
-  // explanation_instant.cpp
+  // These are defined in explanation_instant.cpp.
   void explain_masses();
   void explain_momenta();
   void explain_momentum(const MomentumQuestion& question);
@@ -91,18 +91,18 @@ class InstantExplainer {
   void motion_step(std::vector<ExplainedStep>& steps, int body, const std::string& index, bool with_velocity,
                    bool with_accelerations);
   void inertia_step(ExplainedSection& section, int body, const ExplainedPoint* fixed);
-  // explanation_parts.cpp
+  // These are defined in explanation_parts.cpp.
   void parts_step(ExplainedSection& section, int body, const ExplainedPoint& point);
   ExplainedPoint point_of(const Expression& expression);
   ExplainedPoint mass_center(int body);
   std::optional<std::string> named_point(const Vector3<double>& position) const;
-  bool rests(int body, const Vector3<double>& point) const;  // whether the body's point there does
+  bool rests(int body, const Vector3<double>& point) const;  // whether the body's point at this place rests
   std::string body_name(int body) const;
   std::string center_label(int body) const;
   std::vector<int> bodies_with_mass() const;
   bool several_bodies() const { return bodies_with_mass().size() > 1; }
 
-  // explanation_balance.cpp
+  // These are defined in explanation_balance.cpp.
   struct Symbol {
     std::string tex;
     double value = 0;  // SI
@@ -124,7 +124,8 @@ class InstantExplainer {
   bool determines(const std::vector<std::set<int>>& systems) const;
   std::vector<std::set<int>> pieces(const std::set<std::size_t>& cut) const;
   Symbol symbol_of(const UnknownForce& force) const;
-  Symbol symbol_of_coordinate(std::size_t k, bool rates) const;  // rates: of its velocity, else acceleration
+  // Rates: whether for its velocity, otherwise for its acceleration.
+  Symbol symbol_of_coordinate(std::size_t k, bool rates) const;
   void velocity_conditions();
   std::string action_symbol(const Action& action) const;
   std::string names_of(const std::set<int>& bodies) const;
@@ -153,7 +154,7 @@ class InstantExplainer {
   ExplainedFigures figures_;
   DataScope<double> data_;
   std::string suffix_;
-  // What has been said already, so that it is said once.
+  // What has been shown already, so that it is shown once.
   std::set<int> inertia_said_, mass_said_;
   std::set<std::string> motion_said_;
   bool any_said_ = false;

@@ -1,4 +1,4 @@
-// The kinetic side: masses times accelerations, and how angular momenta change.
+// The kinetic side: masses times accelerations, and rates of angular momenta (Eqs. 18.22, 18.23).
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 namespace poinsot::problem {
 
-// dH/dt of one body with the axes in which it is simplest: those in which H does not change, if there are any.
+// Shows dH/dt of a body on the axes on which it is simplest: if possible on axes on which H is constant.
 void InstantExplainer::rate_step(ExplainedSection& section, int body, const ExplainedPoint& reference, bool fixed) {
   const auto at = static_cast<std::size_t>(body + 1);
   const std::string& label = reference.label;
@@ -31,7 +31,7 @@ void InstantExplainer::rate_step(ExplainedSection& section, int body, const Expl
     step.equations.clear();
   }
   section.steps.push_back(std::move(step));
-  // Axes to try: of the steady frame, of the bodies that carry this one, its own.
+  // Axes to try are those of the steady frame, of the bodies that carry this one, and its own.
   std::vector<std::pair<int, std::string>> axes;
   if (situation_.steady)
     axes.emplace_back(figures_.numbers.machine->index.at(situation_.steady->frame), situation_.steady->frame);
@@ -60,7 +60,8 @@ void InstantExplainer::rate_step(ExplainedSection& section, int body, const Expl
     section.steps.push_back(std::move(turning));
     return;
   }
-  // A body of revolution is described on the axes that carry it: its spin does not matter there.
+  // A body of revolution is described on the axes of its carrier, on which its moments of inertia are constant while
+  // it spins.
   const int carrier = mechanism().tree.body(body).parent;
   if (carrier != ground && turns_unseen(mechanism().tree, body, solved_.scales().length)) {
     const auto frame = static_cast<std::size_t>(carrier + 1);

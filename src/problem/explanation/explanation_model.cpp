@@ -6,7 +6,6 @@
 namespace poinsot::problem {
 namespace {
 
-
 std::string shape_words(const Shape& shape) {
   static const std::map<std::string, std::string> words{
       {"rod", "slender rod"},       {"rectangle", "thin rectangular plate"},
@@ -21,7 +20,7 @@ std::string shape_words(const Shape& shape) {
   return plain;
 }
 
-// The expression, and the number that it is where it says more.
+// An expression, followed by its value if this says more.
 class Data {
  public:
   Data(const Situation& situation, const Settings& settings, const ExplanationTex& tex)

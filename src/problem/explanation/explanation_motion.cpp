@@ -12,10 +12,11 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double constant_tolerance = 1e-6;               // of what keeps its value along the motion, relative
-constexpr std::array<double, 4> looks{0, 0.23, 0.61, 1};  // parts of the time followed
+constexpr double constant_tolerance = 1e-6;  // relative change along the motion up to which a number is constant
+// Places at which it is looked at, as parts of the time followed.
+constexpr std::array<double, 4> looks{0, 0.23, 0.61, 1};
 
-// One number along the motion that may be constant.
+// A number that may be constant along the motion.
 struct Candidate {
   std::string words, symbol;
   Dimension dimension;
@@ -36,7 +37,7 @@ std::set<int> all_bodies(const solve::MechanismState& moment) {
   return bodies;
 }
 
-// The energy, angular momenta about axes and points fixed to the ground, and spins of bodies of revolution.
+// The energy, the angular momenta about axes and points fixed in the ground, and the spins of bodies of revolution.
 std::vector<Candidate> candidates(const Situation& situation, const Machine& machine, double length) {
   std::vector<Candidate> all;
   all.push_back(

@@ -1,4 +1,4 @@
-// A motion through time in a worked solution: what moves it, how it is followed, what stays constant.
+// Explains a motion in time: what moves it, how it is followed, and what stays constant.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace poinsot::problem {
 
-// suffix: of the headings. Throws StatementError as the motion does.
+// suffix: follows the headings. Throws StatementError as the motion does.
 std::vector<ExplainedSection> motion_sections(const Statement& statement, std::size_t situation, Sample& sample,
                                               const ExplanationTex& tex, const std::string& suffix);
 

@@ -1,4 +1,4 @@
-// The parts of a body as a table: masses, mass centers, moments and products of inertia, and their sum.
+// Shows the parts of a body in a table: masses, mass centers, moments and products of inertia, and their sums.
 #include <algorithm>
 #include <memory>
 
@@ -8,7 +8,7 @@
 namespace poinsot::problem {
 namespace {
 
-// Part of a body as drawn, where the body is now.
+// The mass properties of a part of the drawing, moved to the present pose of its body.
 template <class Scalar>
 MassProperties<Scalar> moved(const MassProperties<Scalar>& part, const solve::MechanismStateOf<Scalar>& now, int body) {
   const solve::MechanismStateOf<Scalar> drawn(now.mechanism());
@@ -18,7 +18,7 @@ MassProperties<Scalar> moved(const MassProperties<Scalar>& part, const solve::Me
   return {part.mass, here.p + turned * (part.center - there.p), rotated(turned, part.inertia_center)};
 }
 
-// The straight pieces of a bent wire as rods of their own, where its mass is shared by length.
+// The straight pieces of a bent wire as separate rods, if its mass is distributed by length.
 std::vector<Part> legs_of(const Part& wire) {
   const List* points =
       wire.shape.kind == "wire" && !wire.amount.mass && !wire.amount.weight && !wire.shape.arguments.empty()
@@ -54,11 +54,11 @@ std::vector<std::string> names_of_parts(const Body& body) {
   return names;
 }
 
-// A column: its heading, its dimension, and the number in it of a part or the whole.
+// A column of the table: its heading, its dimension, and which number of a part it shows.
 struct Quantity {
   std::string tex;
   Dimension dimension;
-  int index;  // 0: mass; 1 to 3: center; 4 to 6: moments; 7 to 9: products
+  int index;  // 0 for the mass, 1 to 3 for the center, 4 to 6 for moments, 7 to 9 for products
 };
 
 template <class Scalar>
@@ -116,7 +116,7 @@ void InstantExplainer::parts_step(ExplainedSection& section, int body, const Exp
       try {
         if (!formulas.empty()) formula = quantity_of(formulas[row], *point.position.formula, columns[c].index);
       } catch (const std::exception&) {
-        // The number stands alone.
+        // The number is shown without formula.
       }
       const double number = quantity_of(numbers[row], point.position.number, columns[c].index);
       cells[c].push_back(clean(confirmed(number, formula), columns[c].dimension));
@@ -134,7 +134,7 @@ void InstantExplainer::parts_step(ExplainedSection& section, int body, const Exp
     head += " $" + columns[c].tex + "$" + (unit.empty() ? "" : " in $" + unit + "$") + " |";
     rule += "---|";
     for (std::size_t row = 0; row < lines.size(); ++row) {
-      // The mass center of the sum is where it is; all else adds up.
+      // In the row of the sum the mass center is that of the whole; all other numbers add up.
       const Shown& cell = cells[c][row];
       const std::string text = cell.number == 0 ? "0"
                                : known          ? tex_.number(cell.number, columns[c].dimension)

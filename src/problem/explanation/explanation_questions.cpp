@@ -6,7 +6,7 @@
 namespace poinsot::problem {
 namespace {
 
-// Walks through an expression and notes what it asks of the model at its instant.
+// Walks through an expression and records what it asks of the model at its instant.
 class Collector {
  public:
   Collector(const Statement& statement, Sample& sample, StatementQuestions& found)
@@ -188,7 +188,7 @@ StatementQuestions questions_of(const Statement& statement, Sample& sample,
     found.instants[start];
     for (const Expression& condition : statement.asks[ask].extremum->conditions) collector.collect(condition, start);
   }
-  // What is stated of an instant is a question as well: it closes what else would be open.
+  // Facts count as questions as well, since equations for them determine what would otherwise be open.
   for (std::size_t i = 0; i < statement.situations.size(); ++i) {
     const Situation& situation = statement.situations[i];
     if (situation.find.empty()) continue;

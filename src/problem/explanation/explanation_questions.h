@@ -1,4 +1,4 @@
-// What the questions and facts of a statement are about, instant by instant: which bodies' momenta, which forces.
+// For each instant, what the questions and facts of a statement are about: the momenta of which bodies, which forces.
 #pragma once
 
 #include <map>
@@ -12,32 +12,32 @@ namespace poinsot::problem {
 
 struct MomentumQuestion {
   int body = whole_system;
-  std::optional<Expression> about;  // of an angular momentum or energy; the mass center where nothing is said
+  std::optional<Expression> about;  // the point of an angular momentum or energy; the mass center if it is not stated
   bool angular = false, linear = false, energy = false;
-  bool rate = false;  // how it changes is asked
+  bool rate = false;  // whether its rate is asked for
 };
 
-// What is asked, or stated as a condition, at one instant.
+// What is asked for, or stated as a condition, at one instant.
 struct InstantQuestions {
   std::vector<MomentumQuestion> momenta;
-  std::set<int> moving, accelerated;  // bodies whose velocities or accelerations are asked
-  std::set<int> masses;               // bodies whose mass, center or inertia is asked
-  std::set<std::size_t> forces;       // actions whose forces, couples or impulses are asked
-  std::set<std::size_t> pushes;       // contacts and cords of which only what can push or pull counts
-  bool accelerations = false;         // of anything
+  std::set<int> moving, accelerated;  // bodies whose velocities or accelerations are asked for
+  std::set<int> masses;               // bodies whose mass, center or inertia is asked for
+  std::set<std::size_t> forces;       // actions whose forces, couples or impulses are asked for
+  std::set<std::size_t> pushes;       // contacts and cords of which only whether they push or pull is asked
+  bool accelerations = false;         // of any body
   bool energies = false;
-  bool positions = false;  // nothing but places and masses
+  bool positions = false;  // whether only places and masses are asked for
 
   bool asks_forces() const { return !forces.empty() || !pushes.empty() || accelerations; }
 };
 
 struct StatementQuestions {
   std::map<Sample::Home, InstantQuestions> instants;
-  std::set<std::size_t> motions;  // situations whose motion through time is asked
+  std::set<std::size_t> motions;  // situations whose motion in time is asked for
 };
 
-// limits: situations with the ask whose conditions are asked at them. Throws StatementError as the evaluation of the
-// asks does.
+// limits: situations to be explained at a limit, with the ask whose conditions count there. Throws StatementError as
+// the evaluation of the asks does.
 StatementQuestions questions_of(const Statement& statement, Sample& sample,
                                 const std::map<std::size_t, std::size_t>& limits);
 

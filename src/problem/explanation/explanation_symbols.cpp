@@ -1,4 +1,4 @@
-// The letters of what is unknown, and what acts from outside in words.
+// The symbols of unknowns, and the external forces in words.
 #include <algorithm>
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 namespace poinsot::problem {
 
-// The letter of its forces: the point at which it holds, if it has one, else its name.
+// The letter for the forces of an action: the point at which it holds, if it has one, otherwise its name.
 std::string InstantExplainer::action_symbol(const Action& action) const {
   for (const Joint& joint : situation_.joints) {
     if (action.kind != ActionKind::joint || joint.name != action.name) continue;
@@ -53,7 +53,7 @@ InstantExplainer::Symbol InstantExplainer::symbol_of(const UnknownForce& force) 
             ++place;
         index = std::to_string(place);
       }
-      // A_x for the point A, else the letter of a force with the name as index.
+      // The symbol is A_x for the point A, otherwise the letter of a force with the name as index.
       const bool short_name = letter.size() <= 2;
       symbol.tex = !couple && short_name ? ExplanationTex::symbol(letter, index)
                                          : ExplanationTex::symbol(couple ? "M" : "F", letter + "," + index);
@@ -114,7 +114,7 @@ InstantExplainer::Symbol InstantExplainer::symbol_of_coordinate(std::size_t k, b
   return symbol;
 }
 
-// What acts from outside, one by one.
+// Lists the external forces one by one.
 void InstantExplainer::force_list(ExplainedSection& here, const System& system) const {
   std::vector<std::string> items;
   const Vector3<double> gravity = mechanism().tree.gravity();
@@ -145,7 +145,7 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system) 
                                            : "the force") +
                     " of *" + action.name + "*: " + tex_.inline_vector(value, dimension));
   }
-  // Components of one action together.
+  // The components of one action are listed together.
   std::vector<std::pair<std::size_t, std::vector<std::string>>> held;
   for (std::size_t i = 0; i < system.plan.unknown.size(); ++i) {
     const UnknownForce& force = system.plan.unknown[i];

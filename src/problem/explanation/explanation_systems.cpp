@@ -1,4 +1,5 @@
-// Which bodies are taken as one, what acts on them from outside, and about which point moments are taken.
+// Chooses the bodies that are taken as one, finds the external forces on them, and the point about which moments are
+// taken.
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +32,7 @@ std::vector<std::size_t> InstantExplainer::open_coordinates() const {
   return open;
 }
 
-// Coordinates that a cord, contact or loop by itself keeps from moving, and from beginning to move.
+// Coordinates that a single cord, contact or loop keeps from moving, and from beginning to move.
 std::vector<std::size_t> InstantExplainer::blocked_coordinates() const {
   if (sudden()) return {};
   std::vector<std::size_t> blocked;
@@ -54,7 +55,7 @@ BalancePlan InstantExplainer::plan_for(const std::set<int>& bodies) const {
   plan.bodies = bodies;
   plan.sudden = sudden();
   const Mechanism<double>& m = mechanism();
-  // The side of an action on which the bodies are; none if on both or neither.
+  // On which side of an action the bodies are: 1, -1, or 0 if on both or neither.
   const auto sign = [&](int action) -> double {
     const Action& a = m.actions[static_cast<std::size_t>(action)];
     const bool on = bodies.contains(a.on), from = bodies.contains(a.from);
@@ -109,7 +110,7 @@ bool InstantExplainer::is_asked(const UnknownForce& force) const {
   return questions_.forces.contains(action) || (pushes && questions_.pushes.contains(action));
 }
 
-// The bodies that hang together once some actions are cut, each with all that is not cut.
+// Cuts some actions and returns the sets of bodies that are still connected.
 std::vector<std::set<int>> InstantExplainer::pieces(const std::set<std::size_t>& cut) const {
   const Mechanism<double>& m = mechanism();
   std::set<int> left;
@@ -123,7 +124,7 @@ std::vector<std::set<int>> InstantExplainer::pieces(const std::set<std::size_t>&
       for (std::size_t a = 0; a < m.actions.size(); ++a) {
         if (cut.contains(a)) continue;
         const Action& action = m.actions[a];
-        // Supports and drive of one joint are cut together.
+        // The supports and the drive of one joint are cut together.
         for (const auto& [one, other] : {std::pair{action.on, action.from}, std::pair{action.from, action.on}})
           if (piece.contains(one) && left.contains(other) && piece.insert(other).second) grown = true;
       }
@@ -134,7 +135,7 @@ std::vector<std::set<int>> InstantExplainer::pieces(const std::set<std::size_t>&
   return found;
 }
 
-// Whether the equations of these systems, with the constraints, fix what is asked.
+// Whether the equations for these sets of bodies, together with the constraints, determine what is asked for.
 bool InstantExplainer::determines(const std::vector<std::set<int>>& systems) const {
   const solve::Scales& scales = solved_.scales();
   const double force = scales.mass * scales.length / (scales.time * scales.time) * (sudden() ? scales.time : 1);
@@ -192,12 +193,12 @@ bool InstantExplainer::determines(const std::vector<std::set<int>>& systems) con
   return std::all_of(asked.begin(), asked.end(), [&](std::size_t column) {
     const auto found = unknown_of.find(column);
     const auto& whole = sudden() ? solved_.blow() : solved_.motion();
-    // What the statement itself leaves open is not demanded.
+    // What the statement itself leaves open need not be determined.
     return !whole.determined(column) || (found != unknown_of.end() && solution.determined(found->second));
   });
 }
 
-// Whether a component of the balance about the best point holds no unknown force, but something else.
+// Whether a component of the balance about the best point contains no unknown force, but something else.
 bool InstantExplainer::has_pure_equation(const std::set<int>& bodies) const {
   const BalancePlan plan = plan_for(bodies);
   const std::optional<ExplainedPoint> point = best_point(plan);
@@ -214,7 +215,8 @@ bool InstantExplainer::has_pure_equation(const std::set<int>& bodies) const {
   return false;
 }
 
-// The fewest free bodies whose equations give what is asked: all as one, what hangs on a cut, each by itself.
+// The smallest collection of sets of bodies whose equations give what is asked for: all bodies as one, those that
+// remain connected after one cut, single bodies.
 std::vector<std::set<int>> InstantExplainer::choose_systems() const {
   const auto with_mass = [&](const std::set<int>& bodies) {
     return std::any_of(bodies.begin(), bodies.end(),
@@ -223,7 +225,7 @@ std::vector<std::set<int>> InstantExplainer::choose_systems() const {
   std::vector<std::set<int>> whole;
   for (std::set<int>& piece : pieces({}))
     if (with_mass(piece)) whole.push_back(std::move(piece));
-  // What hangs together once one connection is cut, and each body by itself.
+  // The candidates are what remains connected after one cut, and single bodies.
   const Mechanism<double>& m = mechanism();
   const auto between = [&](const Action& action) {
     std::set<std::size_t> all;
@@ -246,7 +248,7 @@ std::vector<std::set<int>> InstantExplainer::choose_systems() const {
   for (const Body& body : situation_.bodies) add({figures_.numbers.machine->index.at(body.name)});
   const bool anything_asked = !questions_.forces.empty() || !questions_.pushes.empty() || questions_.accelerations;
   if (!sudden() && !anything_asked) {
-    // What fixes a datum is an equation without unknown forces.
+    // A datum is determined by an equation without unknown forces.
     if (std::any_of(whole.begin(), whole.end(), [&](const std::set<int>& one) { return has_pure_equation(one); }))
       return whole;
     for (const std::set<int>& bodies : smaller)
@@ -273,7 +275,7 @@ std::string InstantExplainer::names_of(const std::set<int>& bodies) const {
   return in_words(names);
 }
 
-// The place about which most unknown forces have no moment.
+// The point through which most unknown forces pass, so that they have no moment about it.
 std::optional<ExplainedPoint> InstantExplainer::best_point(const BalancePlan& plan) const {
   const double near = 1e-9 * solved_.scales().length;
   std::size_t best = 0;
@@ -282,7 +284,7 @@ std::optional<ExplainedPoint> InstantExplainer::best_point(const BalancePlan& pl
   for (const UnknownForce& candidate : plan.unknown) {
     if (candidate.kind != UnknownForce::Kind::component || mechanism().components[candidate.index].couple) continue;
     const Vector3<double> P = placed.position(mechanism().components[candidate.index].at);
-    // The end of a cord, or a contact, is no better than the mass center if it moves.
+    // If the end of a cord or a contact moves, it has no advantage over the mass center.
     const ActionKind kind = mechanism().actions[action_of(candidate)].kind;
     const bool resting = std::all_of(plan.bodies.begin(), plan.bodies.end(), [&](int body) { return rests(body, P); });
     if ((kind == ActionKind::cord || kind == ActionKind::contact) && !resting) continue;

@@ -11,12 +11,13 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr std::size_t longest_beside_number = 64;  // of a formula's plain text, beside a number that says the same
+constexpr std::size_t longest_beside_number = 64;  // in characters of plain text, for a formula beside its number
 constexpr std::size_t longest_alone = 600;
-constexpr std::size_t longest_line = 150;  // of the plain text of an equation in symbols, beside one in numbers
+// In characters of plain text, for an equation in symbols beside the same in numbers.
+constexpr std::size_t longest_line = 150;
 constexpr double rounding = 1e-10;
 
-// Whether a sum stands outside all brackets.
+// Whether there is a sum outside all brackets.
 bool is_sum(const std::string& tex) {
   int depth = 0;
   for (std::size_t i = 0; i < tex.size(); ++i) {
@@ -28,7 +29,7 @@ bool is_sum(const std::string& tex) {
   return false;
 }
 
-// One more term of a sum: its factor and what it multiplies.
+// Adds a term to a sum: a factor and the symbol that it multiplies.
 void append_term(std::string& sum, std::string factor, const std::string& symbol) {
   bool negative = false;
   if (!symbol.empty() && is_sum(factor)) {
@@ -52,7 +53,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-// "A" as it is, "wire_A" upright; items between commas each by itself.
+// TeX of an index: "A" in italics, "wire_A" upright; items separated by commas are set one by one.
 std::string index_tex(const std::string& index) {
   std::string tex;
   for (std::size_t begin = 0; begin <= index.size();) {
@@ -64,7 +65,7 @@ std::string index_tex(const std::string& index) {
   return tex;
 }
 
-// A formula as TeX; a name such as phidot is a rate.
+// A formula as TeX. A name such as phidot is written as a rate, with a dot.
 std::string formula_as_tex(const Formula& formula) {
   static const std::regex rate("\\\\mathit\\{([A-Za-z]+[0-9]*)dot\\}");
   const std::string tex = text(formula, Notation::tex);
@@ -282,7 +283,7 @@ std::string ExplanationTex::side_in_numbers(const std::vector<ShownTerm>& terms,
                                             double natural, double& sum, double& size) const {
   std::string side;
   for (const ShownTerm& term : terms) {
-    // A coefficient is noise if what it could bring is.
+    // A coefficient is left out if its largest possible contribution is rounding.
     if (is_rounding(term.coefficient.number * (term.symbol.empty() ? 1 : term.value), natural) &&
         (term.symbol.empty() || is_rounding(term.coefficient.number, 1e-2)))
       continue;
@@ -350,7 +351,7 @@ std::vector<ExplainedEquation> ExplanationTex::balance(const std::string& name, 
   const bool alone = right_numbers == "0" && (left_numbers == "0" || !is_plain_number(left_numbers));
   const std::string right_end = alone ? right_numbers : right_numbers + unit_tex(dimension);
   if (numbers && !tex.empty() && left_shown == left_numbers) {
-    // The left side is the same in symbols and in numbers: it stands once.
+    // The left side reads the same in symbols and in numbers and is shown once.
     equations.push_back({name, tex + " = " + right_end, {left_sum, right_sum}, size, symbols_in(left, right)});
     return equations;
   }
@@ -369,7 +370,7 @@ std::string ExplanationTex::upright(const std::string& name) { return "\\mathrm{
 std::string ExplanationTex::symbol(const std::string& name, const std::string& index) {
   const std::string tex = formula_as_tex(Formula::letter(name, poinsot::Sign::real));
   if (index.empty()) return tex;
-  // A name with an index of its own keeps it in front.
+  // A name that has an index keeps it in front of the new one.
   if (tex.ends_with('}') && tex.find("_{") != std::string::npos)
     return tex.substr(0, tex.size() - 1) + "," + index_tex(index) + "}";
   return tex + "_{" + index_tex(index) + "}";

@@ -1,4 +1,4 @@
-// TeX of what an explanation shows: numbers with units, symbols, formulas, vectors.
+// TeX for explanations: numbers with units, symbols, formulas, vectors.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace poinsot::problem {
 
-// Text as it stands in a problem file, in the typeface of Markdown's code.
+// Text of the problem file in the typeface that Markdown uses for code.
 inline std::string code(const std::string& text) { return "`" + text + "`"; }
 inline std::string code(const Expression& expression) { return code(to_string(expression)); }
 
-// A number in SI, and where it is had its formula in the data of the statement.
+// A number in SI units, with its formula in the data of the statement if it has one.
 struct Shown {
   double number = 0;
   std::optional<Formula> formula;
@@ -28,72 +28,74 @@ struct ShownVector {
   Shown operator[](std::size_t k) const { return {number[k], formula ? std::optional((*formula)[k]) : std::nullopt}; }
 };
 
-// One term of a linear side: coefficient times symbol, or the coefficient alone. The symbol's value in SI.
+// A term of a linear equation: coefficient times symbol, or only a coefficient. `value` is that of the symbol, in SI
+// units.
 struct ShownTerm {
   Shown coefficient;
   std::string symbol{};  // TeX
   double value = 1;
-  Dimension dimension{};  // of the symbol
+  Dimension dimension{};  // that of the symbol
 };
 
 class ExplanationTex {
  public:
-  // letters_open: numbers were drawn at random for letters, so that a number is shown only where its formula has no
-  // letter without value. open: these letters.
+  // open: the letters for which random values were drawn. A number is then shown only if its formula has none of
+  // them.
   ExplanationTex(const Situation& situation, std::vector<std::string> open);
 
-  // Values of the letters in the units shown. A formula that does not have the number's value with them holds a number
-  // with a unit, in SI, and is not shown.
+  // Sets the values of letters in the units shown. A formula that does not give the number with these values contains
+  // a number that has a unit, in SI, and is not shown.
   void set_letters(LetterValues letters) { letters_ = std::move(letters); }
   bool letters_open() const { return !open_.empty(); }
-  // Whether a number may be shown as such.
+  // Whether the number may be shown.
   bool is_known(const Shown& value) const;
-  // Whether anything can be shown of it.
+  // Whether number or formula may be shown.
   bool can_show(const Shown& value) const { return is_known(value) || value.formula.has_value(); }
   bool can_show(const ShownVector& value) const;
 
-  // The unit in which this dimension is shown: one of a coherent system, so that equations in numbers need no factors.
+  // The unit in which a dimension is shown. All units are of one coherent system, so that equations in numbers need
+  // no factors.
   const Unit& unit(const Dimension& dimension) const;
   std::string unit_tex(const Dimension& dimension, bool as_energy = false) const;
-  // In that unit, six digits, without the unit.
+  // The number in that unit with six digits, without the unit.
   std::string number(double value, const Dimension& dimension) const;
-  // With the unit, but for zero.
+  // The number with its unit; zero has none.
   std::string with_unit(double value, const Dimension& dimension, bool as_energy = false) const;
-  // As it is read back from these digits, SI.
+  // The number that is read back from the digits shown, in SI units.
   double rounded(double value, const Dimension& dimension) const;
 
-  // "formula = number unit", whichever there is; the sides are the equation's.
-  // as_energy: in J and not in N*m.
+  // The equation "symbol = formula = number unit" with what there is of these; its sides are in SI units. as_energy:
+  // whether in J and not in N*m.
   ExplainedEquation equation(const std::string& symbol, const Shown& value, const Dimension& dimension,
                              bool as_energy = false) const;
   ExplainedEquation equation(const std::string& symbol, const ShownVector& value, const Dimension& dimension) const;
-  // In one line of text, between dollar signs: the number with unit, else the formula.
+  // The number with its unit, or else the formula, between dollar signs within a line.
   std::string inline_value(const Shown& value, const Dimension& dimension) const;
-  // Formula and number.
+  // Both the formula and the number.
   std::string inline_both(const Shown& value, const Dimension& dimension) const;
   std::string inline_vector(const ShownVector& value, const Dimension& dimension) const;
   std::string inline_equation(const std::string& symbol, const Shown& value, const Dimension& dimension) const;
   std::string inline_equation(const std::string& symbol, const ShownVector& value, const Dimension& dimension) const;
 
-  // name: left = right. In symbols where all coefficients have short formulas, then in numbers. Nothing where both
-  // sides vanish or nothing can be shown. natural: what is far below it is rounding, SI.
+  // The equation name: left = right, in symbols if all coefficients have short formulas, and then in numbers. There
+  // is none if both sides vanish or nothing can be shown. natural: numbers far below this are rounding, in SI units.
   std::vector<ExplainedEquation> balance(const std::string& name, const std::vector<ShownTerm>& left,
                                          const std::vector<ShownTerm>& right, const Dimension& dimension,
                                          double natural) const;
 
-  // A formula by itself; nothing where it is too long to be read.
+  // The formula alone; nothing if it is too long to read.
   static std::optional<std::string> formula(const Formula& formula);
-  // A name upright, as an index.
+  // A name in upright letters, as for an index.
   static std::string upright(const std::string& name);
-  // A name of the statement as a symbol: omega1 is \omega_{1}; with an index.
+  // A name of the statement as a symbol with an index: omega1 is \omega_{1}.
   static std::string symbol(const std::string& name, const std::string& index = "");
-  // The unit vector of an axis: \mathbf{i}.
+  // The unit vector along an axis, as \mathbf{i}.
   std::string unit_vector(std::size_t axis) const;
   const std::string& axis(std::size_t k) const { return axes_[k]; }
 
  private:
   bool has_open_letters(const Formula& formula) const;
-  // The formula as TeX if it has letters and is short enough to be read.
+  // The formula as TeX, if it has letters and is short enough to read.
   std::optional<std::string> formula_tex(const Shown& value, const Dimension& dimension) const;
   bool fits_units(const Shown& value, const Dimension& dimension) const;
   std::string side_in_numbers(const std::vector<ShownTerm>& terms, const Dimension& dimension, double natural,
@@ -111,10 +113,10 @@ class ExplanationTex {
   mutable std::vector<std::pair<Dimension, Unit>> units_;
 };
 
-// "a, b and c".
+// The items as an enumeration: "a, b and c".
 std::string in_words(const std::vector<std::string>& items);
 
-// Whether a number is no more than rounding beside another.
+// Whether a number is nothing but rounding beside another.
 bool is_rounding(double value, double size);
 
 }  // namespace poinsot::problem

@@ -70,7 +70,7 @@ const std::map<std::string, std::string>& nouns() {
   return table;
 }
 
-// The body that a joint, support or contact holds, and what holds it.
+// The body on which a joint, support or contact acts, and the body from which it acts.
 struct Sides {
   std::string on, from;
 };
@@ -154,7 +154,7 @@ std::string words_of(const Expression& expression, const Situation& situation) {
   return to_string(expression);
 }
 
-// "stable(plate)": plate is stable.
+// A condition in words; stable(plate) is "plate is stable".
 std::string condition_words(const Expression& condition, const Situation& situation) {
   const Call* call = condition.as<Call>();
   if (call && call->arguments.size() == 1)

@@ -1,4 +1,4 @@
-// Quantities in words.
+// Puts quantities into words.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace poinsot::problem {
 
-// "angular momentum of disk about G, on the axes x y z of the ground".
+// What is asked for, as in "angular momentum of disk about G, on the axes x y z of the ground".
 std::string describe(const Ask& ask, const Situation& situation, bool is_vector);
 
 }  // namespace poinsot::problem

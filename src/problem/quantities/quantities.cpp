@@ -152,7 +152,7 @@ Vector3<Scalar> QuantityScope<Scalar, Base>::place(const Expression& expression,
   return evaluator.vector(expression, dimensions::length);
 }
 
-// The body's mass properties in its present pose, on ground axes.
+// The mass properties of the body in its present pose, on ground axes.
 template <class Scalar, class Base>
 MassProperties<Scalar> QuantityScope<Scalar, Base>::current_mass(int body) {
   const auto one = [&](int i) {
@@ -275,7 +275,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::call(const Call& call, const Mark& ma
     for (const QuantityFunction& known : quantity_table()) names.emplace_back(known.name);
     evaluator.unknown_call(call, mark, names);
   }
-  // reaction(A of bearings) reads as one argument.
+  // The parser reads reaction(A of bearings) as a single argument.
   if (call.arguments.empty() ||
       std::find(function->patterns.begin(), function->patterns.end(), call.pattern()) == function->patterns.end())
     evaluator.fail(mark, call.function + " is not written like this", std::string("write ") + function->form);
@@ -304,7 +304,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::call(const Call& call, const Mark& ma
   evaluator.fail(mark, call.function + "() over the motion cannot stand here");
 }
 
-// derivative(X by m): how X changes with a letter, all other letters held.
+// derivative(X by m): the derivative of X by a letter, while all other letters are held.
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::derivative_by(const Call& call, const Mark& mark,
                                                          const Evaluator<Scalar>& evaluator) {
@@ -338,7 +338,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::rate(const Call& call, const Mark& ma
   } else {
     if (!has_accelerations_) evaluator.fail(mark, "rate() cannot stand among what is known of the velocities");
     using Timed = Dual<1, Base>;
-    // The state as a function of time: values with their rates.
+    // The state as a function of time: each value has its rate as dual part.
     const Model<Timed> model = convert<Timed>(model_);
     State<Timed> state;
     std::vector<Base> q_rate(state_.q.size());

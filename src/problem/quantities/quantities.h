@@ -1,4 +1,4 @@
-// What the words of the language mean on a mechanism in motion: momenta, energies, velocities, forces, reactions.
+// The values of quantities for a mechanism in motion: momenta, energies, velocities, forces, reactions.
 #pragma once
 
 #include <functional>
@@ -17,30 +17,31 @@
 
 namespace poinsot::problem {
 
-// Stands for all bodies together where a body is asked.
+// In place of the index of a body this means all bodies together.
 constexpr int whole_system = -2;
 
-// A particle that belongs to no body.
+// A particle that belongs to no body, such as one that has passed through.
 template <class Scalar>
 struct FlyingParticle {
   Scalar mass{};
   Vector3<Scalar> position{}, velocity{};  // m, m/s, on ground axes
 };
 
-// A mechanism in motion as the scope of expressions.
+// The scope in which expressions about a mechanism in motion are evaluated.
 //
-// Base: the scalar of the machine. Scalar: the same, or Dual<1, Base>, which differentiates by time or by a velocity.
+// Base is the scalar of the machine. Scalar is the same, or Dual<1, Base> for derivatives by time or by a velocity.
 template <class Scalar, class Base = Scalar>
 class QuantityScope : public Scope<Scalar> {
  public:
-  // data: of the same scalar. All arguments must outlive the scope.
+  // The data must have the same scalar. All arguments must outlive the scope.
   QuantityScope(const MachineOf<Base>& machine, const Model<Scalar>& model, DataScope<Scalar>& data,
                 State<Scalar> state);
 
-  // Accelerations of the coordinates, and (for forces) the solution of the motion equations that they come from.
+  // Sets the accelerations of the coordinates, and for forces the solution of the equations of motion that they
+  // belong to.
   void set_accelerations(const std::vector<Base>& accelerations);
   void set_forces(const solve::MechanismStateOf<Base>* moment, const std::vector<Base>* unknowns);
-  // Particles of strikes that fly by themselves now: they belong to the system.
+  // Sets the particles of strikes that fly on their own: they belong to the system.
   void set_flying(std::vector<FlyingParticle<Base>> particles) { flying_ = std::move(particles); }
   void set_blow(const solve::MechanismStateOf<Base>* before, const solve::BlowOf<Base>* blow,
                 const std::vector<Base>* impulses) {
@@ -48,24 +49,24 @@ class QuantityScope : public Scope<Scalar> {
     blow_ = blow;
     impulses_ = impulses;
   }
-  // The axes on which x, y, z and components are meant; those of the ground when never set.
+  // Sets the axes on which components such as x, y, z are taken. Without it these are the axes of the ground.
   void set_axes(const Expression& expression) {
     axes_expression_ = expression;
     axes_ = axes_of(expression);
   }
   const Matrix3<Scalar>& axes() const { return axes_; }
-  // The axes that an `axes:` entry names: a body, a frame, `ground`, or a list of three directions.
+  // The axes named by an `axes:` entry: those of a body, a frame or the ground, or a list of three directions.
   Matrix3<Scalar> axes_of(const Expression& expression);
-  // What stands before an `@` is asked of another scope.
+  // Sets the function that evaluates what stands before an `@`, which concerns another instant.
   void set_elsewhere(std::function<Value<Scalar>(const At&, const Mark&)> elsewhere) {
     elsewhere_ = std::move(elsewhere);
   }
 
-  // What min(), max() and period() of a quantity are over the motion.
+  // Evaluates min(), max() and period() of a quantity over the motion.
   using Feature =
       std::function<Value<double>(const Call& call, const std::optional<Expression>& axes, const Mark& mark)>;
   void set_motion(Feature feature) { feature_ = std::move(feature); }
-  // The motion near this one; asked for at the mark.
+  // Sets the function that linearises the motion near this one. Errors are reported at the mark.
   void set_linearisation(std::function<const solve::Linearisation&(const Mark&)> linearisation) {
     linearisation_ = std::move(linearisation);
   }
@@ -82,7 +83,7 @@ class QuantityScope : public Scope<Scalar> {
   using Vector = Vector3<Scalar>;
   using Result = Value<Scalar>;
 
-  // What the machine is made of, without the derivatives that this scope adds.
+  // The value in the scalar of the machine, without the derivatives that this scope adds.
   static const Base& as_base(const Scalar& x) {
     if constexpr (std::is_same_v<Scalar, Base>)
       return x;
@@ -94,7 +95,7 @@ class QuantityScope : public Scope<Scalar> {
   int body_of(const Expression& expression, const Evaluator<Scalar>& evaluator, bool system_allowed = false);
   bool is_frame(int body) const;
   Vector place(const Expression& expression, const Evaluator<Scalar>& evaluator);
-  // A point that rides with a body: `A of plate`, `center(disk)`, or a body (its mass center).
+  // A point that moves with a body: `A of plate`, `center(disk)`, or a body, which stands for its mass center.
   struct Riding {
     int body;
     Vector local;
@@ -102,7 +103,7 @@ class QuantityScope : public Scope<Scalar> {
   Riding riding(const Expression& expression, const Evaluator<Scalar>& evaluator);
   Vector mass_center_of(int body, const Expression& expression, const Evaluator<Scalar>& evaluator);
   MassProperties<Scalar> current_mass(int body);
-  // Axis through a point: A->B, axis(J), or a direction with its point after `at`.
+  // An axis as a point and a direction: A->B, axis(J), or a direction with its point after `at`.
   std::pair<Vector, Vector> line(const Call& call, const Evaluator<Scalar>& evaluator);
 
   Result kinematic(const Call& call, const Evaluator<Scalar>& evaluator);

@@ -1,4 +1,4 @@
-// Forces, couples, reactions, drives and impulses.
+// The values of forces, couples, reactions, drives and impulses.
 #include <algorithm>
 #include <string_view>
 
@@ -71,7 +71,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     evaluator.fail(name_mark, "nothing named '" + name + "' has a " + call.function,
                    hint.empty() ? (all.empty() ? "" : "known: " + all) : hint);
   }
-  // One name for two supports of different joints must say which.
+  // If supports of different joints have the same name, it does not say which one is meant.
   if (f == "reaction" || f == "reaction_couple") {
     for (std::size_t i : actions)
       if (mechanism.actions[i].kind == ActionKind::support && mechanism.actions[i].name == name &&
@@ -100,7 +100,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
   const auto as_vector = [&](const Vector3<Base>& v, const Dimension& dimension) {
     return vector_value(lifted<Scalar>(sign * v), dimension);
   };
-  // Where the first component of the actions is carried.
+  // The place at which the first component of these actions is carried.
   const solve::MechanismStateOf<Base>& now = sudden ? *before_ : *moment_;
   const auto own_place = [&]() -> Vector3<Base> {
     for (const Component<Base>& component : mechanism.components)
@@ -110,7 +110,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     return Vector3<Base>::zero();
   };
   if (f == "tension") {
-    // Of size one along the cord, so that a cord that would have to push shows a negative tension.
+    // The component is along the cord and may be negative, so that a cord that would have to push shows a negative
+    // tension.
     for (std::size_t k = 0; k < mechanism.components.size(); ++k)
       if (mechanism.components[k].action == static_cast<int>(actions.front()))
         return number_value(lifted<Scalar>((*unknowns_)[solve::force_unknowns(mechanism).accelerations + k]),
@@ -126,7 +127,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     evaluator.fail(name_mark, "joint '" + name + "' has several freedoms",
                    "write drive(FREEDOM of " + name + "), FREEDOM one of turn, slide, first, second, slide1, slide2");
   if (f == "drive") {
-    // What it exerts along or about its own axis; gimbals may pass on more.
+    // The effort along or about the motor's own axis is meant. Gimbals may pass on more than that.
     for (const Drive<Base>& drive : mechanism.drives) {
       if (drive.action != static_cast<int>(actions.front())) continue;
       const Vector3<Base> d = moment_->direction(drive.along);

@@ -1,4 +1,4 @@
-// Moments and axes of inertia, and the free motion that they decide.
+// Moments and principal axes of inertia, and the free motion that they determine (section 18.11).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,7 +30,7 @@ Revolution<double> revolution_of(const SymmetricMatrix3<double>& I) {
           principal.axes.column(axis)};
 }
 
-// To first order: dA = u . dI u, du = (1 - u u^T) dI u / (A - B).
+// The rates of the axial moment A and of the axis u to first order: dA = u . dI u, du = (1 - u u^T) dI u / (A - B).
 Revolution<Dual<1>> revolution_of(const SymmetricMatrix3<Dual<1>>& I) {
   const Revolution<double> now = revolution_of(plain(I));
   if (now.symmetry != InertiaSymmetry::axisymmetric) return {now.symmetry, {}, {}, {}};
@@ -42,7 +42,8 @@ Revolution<Dual<1>> revolution_of(const SymmetricMatrix3<Dual<1>>& I) {
   return {now.symmetry, axial, (I.xx + I.yy + I.zz - axial) / Dual<1>(2), axis};
 }
 
-// I = B 1 + (A - B) u u^T, where B is the double root of the characteristic polynomial x^3 - c x^2 + d x - e.
+// The tensor of a body of revolution is I = B 1 + (A - B) u u^T. B is the double root of the characteristic
+// polynomial x^3 - c x^2 + d x - e.
 Revolution<Formula> revolution_of(const SymmetricMatrix3<Formula>& I) {
   const Formula c = I.xx + I.yy + I.zz;
   const Formula d = I.xx * I.yy + I.yy * I.zz + I.zz * I.xx - I.xy * I.xy - I.yz * I.yz - I.zx * I.zx;
@@ -64,10 +65,11 @@ Revolution<Formula> revolution_of(const SymmetricMatrix3<Formula>& I) {
   return {InertiaSymmetry::axisymmetric, axial, transverse, u};
 }
 
-// Ascending at the point where decisions are taken; by a formula where at most one product of inertia is not zero.
+// The principal moments in ascending order, where the numbers of the letters decide the order. They have a formula if
+// at most one product of inertia is not zero.
 Vector3<Formula> principal_moments(const SymmetricMatrix3<Formula>& I) {
   const std::array<Formula, 3> moments{I.xx, I.yy, I.zz}, products{I.yz, I.zx, I.xy};
-  std::size_t alone = 0;  // the axis across which the product stands
+  std::size_t alone = 0;  // the axis perpendicular to the plane of that product
   int count = 0;
   for (std::size_t k = 0; k < 3; ++k)
     if (!products[k].is_zero()) {
@@ -129,7 +131,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
   } else if constexpr (std::is_same_v<Scalar, double>) {
     const PrincipalAxes<double> principal = principal_axes(I);
     if (f == "principal_moments") return numbers({principal.moments.x, principal.moments.y, principal.moments.z});
-    // Components on the asked axes; the caller takes vectors from ground axes.
+    // The axes are given on the axes that were asked for, as the caller converts vectors but not lists.
     std::vector<Result> items;
     for (std::size_t k = 0; k < 3; ++k)
       items.push_back(vector_value(axes_ * principal.axes.column(k), dimensions::none));
@@ -139,8 +141,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
   }
 }
 
-// Of a body of revolution under no moment about its mass center (Eqs. 18.46 to 18.49): it precesses about its angular
-// momentum H_G at H_G/I' and spins about its axis at H_G cos(theta) (I' - I)/(I I').
+// A body of revolution under no moment about its mass center precesses about its angular momentum H_G at the rate
+// H_G/I' and spins about its axis at H_G cos(theta) (I' - I)/(I I') (Eqs. 18.46 to 18.49).
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const Mark& mark,
                                                        const Evaluator<Scalar>& evaluator) {
@@ -176,7 +178,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
                                                                             : "its three principal moments differ"),
                      "its motion is no steady precession");
     const Scalar &axial = revolution.axial, &transverse = revolution.transverse;
-    // The sense of the axis: that of the angular velocity, unless the caller says.
+    // The axis has the sense of the angular velocity, unless the caller states another.
     Vector axis = revolution.axis;
     if (decided_negative(dot(axis, w))) axis = -axis;
     if (const Expression* about = call.argument("about")) {
@@ -200,8 +202,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
   }
 }
 
-// What the Poinsot ellipsoid tells: its semi-axes, about which axis the tip of the angular velocity runs, and which
-// rotations about principal axes are stable.
+// Poinsot's construction: the semi-axes of the ellipsoid, the principal axis about which the tip of the angular
+// velocity runs, and which rotations about principal axes are stable.
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::poinsot_construction(const Call& call, const Mark& mark,
                                                                 const Evaluator<Scalar>& evaluator, int body,
@@ -211,7 +213,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::poinsot_construction(const Call& call
   const Vector3<double>& I = principal.moments;
   const auto equal = [&](std::size_t a, std::size_t b) { return std::abs(I[a] - I[b]) <= 1e-9 * I[2]; };
   if (f == "axis_stability") {
-    // Smallest, intermediate, largest; a rotation about one of two equal axes drifts to others when disturbed.
+    // These belong to the smallest, the intermediate and the largest moment. If two moments are equal, a rotation
+    // about one of their axes drifts to the others when it is disturbed.
     const char* outer[2] = {equal(0, 1) ? "neutral" : "stable", equal(1, 2) ? "neutral" : "stable"};
     const char* middle = equal(0, 1) || equal(1, 2) ? "neutral" : "unstable";
     return Result::of_list({Result::of_text(outer[0]), Result::of_text(middle), Result::of_text(outer[1])});
@@ -224,7 +227,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::poinsot_construction(const Call& call
       semiaxes.push_back(number_value(std::sqrt(dot(w, H) / I[k]), dimensions::angular_velocity));
     return Result::of_list(std::move(semiaxes));
   }
-  // H^2 - 2 T I_2, from its terms: its sign tells about which axis the tip of w runs.
+  // The sign of H^2 - 2 T I_2 tells about which axis the tip of w runs. It is formed from its terms, as the
+  // difference would cancel.
   const Vector3<double> own = transpose_times(principal.axes, w);
   const double towards_largest = I.z * (I.z - I.y) * own.z * own.z,
                towards_smallest = I.x * (I.y - I.x) * own.x * own.x;

@@ -33,7 +33,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Eva
   if (f == "angular_acceleration")
     return vector_value(Vector(angular_acceleration(workspace_, body_of(what, evaluator))),
                         dimensions::angular_acceleration);
-  // The system moves as its mass center.
+  // The velocity of the system is that of its mass center.
   if (const Name* name = plain_name(what); name && name->name == "system" && f == "velocity")
     return vector_value(poinsot::momentum(model_, workspace_, Vector::zero()).linear / total_mass(model_),
                         dimensions::velocity);

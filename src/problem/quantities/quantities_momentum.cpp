@@ -1,4 +1,4 @@
-// Mass, weight, momenta and energies.
+// Mass, weight, momenta (Eqs. 18.7, 18.11) and energies (Eq. 18.17).
 #include <string_view>
 
 #include "problem/language/diagnostic.h"
@@ -15,7 +15,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Eval
   const int body = body_of(what, evaluator, true);
   if (body == ground) evaluator.fail(what.mark(), "the ground has no " + call.function);
   const bool all = body == whole_system;
-  // What particles that fly add to the system.
+  // The contributions of flying particles to the system.
   Scalar flying_mass(0), flying_energy(0), flying_height(0);
   const auto flying_momentum = [&](const Vector& P) {
     Momentum<Scalar> total{Vector::zero(), Vector::zero()};

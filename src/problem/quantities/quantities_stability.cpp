@@ -1,4 +1,4 @@
-// Whether a motion holds: stability near a steady motion, contacts that push and cords that pull.
+// Whether a steady motion is stable, contacts push and cords pull.
 #include <algorithm>
 
 #include "problem/language/diagnostic.h"

@@ -133,7 +133,7 @@ namespace {
 struct LevelFinder {
   const Situation& situation;
   bool through_at = false;
-  bool through_features = false;  // min(), max(), period(): of what?
+  bool through_features = false;  // whether to look at the quantity in min(), max() and period()
   int depth = 0;
 
   Level of(const Expression& expression) const {
@@ -143,7 +143,7 @@ struct LevelFinder {
   Level operator()(const Number&) const { return Level::position; }
   Level operator()(const Name& name) const {
     if (name.primes >= 2) return Level::force;
-    // The rate of what is defined follows from accelerations.
+    // The rate of a defined quantity follows from accelerations.
     if (depth < 200)
       for (const NamedExpression& item : situation.define)
         if (item.name == name.name) return name.primes > 0 ? Level::force : of(item.value);
@@ -162,7 +162,7 @@ struct LevelFinder {
   Level operator()(const Unary& unary) const { return of(unary.operand); }
   Level operator()(const Binary& binary) const { return std::max(of(binary.left), of(binary.right)); }
   Level operator()(const Comparison& comparison) const { return largest(comparison.operands); }
-  // What is asked at another instant finds its own forces there.
+  // A quantity at another instant takes its forces from that instant.
   Level operator()(const At& at) const { return through_at ? of(at.expression) : Level::position; }
   Level operator()(const List& list) const { return largest(list.items); }
   Level operator()(const Range& range) const { return std::max({of(range.from), of(range.to), of(range.step)}); }
@@ -182,7 +182,8 @@ Level level_of(const Situation& situation, const Expression& expression, bool th
 bool asks_forces(const Situation& situation, const Expression& expression) {
   std::set<std::string> functions;
   collect_functions(expression, functions, true);
-  // The linearised motion is told by accelerations, which no open share of a load changes.
+  // The stability of a motion follows from accelerations, on which an open share of a load between supports has no
+  // influence.
   for (const char* name : {"stable", "stability", "growth_rate", "frequencies"})
     if (functions.contains(name)) return false;
   return LevelFinder{situation, true, true}.of(expression) >= Level::force;

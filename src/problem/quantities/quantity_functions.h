@@ -1,4 +1,4 @@
-// The quantity functions of the language: how each is written, and on what an expression made of them depends.
+// The quantity functions of the language: how each is written, and what part of the state its value depends on.
 #pragma once
 
 #include <string>
@@ -10,10 +10,11 @@
 
 namespace poinsot::problem {
 
-// On what an expression depends: positions only, velocities, accelerations and forces, or the motion that follows.
+// What the value of an expression depends on: positions only, also velocities, also accelerations and forces, or the
+// motion that follows.
 enum class Level { position, velocity, force, motion };
 
-// Which function of QuantityScope evaluates it.
+// Tells which function of QuantityScope evaluates the quantity.
 enum class QuantityKind {
   kinematic,
   momentum,
@@ -32,16 +33,16 @@ struct QuantityFunction {
   const char* form;  // examples, for messages and the manual
   Level level;
   QuantityKind kind;
-  std::vector<std::string_view> patterns;  // words between the arguments, as Call::pattern() has them
+  std::vector<std::string_view> patterns;  // the prepositions between the arguments, as Call::pattern() gives them
 };
 
 const std::vector<QuantityFunction>& quantity_table();
-// Null if there is none of this name.
+// Null if there is no quantity of this name.
 const QuantityFunction* find_quantity(const std::string& name);
-// Names and forms alone.
+// The names and forms only.
 const std::vector<FunctionForm>& quantity_functions();
 
-// What stands before an `@` counts only if `through_at`.
+// What stands before an `@` is looked at only if `through_at`.
 Level level_of(const Situation& situation, const Expression& expression, bool through_at = false);
 
 // Whether a call asks for an extreme or the period of a quantity over the motion.
@@ -51,10 +52,10 @@ inline bool is_motion_feature(const Call& call) {
          !call.arguments.front().value.as<List>();
 }
 bool asks_motion_feature(const Expression& expression);
-// Whether forces or accelerations are asked, at any instant or over the motion.
+// Whether an expression asks for forces or accelerations, at any instant or over the motion.
 bool asks_forces(const Situation& situation, const Expression& expression);
 
-// stability(X) for the call stable(X), which is the expression.
+// The expression stability(X) for a call stable(X).
 Expression stability_of(Call call, const Expression& expression);
 
 }  // namespace poinsot::problem

@@ -1,4 +1,4 @@
-// Small conversions for the functions that give quantities.
+// Small conversions that the functions of quantities share.
 #pragma once
 
 #include "poinsot/engine/math/algebra/vector3.h"
@@ -18,7 +18,7 @@ Value<Scalar> number_value(const Scalar& x, const Dimension& dimension) {
   return Value<Scalar>::of_number(x, dimension);
 }
 
-// The name that an expression is, without primes; nullptr if it is anything else.
+// The expression as a name without primes; nullptr if it is anything else.
 inline const Name* plain_name(const Expression& expression) {
   const Name* name = expression.as<Name>();
   return name && name->primes == 0 ? name : nullptr;

@@ -1,4 +1,4 @@
-// Numbers that a state of motion tells by itself: coordinates, their rates, and data.
+// Evaluates expressions of coordinates, their rates and data, which need no kinematics.
 #pragma once
 
 #include "poinsot/engine/model/state.h"
@@ -7,8 +7,7 @@
 
 namespace poinsot::problem {
 
-// Whether an expression is built of these alone, by arithmetic and the functions of one number: its value needs no
-// kinematics of bodies.
+// Whether an expression consists of these only, combined by arithmetic and functions of one number.
 bool is_of_state(const Situation& situation, const Machine& machine, const Expression& expression);
 
 // The scope of such expressions. All arguments must outlive it.

@@ -1,4 +1,4 @@
-// What was found of a statement: unknowns, answers, claims, in SI and with the words that say what each is.
+// The results of a statement: unknowns, answers and claims, in SI units, with words that describe each.
 #pragma once
 
 #include <map>
@@ -25,17 +25,17 @@ struct SolvedColumn {
 
 struct SolvedAsk {
   AskState state = AskState::found;
-  Value<double> value;                       // SI; vectors on the asked axes
-  Unit unit;                                 // in which it should be shown
-  std::vector<std::string> letters;          // for needs_letters
-  std::string reason;                        // for undetermined and refused
-  std::string words;                         // what is given, in words
-  std::vector<std::string> component_names;  // of vectors
-  std::vector<SolvedColumn> columns;         // of a table, which has no value
-  // Where letters were left open: the answer as a formula, in SI; else why it has none.
+  Value<double> value;                       // in SI units; vectors are on the axes that were asked for
+  Unit unit;                                 // the unit in which it is shown
+  std::vector<std::string> letters;          // the letters that it depends on, if state is needs_letters
+  std::string reason;                        // if state is undetermined or refused
+  std::string words;                         // a description of the answer
+  std::vector<std::string> component_names;  // names of the components of a vector
+  std::vector<SolvedColumn> columns;         // the columns of a table, which has no value
+  // If letters have no value: the answer as a formula, in SI units, or else why it has none.
   std::optional<Value<poinsot::Formula>> formula;
   std::string no_formula;
-  std::string formula_road;  // how a formula was found that does not follow exactly: "by dimensional analysis"
+  std::string formula_road;  // how a formula was found that was not derived exactly: "by dimensional analysis"
   // Where the caller's budget ended before the answer was found or known to be determined: it is undetermined for that.
   std::optional<BudgetEnd> ended;
 };
@@ -44,34 +44,34 @@ struct SolvedUnknown {
   std::string name;
   Unit unit;
   Value<double> value;                               // SI
-  std::optional<Value<poinsot::Formula>> formula{};  // where letters were left open; then there is no value
-  std::string formula_road{};                        // as of asks
+  std::optional<Value<poinsot::Formula>> formula{};  // if it depends on letters without value; then `value` is not set
+  std::string formula_road{};                        // as for asks
 };
 
-// What has become of a claim. A refuted claim is an answer.
+// The verdict on a claim. A refuted claim is an answer too.
 struct SolvedClaim {
-  // Letters, and what the statement leaves open, with values for which the claim does not hold; in SI.
+  // A value of a letter, or of what the statement leaves open, in SI units, in an example where the claim fails.
   struct Datum {
     std::string name;
     Unit unit;
     double value = 0;
   };
-  AskState state = AskState::found;  // or undetermined
-  std::string reason;                // for undetermined
-  std::optional<BudgetEnd> ended;    // as of asks
+  AskState state = AskState::found;  // may also be undetermined
+  std::string reason;                // if it is undetermined
+  std::optional<BudgetEnd> ended;    // as for asks
   bool holds = false;
-  bool proved = false;                // else found on samples
+  bool proved = false;                // otherwise it only held at all points tried
   std::vector<Datum> counterexample;  // if it does not hold
-  // The two sides there, in `unit`, where the claim compares numbers.
+  // The two sides at the counterexample, in `unit`, if the claim compares numbers.
   std::optional<std::pair<double, double>> sides;
-  // Left less right, where it was decided exactly because rounding hides it.
+  // The left side less the right one, if this was computed exactly because rounding hides it.
   std::optional<double> difference;
   Unit unit;
   std::vector<std::string> assumptions;
 
-  // The rest is for worked solutions. Where a claim has formulas: the sides of each number that it compares.
+  // What follows is for worked solutions. If the claim has formulas, each comparison of numbers has its two sides.
   struct Part {
-    std::string of;  // X of a side that is rate(X + ...); or a letter, by which the rate is taken
+    std::string of;  // an addend X of a side rate(X + ...), or a letter by which the rate is taken
     bool by_letter = false;
     poinsot::Formula value;
   };
@@ -79,16 +79,17 @@ struct SolvedClaim {
     poinsot::Formula left, right;
     std::string relation;
     Dimension dimension;
-    // Left less right with what is assumed worked into the letters: why it vanishes or has its sign.
+    // The left side less the right one with the assumptions worked into the letters. It shows why the difference
+    // vanishes or has its sign.
     std::optional<poinsot::Formula> reduced;
-    std::vector<Part> parts;  // of the side that is a rate: they add up to it
+    std::vector<Part> parts;  // the parts of the side that is a rate; they add up to it
   };
   std::vector<Comparison> comparisons;
-  // What the assumptions make of letters, with positive letters p1, p2, ...; where there is one case of it.
+  // What the assumptions make of the letters, in terms of positive letters p1, p2, ..., if there is a single case.
   std::vector<std::pair<std::string, poinsot::Formula>> assumed;
-  // Where a steady motion is claimed to be stable: the characteristic polynomial of the rates of growth, divided by its
-  // first coefficient, from the lowest power on, without the roots that vanish because the motion displaced is as good;
-  // and what of its coefficients must be positive, which was seen if the claim was proved.
+  // For a claim that a steady motion is stable: the characteristic polynomial of the rates of growth in ascending
+  // powers, divided by its first coefficient, without the roots that vanish because the displaced motion is the same;
+  // and the expressions that must be positive. They are known to be so if the claim was proved.
   struct Stability {
     std::vector<poinsot::Formula> polynomial;
     std::size_t vanishing = 0;
@@ -98,27 +99,28 @@ struct SolvedClaim {
   std::optional<Stability> stability;
 };
 
-// Where formulas hold because a cord pulls or a contact pushes: what must be positive for that.
+// A condition under which formulas hold: a cord pulls, or a contact pushes, if this is positive.
 struct FormulaCondition {
-  std::string words;  // as among the assumptions
+  std::string words;  // as in the list of assumptions
   poinsot::Formula positive;
 };
 
 struct Solution {
   std::vector<SolvedUnknown> unknowns;
   std::vector<SolvedAsk> asks;           // in the order of the statement
-  std::vector<SolvedClaim> claims{};     // the same
-  std::map<std::string, double> checks;  // relative residuals on the road of particles, by name
-  std::vector<std::string> assumptions;  // of the formulas: "m > 0"
+  std::vector<SolvedClaim> claims{};     // in the order of the statement
+  std::map<std::string, double> checks;  // relative misfits in the check with particles, by name
+  std::vector<std::string> assumptions;  // under which the formulas hold: "m > 0"
   std::vector<FormulaCondition> conditions{};
-  std::vector<std::string> notes;  // stability of steady motions, what happened on the way of a motion
+  std::vector<std::string> notes;  // on the stability of steady motions, and on events during a motion
 };
 
 struct SolvedStatement {
-  std::vector<Solution> solutions;  // one for each root, ascending by the first unknown; none: warnings say why
+  // One for each root, in ascending order of the first unknown; if there is none, the warnings say why.
+  std::vector<Solution> solutions;
   std::vector<Letter> open_letters;
   std::vector<std::string> warnings;
-  // What ended the run before everything was done: what was found by then is kept.
+  // What ended the run early, if anything. The results found by then are kept.
   std::optional<BudgetEnd> ended;
 };
 
