@@ -38,7 +38,7 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
   if (start_->after_blow()) state.acting = start_->blow_acting();
   if (changed_) start_ = std::make_unique<SolvedInstant>(situation_, settings, state, choice);
   if (!state.acting.empty()) state.acting.resize(start_->machine().mechanism.actions.size());
-  // A small push where the undisturbed motion would stay.
+  // An unstable equilibrium is left by a small push at the stated coordinate.
   for (const Instant& instant : situation.instants)
     for (const auto& [name, mark] : instant.nudged) {
       const NamedCoordinate* coordinate = start_->machine().coordinate(name);
@@ -62,13 +62,13 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
   set_pace(state);
 }
 
-// From rest, the loads set the pace.
+// If the motion starts from rest, loads determine how fast it changes.
 void Course::set_pace(const MotionState& state) {
   SolvedInstant pushed(situation_, settings_, state, choice_);
   try {
     pushed.solve_forces();
   } catch (const StatementError&) {
-    // At the pole of Eulerian angles no forces can be found, but what a body does by itself is known there too.
+    // At the pole of Eulerian angles no forces can be found. The motion of a single body is known there all the same.
     const Machine& machine = pushed.machine();
     if (timed_ || !machine.accelerations.empty() || !LoneBody::find(machine.mechanism)) throw;
   }
@@ -143,7 +143,7 @@ void Course::begin(std::size_t stage) {
            "write lasts: 2 s, or until: theta == 30 deg");
     }
   }
-  // A stage that has no good duration has not begun, so that whoever asks again is told the same.
+  // A stage with an impossible duration does not begin, so that asking again gives the same message.
   now.begun = true;
   now.time = now.start;
 }
@@ -163,7 +163,7 @@ std::optional<double> Course::stage_end(std::size_t stage) {
 std::size_t Course::stage_at(double time) {
   for (std::size_t stage = 0; stage + 1 < stages_.size(); ++stage) {
     begin(stage);
-    // An event that ends a stage is not sought beyond what has been followed.
+    // The event that ends a stage is not sought beyond the time that was followed.
     if (!stages_[stage].done && time <= stages_[stage].time) return stage;
     const std::optional<double> end = stage_end(stage);
     if (end && time < *end) return stage;
@@ -203,12 +203,12 @@ MotionState Course::at(double time) {
   return state;
 }
 
-// The piece of the motion followed so far that a time falls into, if it is one of those with steps; `at` is the judge
-// of all others.
+// The piece of the motion followed so far that contains a time, if it is one with steps. `at` decides in all other
+// cases.
 const Trajectory* Course::piece_at(double time) const {
   for (std::size_t k = 0; k < stages_.size(); ++k) {
     const StageRun& stage = stages_[k];
-    // At the end of a stage the next one begins.
+    // At the end of a stage the next one has begun.
     if (stage.done && k + 1 < stages_.size() && time >= stage.time) continue;
     if (!stage.begun || time < stage.start || time > stage.time) return nullptr;
     for (const Trajectory& piece : stage.pieces)
@@ -255,7 +255,7 @@ void Course::continue_from(const MotionCheckpoint& checkpoint) {
   }
   happenings_.clear();
   energy_drift_.reset();
-  // Where contacts were before leaves traces of rounding.
+  // A new probe is made, as the old one keeps rounding from earlier places of the contacts.
   probe_ = std::make_unique<SolvedInstant>(situation_, settings_, state, choice_);
 }
 

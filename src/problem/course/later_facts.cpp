@@ -1,4 +1,4 @@
-// Facts of later instants and of the motion itself.
+// Facts about later instants and about the motion as a whole.
 #include <algorithm>
 
 #include "problem/course/course.h"
@@ -19,7 +19,7 @@ std::vector<double> later_misfits(const Situation& situation, const Settings& se
   std::vector<double> misfits;
   Course motion(situation, settings, choice);
   if (tolerance) motion.set_tolerance(*tolerance);
-  // At trial values a motion may be one that nobody would follow.
+  // Trial values may lead to a motion that takes long to follow.
   if (choice.trial) motion.set_time_limit(1);
   for (const Instant& instant : situation.instants) {
     const bool later = is_later(situation, instant);
@@ -53,7 +53,7 @@ double Course::time_of_instant(const Instant& instant) {
 std::vector<double> Course::fact_misfits(double time, const std::vector<const Fact*>& facts) {
   const MotionState state = at(time);
   probe_->move_to(state);
-  // Features move the probe themselves: they are asked of another.
+  // Extremes and periods move the probe, so that facts are evaluated at another instant.
   SolvedInstant here(situation_, settings_, state, choice_);
   here.set_motion([this](const Call& call, const std::optional<Expression>& axes, const Mark& mark) {
     return feature(call, axes, mark);

@@ -20,7 +20,8 @@ bool would_press_in(MechanismDynamics& dynamics, std::size_t action, std::span<c
   std::vector<double> a(v.size()), rate(q.size());
   dynamics.accelerations(q, v, a);
   position_rate<double>(mechanism.tree, q, v, rate);
-  // The second derivative of the gap, by a central difference of its rate: good to the square of the step.
+  // The second derivative of the gap from a central difference of its rate. The error goes with the square of the
+  // step.
   const double step = 1e-4 * pace_time;
   const auto gap_rate_after = [&](double time) {
     std::vector<double> then_q(q.begin(), q.end()), then_v(v.begin(), v.end());

@@ -1,4 +1,4 @@
-// Contacts that press no more.
+// Contacts that are no longer pressed.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,10 @@
 
 namespace poinsot::problem {
 
-// Whether a contact would be pressed in if it did not act: where friction went with its pressure, what is left may
-// drive the bodies into each other. The contact of an action of the dynamics' mechanism; in the state (q, v), where it
-// touches; pace_time: in which the motion changes noticeably, s. The action no longer acts afterwards.
+// Whether the bodies would penetrate each other if a contact ceased to act. The friction ends with the pressure, and
+// the remaining forces may press the bodies together. The action belongs to the mechanism of the dynamics, in the
+// state (q, v) in which the bodies touch. pace_time: in which the motion changes noticeably, s. After the call the
+// action does not act in the dynamics.
 bool would_press_in(MechanismDynamics& dynamics, std::size_t action, std::span<const double> q,
                     std::span<const double> v, double pace_time);
 

@@ -1,4 +1,4 @@
-// How far a motion may be from the true one.
+// Estimates how far a motion may be from the true one.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,8 +8,8 @@
 
 namespace poinsot::problem {
 
-// Sixteen times less closely, and what drives is looked at elsewhere, and more often: what one of the two overlooks the
-// other may see.
+// The other motion has a sixteen times larger tolerance, and samples loads and given motions at other and more times:
+// it may see what one of them overlooks.
 void Course::follow_less_closely(Course& coarse) const {
   coarse.tolerance_ = 16 * tolerance_;
   coarse.looks_ = 2 * looks_ + 617;
@@ -35,13 +35,13 @@ double Course::extremes_error() {
 std::optional<MotionError> Course::error(double until) {
   const bool known = std::all_of(methods_.begin(), methods_.end(),
                                  [](const std::string& method) { return method.starts_with("closed form"); });
-  // When a nudged motion departs is as arbitrary as the nudge.
+  // The time at which a motion departs after a push is as arbitrary as the push.
   const bool nudged = std::any_of(situation_.instants.begin(), situation_.instants.end(),
                                   [](const Instant& instant) { return !instant.nudged.empty(); });
   if (nudged) return std::nullopt;
   MotionError error;
   if (known) {
-    // Of a closed form only rounding is left: that of rates, which counts at all times.
+    // A closed form has only the rounding of its rates, which grows with time.
     constexpr double noticed = 1e-9;
     error.angle = error.relative = std::numeric_limits<double>::epsilon() * until / pace_time_;
     return error.relative > noticed ? std::optional(error) : std::nullopt;
@@ -55,7 +55,7 @@ std::optional<MotionError> Course::error(double until) {
     try {
       until = std::min(until, coarse.follow(until));
     } catch (const UnansweredError&) {
-      // Where one of them can be followed no farther, so can the other, but for their errors.
+      // Both motions can be followed equally far, up to their errors.
       if (coarse.reached() < 0.99 * until) throw;
       until = coarse.reached();
     }
@@ -74,7 +74,7 @@ std::optional<MotionError> Course::error(double until) {
         for (int k = 0; k < size; ++k) {
           const auto place = q + static_cast<std::size_t>(k);
           const bool turning = k < 4 && body.joint != JointType::prismatic;
-          // Twice a difference of quaternions is an angle.
+          // Twice the difference of two quaternions is an angle.
           const double apart = std::abs(a.q[place] - (k < 4 ? sign : 1) * b.q[place]) * (size > 1 && k < 4 ? 2 : 1);
           double& largest = turning ? error.angle : error.length;
           largest = std::max(largest, apart);

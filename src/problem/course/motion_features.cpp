@@ -13,11 +13,11 @@ namespace poinsot::problem {
 namespace {
 
 constexpr int per_step = 6;             // samples in a step of the integration
-constexpr double repeats_to = 1e-7;     // how closely what repeats must come back
-constexpr std::size_t most_rises = 40;  // in one period
+constexpr double repeats_to = 1e-7;     // relative difference with which a motion that repeats must return
+constexpr std::size_t most_rises = 40;  // within one period
 constexpr std::size_t most_samples = 2'000'000;
-constexpr std::size_t samples_of_wait = 60'000;  // for something to happen, in a motion without end
-constexpr double long_enough = 500;              // pace times: a disturbance takes its time to grow
+constexpr std::size_t samples_of_wait = 60'000;  // until something must happen in a motion without end
+constexpr double long_enough = 500;              // in pace times: a disturbance takes this long to grow
 
 [[noreturn]] void unanswered(const std::string& file, const Mark& mark, const std::string& message,
                              const std::string& hint = "") {
@@ -38,7 +38,7 @@ MotionFeatures::Sampled MotionFeatures::samples(double from, double to) const {
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     for (int k = 0; k < per_step; ++k) sampled.time.push_back(nodes[i] + (nodes[i + 1] - nodes[i]) * k / per_step);
   sampled.time.push_back(nodes.back());
-  // What has been asked before is the beginning of what is asked now.
+  // The samples of an earlier question are the beginning of those for this one.
   std::size_t known = 0;
   while (known < sampled.time.size() && known < sampled_.time.size() && sampled.time[known] == sampled_.time[known])
     sampled.value.push_back(sampled_.value[known++]);
@@ -52,15 +52,15 @@ ExtremeFound MotionFeatures::polished(const Rough& rough, bool largest) const {
   ExtremeFound best{number_(rough.middle), rough.middle};
   const std::optional<ExtremeFound> smooth = level_between(rough.before, rough.after);
   if (smooth && rough.smooth && sign * smooth->value >= sign * best.value) return *smooth;
-  // A corner, as where loads change or a speed comes to zero, is no zero of the slope.
+  // There may be a corner, where loads change or a speed becomes zero; the slope does not vanish there.
   const ExtremeFound corner = outermost_between(rough.before, rough.after, largest);
   if (sign * corner.value > sign * best.value) best = corner;
   const double rounding = 1e-12 * std::abs(best.value);
   return smooth && sign * smooth->value >= sign * best.value - rounding ? *smooth : best;
 }
 
-// Where the slope vanishes: a zero of the rate, or where that is not known of differences of sixth order. None where it
-// does not change sign.
+// The extreme at which the slope vanishes: a zero of the rate, or if that is not known, of differences of sixth
+// order. Nothing if the slope does not change sign.
 std::optional<ExtremeFound> MotionFeatures::level_between(double before, double after) const {
   const double h = 0.05 * (after - before);
   const auto slope = [&](double t) {
@@ -79,13 +79,13 @@ std::optional<ExtremeFound> MotionFeatures::level_between(double before, double 
     const double time = 0.5 * (bracket.first + bracket.second);
     return ExtremeFound{number_(time), time};
   } catch (const StatementError&) {
-    // The stencil reaches beyond the end of the motion.
+    // A difference would reach beyond the end of the motion.
     return std::nullopt;
   }
 }
 
-// The only extreme of a bracket, with a corner or without: on the scale of the bracket, so that a corner far from time
-// zero is met no less closely than one near it.
+// The only extreme in a bracket, whether there is a corner or not. It is sought in units of the bracket, so that a
+// corner far from time zero is found as precisely as one near it.
 ExtremeFound MotionFeatures::outermost_between(double before, double after, bool largest) const {
   std::uintmax_t iterations = 100;
   const double half = 0.5 * (after - before), center = 0.5 * (after + before);
@@ -107,12 +107,13 @@ std::vector<MotionFeatures::Rough> MotionFeatures::rough_extremes(const Sampled&
     const double before = sign * sampled.value[i - 1], here = sign * sampled.value[i],
                  after = sign * sampled.value[i + 1];
     if (!(here >= before && here > after)) continue;
-    // The parabola through the three.
+    // The value at the vertex of the parabola through three samples.
     const double x1 = sampled.time[i - 1] - sampled.time[i];
     const double bend = bend_at(i), slope = (before - here) / x1 - bend * x1;
     const double more = bend < 0 ? -slope * slope / (4 * bend) : 0;
     const double drop = here - std::min(before, after);
-    // It bends alike beside it where it is smooth; a corner goes as far as its sides lead.
+    // The curvature is similar at neighbouring samples if the function is smooth. At a corner the value may go as far
+    // as the sides lead.
     const bool smooth = (i < 2 || 2 * std::abs(bend_at(i - 1) - bend) < std::abs(bend)) &&
                         (i + 2 >= sampled.value.size() || 2 * std::abs(bend_at(i + 1) - bend) < std::abs(bend));
     found.push_back({sampled.time[i - 1], sampled.time[i], sampled.time[i + 1], sign * (here + more),
@@ -127,7 +128,7 @@ std::vector<ExtremeFound> MotionFeatures::extremes(const Sampled& sampled, bool 
   return found;
 }
 
-// The outermost of the extremes, if its value is met again: found among those that may be as far out.
+// The outermost extreme, if its value occurs again. It is found among the extremes that may be as far out.
 std::optional<ExtremeFound> MotionFeatures::met_twice(const Sampled& sampled, bool largest, double range) const {
   const double sign = largest ? 1 : -1;
   std::vector<Rough> rough = rough_extremes(sampled, largest);
@@ -140,7 +141,7 @@ std::optional<ExtremeFound> MotionFeatures::met_twice(const Sampled& sampled, bo
       return std::abs(extreme.value - sign * outermost) <= repeats_to * range;
     };
     const bool twice = std::count_if(found.begin(), found.end(), same) >= 2;
-    // Once it is met twice only what is seen to lie farther out matters.
+    // Once two agree, only an extreme that clearly lies farther out is of interest.
     const double far = sign * one.estimate, same_as = repeats_to * range;
     if (twice && far - one.doubt <= outermost + same_as) break;
     if (far + one.doubt < outermost - same_as) continue;
@@ -157,7 +158,7 @@ std::optional<ExtremeFound> MotionFeatures::met_twice(const Sampled& sampled, bo
   return count >= 2 ? first : std::nullopt;
 }
 
-// The ends included.
+// The largest or smallest value of a motion with an end, including both ends.
 ExtremeFound MotionFeatures::outermost(const Sampled& sampled, bool largest) const {
   const double sign = largest ? 1 : -1;
   ExtremeFound best{sampled.value.front(), sampled.time.front()};
@@ -176,7 +177,7 @@ std::size_t MotionFeatures::Sampled::from(double part) const {
   return static_cast<std::size_t>(std::ranges::lower_bound(time, part * time.back()) - time.begin());
 }
 
-// Whether the motion has come to rest by its dampers, and nothing exceeds an extreme any more.
+// Whether dampers have brought the motion to rest, so that no later value exceeds the extreme.
 bool MotionFeatures::has_settled(const Sampled& sampled, bool largest, const ExtremeFound& best) const {
   if (!motion_.dissipates() || best.time > sampled.time.back() / 8) return false;
   const auto [low, high] = std::ranges::minmax(sampled.value);
@@ -186,8 +187,8 @@ bool MotionFeatures::has_settled(const Sampled& sampled, bool largest, const Ext
   return width <= 1e-3 * (high - low) && (largest ? best.value - *most : *least - best.value) > 2 * width;
 }
 
-// Whether the number grows, or falls, for good: no arm lets anything go so far, and without springs nothing brings it
-// back.
+// Whether the number grows or falls forever: it has gone farther than any part of the machine reaches, and no springs
+// bring it back.
 bool MotionFeatures::goes_away(const Sampled& sampled, bool upwards) const {
   const double last = sampled.value.back();
   if (!(natural_size_ > 0) || motion_.has_springs() || std::abs(last - sampled.value.front()) < 1e3 * natural_size_)
@@ -195,7 +196,7 @@ bool MotionFeatures::goes_away(const Sampled& sampled, bool upwards) const {
   const std::size_t away = sampled.from(0.125);
   for (std::size_t i = away; i + 1 < sampled.value.size(); ++i)
     if (!(upwards ? sampled.value[i + 1] > sampled.value[i] : sampled.value[i + 1] < sampled.value[i])) return false;
-  // Never more slowly.
+  // It must not become slower.
   const double first = sampled.value[away], second = sampled.value[sampled.from(0.25)],
                third = sampled.value[sampled.from(0.5)];
   return std::abs(third - second) >= 1.9 * std::abs(second - first) &&
@@ -211,11 +212,11 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
     const Sampled sampled = samples(0, until);
     const auto [low, high] = std::minmax_element(sampled.value.begin(), sampled.value.end());
     if (*high - *low <= 1e-9 * std::max(std::abs(*high), std::abs(*low))) {
-      // It stays what it is, so far; a disturbance takes its time to grow.
+      // The number has been constant so far. A disturbance takes some time to grow.
       if (until > long_enough * motion_.pace_time()) return {sampled.value.front(), 0};
       continue;
     }
-    // The same highest and lowest values must be met again.
+    // Both the highest and the lowest value must occur again.
     const std::optional<ExtremeFound> wanted = met_twice(sampled, largest, *high - *low);
     if (wanted && met_twice(sampled, !largest, *high - *low)) return *wanted;
     if (until <= long_enough * motion_.pace_time()) continue;
@@ -244,7 +245,7 @@ double MotionFeatures::zero_between(double a, double b, double level) const {
   const double fa = f(a), fb = f(b);
   if (fa == 0) return a;
   if (fb == 0) {
-    // It may be zero from some time on, as a force that is lost.
+    // The number may be zero from some time on, as the force of a contact that was lost.
     double inside = a, outside = b;
     for (int i = 0; i < 60 && inside < outside; ++i) {
       const double middle = 0.5 * (inside + outside);
@@ -274,7 +275,7 @@ double MotionFeatures::period() const {
     for (std::size_t i = 0; i + 1 < sampled.value.size(); ++i)
       if (sampled.value[i] < level && sampled.value[i + 1] >= level)
         rising.push_back(zero_between(sampled.time[i], sampled.time[i + 1], level));
-    // After how many rises does it repeat?
+    // Finds after how many rises the motion repeats.
     for (std::size_t k = 1; k <= most_rises && 2 * k + 1 <= rising.size(); ++k) {
       const double period = rising[k] - rising[0];
       bool repeats = true;
@@ -300,22 +301,23 @@ double MotionFeatures::period() const {
   }
 }
 
-// The extreme between a sample and the next one that lies nearer to zero than both, if it may come to zero.
+// The extreme between a sample and the next one that is nearer to zero than both, if it may reach zero.
 std::optional<ExtremeFound> MotionFeatures::nearest_to_zero(const Sampled& sampled, std::size_t at) const {
   const double sign = sampled.value[at] > 0 ? 1 : -1;
   const std::size_t last = sampled.value.size() - 1;
   const auto value = [&](std::size_t i) { return sign * sampled.value[i]; };
   const double a = value(at), b = value(at + 1);
-  // Where it falls on both sides towards the interval; at the ends of the motion, where nothing is known beyond.
+  // The samples must approach zero towards the interval from both sides. At the ends of the motion nothing is known
+  // beyond.
   const bool falls = at == 0 || value(at - 1) > a, rises = at + 1 == last || value(at + 2) > b;
   if (!falls || !rises) return std::nullopt;
-  // Smooth or with a corner, it goes no farther than it has come from one sample to the next.
+  // Whether smooth or with a corner, the number changes no more than it did between the samples.
   double drop = std::abs(a - b);
   if (at > 0) drop = std::max(drop, value(at - 1) - a);
   if (at + 1 < last) drop = std::max(drop, value(at + 2) - b);
   if (std::min(a, b) > 2 * drop) return std::nullopt;
   ExtremeFound near = outermost_between(sampled.time[at], sampled.time[at + 1], sign < 0);
-  // A zero of the slope is found more closely.
+  // A zero of the slope is found more precisely.
   if (sign * near.value > 0)
     if (const auto level = level_between(sampled.time[at], sampled.time[at + 1]))
       if (sign * level->value < sign * near.value) near = *level;
@@ -329,7 +331,7 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
   std::size_t waited = 0;
   for (;; until = from + 2 * (until - from)) {
     if (last) until = std::min(until, *last);
-    // Where a motion cannot be followed any farther, what happens before is known all the same.
+    // If a motion cannot be followed further, what happens before is known nevertheless.
     std::optional<UnansweredError> stopped;
     const Sampled sampled = [&] {
       try {
@@ -354,19 +356,19 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
       const bool rises = a < 0 && b >= 0, falls = a > 0 && b <= 0;
       if ((sense >= 0 && rises) || (sense <= 0 && falls))
         found.push_back(zero_between(sampled.time[i], sampled.time[i + 1], 0));
-      // Between samples on one side of zero it may come to zero and back: seen by the extreme there.
+      // Between two samples of one sign the number may reach zero and return. The extreme between them shows that.
       if (rises || falls || a == 0 || b == 0) continue;
       const std::optional<ExtremeFound> near = nearest_to_zero(sampled, i);
       if (!near) continue;
       if (std::abs(near->value) <= 1e-10 * size) {
         if (sense == 0) found.push_back(near->time);
       } else if (near->value * a < 0) {
-        // It leaves its side, and comes back.
+        // The number changes its sign and changes back.
         if (sense != (a > 0 ? 1 : -1)) found.push_back(zero_between(sampled.time[i], near->time, 0));
         if (sense != (a > 0 ? -1 : 1)) found.push_back(zero_between(near->time, sampled.time[i + 1], 0));
       }
     }
-    // What ends the motion happens at its end, whatever rounding leaves of it.
+    // The event that ends the motion happens at its end, even if rounding leaves a small value there.
     const double at_end = sampled.value.back(), sign = sampled.value.front() > 0 ? 1 : -1;
     if ((stopped || (last && until >= *last)) && found.empty() && sense * sign <= 0 && std::abs(at_end) <= 1e-11 * size)
       found.push_back(until);

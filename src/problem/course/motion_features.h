@@ -1,4 +1,4 @@
-// Extremes, zeros and periods of a number along a motion.
+// Finds extremes, zeros and periods of a number along a motion.
 #pragma once
 
 #include <algorithm>
@@ -16,17 +16,19 @@ class Course;
 struct ExtremeFound {
   double value = 0;
   double time = 0;
-  double settled = 0;  // of an endless motion that does not repeat: when it was seen that nothing exceeds it later, s
+  // For an endless motion that does not repeat: the time at which it was clear that no later value exceeds this one,
+  // s.
+  double settled = 0;
 };
 
-// A number along a motion, and its rate where the motion itself knows that.
+// A number along a motion, with its rate if the motion knows it.
 struct NumberWithRate {
   std::function<double(double time)> number, rate;
-  double natural_size = 0;  // of such a number in this problem; 0 if it has none
+  double natural_size = 0;  // the natural size of such a number; 0 if it has none
 };
 
-// The number is taken as smooth between the steps of the integration. Throws StatementError, at the mark, where the
-// motion does not answer: nothing repeats, there is no extreme or zero as far as an endless motion is followed.
+// The number is assumed to be smooth within steps of the integration. Throws UnansweredError, at the mark, if the
+// motion gives no answer: nothing repeats, or there is no extreme or zero as far as an endless motion is followed.
 class MotionFeatures {
  public:
   MotionFeatures(Course& motion, NumberWithRate number, std::string words, std::string file, Mark mark)
@@ -38,29 +40,29 @@ class MotionFeatures {
         file_(std::move(file)),
         mark_(mark) {}
 
-  // Over the whole motion if it has an end; of an endless one over as many cycles as it takes to see that it repeats,
-  // or until it has come to rest or gone away.
+  // The extreme over the whole motion if it has an end; otherwise over as many cycles as are needed to see that it
+  // repeats, or until it has come to rest or gone away.
   ExtremeFound largest() const;
   ExtremeFound smallest() const;
   double period() const;
-  // sense 1: only where it rises through zero, or is positive at the start; -1: falls, or is negative. Without `to`,
-  // the first only.
+  // sense 1: only zeros where the number rises, or the start if it is positive there; -1: where it falls, or
+  // negative. Without `to`, only the first one.
   std::vector<double> zeros(double from, std::optional<double> to, int sense) const;
   std::vector<double> times_of_extreme(bool largest, double from, std::optional<double> to) const;
-  // The latest time on which what has been found depends, s.
+  // The latest time on which the results depend, s.
   double latest() const { return latest_; }
 
  private:
   struct Sampled {
     std::vector<double> time, value;
-    std::size_t from(double part) const;  // the first sample after this part of the time
+    std::size_t from(double part) const;  // the index of the first sample after this part of the time
   };
-  // An extreme among samples.
+  // An extreme that is seen in the samples.
   struct Rough {
     double before = 0, middle = 0, after = 0;  // times
-    double estimate = 0;                       // of the value, by a parabola
-    double doubt = 0;                          // how far that may be off
-    bool smooth = true;                        // else there may be a corner
+    double estimate = 0;                       // of the value, from a parabola
+    double doubt = 0;                          // the possible error of the estimate
+    bool smooth = true;                        // otherwise there may be a corner
   };
   Sampled samples(double from, double to) const;
   std::vector<Rough> rough_extremes(const Sampled& sampled, bool largest) const;
@@ -85,7 +87,7 @@ class MotionFeatures {
   double natural_size_;
   std::string words_, file_;
   Mark mark_;
-  mutable Sampled sampled_;  // from the start
+  mutable Sampled sampled_;  // those from the start of the motion
   mutable double latest_ = 0;
 };
 

@@ -9,7 +9,7 @@
 namespace poinsot::problem {
 namespace {
 
-// 1: the event is a rise through zero, -1: a fall, 0: either.
+// Whether the event is a rise through zero (1), a fall (-1) or either (0).
 int sense_of(Relation relation) {
   if (relation == Relation::less || relation == Relation::less_equal) return -1;
   return relation == Relation::greater || relation == Relation::greater_equal ? 1 : 0;
@@ -58,14 +58,14 @@ void Course::Piece::set_up_dynamics() {
   for (const StatedRate& rate : machine_.accelerations) held.push_back(rate.velocity);
   dynamics_.emplace(machine_.mechanism, held);
   set_given_motion();
-  // The turning of a particle, or of a rod about its own line, moves nothing: it rests.
+  // The turning of a particle, or of a rod about its own line, moves no mass. It is held at rest.
   while (const std::optional<int> massless = massless_coordinate(machine_, dynamics_->open_coordinates(now_.q))) {
     held.push_back(*massless);
     const std::optional<MasslessSpin> spin = massless_spin(machine_, *massless);
     if (spin && spin->alone) spins_.push_back(*spin);
     dynamics_.emplace(machine_.mechanism, held);
     set_given_motion();
-    // A couple on what has no inertia would turn it without bound.
+    // A couple would turn something without inertia infinitely fast.
     if (!turns_particle(machine_, *massless)) continue;
     std::vector<double> accelerations(now_.v.size());
     dynamics_->accelerations(now_.q, now_.v, accelerations);
@@ -76,7 +76,8 @@ void Course::Piece::set_up_dynamics() {
                ", which moves no mass",
            "let loads and springs act at the particle itself, or give the body a size");
   }
-  // What a body does by itself needs no coordinates that are good everywhere: Eulerian angles may start at their pole.
+  // The motion of a single body needs no coordinates that are regular everywhere: Eulerian angles may start at their
+  // pole.
   if (!motion_.timed_ && machine_.accelerations.empty()) lone_ = LoneBody::find(machine_.mechanism);
   if (lone_) return;
   for (const OpenCoordinate& open : dynamics_->open_coordinates(now_.q)) {
@@ -88,7 +89,7 @@ void Course::Piece::set_up_dynamics() {
   }
 }
 
-// What drives may change abruptly at the ends of its span: there it counts as it is just inside.
+// Loads and given motions may jump at the ends of their span. There they have the values just inside.
 double Course::Piece::inside(double time) const {
   if (!motion_.timed_) return time;
   const double margin =
@@ -96,7 +97,7 @@ double Course::Piece::inside(double time) const {
   return std::clamp(time, span_.begin + margin, std::max(span_.begin + margin, span_.end - margin));
 }
 
-// Loads and given motions that follow the time.
+// Updates the loads and given motions that depend on the time.
 void Course::Piece::refresh(double time) {
   if (!motion_.timed_) return;
   const Machine then = motion_.start_->machine_at(inside(time), loads_);
@@ -153,7 +154,7 @@ bool Course::Piece::add_ending(const Expression& condition) {
     compared_size_ = std::max({compared_size_, std::abs(left), std::abs(right)});
     return left - right;
   };
-  // It may have been met just where the motion was followed to before.
+  // The event may have been reached just where the motion was followed to before.
   for (const Trajectory& piece : now_.pieces) {
     if (piece.empty()) continue;
     const State<double> before = piece.state(piece.start_time());
@@ -216,7 +217,7 @@ std::optional<std::size_t> Course::Piece::add_holds() {
   return std::nullopt;
 }
 
-// A contact that acts holds while it is on its surface.
+// A contact acts only as long as it is on its surface.
 void Course::Piece::add_ends_of_surfaces() {
   for (const ContactLimit& limit : machine_.contact_limits) {
     if (!acting_[static_cast<std::size_t>(limit.action)] || norm(limit.middle) == 0) continue;

@@ -1,4 +1,4 @@
-// A piece of a motion, with its equations and events: from one change of what holds to the next.
+// A piece of a motion, with its equations and events, from one change of contacts and cords to the next.
 #pragma once
 
 #include <cstdint>
@@ -18,30 +18,31 @@
 
 namespace poinsot::problem {
 
-// The equations and events of a motion in which the same cords and contacts hold.
+// The equations and events of a motion while the same cords and contacts act.
 class Course::Piece {
  public:
-  static constexpr std::int64_t most_steps = 400'000;  // that it is followed
+  static constexpr std::int64_t most_steps = 400'000;  // after which a motion is given up
 
-  // span: in which what drives is smooth.
+  // span: in which loads and given motions are smooth.
   Piece(Course& motion, std::size_t stage, const Driving::Span& span);
   Piece(const Piece&) = delete;
   Piece& operator=(const Piece&) = delete;
 
-  // The event that ends the stage. False if the motion stands at it already.
+  // Adds the event that ends the stage. Returns false if the motion has reached it already.
   bool add_ending(const Expression& condition);
-  // The events of all that may give way or catch. The action of one that would have to pull or push the wrong way
-  // from the start on, and does not act at all.
+  // Adds the events at which cords and contacts give way or catch. Returns the action of one that would pull or push
+  // the wrong way from the start and therefore does not act; nothing if there is none.
   std::optional<std::size_t> add_holds();
   // seconds: of real time.
   IntegrationResult follow(double end, double seconds);
-  // The action that an event gives way to or catches; none if it ends the stage.
+  // The cord or contact that gives way or catches at an event; nothing if the event ends the stage.
   std::optional<std::size_t> action_of(std::size_t event) const { return event_action_[event]; }
 
-  // The contact that comes to the end of its surface by an event, or stands there and goes on beyond it.
+  // The contact that reaches the end of its surface at an event; the contact that is there already and moves beyond
+  // it.
   const ContactLimit* end_of_surface(std::size_t event) const { return event_limit_[event]; }
   const ContactLimit* beyond_surface() const;
-  // Throws UnansweredError if a straight side turns out of the plane that it touches, on the way or at the start.
+  // Throws UnansweredError if a straight side turns out of the plane that it touches, at the start or on the way.
   void check_sides(const Trajectory* way) const;
 
   bool would_press_in(std::size_t action) {
@@ -79,7 +80,7 @@ class Course::Piece {
   std::vector<std::optional<std::size_t>> event_action_;
   std::vector<const ContactLimit*> event_limit_;
   std::vector<double> acceleration_;
-  double compared_size_ = 0;  // of what the event that ends the stage compares
+  double compared_size_ = 0;  // of the numbers that the ending event compares
 };
 
 }  // namespace poinsot::problem

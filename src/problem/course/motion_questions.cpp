@@ -1,4 +1,4 @@
-// What is asked of a motion: numbers along it, extremes, periods and the times of events.
+// Questions about a motion: numbers along it, extremes, periods and the times of events.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -50,7 +50,7 @@ NumberWithRate Course::with_rate(const Expression& expression, const std::option
   return both;
 }
 
-// Coordinates and their rates stand in the state itself.
+// The place of a coordinate or its rate in the state; nothing for other expressions.
 std::optional<Course::StateEntry> Course::state_entry(const Expression& expression) const {
   const Name* name = expression.as<Name>();
   const NamedCoordinate* coordinate = name && name->primes < 2 ? start_->machine().coordinate(name->name) : nullptr;
@@ -95,7 +95,7 @@ std::vector<double> Course::nodes(double from, double to) {
       for (std::size_t i = 0; i < piece.step_count(); ++i) {
         const StepView step = piece.step(i);
         if (step.end <= from || step.start >= to) continue;
-        // Along a closed form steps may be long.
+        // The steps of a closed form may be long.
         const double span = step.end - step.start, natural = step.flow ? step.flow->natural_time() : INFINITY;
         const double parts = std::max(1.0, std::ceil(span / natural * (1 - 1e-9)));
         for (double part = std::max(0.0, std::floor((from - step.start) / span * parts)); part < parts; ++part) {
@@ -144,7 +144,7 @@ std::vector<double> Course::times(const Expression& condition, const std::option
   if (!comparison || comparison->operands.size() != 2)
     fail(situation_.file, condition.mark(), "when something happens is told by one comparison",
          "write first_time: reaction(A).z == 0");
-  // theta == min(theta): a touching of the extreme.
+  // theta == min(theta) asks for the times at which theta touches its extreme.
   for (std::size_t side = 0; side < 2; ++side) {
     const Call* call = comparison->operands[side].as<Call>();
     const Expression& other = comparison->operands[1 - side];
@@ -184,7 +184,7 @@ double Course::time_of(const Expression& quantity, double value, const Mark& mar
       least = std::min(least, number_at(time));
       most = std::max(most, number_at(time));
     }
-    // A motion that could not be followed is another matter.
+    // A motion that could not be followed is reported elsewhere.
     if (least > value || most < value) {
       const bool turning = same_kind(dimension(quantity, std::nullopt), dimensions::angle);
       const double unit = turning ? std::numbers::pi / 180 : 1;

@@ -1,4 +1,4 @@
-// A stage of a motion, followed piece by piece.
+// Follows a stage of a motion piece by piece.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace poinsot::problem {
 namespace {
 
-// "crank at 180 deg, joint 'B' at 0 deg".
+// A pose in words: "crank at 180 deg, joint 'B' at 0 deg".
 std::string pose_in_words(const std::vector<NamedCoordinate>& coordinates, const IntegrationResult& result) {
   constexpr double degree = std::numbers::pi / 180;
   char number[40];
@@ -31,7 +31,7 @@ std::string pose_in_words(const std::vector<NamedCoordinate>& coordinates, const
 
 }  // namespace
 
-// From where the stage stands, to a time or to where what drives is no longer smooth.
+// The interval from where the stage has arrived to a time, or to where loads and given motions are no longer smooth.
 Driving::Span Course::smooth_span(std::size_t stage, double until) {
   const StageRun& now = stages_[stage];
   if (!timed_) return {now.time, until, 0};
@@ -42,7 +42,7 @@ Driving::Span Course::smooth_span(std::size_t stage, double until) {
     driving_[stage] = std::make_unique<Driving>(situation_, settings_, loads, now.start, lasts, pace_time_, looks_);
   }
   Driving::Span span = driving_[stage]->span_from(now.time);
-  // What would be left is rounding.
+  // A remainder this short would be rounding.
   if (span.end > until - 1e-13 * std::abs(until)) span.end = until;
   return span;
 }
@@ -53,7 +53,7 @@ void Course::run(std::size_t stage, double until) {
   StageRun& now = stages_[stage];
   const Expression* ending =
       stage < situation_.stages.size() && situation_.stages[stage].until ? &*situation_.stages[stage].until : nullptr;
-  // Towards an event in growing spans, until it happens or the motion has been followed long enough.
+  // An event is sought in growing intervals, until it happens or the motion was followed long enough.
   double span = 20 * pace_time_;
   double target = now.end ? std::min(until, *now.end) : ending ? std::min(until, now.time + span) : until;
   using Clock = std::chrono::steady_clock;
@@ -107,7 +107,7 @@ void Course::run(std::size_t stage, double until) {
   }
 }
 
-// What an integration has reached belongs to the stage. Throws UnansweredError if it did not come to its end.
+// Adds what an integration has reached to the stage. Throws UnansweredError if it did not reach its end.
 void Course::keep(std::size_t stage, Piece& piece, const IntegrationResult& result) {
   methods_.insert(result.method);
   constexpr double nearly = 1e-3;
@@ -150,8 +150,8 @@ void Course::keep(std::size_t stage, Piece& piece, const IntegrationResult& resu
   now.time = result.time;
 }
 
-// A cord or contact gives way, or catches again: then the motion changes as by a blow without rebound. The next piece
-// begins with the other hold.
+// A cord or contact gives way or catches: velocities change as in a blow without rebound, and the next piece begins
+// with the other set of cords and contacts.
 void Course::change_holds(std::size_t stage, std::size_t action, Piece& piece) {
   StageRun& now = stages_[stage];
   std::vector<bool>& acting = piece.acting();
@@ -171,7 +171,7 @@ void Course::change_holds(std::size_t stage, std::size_t action, Piece& piece) {
   now.acting.push_back(acting);
 }
 
-// Nothing is stated of how a contact slips: there the motion ends.
+// The file says nothing about how a contact slips, so that the motion ends there.
 void Course::slips(std::size_t stage, std::size_t action) {
   StageRun& run = stages_[stage];
   const std::string& name = start_->machine().mechanism.actions[action].name;
@@ -184,7 +184,7 @@ void Course::slips(std::size_t stage, std::size_t action) {
   throw_slip(run);
 }
 
-// Nor how a body goes on over the end of its round surface.
+// Neither is it known how a body continues beyond the end of its round surface.
 void Course::comes_to_end(std::size_t stage, const ContactLimit& limit) {
   StageRun& run = stages_[stage];
   char time[40];

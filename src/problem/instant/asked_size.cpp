@@ -9,7 +9,7 @@
 namespace poinsot::problem {
 namespace {
 
-// The names in an expression, those that stand behind defined names too.
+// Collects the names in an expression, and those behind its defined names.
 void collect_all_names(const Situation& situation, const Expression& expression, std::set<std::string>& names) {
   std::set<std::string> own;
   collect_names(expression, own, true);
@@ -20,7 +20,7 @@ void collect_all_names(const Situation& situation, const Expression& expression,
   }
 }
 
-// Bodies as they are numbered in the tree.
+// The bodies of an ask by their index in the tree: those it names, and those on which the actions that it names act.
 struct AskedBodies {
   std::set<int> named, acted_on;
 };
@@ -45,13 +45,13 @@ AskedBodies asked_bodies(const Machine& machine, const std::set<std::string>& na
   return bodies;
 }
 
-// Of one body with mass.
+// The size for a single body with mass.
 double size_of_body(const solve::MechanismState& moment, const SolvedInstant& instant, int body, const Dimension& d) {
   const Mechanism<double>& mechanism = moment.mechanism();
   const SpatialInertia<double>& inertia = mechanism.tree.body(body).inertia;
   const double mass = inertia.mass, arm = norm(inertia.first_moment) / mass;
   const double square = (inertia.inertia.xx + inertia.inertia.yy + inertia.inertia.zz) / (2 * mass) - arm * arm;
-  // A particle has the size of its arm.
+  // The size of a particle is its distance from the origin of its body.
   double length = square > 1e-12 * arm * arm ? std::sqrt(square) : arm;
   if (!(length > 1e-9 * instant.scales().length)) length = instant.scales().length;
   const BodyMotion<double>& motion = moment.workspace().motion[static_cast<std::size_t>(body + 1)];
@@ -93,7 +93,7 @@ double asked_size(const SolvedInstant& instant, const Situation& situation, cons
     const double own = size_of_body(moment, instant, body, dimension);
     size = size == 0 ? own : named ? std::max(size, own) : std::min(size, own);
   }
-  // A small body that flies fast has no such pace of turning.
+  // A small body that moves fast does not turn at that rate.
   return std::min(size, instant.natural_size(dimension));
 }
 

@@ -49,7 +49,7 @@ MachineOptions SolvedInstant::machine_options(double time, const std::optional<s
 Machine SolvedInstant::machine_from(DataScope<double>& data, double time,
                                     const std::optional<std::vector<std::string>>& loads) {
   std::size_t next = 0;
-  // Every building of the machine must take the same values for what is open.
+  // Each time the machine is built, it must take the same values for what is open.
   const AnyValue any = [&](const Dimension&) {
     if (next == any_values_.size()) {
       const double value = choice_.any ? std::uniform_real_distribution<double>(0.5, 2)(random()) : 1;
@@ -84,7 +84,7 @@ void SolvedInstant::build(double time, const std::optional<std::vector<std::stri
   motion_.reset();
 }
 
-// What is known at the start: of the only instant, of the first stage, or before a blow.
+// The instants stated for the start: that of the only state, of the first stage, or before a blow.
 std::vector<const Instant*> instants_at_start(const Situation& situation) {
   std::vector<const Instant*> found;
   const auto add = [&](const Instant& instant) {
@@ -133,7 +133,7 @@ void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
       if (level_of(situation_, fact.quantity) != Level::position) continue;
       const Name* name = fact.quantity.as<Name>();
       const NamedCoordinate* coordinate = name && name->primes == 0 ? machine_.coordinate(name->name) : nullptr;
-      if (!coordinate && !name) continue;  // what positions it demands is seen in position_facts()
+      if (!coordinate && !name) continue;  // its demands on positions are considered in position_facts()
       if (!coordinate) {
         std::vector<std::string> names;
         for (const NamedCoordinate& c : machine_.coordinates)
@@ -185,7 +185,7 @@ std::mt19937_64& SolvedInstant::random() {
   return *random_;
 }
 
-// Another member of the family of solutions.
+// Adds multiples of the open directions, which gives another solution of the equations.
 void SolvedInstant::move_along(const solve::LinearSolution& solution, std::vector<double>& values, double pace) {
   for (std::size_t d = 0; d < solution.open.size(); ++d) {
     if (d != choice_.direction && choice_.direction != OpenChoice::every) continue;
@@ -198,7 +198,7 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
                                      const std::optional<std::vector<double>>& v) {
   facts_ = instants;
   if (v) {
-    // Carried over from the stage before; what is stated must still hold.
+    // The velocities are those at the end of the stage before. What is stated must still hold for them.
     v_ = *v;
     velocities_ = {};
     velocities_.value = v_;
@@ -218,7 +218,7 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
   hold_nonlinear(System::velocities, stated.nonlinear, velocities_);
   v_ = velocities_.value;
   if (choice_.velocities) {
-    // As fast as what is known, so that nothing of it drowns.
+    // The open velocities are as large as the known ones, so that neither drowns in the other's rounding.
     double pace = 0;
     for (std::size_t k = 0; k < v_.size(); ++k)
       pace = std::max(pace,
@@ -231,14 +231,15 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
 
 QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, const std::optional<Expression>& axes,
                                                const Elsewhere& elsewhere) {
-  // What is asked of the whole motion finds forces there.
+  // A question about the whole motion finds forces along the motion.
   const Call* call = expression.as<Call>();
   const bool of_motion = (call && is_motion_feature(*call)) || !asks_forces(situation_, expression);
   if (level_of(situation_, expression) >= Level::force && !(before_ && of_motion)) {
     try {
       solve_forces();
     } catch (const StatementError&) {
-      // At the pole of Eulerian angles no forces can be found at the start; the motion tells what else is wrong.
+      // At the pole of Eulerian angles no forces can be found at the start. If something else is wrong the motion
+      // reports it.
       if (!of_motion) throw;
     }
   }
@@ -283,8 +284,8 @@ double SolvedInstant::number(const Expression& expression, const std::optional<E
 double SolvedInstant::pace() const { return natural_size(dimensions::none / dimensions::time); }
 
 double SolvedInstant::natural_size(const Dimension& d) const {
-  // Only what grows with the pace of the motion has a size that rounding is measured by; of a thing at rest that is
-  // none.
+  // Only a quantity that grows with the pace of the motion has a natural size by which rounding is measured. At rest
+  // there is none.
   if (d.time > 0) return 0;
   double pace = 0;
   for (const BodyMotion<double>& motion : moment_->workspace().motion) {
@@ -292,7 +293,7 @@ double SolvedInstant::natural_size(const Dimension& d) const {
     pace = std::max({pace, std::sqrt(norm(motion.alpha)), std::sqrt(norm(motion.a) / scales_.length)});
   }
   pace = std::max(pace, std::sqrt(norm(machine_.mechanism.tree.gravity()) / scales_.length));
-  // Forces that balance each other set a pace as well.
+  // Forces in balance set a pace too: that with which they would move the machine.
   if (motion_)
     for (std::size_t i = 0; i < machine_.mechanism.actions.size(); ++i) {
       const SpatialForce<double> wrench = solve::action_wrench(*moment_, unknowns_, i);

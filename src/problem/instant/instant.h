@@ -1,4 +1,4 @@
-// One situation of a statement, with values, solved at an instant.
+// One situation with values, solved at an instant.
 #pragma once
 
 #include <cstdint>
@@ -16,36 +16,38 @@
 
 namespace poinsot::problem {
 
-// How to choose what a statement leaves open. An answer is determined when no choice changes it.
+// How to choose what a statement leaves open. An answer is determined if it is the same for every choice.
 struct OpenChoice {
   std::uint64_t seed = 0;     // of the random choices
   bool any = false;           // values given as `any`
-  bool gravity = false;       // gravity, where nothing is said of it
-  bool velocities = false;    // velocities that nothing fixes
-  bool forces = false;        // accelerations and forces that nothing fixes; impulses at a blow
-  std::size_t direction = 0;  // which of the open directions of these, or `every`
+  bool gravity = false;       // whether to vary gravity, if nothing is said of it
+  bool velocities = false;    // whether to vary velocities that nothing determines
+  bool forces = false;        // the same for accelerations, forces and impulses
+  std::size_t direction = 0;  // the index of the open direction that is varied, or `every`
 
   static constexpr std::size_t every = static_cast<std::size_t>(-1);
-  bool trial = false;                        // unknowns have trial values: what does not hold is a misfit, not an error
-  std::optional<solve::Scales> scales = {};  // units of misfits; those natural to the machine when left out
-  std::size_t most_changes = 500;            // of what holds, until a motion is given up
+  bool trial = false;  // whether unknowns have trial values, so that what does not hold is a misfit and no error
+  std::optional<solve::Scales> scales = {};  // units of misfits; those natural to the machine if left out
+  std::size_t most_changes = 500;            // of contacts and cords that hold, until a motion is given up
 };
 
-// Where in time: the only instant or the start of the first stage, or just after a blow.
+// The instant: the start of a stage (or the only instant), or the instant just after a blow.
 struct When {
   std::size_t stage = 0;
   bool after_blow = false;
 };
 
-// Whether loads or given motions follow the time.
+// Whether loads or given motions depend on the time.
 bool follows_time(const Situation& situation);
-// Whether a coordinate turns a body about a line on which all its mass lies; all such coordinates.
+// Whether a coordinate turns a body about a line on which all of its mass lies. The second function lists all such
+// coordinates.
 bool turns_nothing(const Machine& machine, int coordinate);
 std::vector<int> still_coordinates(const Machine& machine);
-// Whether an instant is reached by the motion: a time, or found by a condition.
+// Whether the motion leads to an instant: it is given by a time or by a condition.
 bool is_later(const Situation& situation, const Instant& instant);
 
-// What is known at the start: of the only instant, of the first stage, or before a blow. Throws StatementError.
+// The instants stated for the start: that of the only state, of the first stage, or before a blow. Throws
+// StatementError.
 std::vector<const Instant*> instants_at_start(const Situation& situation);
 
 // A state that a motion has reached.
@@ -53,55 +55,56 @@ struct MotionState {
   double time = 0;  // s
   std::size_t stage = 0;
   std::vector<double> q, v;
-  std::vector<bool> acting;  // of each action, whether it acts (a slack cord does not); empty: all do
+  std::vector<bool> acting;  // for each action whether it acts (a slack cord does not); if empty, all do
 };
 
 class SolvedInstant {
  public:
-  // problem and settings must outlive it. Throws StatementError.
+  // Situation and settings must outlive the object. Throws StatementError.
   SolvedInstant(const Situation& situation, const Settings& settings, const When& when, const OpenChoice& choice);
   SolvedInstant(const Situation& situation, const Settings& settings, const MotionState& state,
                 const OpenChoice& choice);
 
-  // Along a motion: the state now, and the same problem in another state.
+  // The state along a motion, and the way to move to another one in the same situation.
   MotionState state() const { return {time_, 0, machine_.q, v_, {}}; }
   void move_to(const MotionState& state);
-  // The machine with the loads of a stage (all of them when left out) at a time.
+  // The machine at a time with the loads of a stage (with all loads if these are left out).
   Machine machine_at(double time, const std::optional<std::vector<std::string>>& loads);
-  // Velocities just after cords and contacts have caught, without rebound; those that act.
+  // The velocities just after cords and contacts have caught, without rebound. acting: those that act then.
   std::vector<double> caught(const std::vector<bool>& acting);
   double data_number(const Expression& expression, const Dimension& dimension) {
     return data_->number(expression, dimension);
   }
-  // Whether it has values that are given as `any`.
+  // Whether it uses values that are given as `any`.
   bool uses_any() const { return !any_values_.empty(); }
-  // The largest rate at which anything moves or would move, 1/s.
+  // The largest rate with which something moves or would begin to move, 1/s.
   double pace() const;
 
-  // Solves for accelerations and forces; done by itself when a quantity needs them.
+  // Solves for accelerations and forces. Quantities that need them call this themselves.
   void solve_forces();
   bool forces_solved() const { return motion_.has_value(); }
-  // Only assembles the equations for these; solves them where facts are stated of them that are not linear.
+  // Assembles the equations for these, and solves them only if there are facts about them that are not linear.
   void assemble_forces();
 
-  // What stands before an `@`, at another instant.
+  // Evaluates what stands before an `@`, at another instant.
   using Elsewhere = std::function<Value<double>(const At& at, const Mark& mark)>;
-  // The value of an ask on the given axes (ground axes where none are stated); vectors have components on these axes.
+  // The value of an ask on the given axes, or on ground axes if none are given; vectors have components on these
+  // axes.
   Value<double> ask(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere);
-  // The same with vectors on ground axes.
+  // The same, but vectors are on ground axes.
   Value<double> raw(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere);
-  // The number that an expression is, in SI.
+  // The value of an expression that is a number, in SI units.
   double number(const Expression& expression, const std::optional<Expression>& axes);
-  // By how much facts fail to hold here, in natural units.
+  // How far the facts fail to hold here, in natural units.
   std::vector<double> fact_misfits(const std::vector<const Fact*>& facts);
-  // What extremes and periods over the motion are, for expressions that ask for them.
+  // Evaluates extremes and periods over the motion, for expressions that contain them.
   using Feature =
       std::function<Value<double>(const Call& call, const std::optional<Expression>& axes, const Mark& mark)>;
   void set_motion(Feature feature) { feature_ = std::move(feature); }
-  // The size that a quantity of this dimension naturally has here.
+  // The natural size of a quantity of this dimension here.
   double natural_size(const Dimension& dimension) const;
 
-  // From the state just before the blow to just after it.
+  // Goes from the state just before the blow to the one just after it.
   void strike() { solve_blow(); }
   bool after_blow() const { return before_.has_value(); }
   const solve::LinearSolution& blow() const { return blow_solution_; }
@@ -113,30 +116,32 @@ class SolvedInstant {
   const solve::LinearSystem& motion_equations() const { return motion_equations_; }
   const Machine& machine() const { return machine_; }
 
-  // In a trial: by how much the equations fail to hold, in natural units.
+  // For trial values, how far the equations fail to hold, in natural units.
   const std::vector<double>& misfits() const { return misfits_; }
-  std::size_t position_misfits() const { return position_misfits_; }  // the first ones: of facts about positions
-  const std::vector<std::string>& position_words() const { return position_words_; }  // of these
+  // The number of misfits at the beginning that belong to facts about positions.
+  std::size_t position_misfits() const { return position_misfits_; }
+  const std::vector<std::string>& position_words() const { return position_words_; }  // a description of each of them
   const solve::Scales& scales() const { return scales_; }
-  double misfit_size() const { return misfit_size_; }  // of the largest term in these equations
-  // What facts that are not linear leave open, where the unknowns of a system have these values.
+  double misfit_size() const { return misfit_size_; }  // the size of the largest term in these equations
+  // What is left of facts that are not linear if the unknowns of a system have these values.
   using System = InstantSystem;
   struct NonlinearMisfit {
     std::string words;
-    double value = 0, size = 0;  // in natural units; the size is that of its sides
+    double value = 0, size = 0;  // in natural units; the size is that of the sides
   };
   std::vector<NonlinearMisfit> nonlinear_misfits(System system, const std::vector<double>& unknowns) const;
 
-  // Cords that would have to push and contacts that would have to pull, in words. After solve_forces().
+  // Describes cords that would have to push and contacts that would have to pull. solve_forces() must be called
+  // before.
   std::vector<std::string> unphysical() const;
 
-  // The motion near this one, which must be steady; asked for at the mark.
+  // The linearised equations near this motion, which must be steady. Errors are reported at the mark.
   const solve::Linearisation& linearisation(const Mark& mark);
 
-  // The solution on the road of particles; forces are checked if they are solved.
+  // Compares the solution with one for particles; forces are included if they are solved.
   struct Residuals {
     solve::CheckResult particles;
-    double impulse = 0;  // momenta before + impulses - momenta after, relative
+    double impulse = 0;  // momenta before + impulses - momenta after (Eq. 17.4), relative
   };
   Residuals check() const;
 
@@ -149,15 +154,15 @@ class SolvedInstant {
   void solve_velocities(const std::vector<const Instant*>& instants, const std::optional<std::vector<double>>& v);
   void position_facts(const std::vector<const Instant*>& instants);
   InstantView<double> view() const;
-  // "'now': mass(bar)"
+  // The fact in words: "'now': mass(bar)".
   std::string fact_words(const Fact& fact) const;
   std::vector<const Fact*> state_motion_equations();  // returns the facts that are not linear
   void solve_motion_equations(const std::vector<const Fact*>& nonlinear);
-  // Facts that are not linear must hold of the solution.
+  // Checks that facts which are not linear hold for the solution.
   void hold_nonlinear(System system, const std::vector<const Fact*>& facts, const solve::LinearSolution& solution);
   struct FactSides {
     std::vector<Difference<double>> differences;
-    double size = 0;  // of the larger side
+    double size = 0;  // the size of the larger side
   };
   FactSides sides_of(const Fact& fact, System system, const std::vector<double>& unknowns) const;
   void release(const std::vector<bool>& acting);
@@ -174,19 +179,19 @@ class SolvedInstant {
   const Situation& situation_;
   const Settings& settings_;
   OpenChoice choice_;
-  std::unique_ptr<std::mt19937_64> random_;  // large, and seldom wanted
-  std::vector<double> any_values_;           // chosen so far, so that every building of the machine takes the same
+  std::unique_ptr<std::mt19937_64> random_;  // large and rarely needed
+  std::vector<double> any_values_;           // values chosen so far, which are the same each time the machine is built
   std::unique_ptr<DataScope<double>> data_;
-  std::unique_ptr<DataScope<double>> elsewhen_;            // for machines at other times
-  std::optional<std::vector<BodyMassOf<double>>> masses_;  // once they are found, if they do not follow the time
-  std::size_t any_in_masses_ = 0;                          // of any_values_, those of the masses
+  std::unique_ptr<DataScope<double>> elsewhen_;            // for the machine at other times
+  std::optional<std::vector<BodyMassOf<double>>> masses_;  // once they are found, unless they depend on the time
+  std::size_t any_in_masses_ = 0;                          // the number of any_values_ that belong to masses
   Machine machine_;
   solve::Scales scales_;
   std::optional<solve::MechanismState> moment_;
   double time_ = 0;
-  std::optional<bool> timed_;               // whether the machine follows the time
-  bool moving_ = false;                     // along a motion: nothing is stated of this instant
-  std::optional<std::size_t> built_stage_;  // for which stage of a motion the machine is built
+  std::optional<bool> timed_;  // whether the machine depends on the time
+  bool moving_ = false;        // whether it moves along a motion, so that nothing is stated about this instant
+  std::optional<std::size_t> built_stage_;  // the stage of a motion for which the machine is built
   std::vector<bool> built_acting_;
   Feature feature_;
   std::vector<const Instant*> facts_;
@@ -201,10 +206,10 @@ class SolvedInstant {
   std::vector<std::string> position_words_;
   double misfit_size_ = 0;
   std::map<System, std::vector<const Fact*>> nonlinear_;
-  // A blow, if this is the instant after it: what was before, and velocities after with all impulses.
+  // If this is the instant after a blow: the state before it, and the velocities after it with all impulses.
   std::optional<solve::MechanismState> before_;
   solve::Blow blow_;
-  std::vector<bool> blow_acting_;  // of each action
+  std::vector<bool> blow_acting_;  // for each action
   solve::LinearSystem blow_equations_;
   solve::LinearSolution blow_solution_;
   std::vector<double> impulses_;

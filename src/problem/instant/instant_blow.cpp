@@ -1,4 +1,4 @@
-// The instant after a blow.
+// Solves for the instant after a blow (Eq. 17.4).
 #include <algorithm>
 #include <cmath>
 
@@ -53,8 +53,8 @@ void SolvedInstant::solve_blow() {
     if (instant.name == "after") after.push_back(&instant);
   const FactConditions<double> stated = velocity_facts(view(), after, &blow_);
 
-  // Cords and pushing contacts act, or give way, as the blow decides: the choice in which none has to push or pull and
-  // none is overstretched or pressed in.
+  // Cords and one-sided contacts may act in the blow or give way. The right choice is the one in which no cord that
+  // acts pushes, no contact that acts pulls, no cord is stretched and no contact penetrated.
   const Mechanism<double>& mechanism = machine_.mechanism;
   std::vector<std::size_t> one_sided;
   for (const Component<double>& component : mechanism.components)
@@ -63,7 +63,7 @@ void SolvedInstant::solve_blow() {
     fail(situation_.file, place_of_blow(situation_), "more than 12 cords and contacts in one blow are too many");
   const std::size_t n = static_cast<std::size_t>(mechanism.tree.velocity_size());
   const double impulse_unit = natural_unit(dimensions::momentum);
-  bool all_contradict = true;  // however the cords and contacts act
+  bool all_contradict = true;  // for all choices of cords and contacts that act
   for (std::size_t choice = 0; choice < (std::size_t{1} << one_sided.size()); ++choice) {
     std::vector<bool> acting(mechanism.actions.size(), true);
     for (std::size_t k = 0; k < one_sided.size(); ++k) acting[one_sided[k]] = !(choice >> k & 1);
@@ -97,7 +97,7 @@ void SolvedInstant::solve_blow() {
     if (!good && !last && !choice_.trial) continue;
     if (!good && !choice_.trial) {
       facts_.insert(facts_.end(), after.begin(), after.end());
-      // The cords and contacts are not to blame: with all of them acting, what clashes is named best.
+      // The reason is not in the cords and contacts. With all of them acting the contradiction is named most clearly.
       if (all_contradict) contradiction(blow_equations_, blow_solution_, true);
       fail(situation_.file, place_of_blow(situation_),
            "no motion after the blow fits: whichever cords and contacts act, one would have to push or pull the wrong "

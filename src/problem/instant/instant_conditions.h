@@ -1,7 +1,6 @@
-// What a statement says of one instant, as linear conditions for the unknowns of its equations.
+// Turns what is stated of one instant into linear conditions on the unknowns of its equations.
 //
-// Scalar: double; Dual<1> to know how the conditions vary with one number of the statement; poinsot::Formula to have
-// them as formulas.
+// The scalar is double, Dual<1> to see how conditions vary with one number of the file, or poinsot::Formula.
 #pragma once
 
 #include <optional>
@@ -16,14 +15,14 @@ namespace poinsot::problem {
 // The size of one natural unit of a dimension.
 double natural_unit(const solve::Scales& scales, const Dimension& dimension);
 
-// By how much a quantity differs from what a fact says.
+// The difference between a quantity and the value that a fact states for it.
 template <class Scalar>
 struct Difference {
   Scalar value;
   Dimension dimension;
 };
 
-// An instant on which facts are laid: the machine in its pose. What the references name must outlive it.
+// An instant for which facts are evaluated: the machine in its pose. The objects referred to must outlive it.
 template <class Scalar>
 struct InstantView {
   const Situation& situation;
@@ -32,64 +31,65 @@ struct InstantView {
   const solve::MechanismStateOf<Scalar>& moment;
   const solve::Scales& scales;
   Scalar time{};
-  const solve::MechanismStateOf<Scalar>* before = nullptr;  // a blow, for facts about the instant after it
+  // The state before a blow, for facts about the instant after it.
+  const solve::MechanismStateOf<Scalar>* before = nullptr;
 };
 
-// What facts say of the unknowns of an instant's equations.
+// The conditions that facts impose on the unknowns of an instant's equations.
 template <class Scalar>
 struct FactConditions {
   std::vector<solve::ConditionOf<Scalar>> linear;
-  std::vector<const Fact*> nonlinear;  // they fix no unknown, but must hold of the solution
+  std::vector<const Fact*> nonlinear;  // these determine no unknowns but must hold for the solution
 };
 
-// For the velocity coordinates: rates that joints and frames state.
+// Conditions on velocity coordinates: the rates that joints and frames state.
 template <class Scalar>
 std::vector<solve::ConditionOf<Scalar>> rate_conditions(const InstantView<Scalar>& view);
-// For the velocity coordinates: rest, and facts about velocities. blow: where the instants are those after one, for the
-// velocities and impulses in the order of solve::impulse_unknowns.
+// Conditions on velocity coordinates: rest, and facts about velocities. blow: for instants just after it, conditions
+// on the velocities and impulses in the order of solve::impulse_unknowns.
 template <class Scalar>
 FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants,
                                       const solve::BlowOf<Scalar>* blow = nullptr);
-// For accelerations and forces, in the order of solve::force_unknowns: what joints state and facts say. The moment has
-// its velocities.
+// Conditions on accelerations and forces in the order of solve::force_unknowns: what joints and facts state. The
+// state must have its velocities.
 template <class Scalar>
 FactConditions<Scalar> force_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants);
-// What facts about positions, mass centers and mass properties leave open, fact by fact.
+// The misfits of facts about positions, mass centers and mass properties, with their facts.
 template <class Scalar>
 std::vector<std::pair<const Fact*, Difference<Scalar>>> position_differences(
     const InstantView<Scalar>& view, const std::vector<const Instant*>& instants);
-// The differences quantity - value that a fact demands to vanish.
+// The differences quantity - value that vanish if the fact holds.
 template <class Scalar, class Base>
 std::vector<Difference<Scalar>> differences(const Fact& fact, QuantityScope<Scalar, Base>& scope,
                                             const std::string& file);
-// Rest relative to a frame with constant spins: the coordinates of bodies that hang on it do not change, but those of
-// bodies of revolution about their own axes; other bodies have the frame's angular velocity and their spin, and their
-// mass centers go with it.
+// Steady motion: rest relative to a frame, with constant spins. Coordinates of bodies that the frame carries do not
+// change, except for bodies of revolution that turn about their own axes. Other bodies have the angular velocity of
+// the frame plus their spin, and their mass centers move with the frame.
 template <class Scalar>
 void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<Scalar>>& conditions,
                 bool accelerations);
 
 // The linear equations of an instant.
 enum class InstantSystem { velocities, blow, motion };
-// What quantities are where the unknowns of a system have these values; blow: for that of a blow. The arguments must
-// outlive the scope.
+// The scope of quantities in which the unknowns of a system have these values; blow: for the system of a blow. The
+// arguments must outlive the scope.
 template <class Scalar>
 QuantityScope<Scalar> solution_scope(const InstantView<Scalar>& view, InstantSystem system,
                                      const std::vector<Scalar>& unknowns, const solve::BlowOf<Scalar>* blow);
 
-// The particles of strikes that fly by themselves just before a blow (moment: before it), and just after it those that
-// have gone through a body. blow: nothing before it.
+// The particles of strikes that fly freely just before a blow. If `blow` is given, the particles just after it, which
+// are those that have passed through a body. before: the state before the blow.
 template <class Scalar>
 std::vector<FlyingParticle<Scalar>> flying_particles(const Situation& situation, const MachineOf<Scalar>& machine,
                                                      const solve::MechanismStateOf<Scalar>& before,
                                                      const solve::BlowOf<Scalar>* blow);
 
-// What is given of a blow; the moment is that before it.
+// The given impulses, impacts and strikes. The view must be of the state before the blow.
 template <class Scalar>
 solve::BlowOf<Scalar> stated_blow(const InstantView<Scalar>& view);
 
-// Whether a body is one of revolution about the axis of its own joint, its mass center on it. length: of the machine,
-// m.
+// Whether a body is a body of revolution about the axis of its own joint, with its mass center on this axis. length:
+// a natural length of the machine, m.
 template <class Scalar>
 bool turns_unseen(const Model<Scalar>& tree, int body, double length);
 

@@ -1,4 +1,4 @@
-// What is told where the equations of an instant contradict each other.
+// The message if the equations of an instant contradict each other.
 #include <algorithm>
 #include <string_view>
 

@@ -1,4 +1,4 @@
-// What is stated about rates, velocities, accelerations and forces, as linear conditions where it is linear.
+// Facts about rates, velocities, accelerations and forces as linear conditions, if they are linear.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -25,7 +25,7 @@ std::string words_of(const Instant& instant, const Fact& fact) {
   return "'" + instant.name + "': " + to_string(fact.quantity);
 }
 
-// Whether impulses are asked for, by themselves or under a name.
+// Whether an expression asks for impulses, directly or by a name.
 bool asks_impulses(const Situation& situation, const Expression& expression, int depth = 0) {
   std::set<std::string> functions, names;
   collect_functions(expression, functions, true);
@@ -95,7 +95,8 @@ std::vector<std::pair<const Fact*, Difference<Scalar>>> position_differences(
   return all;
 }
 
-// Coefficients are derivatives by dual numbers; of impulses they are differences, exact for what is linear.
+// Coefficients are derivatives by dual numbers. For impulses they are differences, which are exact for linear
+// conditions.
 template <class Scalar>
 FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants,
                                       const solve::BlowOf<Scalar>* blow) {
@@ -165,7 +166,7 @@ FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std
   for (const Instant* instant : instants) {
     if (instant->rest) {
       for (std::size_t k = 0; k < n; ++k) {
-        // Frames move as they state.
+        // The motion of frames is stated by themselves and not by these facts.
         const auto moved = std::find_if(machine.links.begin(), machine.links.end(), [&](const solve::CheckLink& link) {
           return static_cast<int>(k) >= link.velocity && static_cast<int>(k) < link.velocity + velocity_size(link.type);
         });
@@ -237,7 +238,8 @@ std::string SolvedInstant::fact_words(const Fact& fact) const {
   return to_string(fact.quantity);
 }
 
-// Facts about positions, mass centers and mass properties demand something of unknowns, or must hold as it is.
+// Facts about positions, mass centers and mass properties are conditions on unknowns. Without unknowns they must
+// hold.
 void SolvedInstant::position_facts(const std::vector<const Instant*>& instants) {
   for (const auto& [fact, difference] : position_differences(view(), instants)) {
     const double misfit = difference.value / natural_unit(difference.dimension);

@@ -1,4 +1,4 @@
-// The accelerations and forces of an instant.
+// Solves for the accelerations and forces of an instant.
 #include <algorithm>
 
 #include "problem/instant/instant.h"
@@ -67,7 +67,7 @@ std::vector<std::string> SolvedInstant::unphysical() const {
   std::vector<std::string> found;
   const Mechanism<double>& mechanism = machine_.mechanism;
   const std::size_t first = solve::force_unknowns(mechanism).accelerations;
-  // A force that is small beside all others on the body that it holds is rounding.
+  // A force is rounding if it is small beside all other forces on the body that it holds.
   const auto on_body = [&](int body, std::size_t without) {
     if (body == ground) return 0.0;
     double size = mechanism.tree.body(body).inertia.mass * norm(mechanism.tree.gravity());
@@ -86,7 +86,7 @@ std::vector<std::string> SolvedInstant::unphysical() const {
     const auto own = static_cast<std::size_t>(component.action);
     const double on = on_body(action.on, own), from = on_body(action.from, own);
     const double beside = on > 0 && from > 0 ? std::min(on, from) : std::max(on, from);
-    // Alone on its body, it is what the motion needs; or rounding, where nothing moves.
+    // A single force on its body is what the motion requires; if nothing moves, it is rounding.
     double mass = scales_.mass;
     for (const int body : {action.on, action.from})
       if (body != ground && mechanism.tree.body(body).inertia.mass > 0)

@@ -1,4 +1,4 @@
-// A problem in the states of a motion.
+// Moves a situation through the states of a motion.
 #include <algorithm>
 
 #include "poinsot/engine/solve/instant/closure.h"
@@ -7,7 +7,7 @@
 
 namespace poinsot::problem {
 
-// The name of a later instant: a time with its unit, a datum that is a time, the end of a stage.
+// The name of a later instant is a time with its unit, a datum that is a time, or the end of a stage.
 bool is_later(const Situation& situation, const Instant& instant) {
   if (instant.found_when) return true;
   if (!instant.name.empty() && (std::isdigit(static_cast<unsigned char>(instant.name.front())) != 0)) return true;
@@ -90,7 +90,7 @@ void SolvedInstant::move_to(const MotionState& state) {
   moment_->set_velocities(v_);
 }
 
-// What does not act neither binds nor carries.
+// Actions that do not act impose no constraints and carry no forces.
 void SolvedInstant::release(const std::vector<bool>& acting) {
   if (std::find(acting.begin(), acting.end(), false) == acting.end()) return;
   Mechanism<double>& mechanism = machine_.mechanism;

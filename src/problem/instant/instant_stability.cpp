@@ -1,4 +1,4 @@
-// The motion near a steady one.
+// Prepares the linearised equations near a steady motion.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -16,7 +16,7 @@ namespace {
 using Vector = Vector3<double>;
 using Twist = SpatialMotion<double>;
 
-// Axes of symmetry of an inertia about the mass center; three for a body whose moments are all equal.
+// The axes of symmetry of a body's inertia about its mass center: three for a body whose moments are all equal.
 std::vector<Vector> symmetry_axes(const SpatialInertia<double>& I) {
   if (!(I.mass > 0)) return {};
   const Vector c = I.first_moment / I.mass;
@@ -48,7 +48,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   motion.held.assign(n, false);
   for (const StatedRate& rate : machine_.accelerations) motion.held[static_cast<std::size_t>(rate.velocity)] = true;
   for (int k : still_coordinates(machine_)) motion.held[static_cast<std::size_t>(k)] = true;
-  // Of a frame that rides on a body in free space nothing is claimed of the mass center's motion.
+  // A frame that moves with a body in free space states nothing about the motion of the mass center.
   for (const Frame& f : situation_.frames) {
     if (!situation_.steady || f.name != situation_.steady->frame || f.rides_on.empty()) continue;
     const int ridden = machine_.index.at(f.rides_on);
@@ -65,8 +65,8 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
     }
   }
 
-  // Contacts move over round bodies: the mechanism is taken anew in every pose. Near a steady motion they no longer
-  // rest in its frame.
+  // Contacts move over round bodies, so that the mechanism is adapted to every pose. Near a steady motion they no
+  // longer rest in its frame.
   Mechanism<double> mechanism = machine_.mechanism;
   for (VelocityConstraint<double>& constraint : mechanism.constraints) {
     if (!constraint.carried_by) continue;
@@ -117,7 +117,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
     return rows;
   };
 
-  // The spin of each body on a ball or free joint, on its axes, about its mass center.
+  // The spin of each body on a ball or free joint, on the body's axes, as a twist about its mass center.
   const auto about = [](const Vector& angular, const Vector& c) { return Twist{angular, cross(c, angular)}; };
   const auto center_of = [&](int i) {
     const SpatialInertia<double>& I = tree.body(i).inertia;
@@ -127,15 +127,17 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
     const auto& body = tree.body(i);
     if ((body.joint != JointType::ball && body.joint != JointType::free) || i == frame) continue;
     const Vector own = direction_on_body(tree, w, i, angular_velocity(w, i) - turning);
-    // Axes that do not follow the spin serve bodies that look the same while they spin; others keep their own.
+    // Axes that do not follow the spin suit bodies whose inertia does not change while they spin. Other bodies keep
+    // their own axes.
     const std::vector<Vector> alike = symmetry_axes(body.inertia);
     const bool unseen = alike.size() != 1 ? alike.size() == 3 || !(body.inertia.mass > 0)
                                           : norm(cross(own, alike.front())) <= 1e-9 * norm(own);
     if (norm(own) > 0 && unseen) motion.spins.emplace_back(i, about(own, center_of(i)));
   }
 
-  // What may lead to the same motion again: turns of all that stands on the ground about the axis of the frame or the
-  // vertical, shifts, and turns of a body about its axis of symmetry. Those that do not are sorted out.
+  // Displacements that may lead to the same motion again: turns of everything on the ground about the axis of the
+  // frame or the vertical, shifts, and turns of a body about its axis of symmetry. Those that do not are sorted out
+  // later.
   const auto add_symmetry = [&](const std::vector<double>& positions, const std::vector<double>& velocities) {
     std::vector<double> both = positions;
     both.insert(both.end(), velocities.begin(), velocities.end());
@@ -146,7 +148,8 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   const std::vector<double> none(n, 0.0);
   std::vector<std::pair<Vector, Vector>> displacements;  // turning about the origin and shift, on ground axes
   std::vector<Vector> axes{Vector::unit(0), Vector::unit(1), Vector::unit(2)};
-  // And the axis of the frame and the vertical, however the axes are drawn, with directions across them.
+  // The axis of the frame and the vertical are added, in case the axes are drawn differently, and directions
+  // perpendicular to them.
   const auto add_axis = [&](const Vector& axis) {
     const bool known =
         std::any_of(axes.begin(), axes.end(), [&](const Vector& other) { return norm(cross(axis, other)) <= 1e-12; });
@@ -183,7 +186,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
           continue;
         const BodyMotion<double>& B = w.motion[static_cast<std::size_t>(i + 1)];
         const Vector at_origin = shift + cross(turn, B.p);
-        // The coordinates' own motions at the body's origin, fitted to the displacement.
+        // The motions of the coordinates at the body's origin are fitted to the displacement.
         double left = norm_squared(at_origin) + scales_.length * scales_.length * norm_squared(turn);
         const double size = left;
         for_each_coordinate_motion(tree, w, i, B.p, [&, &turn = turn](int k, const Twist& S) {
@@ -192,7 +195,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
           positions[static_cast<std::size_t>(k)] = part;
           left -= part * part * own;
         });
-        // A particle keeps its axes, on which its velocity stands.
+        // The axes of a particle are not turned, since its velocity is given on them.
         const bool keeps_axes = body.joint == JointType::free && turns_nothing(machine_, body.v) &&
                                 turns_nothing(machine_, body.v + 1) && turns_nothing(machine_, body.v + 2);
         if (keeps_axes) {
@@ -216,7 +219,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
     if (body.joint != JointType::ball && body.joint != JointType::free) continue;
     std::vector<Vector> own_axes = symmetry_axes(body.inertia);
     if (own_axes.size() == 3) {
-      // All its axes are alike: that of its spin, and those through the points that hold it.
+      // If all axes are axes of symmetry, those of its spin and those through the points that hold it are used.
       const auto add = [&](const Vector& direction) {
         if (norm(direction) > 1e-9 * scales_.length) own_axes.push_back(normalized(direction));
       };

@@ -1,4 +1,4 @@
-// What `steady:` says of velocities and accelerations.
+// The conditions on velocities and accelerations in a steady motion.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ template <class Scalar>
 bool turns_unseen(const Model<Scalar>& tree, int body, double length) {
   const auto& link = tree.body(body);
   if (link.joint != JointType::revolute || !(plain(link.inertia.mass) > 0)) return false;
-  // On the working axes the joint's axis is z.
+  // The working axes have their z along the axis of the joint.
   const SpatialInertia<Scalar>& I = link.inertia;
   const Vector3<Scalar> center = I.first_moment / I.mass;
   const SymmetricMatrix3<double> central = plain(I.inertia - I.mass * unit_mass_inertia(center));
@@ -63,7 +63,7 @@ void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<
       for (int k = body.v; k < body.v + velocity_size(body.joint); ++k) {
         if (stated(accelerations ? machine.accelerations : machine.rates, k)) continue;
         if (!accelerations && stated(machine.accelerations, k)) continue;
-        // A body of revolution may turn about its own axis unseen.
+        // A body of revolution may turn about its own axis, which changes nothing.
         if (!accelerations && turns_unseen(tree, i, view.scales.length)) continue;
         solve::ConditionOf<Scalar> condition{words, std::vector<Scalar>(size), Scalar(0), 1};
         condition.coefficients[static_cast<std::size_t>(k)] = Scalar(1);
@@ -72,12 +72,12 @@ void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<
       continue;
     }
     if (!machine.mechanism.takes_part[static_cast<std::size_t>(i)]) continue;
-    // What is fixed to the ground stays there, whatever turns about it.
+    // What is fixed to the ground stays there, even if the frame turns.
     bool fixed = true;
     for (int j = i; j != ground; j = tree.body(j).parent) fixed = fixed && tree.body(j).joint == JointType::weld;
     if (fixed) continue;
     if (hangs_on(tree, frame, i)) continue;  // it carries the frame
-    // w = W + s u, alpha = dW/dt + W x s u; the mass center goes with the frame.
+    // The body has w = W + s u and alpha = dW/dt + W x s u, and its mass center moves with the frame.
     Vector spin_vector = Vector::zero();
     if (spin != steady.spins.end())
       spin_vector = view.data.number(spin->rate, dimensions::angular_velocity) * view.data.direction(spin->about);
@@ -104,7 +104,8 @@ void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<
       if (!accelerations) {
         condition.value = angular ? spin_vector[c] : Scalar(0);
       } else {
-        // What the velocities bring, with all accelerations of coordinates zero.
+        // The part of the acceleration that depends on the velocities alone, with the coordinates' accelerations at
+        // zero.
         const BodyMotion<Scalar>& B = w.motion[static_cast<std::size_t>(i + 1)];
         const Vector own = B.a + cross(B.alpha, G - B.p) + cross(B.w, cross(B.w, G - B.p));
         const Vector carried = F.a + cross(F.alpha, r) + cross(F.w, cross(F.w, r));

@@ -1,4 +1,4 @@
-// Facts as linear conditions on the unknowns of an instant, where they are linear.
+// Recognises facts that are linear in the unknowns of an instant, and turns them into linear conditions.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace poinsot::problem {
 template <class Scalar>
 using Conditions = std::vector<solve::ConditionOf<Scalar>>;
 
-// Whether conditions, which were taken elsewhere as linear, give these values.
+// Whether the linear conditions, which were found at other places, predict these values.
 template <class Scalar, class Values>
 bool foretell(const Conditions<Scalar>& conditions, const std::vector<Scalar>& x, const Values& values) {
   if (values.size() != conditions.size()) return false;
@@ -40,7 +40,7 @@ bool foretell(const Conditions<Scalar>& conditions, const std::vector<Scalar>& x
   return true;
 }
 
-// Whether values change by more than their rounding lets one see.
+// Whether values change by clearly more than their rounding.
 template <class Values>
 bool notice(const Values& from, const Values& to) {
   constexpr double seen = 1e-6;
@@ -51,9 +51,10 @@ bool notice(const Values& from, const Values& to) {
   return true;
 }
 
-// The places at which facts are tried for being linear in some unknowns, by number: first zero; then far ones, on both
-// sides (a size may look linear on one) and ever further (what is stated must not drown the unknowns); then those with
-// one unknown one and the others zero. They are the same for all facts, which may share what is found there.
+// The numbered places at which facts are tried for being linear in some unknowns. The first is zero. Then come far
+// ones: to both sides, as a size may look linear on one side, and farther and farther, as the stated value must not
+// drown the unknowns. In the others one unknown is one and all else is zero. The places are the same for all facts,
+// which can share what is computed there.
 template <class Scalar>
 class ProbePlaces {
  public:
@@ -81,7 +82,7 @@ class ProbePlaces {
   std::size_t n_;
 };
 
-// Scopes by number, each made where it is first asked for.
+// Scopes by number. Each is made when it is first used.
 template <class Scope>
 class NumberedScopes {
  public:
@@ -98,9 +99,9 @@ class NumberedScopes {
   std::map<std::size_t, std::unique_ptr<Scope>> scopes_;
 };
 
-// A fact as linear conditions on the unknowns, from the differences values(place) that it demands to vanish and, around
-// zero, slopes(k, values there) in unknown k. Nothing if it is not linear: nobody knows then which of several solutions
-// is meant.
+// A fact as linear conditions on the unknowns. values(place) gives the differences that must vanish; slopes(k, values
+// there) gives their slopes by unknown k around zero. Returns nothing if the fact is not linear: it would not be
+// known which of several solutions is meant.
 template <class Scalar, class ValuesAt, class Slopes>
 std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales,
                                             const ProbePlaces<Scalar>& places, const ValuesAt& values,
@@ -127,13 +128,14 @@ std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solv
       }
     return conditions;
   } catch (const StatementError&) {
-    // What has no value at rest, such as a direction, is not linear. Mistakes are reported at the solution.
+    // A quantity that has no value at rest, such as a direction, is not linear. Errors are reported when the solution
+    // is checked.
   } catch (const std::domain_error&) {
   }
   return std::nullopt;
 }
 
-// The same with slopes from the step to one, exact for what is linear.
+// The same, where slopes are the changes when one unknown goes from zero to one. This is exact for linear facts.
 template <class Scalar, class ValuesAt>
 std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales,
                                             const ProbePlaces<Scalar>& places, const ValuesAt& values) {

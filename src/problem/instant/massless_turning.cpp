@@ -10,7 +10,7 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double no_inertia = 1e-12;  // beside that about other axes
+constexpr double no_inertia = 1e-12;  // as a part of the moment of inertia about other axes
 
 double dot_product(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
@@ -56,7 +56,7 @@ std::optional<MasslessSpin> massless_spin(const Machine& machine, int coordinate
     const Vector3<double>& moments = principal.moments;
     if (!(moments.x <= no_inertia * moments.z) || moments.y <= no_inertia * moments.z) return std::nullopt;
     MasslessSpin spin{static_cast<std::size_t>(body.v), principal.axes.column(0)};
-    // Other bodies may ride on this one and be moved by its turning.
+    // Other bodies may be attached to this one and be moved by its turning.
     std::vector<double> v(static_cast<std::size_t>(machine.mechanism.tree.velocity_size()));
     for (std::size_t k = 0; k < 3; ++k) v[spin.first + k] = spin.axis[k];
     spin.alone = MechanismDynamics(machine.mechanism).kinetic_energy(machine.q, v) <= no_inertia * moments.z;
@@ -72,7 +72,7 @@ bool turns_particle(const Machine& machine, int coordinate) {
   if (turned == bodies.end()) return false;
   const int index = static_cast<int>(turned - bodies.begin());
   if (std::ranges::any_of(bodies, [&](const auto& body) { return body.parent == index; })) return false;
-  // On working axes, of which z is that of the joint.
+  // The working axes have their z along the axis of the joint.
   const SpatialInertia<double>& I = turned->inertia;
   if (!(I.mass > 0)) return false;
   const Vector3<double> center = I.first_moment / I.mass;

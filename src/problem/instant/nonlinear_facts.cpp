@@ -1,5 +1,5 @@
-// Facts about energies, sizes and directions: not linear in velocities or forces, they fix none of them, but are
-// conditions on the data from which these follow.
+// Facts about energies, sizes and directions. They are not linear in velocities or forces and do not determine these;
+// they are conditions on the data that velocities and forces follow from.
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +9,8 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double most_misfit = 1e-8;   // of a fact that holds, relative to its sides,
-constexpr double most_natural = 1e-9;  // or in natural units: its sides may be what is left of larger ones
+constexpr double most_misfit = 1e-8;   // relative to the sides, for a fact that holds
+constexpr double most_natural = 1e-9;  // or in natural units, as the sides may be differences of larger terms
 
 double size_of(const Value<double>& value) { return std::max(std::abs(value.number), norm(value.vector)); }
 

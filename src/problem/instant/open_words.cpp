@@ -15,7 +15,7 @@ std::string listed(const std::vector<std::string>& names, const char* last) {
 
 namespace {
 
-// The names of the unknowns that one open direction moves.
+// The names of the unknowns that change in one open direction.
 std::vector<std::string> moved_names(const solve::LinearSystem& equations, const solve::LinearSolution& solution,
                                      std::size_t direction, std::size_t first, std::size_t last) {
   std::vector<std::string> names;
@@ -56,7 +56,7 @@ std::string open_force(const SolvedInstant& instant, std::size_t direction) {
                moved_names(instant.blow_equations(), instant.blow(), direction, 0, instant.blow_equations().unknowns()),
                "and") +
            " one by one";
-  // A motion after a blow, which does not fix how it starts.
+  // This is a motion after a blow that does not determine how it starts.
   if (!instant.forces_solved()) return "the blow does not fix all velocities after it";
   const auto& equations = instant.motion_equations();
   const std::size_t accelerations = solve::force_unknowns(instant.machine().mechanism).accelerations;

@@ -1,4 +1,4 @@
-// What the equations of an instant leave open, in words: for answers that are not determined.
+// Describes what the equations of an instant leave open, for answers that are not determined.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +9,17 @@
 
 namespace poinsot::problem {
 
-// "a, b and c", with `last` between the last two.
+// The names as an enumeration: "a, b and c", with `last` before the last one.
 std::string listed(const std::vector<std::string>& names, const char* last);
 
-// "the rate of joint 'A'" for what is named so, or without its article.
+// The name with its article if it needs one: "the rate of joint 'A'".
 std::string with_article(const std::string& name);
 
-// That nothing fixes these velocities, of which `missing` would do.
+// Says that nothing determines these velocities; `missing` of them would suffice.
 std::string open_velocities(std::vector<std::string> names, std::size_t missing);
 
-// What of accelerations and forces, or of impulses, one open direction of an instant moves, and that nothing fixes it.
+// Names the accelerations and forces, or impulses, that change in one open direction of an instant, and says that
+// nothing determines them.
 std::string open_force(const SolvedInstant& instant, std::size_t direction);
 
 }  // namespace poinsot::problem

@@ -1,4 +1,4 @@
-// The impulses, impacts and strikes that a statement names, on the machine in its pose with the motion before them.
+// The stated impulses, impacts and strikes, for the machine in its pose and with its velocities before the blow.
 #include "problem/instant/instant_conditions.h"
 #include "problem/language/exact_numbers.h"
 
@@ -46,7 +46,7 @@ solve::BlowOf<Scalar> stated_blow(const InstantView<Scalar>& view) {
                                           stated.at};
     Vector vector = moment.on_ground_axes(stated.axes, stated.vector);
     if (stated.relative_to) {
-      // The particle's momentum, less what it keeps of it relative to the body.
+      // The momentum that the particle gives to the body: its own, less what it keeps relative to the body.
       const Vector absolute = vector + stated.particle_mass * center_velocity(moment, *stated.relative_to);
       const Vector relative = absolute - stated.particle_mass * center_velocity(moment, stated.on);
       vector = plain(stated.absorbed) > 0 ? absolute : (Scalar(1) - stated.kept) * relative;

@@ -10,7 +10,7 @@ namespace {
 
 using Varied = VariedInstant::Varied;
 
-// A solution with its derivatives.
+// The solution of a linear system, with its derivatives.
 std::vector<Varied> varied_solution(const solve::LinearSystem& system, const solve::LinearSystemOf<Varied>& varied) {
   const solve::LinearFactors factors(system);
   const std::vector<double>& value = factors.solution().value;
@@ -66,7 +66,7 @@ void VariedInstant::set_positions() {
     position_misfits_.push_back(difference.value / Varied(base_.natural_unit(difference.dimension)));
 }
 
-// A fact that is linear for one scalar must be so for the other.
+// A fact that is linear for doubles must also be linear for dual numbers.
 void VariedInstant::expect_same(InstantSystem system, const std::vector<const Fact*>& nonlinear) const {
   if (base_.nonlinear_.at(system) != nonlinear)
     throw std::domain_error("a fact has another form over dual numbers than over doubles");

@@ -1,5 +1,5 @@
-// How an instant varies with one number of its statement, in which unknowns have trial values: the same machine,
-// conditions and equations as in SolvedInstant, over dual numbers.
+// The derivatives of an instant by one number of its situation, in which unknowns have trial values. Machine,
+// conditions and equations are those of SolvedInstant, over dual numbers.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,12 @@ class VariedInstant {
  public:
   using Varied = Dual<1>;
 
-  // base: a trial, which must outlive this. The number is a datum, letter or unknown of its settings, or a component of
-  // one. Throws std::domain_error where the instant has no derivatives or takes another form over dual numbers; what
-  // SolvedInstant throws.
+  // base: a trial, which must outlive the object. The number is a datum, letter or unknown of its settings, or a
+  // component of one. Throws std::domain_error if the instant has no derivatives or differs in form over dual
+  // numbers, and what SolvedInstant throws.
   VariedInstant(const SolvedInstant& base, const std::string& name, std::size_t component);
 
-  // What SolvedInstant tells by the same names; those of a blow and of the motion if it has them.
+  // The results that SolvedInstant gives by the same names; with a blow and with the motion if the base has them.
   const std::vector<Varied>& position_misfits() const { return position_misfits_; }
   const solve::LinearSystemOf<Varied>& equations(InstantSystem system) const { return systems_.at(system); }
   std::vector<Varied> nonlinear_misfits(InstantSystem system, const std::vector<Varied>& unknowns);

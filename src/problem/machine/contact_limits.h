@@ -1,4 +1,4 @@
-// How far a contact is good: a round surface ends somewhere, and a straight side touches a plane only along it.
+// Where contacts end: a round surface may end, and a straight side touches a plane only as long as it lies on it.
 #pragma once
 
 #include <optional>
@@ -8,18 +8,18 @@
 
 namespace poinsot::problem {
 
-// The cosine of the angle between where the contact is on its round surface and the middle of that surface, less that
-// where the surface ends: negative beyond its end. Nothing where the surface is whole, or the contact does not hold.
-// The moment has its positions.
+// The cosine of the angle, seen from the center of the round surface, between the contact and the middle of the
+// surface, less the cosine for its end: negative beyond the end. Nothing if the surface has no end or the contact
+// does not hold. The state must have its positions.
 std::optional<double> left_of_surface(const ContactLimit& limit, const solve::MechanismState& moment);
-// Whether the contact stands at the end of its surface and goes on beyond it. The moment has its velocities.
+// Whether the contact is at the end of its surface and moves on beyond it. The state must have its velocities.
 bool goes_beyond(const ContactLimit& limit, const solve::MechanismState& moment);
-// Whether a straight side turns out of the plane that it touches. The moment has its velocities.
+// Whether a straight side turns out of the plane that it touches. The state must have its velocities.
 bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& moment);
 
-// "contact 'floor' is beyond the end of the round surface of 'half'".
+// The message "contact 'floor' is beyond the end of the round surface of 'half'".
 std::string words_of_end(const ContactLimit& limit);
-// What is wrong where a side leaves its plane, and what to write.
+// The message about a side that leaves its plane, and the hint what to write instead.
 std::string words_of_side(const ContactLimit& limit);
 std::string hint_of_side(const ContactLimit& limit);
 

@@ -43,7 +43,7 @@ Expression name_expression(const std::string& name, const Mark& mark) {
   return {std::make_shared<const Node>(Node{Name{name}, mark})};
 }
 
-// Walks an expression; names and functions are gathered where they are wanted.
+// Walks through an expression and collects the names or functions in it, where a set is given for them.
 struct NameCollector {
   std::set<std::string>* names;
   std::set<std::string>* functions;
@@ -89,7 +89,7 @@ struct NameCollector {
   }
 };
 
-// Names used, and those behind data, points, directions and definitions.
+// The names in an expression, and those behind its data, points, directions and definitions.
 std::set<std::string> names_behind(const Situation& situation, const Expression& expression) {
   std::set<std::string> all, fresh;
   collect_names(expression, fresh);
@@ -135,7 +135,7 @@ std::vector<std::string> settable_names(const Situation& situation) {
 }
 
 Expression setting_expression(const std::string& name, const std::string& text) {
-  // On a command line blanks are a burden: 3kg is understood.
+  // On a command line blanks are inconvenient, so that 3kg is accepted.
   std::string spaced = text;
   char* end = nullptr;
   std::strtod(text.c_str(), &end);
@@ -169,7 +169,7 @@ Value<double> read_setting(const Situation& situation, const std::string& name, 
     try {
       wanted = data.value(item->value).dimension;
     } catch (const DomainError&) {
-      // The datum of the file has no value; the one from outside may have any dimension.
+      // The datum in the file has no value, and a value from outside may have any dimension.
     }
   }
   const bool zero = value.bare && (value.is_number() ? value.number == 0 : norm(value.vector) == 0);
@@ -244,7 +244,7 @@ Value<Scalar> DataScope<Scalar>::name(const Name& name, const Mark& mark, const 
 
 template <class Scalar>
 Value<Scalar> DataScope<Scalar>::meaning(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) {
-  // One name, one meaning.
+  // A name may have only one meaning.
   std::array<const char*, 7> meanings{};
   std::size_t count = 0;
   const NamedExpression* datum = find_named(situation_.given, name.name);
@@ -364,7 +364,7 @@ Scalar DataScope<Scalar>::gravity_size() {
   }
   if (const Letter* letter = find_letter(situation_, "g"))
     return number(name_expression("g", letter->mark), dimensions::acceleration);
-  // A gravity of stated size sets g.
+  // If the file states the size of gravity, this is g.
   if (situation_.gravity) {
     const Name* word = situation_.gravity->as<Name>();
     if (!(word && word->name == "none")) {

@@ -1,4 +1,4 @@
-// The values of a statement's data: given numbers, letters, points and directions, all as drawn.
+// The values of a situation's data: given numbers, letters, points and directions, all as drawn.
 #pragma once
 
 #include <map>
@@ -13,38 +13,38 @@
 
 namespace poinsot::problem {
 
-// Values that come from outside the file, by name, in SI.
+// Values from outside the file by name, in SI units.
 using Settings = std::map<std::string, Value<double>>;
 
 // Standard gravity, m/s^2.
 inline constexpr double standard_gravity = 9.80665;
 
-// The value of `--set NAME=VALUE` or of an `expect` block. Throws StatementError (file "--set NAME") if the value is no
-// number, or if its dimension is not that of the letter or datum; unknown names are the caller's to find.
+// Reads the value of `--set NAME=VALUE` or of an `expect` block. Throws StatementError (for the file "--set NAME") if
+// it is no number or has not the dimension of the letter or datum. The caller checks that the name exists.
 Value<double> read_setting(const Situation& situation, const std::string& name, const std::string& text);
 
-// What stands behind `--set NAME=`; blanks before units may be missing there.
+// The expression after `--set NAME=`, in which blanks before units may be missing.
 Expression setting_expression(const std::string& name, const std::string& text);
 
-// Names that `--set` can reach: data and letters.
+// The names that `--set` accepts: data and letters.
 std::vector<std::string> settable_names(const Situation& situation);
 
-// Scalar: double, Dual<1>, or a TimeJetOf one of these.
+// The scalar is double, Dual<1>, Formula, or a TimeJetOf one of these.
 template <class Scalar>
 class DataScope : public Scope<Scalar> {
  public:
-  // problem and settings must outlive the scope. Every letter must have a value in settings when it is used.
+  // Situation and settings must outlive the scope. A letter must have a value in the settings when it is used.
   DataScope(const Situation& situation, const Settings& settings, Scalar time = Scalar(0));
 
-  // Another time; what does not follow it keeps its value.
+  // Moves to another time. Values that do not depend on the time are kept.
   void set_time(Scalar time);
-  // Whether anything evaluated since the time was set follows it.
+  // Whether any value used since the time was set depends on the time.
   bool follows_time() const { return follows_time_; }
 
-  // Gives a datum, letter, unknown or choice a value that varies, in place of that in settings; before anything is
-  // evaluated.
+  // Gives a datum, letter, unknown or choice a varying value that replaces the one in the settings. This must be done
+  // before anything is evaluated.
   void vary(const std::string& name, Value<Scalar> value) { varied_[name] = std::move(value); }
-  // Gives what varies in a scope over another scalar the same values here, as constants.
+  // Takes over the varying values of a scope with another scalar, as constants.
   template <class Other>
   void vary_as(const DataScope<Other>& other) {
     for (const auto& [name, value] : other.varied()) varied_[name] = lifted<Scalar>(value);
@@ -54,24 +54,24 @@ class DataScope : public Scope<Scalar> {
   Value<Scalar> name(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
   Value<Scalar> call(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
 
-  // Whether the name is a datum, letter, point, direction, axis or word with a value.
+  // Whether the name has a value: as a datum, letter, point, direction, axis or word.
   bool knows(const std::string& name) const;
 
   Scalar number(const Expression& expression, const Dimension& dimension);
-  // A place: a vector of lengths from the ground's origin, m.
+  // A place: a vector of lengths from the origin of the ground, m.
   Vector3<Scalar> place(const Expression& expression);
-  // A direction: any vector but zero, returned with length one.
+  // A direction: any vector but zero is accepted, and returned with length one.
   Vector3<Scalar> direction(const Expression& expression);
   Vector3<Scalar> vector(const Expression& expression, const Dimension& dimension);
 
-  // The file's g, else standard gravity.
+  // The g of the file, or else standard gravity.
   Scalar gravity_size();
   const Situation& situation() const { return situation_; }
   const Settings& settings() const { return settings_; }
   Value<Scalar> value(const Expression& expression);
 
  private:
-  // An item of what the problem names by `what`, while it is evaluated.
+  // An item that is being evaluated, for messages about names that lead back to themselves. `what` says what it is.
   struct Pending {
     const char* what;
     const NamedExpression* item;
@@ -84,24 +84,24 @@ class DataScope : public Scope<Scalar> {
   Scalar time_;
   bool follows_time_ = false;
   std::map<std::string, Value<Scalar>> varied_;
-  std::map<const NamedExpression*, Value<Scalar>> found_;  // of items of the problem
-  std::map<std::string, Value<Scalar>> meanings_;          // of names but `time` and directions
+  std::map<const NamedExpression*, Value<Scalar>> found_;  // of the items of the situation
+  std::map<std::string, Value<Scalar>> meanings_;          // of names other than `time` and directions
   std::vector<Pending> pending_;
 };
 
 // A number, or one component of a vector, as the variable of differentiation.
 Value<Dual<1>> as_variable(const Value<double>& value, std::size_t component = 0);
 
-// Whether the value of an expression follows `time`, through data as well.
+// Whether the value of an expression depends on `time`, possibly through data.
 bool depends_on_time(const Situation& situation, const Expression& expression);
 
-// The letters on which an expression depends, through data and points as well.
+// The letters on which an expression depends, possibly through data and points.
 std::set<std::string> letters_of(const Situation& situation, const Expression& expression);
 
-// The names used in an expression; those before an @ only if `into_at`.
+// Collects the names in an expression; those before an @ only if `into_at`.
 void collect_names(const Expression& expression, std::set<std::string>& names, bool into_at = true);
 
-// The functions called in an expression.
+// Collects the functions that an expression calls.
 void collect_functions(const Expression& expression, std::set<std::string>& functions, bool into_at = true);
 
 extern template class DataScope<double>;

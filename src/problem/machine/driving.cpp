@@ -14,12 +14,12 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr int most_halvings = 20;            // of the time between two looks
-constexpr std::size_t most_looks = 100'000;  // in a part of the motion
-constexpr double bend = 0.02;                // between two looks, of the range of a function
-constexpr double steps_of_looks = 8;         // an integration looks many times in a step
-constexpr double parts_of_pace = 100;        // a part of the motion, in the times in which it changes
-constexpr double most_parts = 16;            // of a motion that lasts as long as stated
+constexpr int most_halvings = 20;            // of the time between two samples
+constexpr std::size_t most_looks = 100'000;  // samples in one part of the motion
+constexpr double bend = 0.02;          // change of slope allowed between two samples, as a part of a function's range
+constexpr double steps_of_looks = 8;   // samples in each step of the integration
+constexpr double parts_of_pace = 100;  // length of a part, in times in which the motion changes noticeably
+constexpr double most_parts = 16;      // number of parts if the motion lasts a stated time
 constexpr const char* corner_functions[] = {"abs", "norm", "unit", "direction", "sqrt", "angle", "acute_angle"};
 
 template <class Visit>
@@ -69,7 +69,8 @@ void Driving::collect(const Expression& expression) {
   collect_corners(expression, names);
 }
 
-// Those of the parts first. names: data that are being looked into.
+// Collects the places where an expression may have corners, those of its parts first. names: data that are being
+// followed.
 void Driving::collect_corners(const Expression& expression, std::vector<std::string>& names) {
   if (!depends_on_time(situation_, expression)) return;
   if (const auto* name = expression.as<Name>()) {
@@ -99,7 +100,7 @@ void Driving::collect_corners(const Expression& expression, std::vector<std::str
   }
 }
 
-// Of all that drives; where something has no value there, NaN.
+// The values of all loads and given motions; NaN for one that has none.
 std::vector<double> Driving::values(double time) {
   data_.set_time(time);
   std::vector<double> all;
@@ -121,7 +122,7 @@ double Driving::switch_value(const Expression& expression, const Expression& oth
   data_.set_time(time);
   try {
     const Value<double> value = data_.value(expression);
-    // A vector's direction changes abruptly at most where it vanishes.
+    // The direction of a vector can change abruptly only where the vector vanishes.
     if (value.is_vector()) {
       std::size_t largest = 0;
       for (std::size_t k = 1; k < 3; ++k)
@@ -135,7 +136,7 @@ double Driving::switch_value(const Expression& expression, const Expression& oth
   }
 }
 
-// The times at which what drives may have corners, ascending.
+// The times at which loads or given motions may have corners, in ascending order.
 std::vector<double> Driving::corners(double from, double to) {
   std::set<double> found;
   for (const Corner& corner : corners_) {
@@ -158,7 +159,7 @@ std::vector<double> Driving::corners(double from, double to) {
       if (value[i] == 0 && times[i] > from && times[i] < to) found.insert(times[i]);
       if (i + 1 == times.size()) break;
       meets_between(times[i], times[i + 1], value[i], value[i + 1]);
-      // A short meeting between two looks is seen by its extreme.
+      // Two expressions may meet for a short time between samples. The extreme of their difference shows that.
       if (i == 0 || !(value[i - 1] * value[i + 1] > 0)) continue;
       const double sign = value[i] > 0 ? 1 : -1;
       if (!(sign * value[i] <= sign * value[i - 1] && sign * value[i] < sign * value[i + 1])) continue;
@@ -173,7 +174,7 @@ std::vector<double> Driving::corners(double from, double to) {
   return {found.begin(), found.end()};
 }
 
-// Looks between two others until nothing bends much.
+// Adds samples between two others until functions bend little from one to the next.
 void Driving::refine(const Look& before, const Look& after, std::vector<double>& least, std::vector<double>& most,
                      std::vector<Look>& found, int depth) {
   const double middle = 0.5 * (before.time + after.time);
@@ -192,7 +193,7 @@ void Driving::refine(const Look& before, const Look& after, std::vector<double>&
   if (bends) refine(here, after, least, most, found, depth - 1);
 }
 
-// Whether the values are those of polynomials of low degree, which an integration takes in any steps.
+// Whether the values are those of polynomials of low degree, for which an integration may take any step.
 bool Driving::is_polynomial(const std::vector<Look>& looks, const std::vector<double>& least,
                             const std::vector<double>& most) {
   constexpr std::size_t nodes = 5;
@@ -207,7 +208,7 @@ bool Driving::is_polynomial(const std::vector<Look>& looks, const std::vector<do
     const auto constant = [&](const Look& look) { return look.value[j] == looks.front().value[j]; };
     if (std::all_of(looks.begin(), looks.end(), constant)) continue;
     if (few) return false;
-    // Newton's divided differences.
+    // The polynomial is found by Newton's divided differences.
     std::array<double, nodes> place{}, c{};
     for (std::size_t n = 0; n < nodes; ++n) {
       place[n] = (looks[at[n]].time - begin) / length;
@@ -229,7 +230,7 @@ std::vector<Driving::Span> Driving::spans(double from, double to) {
   ends.insert(ends.begin(), from);
   ends.push_back(to);
   const double least_span = 1e-13 * (std::abs(from) + std::abs(to));
-  // Between corners, so that one does not hide behind another.
+  // Each stretch between corners is sampled by itself, so that no corner hides behind another.
   std::vector<std::vector<Look>> looks;
   std::vector<double> least, most;
   looked_ = 0;
@@ -261,7 +262,7 @@ std::vector<Driving::Span> Driving::spans(double from, double to) {
       refine(looks[i][k], looks[i][k + 1], least, most, fine, most_halvings);
       fine.push_back(looks[i][k + 1]);
     }
-    // Looks of like density make one span.
+    // Neighbouring samples of similar density make one span.
     double begin = kept[i], shortest = 0, longest = 0;
     std::size_t first = 0;
     const auto close = [&](double end, std::size_t last) {

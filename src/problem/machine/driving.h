@@ -1,8 +1,8 @@
-// Loads and given motions that follow the time: where in time they change, so that an integration cannot step over it.
+// Finds where loads and given motions that depend on the time change, so that an integration does not step over it.
 //
-// Where they are not smooth is found from how they are written: abs, min, max and their like change where what they
-// compare meets, and those zeros are sought between the ones of their own parts. Everything else is looked at many
-// times, and more closely where it bends.
+// Corners are found from the expressions: abs, min, max and the like have corners where the values that they compare
+// are equal. These times are sought between the corners of their parts. Everything else is sampled many times, and
+// more densely where it bends.
 #pragma once
 
 #include <cstddef>
@@ -18,18 +18,19 @@ namespace poinsot::problem {
 
 class Driving {
  public:
-  // A time in which what drives is smooth.
+  // An interval of time in which all loads and given motions are smooth.
   struct Span {
     double begin = 0, end = 0;  // s
-    double largest_step = 0;    // s, of an integration that sees what happens; 0: any
+    double largest_step = 0;    // s, for an integration that notices every change; 0: any
   };
 
-  // problem and settings must outlive it. loads: those that act, all when left out. start: s; lasts: if that is known;
-  // pace_time: in which the motion changes, s. looks: at each function in a part of the motion.
+  // Situation and settings must outlive the object. loads: those that act, or all if left out. start: s. lasts: if
+  // the duration is known. pace_time: in which the motion changes noticeably, s. looks: samples of each function in a
+  // part of the motion.
   Driving(const Situation& situation, const Settings& settings, const std::optional<std::vector<std::string>>& loads,
           double start, std::optional<double> lasts, double pace_time, std::size_t looks);
 
-  // The span that begins at a time or goes on there. Where spans end depends on nothing that was asked before.
+  // The span that begins at or contains a time. The ends of spans do not depend on earlier calls.
   Span span_from(double time);
 
  private:
@@ -48,7 +49,7 @@ class Driving {
   void refine(const Look& before, const Look& after, std::vector<double>& least, std::vector<double>& most,
               std::vector<Look>& found, int depth);
 
-  // Corners may be where the two are equal, or where one is zero, if there is no other.
+  // There may be a corner where the two expressions are equal, or where the one is zero if there is no other.
   struct Corner {
     Expression one, other;
   };
@@ -56,8 +57,8 @@ class Driving {
   const Situation& situation_;
   DataScope<double> data_;
   std::vector<Expression> driving_;
-  std::vector<Corner> corners_;  // of the parts of an expression before its own
-  double start_, part_;          // s: parts of the motion are looked at as they come
+  std::vector<Corner> corners_;  // those of the parts of an expression come before its own
+  double start_, part_;          // s; parts of the motion are sampled when they are reached
   std::size_t looks_, looked_ = 0;
   std::map<long, std::vector<Span>> known_;
 };

@@ -1,4 +1,4 @@
-// Poses in which two of the three angles of a joint turn about the same line.
+// Finds poses in which two of the three angles of a joint turn about the same line.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace poinsot::problem {
 
-// "the angles 'phi' and 'psi' of joint 'tip' turn about the same line (gimbal lock)", if they do in the pose q. sine:
-// of the angle between lines that count as the same.
+// If this is so in the pose q, the message "the angles 'phi' and 'psi' of joint 'tip' turn about the same line
+// (gimbal lock)". sine: lines count as the same if the sine of their angle is less.
 std::optional<std::string> gimbal_lock(const Machine& machine, const std::vector<double>& q, double sine = 1e-9);
 
-// What to do about it.
+// What the author can do about it.
 inline constexpr const char* beside_gimbal_lock =
     "leave the angles of the joint out, or take other axes for them, or another pose";
 

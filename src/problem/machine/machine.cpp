@@ -35,7 +35,7 @@ std::vector<std::size_t> MachineOf<Scalar>::actions_of(const std::string& name, 
 
 namespace {
 
-// Particles that stay after a blow belong to the bodies that they have struck.
+// After a blow, particles that stay are parts of the bodies that they have struck.
 template <class Scalar>
 void add_struck_tree(MachineOf<Scalar>& machine) {
   std::vector<FixedParticle<Scalar>> particles;

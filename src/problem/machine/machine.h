@@ -1,8 +1,7 @@
-// From a stated problem with values to a mechanism: bodies, frames and joints become a tree, everything else acts on
-// it.
+// Builds the mechanism of a situation: bodies, frames and joints become a tree, and everything else acts on it.
 //
-// Scalar: double, or Dual<1> to know how everything varies with one number of the statement. What is decided on the way
-// is decided on plain numbers.
+// The scalar is double, Formula, or Dual<1> to see how everything varies with one number of the file. Decisions are
+// taken on plain numbers.
 #pragma once
 
 #include <map>
@@ -18,7 +17,7 @@
 
 namespace poinsot::problem {
 
-// A coordinate that has a name in the statement, or belongs to a joint of one freedom.
+// A coordinate that has a name in the file, or belongs to a joint of one freedom.
 struct NamedCoordinate {
   std::string name;  // "" if only its joint names it
   std::string joint;
@@ -28,7 +27,7 @@ struct NamedCoordinate {
   Mark mark;
 };
 
-// The rate or acceleration of a coordinate as the statement gives it.
+// The rate or acceleration of a coordinate as it is stated.
 template <class Scalar>
 struct StatedRateOf {
   std::string words;
@@ -41,85 +40,88 @@ using StatedRate = StatedRateOf<double>;
 
 template <class Scalar>
 struct JointPlaceOf {
-  Place<Scalar> at;  // rides with the held body
+  Place<Scalar> at;  // moves with the held body
   std::optional<Direction<Scalar>> axis;
   int from = ground, to = ground;
 };
 using JointPlace = JointPlaceOf<double>;
 
-// An impulse on a body in any pose; `absorbed`: mass of a particle that stays in the body at the place.
+// An impulse on a body. If `absorbed` is not zero it is the mass of a particle that stays in the body at the place.
 template <class Scalar>
 struct StatedImpulseOf {
   int action = 0;
   int on = ground;
   bool couple = false;
   Place<Scalar> at;
-  Vector3<Scalar> vector{};  // on the axes of `axes`
+  Vector3<Scalar> vector{};  // on the axes of the body `axes`
   int axes = ground;
   Scalar absorbed{};
-  Scalar particle_mass{};          // of a strike
-  std::optional<int> relative_to;  // of a strike: the vector is the particle's mass times its velocity relative to this
-  Scalar kept{};                   // of a strike: the part of its momentum relative to the body that it keeps
+  Scalar particle_mass{};  // if it comes from a strike
+  // For a strike: `vector` is the particle's mass times its velocity relative to this body or frame.
+  std::optional<int> relative_to;
+  Scalar kept{};  // for a strike: the part of its momentum relative to the body that the particle keeps
 };
 using StatedImpulse = StatedImpulseOf<double>;
 
-// Where a contact is good, on the axes of its body as drawn.
+// The limits within which a contact holds, on the axes of its body as drawn.
 struct ContactLimit {
   std::string contact, body, against;
   std::string place;  // as the statement names it
   int action = 0;
   Mark mark;
-  Vector3<double> middle{};               // of a round surface that ends, seen from its center; zero: it has no end
-  double cosine = -1;                     // of the angle from there to where it ends
-  std::vector<Vector3<double>> straight;  // in which directions the body is straight at the contact and lies on a plane
+  Vector3<double> middle{};  // the direction from the center of a round surface to its middle; zero if it has no end
+  double cosine = -1;        // of the angle between the middle and the end
+  // The directions in which the body is straight at the contact and lies on a plane.
+  std::vector<Vector3<double>> straight;
 };
 
 template <class Scalar>
 struct MachineOf {
   Mechanism<Scalar> mechanism;
-  std::vector<solve::CheckLink> links;                     // of each body of the tree, as drawn; for the check
-  std::map<std::string, int> index;                        // of bodies and frames, and "ground"
-  std::map<int, Vector3<Scalar>> drawn_origin;             // of each tree body, on ground axes
-  std::vector<std::pair<int, BodyMassOf<Scalar>>> masses;  // of each body of the statement
+  std::vector<solve::CheckLink> links;          // for each body of the tree as drawn, for the check with particles
+  std::map<std::string, int> index;             // of bodies and frames, and "ground"
+  std::map<int, Vector3<Scalar>> drawn_origin;  // of each tree body, on ground axes
+  std::vector<std::pair<int, BodyMassOf<Scalar>>> masses;  // for each body of the situation
   std::vector<NamedCoordinate> coordinates;
-  std::vector<Scalar> q;             // positions that the data give; the rest as drawn
-  std::vector<bool> position_given;  // of each entry of q
+  std::vector<Scalar> q;             // positions given by the data; the others are as drawn
+  std::vector<bool> position_given;  // for each entry of q
   std::vector<StatedRateOf<Scalar>> rates, accelerations;
   std::vector<StatedImpulseOf<Scalar>> impulses;
   std::vector<solve::ImpactOf<Scalar>> impacts;
-  // The tree after a blow in which particles stay: they belong to their bodies. Its bodies and coordinates are the
-  // same.
+  // The tree after a blow in which particles stay and belong to their bodies. Bodies and coordinates are the same as
+  // before.
   std::optional<Model<Scalar>> struck_tree;
   std::vector<ContactLimit> contact_limits;
   std::map<std::string, JointPlaceOf<Scalar>> joints;
   std::vector<std::string> loop_joints;  // joints that close loops
 
   const Model<Scalar>& tree_after_blow() const { return struck_tree ? *struck_tree : mechanism.tree; }
-  // The place that a point as drawn takes on a body.
+  // The place on a body that lies at this point of the drawing.
   Place<Scalar> place(int body, const Vector3<Scalar>& drawn) const;
   const NamedCoordinate* coordinate(const std::string& name) const;
-  // The actions that the name stands for: joints with their supports and drives, supports, contacts, cords, springs.
+  // The actions that a name stands for: those of a joint with its supports and drives, of a support, contact, cord or
+  // spring.
   std::vector<std::size_t> actions_of(const std::string& name, const std::string& joint = "") const;
 };
 using Machine = MachineOf<double>;
 
 struct MachineOptions {
-  bool lenient = false;                           // unknowns have trial values
+  bool lenient = false;                           // whether unknowns have trial values
   double time = 0;                                // s
-  Vector3<double> open_gravity{};                 // taken if the statement says nothing of gravity
-  std::optional<std::vector<std::string>> loads;  // those that act; all when left out
+  Vector3<double> open_gravity{};                 // used if the situation says nothing about gravity
+  std::optional<std::vector<std::string>> loads;  // the loads that act; all of them if left out
 };
 
 // The mass properties of the bodies, in the order of the file. Throws StatementError.
 template <class Scalar>
 std::vector<BodyMassOf<Scalar>> body_masses(const Situation& situation, DataScope<Scalar>& data, const AnyValue& any,
                                             const MachineOptions& options);
-// data and timed must have been made for the same problem and time, and vary in the same way. Throws StatementError.
+// The two scopes must belong to the same situation and time, with the same varying values. Throws StatementError.
 template <class Scalar>
 MachineOf<Scalar> build_machine(const Situation& situation, DataScope<Scalar>& data,
                                 DataScope<TimeJetOf<Scalar>>& timed, const AnyValue& any,
                                 const MachineOptions& options);
-// The same with masses that are known already.
+// The same for masses that are known already.
 template <class Scalar>
 MachineOf<Scalar> build_machine(const Situation& situation, std::vector<BodyMassOf<Scalar>> masses,
                                 DataScope<Scalar>& data, DataScope<TimeJetOf<Scalar>>& timed, const AnyValue& any,

@@ -1,4 +1,4 @@
-// What happens suddenly in a machine.
+// The impulses, impacts and strikes of a machine.
 #include <cstdio>
 
 #include "poinsot/engine/math/algebra/plain.h"
@@ -18,7 +18,7 @@ Place<Scalar> impulse_place(const MachineDraft<Scalar>& draft, const std::string
   return draft.machine.place(draft.body(on), at ? draft.data.place(*at) : draft.masses[i].properties.center);
 }
 
-// Whether a number lies from 0 to 1, but for what rounding leaves of one that is found.
+// Whether a number lies between 0 and 1, up to the rounding of one that was found.
 bool is_part(double x) { return x >= -1e-9 && x <= 1 + 1e-9; }
 
 std::string number_in_words(double x) {

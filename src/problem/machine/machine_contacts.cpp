@@ -18,7 +18,7 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
   const Place<Scalar> at = draft.machine.place(on, C);
   const int action = draft.add_action(ActionKind::contact, contact.name, "", on, from);
   const auto [t1, t2] = across(n);
-  // The forces that it carries.
+  // The forces that the contact can carry.
   std::vector<std::pair<std::string, Vector3<Scalar>>> directions;
   if (contact.carries) {
     for (const Expression& e : *contact.carries) {
@@ -38,7 +38,7 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
   for (const auto& [name, d] : directions) {
     draft.add_component(action, name, false, at, {from, d}).one_sided = norm(plain(d - n)) < 1e-9;
   }
-  // The motion that it forbids.
+  // The relative motion that the contact forbids.
   const Body& stated = draft.situation.bodies[draft.body_number(contact.of)];
   const RollingSurface<Scalar> surface =
       rolling_surface(stated, draft.data, C, n, draft.masses[draft.body_number(contact.of)].properties.center);
@@ -55,14 +55,14 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
          norm(plain(surface.axis)) == 0
              ? "there it goes along the radius: correct it, or the point under at:"
              : "there it lies in the plane through the axis: correct it, or the point under at:");
-  // What it touches may be curved as well.
+  // The surface on the other side may be curved as well.
   bool unknown = surface.shape == ContactShape::unknown;
   if (draft.machine.mechanism.takes_part.size() > static_cast<std::size_t>(std::max(from, 0)) && from != ground &&
       draft.machine.mechanism.takes_part[static_cast<std::size_t>(from)]) {
     const std::size_t other = draft.body_number(contact.against);
     const RollingSurface<Scalar> below =
         rolling_surface(draft.situation.bodies[other], draft.data, C, n, draft.masses[other].properties.center);
-    // A flat side of a round body shows its axis along the normal.
+    // The flat side of a round body has its axis along the normal.
     unknown = unknown || (below.shape == ContactShape::round && norm(plain(cross(below.axis, n))) > 1e-9) ||
               below.shape == ContactShape::unknown ||
               (below.shape == ContactShape::round && norm(plain(below.axis)) == 0);

@@ -1,4 +1,4 @@
-// A machine in the making. The steps of building it stand in files by subject; each takes the draft and adds to it.
+// A machine in the making. The steps that build it are in files by subject; each takes the draft and adds to it.
 #pragma once
 
 #include <map>
@@ -12,14 +12,14 @@
 
 namespace poinsot::problem {
 
-// A value with its time derivatives, if it follows the time.
+// A value, with its derivatives by time if it depends on the time.
 template <class Scalar>
 struct TimedNumber {
   Scalar value{};
   std::optional<Scalar> derivative, second_derivative;
 };
 
-// Scalar: double or Dual<1>. What the references name must outlive the draft.
+// The scalar is that of the machine. The objects referred to must outlive the draft.
 template <class Scalar>
 struct MachineDraft {
   const Situation& situation;
@@ -29,24 +29,27 @@ struct MachineDraft {
   const MachineOptions& options;
   ModelBuilder<Scalar> builder{};
   MachineOf<Scalar> machine{};
-  std::vector<BodyMassOf<Scalar>> masses{};                                              // in the order of the file
-  std::map<std::pair<std::string, std::size_t>, std::pair<int, int>> link_of_freedom{};  // a link and its parent
-  std::vector<const Joint*> loops{};                                                     // joints that close loops
-  std::map<std::string, int> cross_of_loop{};  // of those that are universal: the link that turns about the first axis
+  std::vector<BodyMassOf<Scalar>> masses{};  // in the order of the file
+  // The link of each freedom, and its parent.
+  std::map<std::pair<std::string, std::size_t>, std::pair<int, int>> link_of_freedom{};
+  std::vector<const Joint*> loops{};  // joints that close loops
+  // For universal joints among them, the link that turns about the first axis.
+  std::map<std::string, int> cross_of_loop{};
 
   int body(const std::string& name) const { return machine.index.at(name); }
-  // Its place in the file.
+  // The index of the body in the file.
   std::size_t body_number(const std::string& name) const;
   TimedNumber<Scalar> timed_number(const Expression& expression, const Dimension& dimension) const;
-  // The name of a direction as drawn, if it has a short one.
+  // The name of a direction of the drawing, if it has a short one.
   std::string direction_name(const Vector3<Scalar>& d) const;
 
-  // The coordinates that the next link will have begin here.
+  // The index at which the coordinates of the next link begin.
   std::size_t next_velocity() const { return machine.mechanism.coordinate_names.size(); }
-  // A body of the tree with its origin at a place as drawn; mass on the ground's axes, as drawn.
+  // Adds a body to the tree with its origin at a place of the drawing. The mass is on the axes of the ground, as
+  // drawn.
   int add_link(const std::string& name, int parent, const poinsot::Joint<Scalar>& joint, const Vector3<Scalar>& origin,
                const MassProperties<Scalar>& mass);
-  // The rate or acceleration of one of its coordinates, as stated.
+  // States the rate or the acceleration of a coordinate.
   void state_rate(const std::string& words, std::size_t velocity, const Scalar& value, bool turning, const Mark& mark) {
     machine.rates.push_back({words, static_cast<int>(velocity), value, turning, mark});
   }
@@ -57,42 +60,42 @@ struct MachineDraft {
   // Names the coordinates of a free body.
   void name_free(const std::string& owner, std::size_t first, int count);
   int add_action(ActionKind kind, const std::string& name, const std::string& joint, int on, int from);
-  // A force or couple along a direction that rides with a body.
+  // Adds a force or couple along a direction that moves with a body.
   Component<Scalar>& add_component(int action, const std::string& axis, bool couple, const Place<Scalar>& at,
                                    const Direction<Scalar>& along);
   VelocityConstraint<Scalar>& add_constraint(VelocityConstraintKind kind, const std::string& words, int on, int from,
                                              const Place<Scalar>& at, const Vector3<Scalar>& drawn);
 };
 
-// Two unit vectors across u; along the axes of the figure where they can be.
+// Two unit vectors perpendicular to u and to each other, along axes of the figure if possible.
 template <class Scalar>
 std::pair<Vector3<Scalar>, Vector3<Scalar>> across(const Vector3<Scalar>& u);
 
-// Where a joint stands and how it lets move, as drawn.
+// The place of a joint and the directions of its freedoms, as drawn.
 template <class Scalar>
 struct JointAxes {
   Vector3<Scalar> at;
-  std::vector<Vector3<Scalar>> freedom;  // direction of each freedom
+  std::vector<Vector3<Scalar>> freedom;  // one for each freedom
   std::optional<Vector3<Scalar>> main;   // the joint's axis, normal or direction
 };
 template <class Scalar>
 JointAxes<Scalar> axes_of(const MachineDraft<Scalar>& draft, const Joint& joint);
-// Advance of a screw per angle, m/rad.
+// The advance of a screw per angle, m/rad.
 template <class Scalar>
 Scalar pitch_of(const MachineDraft<Scalar>& draft, const Joint& joint);
 template <class Scalar>
 Vector3<Scalar> support_place(const MachineDraft<Scalar>& draft, const Support& support);
 
-// The steps, in this order. All throw StatementError.
+// The steps in the order in which they are taken. All throw StatementError.
 template <class Scalar>
 void set_gravity(MachineDraft<Scalar>& draft);
 template <class Scalar>
 void add_frame(MachineDraft<Scalar>& draft, const Frame& frame);
-// Joints that reach new bodies make the tree, those that state something of their freedoms first; the others close
-// loops. Bodies that nothing reaches are free.
+// Joints that reach new bodies make the tree, beginning with those that state something about their freedoms. All
+// others close loops. Bodies that no joint reaches are free.
 template <class Scalar>
 void add_tree(MachineDraft<Scalar>& draft);
-// What a joint carries, its drives, and the constraints of one that closes a loop.
+// Adds what a joint carries, its drives, and the constraints if it closes a loop.
 template <class Scalar>
 void add_joint_actions(MachineDraft<Scalar>& draft, const Joint& joint);
 template <class Scalar>

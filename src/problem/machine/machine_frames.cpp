@@ -86,7 +86,7 @@ void add_frame(MachineDraft<Scalar>& draft, const Frame& frame) {
     stated = Vector3<Scalar>{jet.x.partial[0].value, jet.y.partial[0].value, jet.z.partial[0].value};
   }
   if (!stated) return;
-  // The coordinates are components on the frame's own axes: their rates are a - w x v.
+  // The velocity coordinates are components on the frame's own axes, on which the rate of v is a - w x v (Eq. 18.22).
   const Vector3<Scalar> a = *stated - cross(w, v);
   for (std::size_t k = 0; k < 3; ++k)
     draft.state_acceleration(owner + ": acceleration", first + 3 + k, a[k], false, frame.mark);

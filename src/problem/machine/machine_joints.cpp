@@ -1,4 +1,4 @@
-// What the joints of a machine carry and what drives them.
+// The forces and couples that the joints of a machine carry, and their drives.
 #include <algorithm>
 #include <cmath>
 
@@ -10,11 +10,11 @@
 namespace poinsot::problem {
 namespace {
 
-// What a joint can carry: forces and couples along these directions as drawn.
+// The directions, as drawn, of the forces and couples that a joint can carry.
 template <class Scalar>
 struct Carried {
   std::vector<Vector3<Scalar>> forces, couples;
-  std::optional<Scalar> screw;  // couple per force along the axis
+  std::optional<Scalar> screw;  // the couple per unit force along the axis of a screw
 };
 template <class Scalar>
 Carried<Scalar> carried_by(JointKind kind, const JointAxes<Scalar>& axes, const Scalar& pitch) {
@@ -45,7 +45,7 @@ Carried<Scalar> carried_by(JointKind kind, const JointAxes<Scalar>& axes, const 
   return {};
 }
 
-// Of a universal joint.
+// The link between the two axes of a universal joint.
 template <class Scalar>
 int cross_link(const MachineDraft<Scalar>& draft, const Joint& joint) {
   if (const auto found = draft.cross_of_loop.find(joint.name); found != draft.cross_of_loop.end()) return found->second;
@@ -107,7 +107,8 @@ void add_drives(MachineDraft<Scalar>& draft, const Joint& joint, const JointAxes
     drive.position = draft.machine.mechanism.tree.body(moved).q;
     drive.turning = freedom.turning;
     drive.at = at;
-    // The axis rides with both bodies of its link; on the sense of `to` relative to `from` in either case.
+    // The axis moves with both bodies of its link. It has the sense in which `to` turns relative to `from`, whichever
+    // is the child.
     drive.along = {moved, axes.freedom[k]};
     for (std::size_t other = 0; freedom.turning && other < joint.freedoms.size(); ++other) {
       const auto found = draft.link_of_freedom.find({joint.name, other});
@@ -140,7 +141,7 @@ void add_drives(MachineDraft<Scalar>& draft, const Joint& joint, const JointAxes
 template <class Scalar>
 JointAxes<Scalar> axes_of(const MachineDraft<Scalar>& draft, const Joint& joint) {
   JointAxes<Scalar> axes;
-  // Where the axis lies: `at`, the start of A->B, or the first support.
+  // A point on the axis: `at`, the start of A->B, or the first support.
   const auto at = [&] {
     if (joint.at) return draft.data.place(*joint.at);
     if (const Arrow* arrow = joint.place.as<Arrow>()) return draft.data.place(arrow->from);
@@ -173,7 +174,7 @@ JointAxes<Scalar> axes_of(const MachineDraft<Scalar>& draft, const Joint& joint)
       axes.at = at();
       axes.main = draft.data.direction(joint.place);
       auto [first, second] = across(*axes.main);
-      // Across a coordinate axis, the two others in their positive sense.
+      // If the main axis is a coordinate axis, the two others are taken in their positive sense.
       for (std::size_t k = 0; k < 3; ++k)
         if (std::abs(std::abs(plain((*axes.main)[k])) - 1) < 1e-12) {
           const Vector3<Scalar> one = Vector3<Scalar>::unit(k == 0 ? 1 : 0);
@@ -220,7 +221,7 @@ void add_joint_actions(MachineDraft<Scalar>& draft, const Joint& joint) {
   draft.machine.joints[joint.name] = place;
   const Scalar pitch = joint.kind == JointKind::screw ? pitch_of(draft, joint) : Scalar(0);
   const Carried<Scalar> carried = carried_by(joint.kind, axes, pitch);
-  // The couple of a universal joint stands across both axes, which the link between them carries.
+  // The couple of a universal joint is perpendicular to both of its axes, which move with the link between them.
   const int couple_body = joint.kind == JointKind::universal ? cross_link(draft, joint) : from;
   if (!joint.supports_stated) {
     const int action = draft.add_action(ActionKind::joint, joint.name, "", to, from);
@@ -241,7 +242,7 @@ void add_joint_actions(MachineDraft<Scalar>& draft, const Joint& joint) {
     draft.add_constraint(VelocityConstraintKind::point, "joint '" + joint.name + "' along " + draft.direction_name(d),
                          to, from, at, d);
   std::vector<Vector3<Scalar>> fixed = carried.couples;
-  // Of the cross, `to` keeps the other axis.
+  // The body `to` also keeps the second axis of the link between the axes.
   if (joint.kind == JointKind::universal) fixed.push_back(cross(axes.freedom[1], carried.couples[0]));
   for (const Vector3<Scalar>& d : fixed)
     draft.add_constraint(VelocityConstraintKind::angular, "joint '" + joint.name + "' about " + draft.direction_name(d),

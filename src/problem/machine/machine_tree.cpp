@@ -1,4 +1,4 @@
-// The tree of a machine: which joint holds which body, and the coordinates.
+// Builds the tree of a machine: which joint holds which body, and the coordinates.
 #include <algorithm>
 #include <set>
 
@@ -80,7 +80,7 @@ void name_coordinate(MachineDraft<Scalar>& draft, const Joint& joint, const Free
   draft.machine.coordinates.push_back(std::move(coordinate));
 }
 
-// Adds the links of the joint. Reversed: the body `to` is placed already and `from` hangs on it.
+// Adds the links of a joint. reversed: the body `to` is in the tree already, and `from` becomes its child.
 template <class Scalar>
 void add_joint(MachineDraft<Scalar>& draft, const Joint& joint, bool reversed) {
   const JointAxes<Scalar> axes = axes_of(draft, joint);
@@ -116,8 +116,9 @@ void add_joint(MachineDraft<Scalar>& draft, const Joint& joint, bool reversed) {
   draft.machine.index[child] = parent;
 }
 
-// A joint whose bodies are both placed: what it does not allow becomes constraints. The cross of a universal joint
-// hangs on `from`, so that its other axis is one that a revolute joint leaves free.
+// A joint between two bodies of the tree closes a loop: the motions that it forbids become constraints. The link
+// between the axes of a universal joint becomes a child of `from`, so that its second axis is the one that a revolute
+// joint leaves free.
 template <class Scalar>
 void close_loop(MachineDraft<Scalar>& draft, const Joint& joint) {
   if (states_motion(joint))
@@ -161,7 +162,7 @@ void add_tree(MachineDraft<Scalar>& draft) {
       break;
     }
     if (grown) continue;
-    // The one that holds others stands as drawn, whatever the order of the file.
+    // The body that holds others is placed as drawn, independent of the order in the file.
     const auto waits = [&](const Body& body) { return !placed.contains(body.name); };
     const auto held = [&](const Body& body) {
       return std::any_of(waiting.begin(), waiting.end(), [&](const Joint* joint) { return joint->to == body.name; });

@@ -34,7 +34,7 @@ class MassReader {
   BodyMassOf<Scalar> of_shapes();
   BodyMassOf<Scalar> of_numbers();
   void absorb(BodyMassOf<Scalar>& whole);
-  // What of_shapes, of_numbers and absorb have put together.
+  // The parts that of_shapes, of_numbers and absorb have put together.
   std::vector<MassProperties<Scalar>> parts() && { return std::move(parts_); }
 
  private:
@@ -42,7 +42,7 @@ class MassReader {
 
   const std::string& file() const { return data_.situation().file; }
 
-  // The independent road is gone with plain numbers, and only where the answer is to be checked.
+  // Particles are made for plain numbers, and only if the answer will be checked with them.
   bool wants_particles() const { return std::same_as<Scalar, double> && !lenient_; }
 
   Scalar number(const Expression& expression, const Dimension& dimension) {
@@ -54,7 +54,7 @@ class MassReader {
       fail(file(), expression.mark(), what + " is negative", "a part that is cut out has hole: true");
     return value;
   }
-  // mass: 10 lb and weight: 10 kg are the mistakes that people make.
+  // A weight under mass: or a mass under weight: is a common mistake and gets a message of its own.
   Scalar mass_of(const Expression& expression, const std::string& owner) {
     if (!is_any(expression)) {
       const Value<Scalar> value = data_.value(expression);
@@ -79,7 +79,7 @@ class MassReader {
     }
     return positive(expression, dimensions::force, "the weight of " + owner) / data_.gravity_size();
   }
-  // Mass per length, area or volume.
+  // The mass per length, area or volume.
   Scalar density_of(const Expression& expression, Extent extent, bool weight, const std::string& owner) {
     if (extent == Extent::point)
       fail(file(), expression.mark(), owner + " is a particle: it has no density", "write mass:");
@@ -118,7 +118,7 @@ class MassReader {
       fail(file(), inertia.mark, "the axes are not right-handed", "reverse one of them");
     return Matrix3<Scalar>::from_columns(a[0], a[1], a[2]);
   }
-  // arm: from the point of the moments to the mass center, on the axes of the inertia, m.
+  // arm: from the point of the moments of inertia to the mass center, on the axes of the inertia, m.
   SymmetricMatrix3<Scalar> stated_tensor(const StatedInertia& inertia, const Scalar& mass, const Vector& arm);
   SymmetricMatrix3<Scalar> axisymmetric(const StatedInertia& inertia, const Scalar& mass, const Vector& arm);
   SymmetricMatrix3<Scalar> of_moments(const StatedInertia& inertia, const Scalar& mass, const Vector& arm);
@@ -241,13 +241,13 @@ SymmetricMatrix3<Scalar> MassReader<Scalar>::stated_tensor(const StatedInertia& 
   return inertia.axis ? axisymmetric(inertia, mass, arm) : of_moments(inertia, mass, arm);
 }
 
-// What is left open becomes such as a body with the rest can have at its mass center, where 0 < axial < 2 transverse.
+// Open moments get values that a body with the other moments can have: at the mass center 0 < axial < 2 transverse.
 template <class Scalar>
 SymmetricMatrix3<Scalar> MassReader<Scalar>::axisymmetric(const StatedInertia& inertia, const Scalar& mass,
                                                           const Vector& arm) {
   const Vector axis = data_.direction(*inertia.axis);
   const Scalar along = dot(arm, axis);
-  // The mass center lies on the axis: about another of its points only the transverse moment differs.
+  // The mass center lies on the axis, so that only the transverse moment depends on the point of the axis.
   const Scalar shift = mass * along * along;
   const bool open_axial = is_any(*inertia.axial), open_transverse = is_any(*inertia.transverse);
   Scalar axial = open_axial ? Scalar(0) : moment(inertia, *inertia.axial, mass);
@@ -280,7 +280,8 @@ SymmetricMatrix3<Scalar> MassReader<Scalar>::of_moments(const StatedInertia& ine
     products.zx = product(2);
     return inertia_tensor(moments, products);
   }
-  // Everything at the mass center; what is known about another point is shifted there (parallel axes).
+  // All moments are taken at the mass center: those that are known about another point are shifted there (parallel
+  // axes).
   const auto magnitude = [](const Scalar& x) { return plain(x) < 0 ? -x : x; };
   const Scalar spread = norm_squared(arm);
   Vector moments = Vector::zero(), products = Vector::zero();  // the products in the order yz, zx, xy
@@ -303,9 +304,9 @@ SymmetricMatrix3<Scalar> MassReader<Scalar>::of_moments(const StatedInertia& ine
     if (!smallest || plain(moments[i]) < plain(*smallest)) smallest = moments[i];
     size += magnitude(moments[i]);
   }
-  // Moments left open become such as a body with the others can have: two open ones are large and nearly equal, one
-  // alone lies between the difference and the sum of the others. Where nothing gives a size, that of the mass a meter
-  // away.
+  // Open moments get values that a body with the other moments can have. Two open moments are large and nearly equal;
+  // a single one lies between the difference and the sum of the others. If nothing else gives a size, it is that of
+  // the mass at a distance of one meter.
   if (!(plain(size) > 0)) size = mass;
   const auto open_moments = std::count(open_moment.begin(), open_moment.end(), true);
   for (int i = 0; i < 3; ++i) {
@@ -318,8 +319,9 @@ SymmetricMatrix3<Scalar> MassReader<Scalar>::of_moments(const StatedInertia& ine
                      : Scalar(8) * size +
                            Scalar(0.25 * choice) * (smallest && plain(*smallest) < plain(size) ? *smallest : size);
   }
-  // With the integrals X, Y, Z of x^2 dm, y^2 dm, z^2 dm a product P_yz beside the two others lies within the root of
-  // (Y - P_xy^2/X) (Z - P_zx^2/X) of P_xy P_zx/X; instead of that mean of two factors a smaller one, without a root.
+  // Let X, Y, Z be the integrals of x^2 dm, y^2 dm, z^2 dm. Beside the other two products, P_yz may differ from P_xy
+  // P_zx/X by at most the root of (Y - P_xy^2/X) (Z - P_zx^2/X). In place of this geometric mean the smaller harmonic
+  // mean is taken, which needs no root.
   Vector second;
   for (int i = 0; i < 3; ++i) {
     second[i] = Scalar(0.5) * (moments[(i + 1) % 3] + moments[(i + 2) % 3] - moments[i]);

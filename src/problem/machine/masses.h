@@ -1,4 +1,4 @@
-// Mass properties of a stated body, and the same body as particles.
+// The mass properties of a body, and the same body as particles.
 #pragma once
 
 #include <functional>
@@ -10,20 +10,20 @@
 
 namespace poinsot::problem {
 
-// Values for what a statement leaves open with `any`: called with the dimension, gives a value in SI.
+// Gives values for what is left open by `any`: a value in SI units for each dimension.
 using AnyValue = std::function<double(const Dimension&)>;
 
 template <class Scalar>
 struct BodyMassOf {
-  MassProperties<Scalar> properties;        // on the ground's axes, as drawn
-  Vector3<Scalar> center;                   // of mass, before it absorbed particles
-  std::vector<Particle<double>> particles;  // the same body on the independent road; only of doubles, and not of trials
+  MassProperties<Scalar> properties;        // on the axes of the ground, as drawn
+  Vector3<Scalar> center;                   // of mass, before particles were absorbed
+  std::vector<Particle<double>> particles;  // the same body for the check; only for doubles, and not for trial values
 };
 using BodyMass = BodyMassOf<double>;
 
-// Scalar: double or Dual<1>. Throws StatementError: negative masses, shapes without extent, inertias that no body can
-// have, wrong dimensions.
-// lenient: for trial values of unknowns, negative masses and impossible inertias pass.
+// The scalar is double, Dual<1> or Formula. lenient: negative masses and impossible inertias are accepted, as
+// unknowns have trial values. Throws StatementError for negative masses, shapes without extent, inertias that no body
+// can have, and wrong dimensions.
 template <class Scalar>
 BodyMassOf<Scalar> body_mass(const Body& body, DataScope<Scalar>& data, const AnyValue& any, bool lenient = false);
 

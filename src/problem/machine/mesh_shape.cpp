@@ -9,7 +9,7 @@
 namespace poinsot::problem {
 namespace {
 
-// A problem has to be small; its meshes may be large, but not without bound.
+// A problem file is small. Its meshes may be large, but within limits.
 constexpr MeshLimits limits{std::size_t{64} << 20, 1'000'000};
 
 std::string path_of(const Shape& shape, const std::string& problem_file) {
@@ -24,7 +24,7 @@ std::string path_of(const Shape& shape, const std::string& problem_file) {
   return path.string();
 }
 
-// The mesh in metres, its origin at p_OM.
+// Reads the mesh in meters, with its origin at p_OM.
 TriangleMesh<double> read_mesh(const Shape& shape, const Vector3<double>& p_OM, const std::string& problem_file) {
   if (!same_kind(shape.mesh_unit.dimension, dimensions::length))
     fail(problem_file, shape.mark,
@@ -32,7 +32,7 @@ TriangleMesh<double> read_mesh(const Shape& shape, const Vector3<double>& p_OM, 
   const std::string path = path_of(shape, problem_file);
   MeshReadResult read = read_mesh_file(path, limits);
   if (!read.mesh) {
-    // Named as its author names it.
+    // The message names the mesh as its author does.
     std::string message = read.error.message;
     if (message.starts_with(path)) message.replace(0, path.size(), "mesh '" + shape.file + "'");
     fail(problem_file, shape.mark, message);
@@ -50,7 +50,7 @@ ShapeValues<Scalar> mesh_shape(const ShapeArguments<Scalar>& arguments, const Ve
   if (is_exact<Scalar>) throw NoFormula("the numbers of a mesh are not exact");
   const TriangleMesh<double> mesh = read_mesh(arguments.shape(), plain(p_OM), arguments.file());
   const ShapeProperties<double> solid = solid_of_mesh(mesh);
-  // The mesh itself is constant; where it lies need not be.
+  // The mesh itself is constant, but its place may vary.
   const Vector3<Scalar> moved = p_OM - lifted<Scalar>(plain(p_OM));
   const ShapeProperties<Scalar> properties{lifted<Scalar>(solid.measure), lifted<Scalar>(solid.center) + moved,
                                            lifted<Scalar>(solid.inertia_center)};

@@ -1,4 +1,4 @@
-// The parts of which a stated body is put together.
+// The mass properties of the parts of a body.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,10 @@
 
 namespace poinsot::problem {
 
-// Each by itself, as drawn, on the ground's axes: those under parts: (of a body known by numbers the body), then what
-// is added to it, then particles that stay in it after a blow; a hole has negative mass. Scalar: double or Formula.
-// Throws StatementError where a value is given as `any`, and what body_mass (masses.h) throws.
+// The parts one by one, as drawn, on the axes of the ground: first those under parts: (a body known by numbers counts
+// as one), then what is added to it, then particles that stay in it after a blow. A hole has negative mass. The
+// scalar is double or Formula. Throws StatementError if a value is given as `any`, and what body_mass (masses.h)
+// throws.
 template <class Scalar>
 std::vector<MassProperties<Scalar>> part_masses(const Body& body, DataScope<Scalar>& data);
 

@@ -11,7 +11,7 @@
 namespace poinsot::problem {
 namespace {
 
-// A part of a circle: within the half angle on both sides of its middle.
+// A part of a circle that extends by the half angle to both sides of its middle.
 template <class Scalar>
 struct ArcOf {
   Vector3<Scalar> center, axis;
@@ -20,7 +20,7 @@ struct ArcOf {
   double half_angle = 0;
 };
 
-// Of an arc, a semicircle or a sector.
+// The arc of an arc, a semicircle or a sector.
 template <class Scalar>
 ArcOf<Scalar> arc_of(const ShapeArguments<Scalar>& a) {
   using std::cos, std::sin;
@@ -45,19 +45,19 @@ template <class Scalar>
 RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data, const Vector3<Scalar>& p_OC,
                                        const Vector3<Scalar>& n, const Vector3<Scalar>& center_of_mass) {
   using Vector = Vector3<Scalar>;
-  constexpr double on_surface = 1e-6;  // of its radius
+  constexpr double on_surface = 1e-6;  // part of the radius up to which a point counts as on the surface
   const std::string& file = data.situation().file;
   RollingSurface<Scalar> nearest_surface;
   double nearest_gap = std::numeric_limits<double>::infinity();
   bool other_shapes = false;
-  // A circle about an axis (a sphere for a zero axis) on which the point may lie, `gap` off it.
+  // Offers a circle about an axis (for a zero axis a sphere) at the distance `gap` from the point. The nearest
+  // surface is kept.
   const auto offer = [&](const Vector& center, const Vector& axis, const Scalar& radius, double gap) {
     if (gap / plain(radius) >= nearest_gap) return;
     nearest_gap = gap / plain(radius);
     nearest_surface = {ContactShape::round, center, axis, radius, gap, {}, -1};
   };
-  // The part of a circle within the half angle of its middle. At its ends it is a corner, unless the normal goes along
-  // the radius there.
+  // Offers an arc. At its ends the contact is a corner, unless the normal there is along the radius.
   const auto offer_arc = [&](const Vector& center, const Vector& axis, const Scalar& radius, const Vector& middle,
                              double half_angle) {
     constexpr double pi = 3.14159265358979323846;
@@ -81,7 +81,7 @@ RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data
     const auto length = [&](const char* name) {
       return data.number(shape_argument(part.shape, name, file), dimensions::length);
     };
-    // A frustum from A (radius r_A) to B (radius r_B): the circle about its axis through the point.
+    // Offers the circle through the point on a frustum from A (radius r_A) to B (radius r_B).
     const auto frustum = [&](const Vector& A, const Scalar& r_A, const Vector& B, const Scalar& r_B) {
       const Vector axis = normalized(B - A);
       const Scalar height = norm(B - A), along = dot(p_OC - A, axis);
@@ -101,7 +101,8 @@ RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data
       const Scalar radius = length("radius");
       const Vector3<double> r = plain(p_OC - center) / plain(radius);
       const double height = dot(r, plain(toward));
-      // On the rim the circle touches, unless the normal is that of the sphere; behind it there is nothing.
+      // On the rim of a half sphere the circle touches, unless the normal is that of the sphere. Behind the rim there
+      // is no surface.
       if (std::abs(height) <= on_surface && norm(cross(r, plain(n))) > on_surface) {
         offer(center, toward, radius, std::abs(norm(r) - 1) * plain(radius));
       } else if (std::max(std::abs(norm(r) - 1), -height) < nearest_gap) {
@@ -133,7 +134,7 @@ RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data
     if (body.inertia && body.inertia->axis) {
       const Vector axis = data.direction(*body.inertia->axis);
       const Vector foot = center_of_mass + dot(p_OC - center_of_mass, axis) * axis;
-      // On the axis itself, but for rounding, the circle is a point, and its radius has no derivative.
+      // If the point is on the axis, up to rounding, the circle is a point, and its radius has no derivative.
       const Vector r = p_OC - foot;
       const bool beside = norm(plain(r)) > 1e-12 * (norm(plain(p_OC)) + norm(plain(center_of_mass)));
       return {ContactShape::round, foot, axis, beside ? norm(r) : Scalar(0), 0, {}, -1};

@@ -1,4 +1,4 @@
-// How a stated body touches what it rolls on.
+// The shape with which a body touches what it rolls on.
 #pragma once
 
 #include "problem/machine/data.h"
@@ -8,31 +8,32 @@ namespace poinsot::problem {
 enum class ContactShape {
   round,    // a circle or sphere of the body
   corner,   // a point fixed in the body
-  unknown,  // curved in a way that is not known here: how the point of contact moves cannot be told
-  missed,   // the body is round all over, and the point is not on it
+  unknown,  // curved in an unknown way, so that it is not known how the point of contact moves
+  missed,   // the body is round everywhere, and the point is not on it
 };
 
-// How a body touches at a place.
+// The surface of a body at a place of contact.
 template <class Scalar>
 struct RollingSurface {
   ContactShape shape = ContactShape::corner;
   Vector3<Scalar> center{};
   Vector3<Scalar> axis{};  // unit vector; zero for a sphere
   Scalar radius{};
-  double gap = 0;  // from the place to the surface, m
-  // Of an arc or a part of a sphere: the unit vector from the center to its middle, and the cosine of the angle from
-  // there to its end. Zero where the surface goes all round.
+  double gap = 0;  // the distance from the place to the surface, m
+  // For an arc or a part of a sphere: the unit vector from the center to its middle, and the cosine of the angle from
+  // there to its end. `middle` is zero if the surface has no end.
   Vector3<Scalar> middle{};
   double cosine = -1;
 };
 
-// Whether a normal may stand at the place: along the radius of a sphere, across the circle through the place.
+// Whether the normal is possible at this place: it is along the radius of a sphere, or perpendicular to the circle
+// through the place.
 template <class Scalar>
 bool normal_fits(const RollingSurface<Scalar>& surface, const Vector3<Scalar>& place, const Vector3<Scalar>& normal);
 
-// From the shape of the body whose surface the place C lies on, or from its axis of symmetry. The normal n tells, at
-// the end of an arc and on the rim of a half sphere, whether the round surface or its edge touches. Scalar: double,
-// Dual<1> or a formula.
+// Finds the surface of the body on which the place C lies, or the circle through C about the body's axis of symmetry.
+// At the end of an arc and on the rim of a half sphere the normal n decides whether the round surface or the edge
+// touches. The scalar is double, Dual<1> or Formula.
 template <class Scalar>
 RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data, const Vector3<Scalar>& p_OC,
                                        const Vector3<Scalar>& n, const Vector3<Scalar>& center_of_mass);

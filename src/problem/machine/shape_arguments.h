@@ -1,4 +1,4 @@
-// The arguments of one stated shape with their values.
+// The arguments of one shape, with their values.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ class ShapeArguments {
  public:
   using Vector = Vector3<Scalar>;
 
-  // owner: the body or part, for messages; it must outlive the arguments.
+  // owner: the name of the body or part in messages. It must outlive the arguments.
   ShapeArguments(const Shape& shape, DataScope<Scalar>& data, const std::string& owner, bool particles)
       : shape_(shape), data_(data), owner_(owner), particles_(particles) {}
 
@@ -28,7 +28,7 @@ class ShapeArguments {
   const Expression& expression(const std::string& name) const { return shape_argument(shape_, name, file()); }
   Vector place(const std::string& name) const { return data_.place(expression(name)); }
   Vector direction(const std::string& name) const { return data_.direction(expression(name)); }
-  // A direction, or the direction from a place to the point named.
+  // A direction, or the direction from a place to the point that is named.
   Vector toward(const std::string& name, const Vector& from) const {
     const Expression& e = expression(name);
     const Name* point = e.as<Name>();
@@ -41,7 +41,7 @@ class ShapeArguments {
   }
   Scalar length(const std::string& name) const { return data_.number(expression(name), dimensions::length); }
   Scalar angle(const std::string& name) const { return data_.number(expression(name), dimensions::angle); }
-  // The items of a list of places; `count` of them unless zero.
+  // The places in a list, which must have `count` items unless this is zero.
   std::vector<Vector> places(const std::string& name, std::size_t count = 0) const {
     std::vector<Vector> result;
     for (const Expression& item : items(name, count)) result.push_back(data_.place(item));
@@ -61,7 +61,7 @@ class ShapeArguments {
   const Shape& shape() const { return shape_; }
   const std::string& owner() const { return owner_; }
 
-  // The values of the shape; `particles` makes the shape as particles, if they are wanted.
+  // The values of the shape. `particles` makes the particles of the shape, if they are wanted.
   template <class Particles>
   ShapeValues<Scalar> values(Extent extent, const ShapeProperties<Scalar>& properties, Particles particles) const {
     return {extent, properties, particles_ ? particles() : ParticleSet<double>{}};

@@ -53,7 +53,7 @@ ShapeValues<Scalar> rectangle(const ShapeArguments<Scalar>& a) {
 template <class Scalar>
 ShapeValues<Scalar> polygon(const ShapeArguments<Scalar>& a) {
   const auto vertices = a.places("points");
-  // A plate that is flat only to fewer digits has no closed form that its particles confirm.
+  // If a plate were less flat than this, its closed form would not agree with its particles.
   constexpr double flatness = 1e-8;
   a.check(shape_faults::polygon(a.owner(), plain(vertices), flatness));
   return a.values(Extent::area, shapes::polygon(vertices), [&] { return particles::polygon(plain(vertices)); });
@@ -105,7 +105,7 @@ ShapeValues<Scalar> ellipsoid(const ShapeArguments<Scalar>& a) {
   });
 }
 
-// The two ends of a cylinder given by center, axis and length.
+// Both ends of a cylinder that is given by center, axis and length.
 template <class Scalar>
 std::pair<Vector3<Scalar>, Vector3<Scalar>> ends_of(const ShapeArguments<Scalar>& a) {
   const auto length = a.length("length");

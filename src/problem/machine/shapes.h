@@ -1,4 +1,4 @@
-// A stated shape with values: closed form, particles, and what is wrong with it.
+// The closed form and the particles of a shape, and errors in its arguments.
 #pragma once
 
 #include <string>
@@ -18,8 +18,9 @@ struct ShapeValues {
   ParticleSet<double> particles;  // empty when they are not wanted
 };
 
-// owner: the body or part, named in messages. particles: whether they are wanted. Scalar: double or Dual<1>. Throws
-// StatementError for missing arguments, wrong dimensions and shapes that no body has (poinsot/mass/shape_faults.h).
+// owner: the name of the body or part in messages. particles: whether they are wanted. The scalar is double, Dual<1>
+// or Formula. Throws StatementError for missing arguments, wrong dimensions and impossible shapes
+// (poinsot/engine/mass/shape_faults.h).
 template <class Scalar>
 ShapeValues<Scalar> shape_values(const Shape& shape, DataScope<Scalar>& data, const std::string& owner, bool particles);
 

@@ -12,10 +12,10 @@ namespace {
 
 using Vector = Vector3<double>;
 
-// A rod has two corners, a flat side at least three.
+// A side by its corners: two for a rod, at least three for a flat side.
 using Side = std::vector<Vector>;
 
-constexpr double at_place = 1e-6;  // of the size of a side
+constexpr double at_place = 1e-6;  // distance up to which a place is on a side, as a part of the size of the side
 
 std::vector<Side> box_sides(const Vector& center, const Vector& a, const Vector& b, const Vector& c) {
   std::vector<Side> sides;
@@ -89,7 +89,7 @@ std::vector<Side> sides_of(const Part& part, DataScope<Scalar>& data) {
   return {};
 }
 
-// How the place lies on a side: nothing if beside it, else the directions in which the side goes on.
+// The directions in which a side goes on from a place in it; nothing if the place is not on the side.
 std::optional<std::vector<Vector>> directions_on(const Side& side, const Vector& C) {
   double size = 0;
   for (const Vector& corner : side) size = std::max(size, norm(corner - side.front()));
@@ -104,7 +104,7 @@ std::optional<std::vector<Vector>> directions_on(const Side& side, const Vector&
     if (along > 0 && along < norm(AB) && norm(C - A - along * e) <= tolerance) return std::vector<Vector>{e};
   }
   if (side.size() < 3) return std::nullopt;
-  // Inside, if the angles at which the edges are seen make full turns (one, for a simple polygon).
+  // The place is inside if the angles that the edges subtend add up to full turns (one turn for a simple polygon).
   Vector area = Vector::zero();
   for (std::size_t i = 0; i < side.size(); ++i) area = area + cross(side[i], side[(i + 1) % side.size()]);
   if (!(norm(area) > 0)) return std::nullopt;
@@ -140,7 +140,8 @@ std::vector<Vector3<double>> straight_directions(const Body& body, DataScope<Sca
           fewest = found;
     }
   if (!fewest) return {};
-  // A pin of a plate, or the end of a bar that stands on what it touches, is no side that lies on it.
+  // If a direction is not perpendicular to the normal, the body does not lie on the surface but stands on it, as the
+  // end of a bar does.
   for (const Vector& direction : *fewest)
     if (std::abs(dot(direction, n)) > across) return {};
   return *fewest;

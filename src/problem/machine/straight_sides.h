@@ -1,4 +1,4 @@
-// Where a stated body is straight: rods, edges of plates and blocks, flat sides.
+// Finds where a body is straight: on rods, edges of plates and blocks, and flat sides.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace poinsot::problem {
 
-// The directions (as drawn) in which the body goes on straight to both sides of the place C, across the normal n of a
-// contact there: that of an edge, two of a flat side. None at a corner, at a particle, and where the body is not known
-// to be straight. Scalar: double, Dual<1> or a formula; plain numbers decide.
+// The directions (as drawn) in which the body goes on straight to both sides of the place C, perpendicular to the
+// normal n of a contact there: one for an edge, two for a flat side. There are none at a corner, at a particle, and
+// where the body is not known to be straight. The scalar is double, Dual<1> or Formula; plain numbers decide.
 template <class Scalar>
 std::vector<Vector3<double>> straight_directions(const Body& body, DataScope<Scalar>& data, const Vector3<double>& C,
                                                  const Vector3<double>& n);
