@@ -4,24 +4,23 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
+#include <system_error>
 
-#include "document/document.h"
-#include "document/explanation_markdown.h"
-#include "document/json.h"
-#include "document/schema.h"
-#include "document/terminal.h"
 #include "exit_codes.h"
-#include "problem/language/diagnostic.h"
+#include "poinsot/document.h"
+#include "poinsot/problem.h"
+#include "poinsot/rendering.h"
 #include "streams.h"
 
 namespace {
 
-using poinsot::document::Answer;
-using poinsot::document::AnswerState;
-using poinsot::document::CheckResult;
-using poinsot::document::Document;
-using poinsot::document::Solution;
+using poinsot::Answer;
+using poinsot::AnswerState;
+using poinsot::Document;
+using poinsot::Problem;
+using poinsot::Solution;
 
 std::string why_unanswered(const Answer& answer) {
   switch (answer.state) {
@@ -62,19 +61,50 @@ void report_unanswered(const std::string& file, const Document& document, bool i
   }
 }
 
+// The files, and for each folder every `*.yaml` below it in the order of their names.
+std::vector<std::string> problem_files(const std::vector<std::string>& paths) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+      files.push_back(path);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(path))
+      if (entry.is_regular_file() && entry.path().extension() == ".yaml") found.push_back(entry.path().string());
+    std::ranges::sort(found);
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+// In what a file falls short of its own expected answers. A file that is wrong is a failure, one that does not exist an
+// error of the caller.
+std::vector<std::string> failures_of(const std::string& file) {
+  try {
+    return Problem::from_file(file).check();
+  } catch (const poinsot::StatementError& error) {
+    if (!std::filesystem::exists(file)) throw;
+    return {error.what()};
+  }
+}
+
 }  // namespace
 
 int solve(const SolveArguments& arguments) {
-  const poinsot::document::TerminalStyle style{.color = wants_color()};
+  const poinsot::TerminalStyle style{.color = wants_color()};
   int code = exit_answered;
   bool first = true;
   for (const std::string& file : arguments.files) {
     try {
-      const Document document = poinsot::document::run_file(file, arguments.run);
+      const Problem problem = Problem::from_file(file);
+      const Document document = arguments.explain ? problem.explain(arguments.sets) : problem.solve(arguments.sets);
       std::string text;
       if (arguments.json) {
         text = to_json(document) + "\n";
-      } else if (arguments.run.explain) {
+      } else if (arguments.explain) {
         text = (first ? "" : "\n") + to_markdown(document);
       } else {
         text = (first ? "" : "\n") + to_terminal(document, style);
@@ -84,7 +114,7 @@ int solve(const SolveArguments& arguments) {
       if (!answered) code = std::max(code, exit_unanswered);
       if (!write_answer(text)) return code;
       if (!answered) report_unanswered(file, document, arguments.json);
-    } catch (const poinsot::problem::StatementError& error) {
+    } catch (const poinsot::StatementError& error) {
       write_message(error.what());
       code = std::max(code, exit_wrong_input);
     } catch (const OutputError&) {
@@ -98,22 +128,23 @@ int solve(const SolveArguments& arguments) {
 }
 
 int check(const std::vector<std::string>& paths) {
-  const std::vector<CheckResult> results = poinsot::document::check_paths(paths);
   std::string text;
-  std::size_t failed = 0;
-  for (const CheckResult& result : results) {
-    if (result.failures.empty()) continue;
+  std::size_t passed = 0, failed = 0;
+  for (const std::string& file : problem_files(paths)) {
+    const std::vector<std::string> failures = failures_of(file);
+    if (failures.empty()) {
+      ++passed;
+      continue;
+    }
     ++failed;
     constexpr std::size_t most = 4;
-    const auto shown = std::min(result.failures.size(), most);
+    const auto shown = std::min(failures.size(), most);
     std::string line = fmt::format(
-        "{}: {}", result.file,
-        fmt::join(result.failures.begin(), result.failures.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
-    if (result.failures.size() > shown) line += fmt::format("; {} more", result.failures.size() - shown);
+        "{}: {}", file, fmt::join(failures.begin(), failures.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
+    if (failures.size() > shown) line += fmt::format("; {} more", failures.size() - shown);
     std::ranges::replace(line, '\n', ' ');
     text += line + "\n";
   }
-  const std::size_t passed = results.size() - failed;
   text += fmt::format("{} passed, {} failed\n", passed, failed);
   const int code = failed == 0 && passed > 0 ? exit_answered : exit_unanswered;
   static_cast<void>(write_answer(text));
@@ -121,7 +152,7 @@ int check(const std::vector<std::string>& paths) {
 }
 
 int schema(bool of_answer) {
-  const std::string text = of_answer ? poinsot::document::answer_schema() : poinsot::document::problem_schema();
+  const std::string text = of_answer ? poinsot::answer_schema() : poinsot::problem_schema();
   static_cast<void>(write_answer(text));
   return exit_answered;
 }

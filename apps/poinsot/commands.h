@@ -2,28 +2,28 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "document/recording.h"
-#include "document/run.h"
+#include "poinsot/problem.h"
 
 struct SolveArguments {
   std::vector<std::string> files;
-  poinsot::document::RunOptions run;
+  poinsot::Settings sets;
   bool json = false;
+  bool explain = false;  // with worked solutions
 };
 
 // Solves each file and writes its answers; a file that fails does not keep the others from being solved, and the worst
 // outcome gives the exit code.
 int solve(const SolveArguments& arguments);
 
-// Compares files with their own expected answers: a line for each that fails, and last `N passed, M failed`.
+// Compares files, and those named *.yaml in folders, with their own expected answers: a line for each that fails, and
+// last `N passed, M failed`.
 int check(const std::vector<std::string>& paths);
 
 struct RecordArguments {
   std::string file, output;
-  std::vector<std::pair<std::string, std::string>> sets;
+  poinsot::Settings sets;
 };
 
 // Records the motion of a file, with its progress on a terminal. Interrupted, it ends with what there is.
@@ -33,7 +33,7 @@ struct EquationsArguments {
   std::string file, output;  // no output: the standard one
   std::string form = "text", function = "equations", situation;
   std::vector<std::string> of, letters;
-  std::vector<std::pair<std::string, std::string>> sets;
+  poinsot::Settings sets;
 };
 
 // Writes the equations of motion of a file's mechanism, as formulas or code.

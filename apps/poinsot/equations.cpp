@@ -1,6 +1,4 @@
 // poinsot equations.
-#include "problem/equations/equations.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,21 +12,21 @@
 
 #include "commands.h"
 #include "exit_codes.h"
-#include "problem/language/diagnostic.h"
-#include "problem/language/tree.h"
+#include "poinsot/problem.h"
+#include "poinsot/rendering.h"
 #include "streams.h"
 
 namespace {
 
-using poinsot::TextForm;
-using poinsot::problem::EquationPart;
+using poinsot::EquationForm;
+using poinsot::EquationPart;
 
-constexpr std::array<std::pair<const char*, TextForm>, 6> forms{{{"text", TextForm::plain},
-                                                                 {"tex", TextForm::tex},
-                                                                 {"c", TextForm::c},
-                                                                 {"c++", TextForm::cpp},
-                                                                 {"python", TextForm::python},
-                                                                 {"sympy", TextForm::sympy}}};
+constexpr std::array<std::pair<const char*, EquationForm>, 6> forms{{{"text", EquationForm::text},
+                                                                     {"tex", EquationForm::tex},
+                                                                     {"c", EquationForm::c},
+                                                                     {"c++", EquationForm::cpp},
+                                                                     {"python", EquationForm::python},
+                                                                     {"sympy", EquationForm::sympy}}};
 constexpr std::array<std::pair<const char*, EquationPart>, 7> parts{
     {{"mass-matrix", EquationPart::mass_matrix},
      {"right-hand-side", EquationPart::right_side},
@@ -50,7 +48,7 @@ auto chosen(const Table& table, const std::string& option, const std::string& wo
     if (name == word) return value;
     known.emplace_back(name);
   }
-  const std::string hint = poinsot::problem::did_you_mean(word, known);
+  const std::string hint = poinsot::did_you_mean(word, known);
   throw WordError(fmt::format("{} knows no '{}': expected {}{}", option, word, fmt::join(known, ", "),
                               hint.empty() ? "" : " (" + hint + ")"));
 }
@@ -63,15 +61,14 @@ bool write_file(const std::string& path, const std::string& text) {
 }  // namespace
 
 int equations(const EquationsArguments& arguments) {
-  using namespace poinsot::problem;
-  EquationsOptions options;
+  poinsot::EquationsOptions options;
   try {
     options.form = chosen(forms, "--form", arguments.form);
     for (const std::string& part : arguments.of) options.parts.push_back(chosen(parts, "--of", part));
     const auto wanted = [&](EquationPart part) { return std::count(options.parts.begin(), options.parts.end(), part); };
     if (wanted(EquationPart::forward_dynamics) && wanted(EquationPart::inverse_dynamics))
       throw WordError("--of: forward-dynamics and inverse-dynamics are two functions; ask for one at a time");
-    if (!poinsot::is_code_name(arguments.function))
+    if (!poinsot::is_function_name(arguments.function))
       throw WordError(fmt::format("--name: '{}' cannot be the name of a function", arguments.function));
   } catch (const WordError& error) {
     write_message(fmt::format("poinsot: {}\nTry 'poinsot equations --help'.", error.what()));
@@ -82,8 +79,7 @@ int equations(const EquationsArguments& arguments) {
   options.sets = arguments.sets;
   options.letters = arguments.letters;
   try {
-    const Statement statement = read_statement(read_file(arguments.file), arguments.file);
-    const std::string text = equations_text(statement, options);
+    const std::string text = poinsot::Problem::from_file(arguments.file).equations(options);
     if (arguments.output.empty()) {
       static_cast<void>(write_answer(text));
     } else if (!write_file(arguments.output, text)) {
@@ -91,7 +87,7 @@ int equations(const EquationsArguments& arguments) {
       return exit_internal;
     }
     return exit_answered;
-  } catch (const NoEquations& error) {
+  } catch (const poinsot::NoEquations& error) {
     write_message(fmt::format("{}: no equations of motion: {}", arguments.file, error.what()));
     return exit_unanswered;
   }

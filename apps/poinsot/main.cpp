@@ -8,7 +8,8 @@
 
 #include "commands.h"
 #include "exit_codes.h"
-#include "problem/language/diagnostic.h"
+#include "poinsot/problem.h"
+#include "poinsot/rendering.h"
 #include "streams.h"
 
 namespace {
@@ -32,12 +33,12 @@ std::string stray_message(const std::string& word, const CLI::App& program) {
     }
     const std::string message = chosen.empty() ? fmt::format("unknown option '{}'", option)
                                                : fmt::format("unknown option '{}' of {}", option, command.get_name());
-    const std::string hint = poinsot::problem::did_you_mean(option, candidates);
+    const std::string hint = poinsot::did_you_mean(option, candidates);
     return hint.empty() ? message : fmt::format("{} ({})", message, hint);
   }
   if (!chosen.empty()) return fmt::format("{} takes no '{}'", command.get_name(), word);
   for (const CLI::App* known : program.get_subcommands({})) candidates.push_back(known->get_name());
-  const std::string hint = poinsot::problem::did_you_mean(word, candidates);
+  const std::string hint = poinsot::did_you_mean(word, candidates);
   const std::string message =
       fmt::format("unknown command '{}': expected one of {}", word, fmt::join(candidates, ", "));
   return hint.empty() ? message : fmt::format("{} ({})", message, hint);
@@ -78,7 +79,7 @@ int run(int argument_count, const char* const* arguments) {
   CLI::App* solve_command = program.add_subcommand("solve", "Solve problem files and print the answers");
   solve_command->add_option("FILE", solve_arguments.files, "Problem files; - for standard input")->required();
   solve_command->add_flag("--json", solve_arguments.json, "Print one answer document per file, one per line");
-  solve_command->add_flag("--explain", solve_arguments.run.explain,
+  solve_command->add_flag("--explain", solve_arguments.explain,
                           "Print worked solutions, as Markdown with formulas in TeX; with --json as a field of it");
   add_sets(*solve_command, settings);
 
@@ -131,7 +132,7 @@ int run(int argument_count, const char* const* arguments) {
   }
   try {
     program.parse(argument_count, arguments);
-    for (const std::string& setting : settings) solve_arguments.run.sets.push_back(split_setting(setting));
+    for (const std::string& setting : settings) solve_arguments.sets.push_back(split_setting(setting));
     for (const std::string& setting : record_settings) record_arguments.sets.push_back(split_setting(setting));
     for (const std::string& setting : equations_settings) equations_arguments.sets.push_back(split_setting(setting));
   } catch (const CLI::CallForHelp&) {
@@ -159,7 +160,7 @@ int main(int argument_count, char** arguments) {
   prepare_streams();
   try {
     return run(argument_count, arguments);
-  } catch (const poinsot::problem::StatementError& error) {
+  } catch (const poinsot::StatementError& error) {
     write_message(error.what());
     return exit_wrong_input;
   } catch (const OutputError& error) {

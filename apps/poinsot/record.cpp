@@ -13,9 +13,9 @@
 
 namespace {
 
-using poinsot::document::Recording;
-using poinsot::document::RecordingError;
-using poinsot::document::RecordingProgress;
+using poinsot::Recording;
+using poinsot::RecordingError;
+using poinsot::RecordingProgress;
 using Clock = std::chrono::steady_clock;
 
 std::string duration(double seconds) {
@@ -74,13 +74,13 @@ std::string summary(const Recording& recording) {
 
 int record(const RecordArguments& arguments) {
   ProgressLine line;
-  poinsot::document::RecordOptions options;
+  poinsot::RecordOptions options;
   options.sets = arguments.sets;
   options.begun = catch_interrupts;
   options.interrupted = interrupted;
   options.progress = [&](const RecordingProgress& progress) { line.show(progress); };
   try {
-    const Recording recording = poinsot::document::record_file(arguments.file, arguments.output, options);
+    const Recording recording = poinsot::Problem::from_file(arguments.file).record(arguments.output, options);
     line.erase();
     static_cast<void>(write_answer(summary(recording)));
     if (recording.complete) return exit_answered;

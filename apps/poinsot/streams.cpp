@@ -11,8 +11,8 @@
 #include <cstring>
 #include <string>
 
-#include "document/display_text.h"
 #include "exit_codes.h"
+#include "poinsot/rendering.h"
 
 namespace {
 
@@ -85,7 +85,7 @@ void write_message(std::string_view text) {
   std::string lines;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    lines += poinsot::document::printable(text.substr(0, end)) + "\n";
+    lines += poinsot::printable(text.substr(0, end)) + "\n";
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   // Nowhere is left to report that standard error fails.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "document/document.h"
+#include "poinsot/document.h"
 
 namespace poinsot::document {
 

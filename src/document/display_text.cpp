@@ -65,24 +65,6 @@ std::optional<CodePoint> leading_code_point(std::string_view text) {
 
 }  // namespace
 
-std::string printable(std::string_view text) {
-  constexpr const char* replacement_character = "\xEF\xBF\xBD";
-  std::string result;
-  while (!text.empty()) {
-    const std::optional<CodePoint> code_point = leading_code_point(text);
-    const std::size_t bytes = code_point ? code_point->bytes : 1;
-    if (text[0] == '\n' || text[0] == '\t' || text[0] == '\r') {
-      result += ' ';
-    } else if (!code_point || contains(unprintable, code_point->value)) {
-      result += replacement_character;
-    } else {
-      result += text.substr(0, bytes);
-    }
-    text.remove_prefix(bytes);
-  }
-  return result;
-}
-
 std::size_t display_width(std::string_view text) {
   std::size_t width = 0;
   while (!text.empty()) {
@@ -107,3 +89,25 @@ std::string padded_left(const std::string& text, std::size_t width) {
 }
 
 }  // namespace poinsot::document
+
+namespace poinsot {
+
+std::string printable(std::string_view text) {
+  constexpr const char* replacement_character = "\xEF\xBF\xBD";
+  std::string result;
+  while (!text.empty()) {
+    const std::optional<document::CodePoint> code_point = document::leading_code_point(text);
+    const std::size_t bytes = code_point ? code_point->bytes : 1;
+    if (text[0] == '\n' || text[0] == '\t' || text[0] == '\r') {
+      result += ' ';
+    } else if (!code_point || document::contains(document::unprintable, code_point->value)) {
+      result += replacement_character;
+    } else {
+      result += text.substr(0, bytes);
+    }
+    text.remove_prefix(bytes);
+  }
+  return result;
+}
+
+}  // namespace poinsot

@@ -1,15 +1,13 @@
-// Text that comes from a problem file, made fit for a terminal.
+// The width of text on a terminal. Text of a problem file is made fit for one by printable(), of poinsot/rendering.h.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
 
-namespace poinsot::document {
+#include "poinsot/rendering.h"  // printable
 
-// The text on one line and without power over the terminal: line ends and tabs become blanks; other control characters,
-// marks that change the direction of writing, and bytes that are no UTF-8 become U+FFFD.
-std::string printable(std::string_view text);
+namespace poinsot::document {
 
 // The columns that a printable text takes on a terminal: two for a wide East Asian character or a pictograph, none for
 // a combining mark.

@@ -1,4 +1,4 @@
-#include "document/document.h"
+#include "poinsot/document.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace poinsot::document {
+namespace poinsot {
 namespace {
 
 void require_finite(double number, const std::string& place) {
@@ -61,4 +61,4 @@ void require_values(const Document& document) {
   }
 }
 
-}  // namespace poinsot::document
+}  // namespace poinsot

@@ -1,5 +1,4 @@
-#include "document/explanation_markdown.h"
-
+// Worked solutions as Markdown with mathematics in TeX.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,6 +8,8 @@
 #include "document/datum_text.h"
 #include "document/display_text.h"
 #include "document/rounding.h"
+#include "poinsot/rendering.h"
+#include "problem/explanation/explanation.h"
 
 namespace poinsot::document {
 namespace {
@@ -73,10 +74,11 @@ std::string answer_value(const Answer& answer) {
 std::string answers_section(const Solution& solution) {
   std::string text = "\n## Answers\n\n";
   for (const Unknown& unknown : solution.unknowns)
-    text += printable(fmt::format("* *{}* = {}", unknown.name,
-                                  unknown.value.empty() ? "`" + datum_text(unknown.formula, "", significant_digits) + "`"
-                                                        : datum_text(unknown.value, unknown.unit, significant_digits))) +
-            "\n";
+    text +=
+        printable(fmt::format("* *{}* = {}", unknown.name,
+                              unknown.value.empty() ? "`" + datum_text(unknown.formula, "", significant_digits) + "`"
+                                                    : datum_text(unknown.value, unknown.unit, significant_digits))) +
+        "\n";
   for (const Answer& answer : solution.answers)
     text += printable(fmt::format("* *{}*, {}: {}", answer.name, answer.words.empty() ? answer.ask : answer.words,
                                   answer_value(answer))) +
@@ -97,6 +99,9 @@ std::string answers_section(const Solution& solution) {
 }
 
 }  // namespace
+}  // namespace poinsot::document
+
+namespace poinsot {
 
 std::string to_markdown(const Document& document, std::size_t index) {
   require_values(document);
@@ -108,9 +113,9 @@ std::string to_markdown(const Document& document, std::size_t index) {
     for (const problem::ExplainedSection& section : solution.explanation->sections) {
       text += "\n## " + printable(section.heading) + "\n";
       for (const problem::ExplainedStep& step : section.steps)
-        text += "\n" + printable_lines(step.text) + displayed(step.equations);
+        text += "\n" + document::printable_lines(step.text) + document::displayed(step.equations);
     }
-  return text + answers_section(solution);
+  return text + document::answers_section(solution);
 }
 
 std::string to_markdown(const Document& document) {
@@ -123,4 +128,4 @@ std::string to_markdown(const Document& document) {
   return text;
 }
 
-}  // namespace poinsot::document
+}  // namespace poinsot

@@ -1,9 +1,8 @@
-#include "document/json.h"
-
+// The answer document as JSON, for other programs.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "document/explanation_markdown.h"
+#include "poinsot/rendering.h"
 
 namespace poinsot::document {
 namespace {
@@ -118,18 +117,21 @@ Json solution_json(const Document& document, std::size_t index) {
 }
 
 }  // namespace
+}  // namespace poinsot::document
+
+namespace poinsot {
 
 std::string to_json(const Document& document) {
   require_values(document);
-  Json solutions = Json::array();
-  for (std::size_t i = 0; i < document.solutions.size(); ++i) solutions.push_back(solution_json(document, i));
-  const Json json{{"poinsot", POINSOT_VERSION},
-                  {"file", document.file},
-                  {"title", document.title},
-                  {"solutions", solutions},
-                  {"warnings", document.warnings}};
+  document::Json solutions = document::Json::array();
+  for (std::size_t i = 0; i < document.solutions.size(); ++i) solutions.push_back(document::solution_json(document, i));
+  const document::Json json{{"poinsot", POINSOT_VERSION},
+                            {"file", document.file},
+                            {"title", document.title},
+                            {"solutions", solutions},
+                            {"warnings", document.warnings}};
   constexpr int no_indentation = -1;
-  return json.dump(no_indentation, ' ', false, Json::error_handler_t::replace);
+  return json.dump(no_indentation, ' ', false, document::Json::error_handler_t::replace);
 }
 
-}  // namespace poinsot::document
+}  // namespace poinsot

@@ -13,7 +13,7 @@
 #include "document/file_output.h"
 #include "document/journal.h"
 #include "document/recording_records.h"
-#include "problem/language/tree.h"
+#include "problem/answers/recorded_motion.h"
 
 namespace poinsot::document {
 namespace {
@@ -219,10 +219,9 @@ class Recorder {
 
 }  // namespace
 
-Recording record_file(const std::string& path, const std::string& output, const RecordOptions& options) {
+Recording record_motion(const problem::Statement& stated, const std::string& text, const std::string& output,
+                        const RecordOptions& options) {
   check_output(output);
-  const std::string text = problem::read_file(path);
-  const problem::Statement stated = problem::read_statement(text, path);
   try {
     RecordedMotion motion(stated, options.sets);
     RecordingHead head = head_for(stated, text, motion, options);

@@ -1,6 +1,6 @@
-#include "document/schema.h"
+#include "poinsot/rendering.h"
 
-namespace poinsot::document {
+namespace poinsot {
 
 std::string answer_schema() {
   return R"json({
@@ -179,4 +179,4 @@ std::string answer_schema() {
 )json";
 }
 
-}  // namespace poinsot::document
+}  // namespace poinsot

@@ -1,5 +1,4 @@
-#include "document/terminal.h"
-
+// The answer document as text for a reader.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,6 +11,7 @@
 #include "document/datum_text.h"
 #include "document/display_text.h"
 #include "document/rounding.h"
+#include "poinsot/rendering.h"
 
 namespace poinsot::document {
 namespace {
@@ -228,10 +228,13 @@ class TerminalText {
 };
 
 }  // namespace
+}  // namespace poinsot::document
+
+namespace poinsot {
 
 std::string to_terminal(const Document& document, const TerminalStyle& style) {
   require_values(document);
-  return TerminalText(style).render(document);
+  return document::TerminalText(style).render(document);
 }
 
-}  // namespace poinsot::document
+}  // namespace poinsot

@@ -206,6 +206,26 @@ class Check(unittest.TestCase):
             self.assertTrue(lines[0].startswith(f"{silent}: "), lines[0])
             self.assertEqual(lines[1], "1 passed, 1 failed")
 
+    def test_check_goes_through_folders_in_the_order_of_names(self):
+        text = EXAMPLES[0].read_text(encoding="utf-8")
+        with tempfile.TemporaryDirectory() as folder:
+            below = pathlib.Path(folder) / "a"
+            below.mkdir()
+            (below / "wrong.yaml").write_text("title: [\n", encoding="utf-8")
+            (pathlib.Path(folder) / "silent.yaml").write_text("title: Nothing\n", encoding="utf-8")
+            (pathlib.Path(folder) / "whole.yaml").write_text(text, encoding="utf-8")
+            (pathlib.Path(folder) / "notes.txt").write_text("no problem", encoding="utf-8")
+            result = run("check", folder)
+            lines = result.stdout.splitlines()
+            self.assertEqual(result.returncode, 1)
+            self.assertEqual(len(lines), 3, result.stdout)
+            self.assertTrue(lines[0].startswith(f"{below}/wrong.yaml: {below}/wrong.yaml:"), lines[0])
+            self.assertTrue(lines[1].startswith(f"{folder}/silent.yaml: "), lines[1])
+            self.assertEqual(lines[2], "1 passed, 2 failed")
+            result = run("check", str(pathlib.Path(folder) / "nowhere"))
+            self.assertEqual((result.returncode, result.stdout), (2, ""))
+            self.assertIn("there is no such file", result.stderr)
+
     def test_nothing_to_check_is_no_success(self):
         with tempfile.TemporaryDirectory() as folder:
             result = run("check", folder)

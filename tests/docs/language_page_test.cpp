@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "docs/fenced_blocks.h"
-#include "document/run.h"
-#include "document/terminal.h"
+#include "poinsot/problem.h"
+#include "poinsot/rendering.h"
 #include "problem/answers/solve_statement.h"
 #include "problem/entries/keys.h"
 #include "problem/language/evaluate.h"
@@ -74,9 +74,8 @@ TEST(Manual, ExamplesGiveTheAnswersThatTheyExpect) {
     const Folder folder;
     for (const FencedBlock& block : fenced_blocks(example.page))
       if (!block.name.empty() && block.kind != "yaml") folder.write(block.name, block.text);
-    const auto results = document::check_paths({folder.write("example.yaml", example.block.text)});
-    ASSERT_EQ(results.size(), 1U);
-    for (const std::string& failure : results.front().failures) ADD_FAILURE() << place(example) << ": " << failure;
+    const Problem problem = Problem::from_file(folder.write("example.yaml", example.block.text));
+    for (const std::string& failure : problem.check()) ADD_FAILURE() << place(example) << ": " << failure;
     ++count;
   }
   EXPECT_GT(count, 30);
@@ -211,7 +210,7 @@ TEST(LanguagePage, ShowsReasonsOfTheProgram) {
   const Folder folder;
   for (const auto& [text, reason] : cases) {
     EXPECT_NE(page.find(reason), std::string::npos) << reason;
-    const document::Document document = document::run_file(folder.write("reason.yaml", bar + text), {});
+    const Document document = Problem::from_text(bar + text, "reason.yaml").solve();
     const std::string& found = document.solutions.at(0).answers.at(0).reason;
     EXPECT_NE(found.find(reason), std::string::npos) << text << "gives: " << found;
   }

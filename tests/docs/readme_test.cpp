@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "docs/fenced_blocks.h"
-#include "document/run.h"
-#include "document/terminal.h"
 #include "poinsot/engine/dynamics/forward_dynamics.h"
 #include "poinsot/engine/mass/shapes.h"
 #include "poinsot/engine/model/builder.h"
+#include "poinsot/problem.h"
+#include "poinsot/rendering.h"
 
 namespace poinsot {
 namespace {
@@ -40,7 +40,7 @@ TEST(Readme, ShowsWhatTheProgramPrints) {
     const std::filesystem::path file =
         std::filesystem::path(testing::TempDir()) / ("poinsot-readme-" + std::to_string(getpid()) + ".yaml");
     std::ofstream(file) << problems[i];
-    document::Document document = document::run_file(file.string(), {});
+    Document document = Problem::from_file(file.string()).solve();
     std::filesystem::remove(file);
     const std::string call = "$ poinsot solve ";
     ASSERT_TRUE(transcripts[i].starts_with(call));
@@ -74,8 +74,8 @@ TEST(Readme, HasLinesOfCppThatDoWhatTheySay) {
 }
 
 TEST(Readme, LinksToPagesThatExist) {
-  for (const char* page :
-       {"README.md", "docs/language.md", "docs/theory.md", "docs/architecture.md", "docs/decisions.md", "docs/glossary.md"}) {
+  for (const char* page : {"README.md", "docs/language.md", "docs/theory.md", "docs/architecture.md",
+                           "docs/decisions.md", "docs/glossary.md"}) {
     const std::string text = text_of_page(page);
     const std::filesystem::path folder = (std::filesystem::path(POINSOT_SOURCE_DIR) / page).parent_path();
     const std::regex link("\\]\\(([^)#]+)\\)");

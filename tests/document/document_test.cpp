@@ -1,12 +1,11 @@
-#include "document/document.h"
+#include "poinsot/document.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "document/json.h"
 #include "document/sample_documents.h"
-#include "document/terminal.h"
+#include "poinsot/rendering.h"
 
 namespace poinsot::document {
 namespace {

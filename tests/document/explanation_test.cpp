@@ -3,6 +3,8 @@
 // The two sides of each displayed equation come from different roads (forces of the solution; momenta of the bodies),
 // and the forces are those that the check on particles has confirmed: so equations read back from the text that balance
 // hold for the particles as well.
+#include "problem/explanation/explanation.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,11 +13,11 @@
 #include <set>
 #include <sstream>
 
-#include "document/explanation_markdown.h"
 #include "document/rounding.h"
-#include "document/run.h"
 #include "document/tex_sums.h"
-#include "problem/language/tree.h"
+#include "poinsot/problem.h"
+#include "poinsot/rendering.h"
+#include "problem/entries/statement.h"
 
 namespace poinsot::document {
 namespace {
@@ -43,10 +45,10 @@ const std::vector<Case>& cases() {
       files.insert(entry.path());
     for (const fs::path& file : files) {
       const problem::Statement stated = problem::read_statement(contents(file), file.string());
-      list.push_back({file.stem().string(), run_file(file.string(), {.sets = {}, .explain = true})});
+      list.push_back({file.stem().string(), Problem::from_file(file.string()).explain()});
       if (stated.expected.empty() || stated.expected.front().sets.empty()) continue;
       list.push_back({file.stem().string() + " with values",
-                      run_file(file.string(), {.sets = stated.expected.front().sets, .explain = true})});
+                      Problem::from_file(file.string()).explain(stated.expected.front().sets)});
     }
     return list;
   }();
@@ -218,7 +220,7 @@ TEST(Explanation, IsWhatTheManualShows) {
   };
   const fs::path file = fs::path(::testing::TempDir()) / "explained.yaml";
   std::ofstream(file) << block("yaml");
-  const Document document = run_file(file.string(), {.sets = {}, .explain = true});
+  const Document document = Problem::from_file(file.string()).explain();
   fs::remove(file);
   const std::string text = "\n" + to_markdown(document);
   std::istringstream lines(block("markdown"));
@@ -231,7 +233,7 @@ TEST(Explanation, IsWhatTheManualShows) {
 // What a reader of a known problem must find in it.
 TEST(Explanation, ShowsTheStepsOfBearingReactions) {
   const fs::path file = fs::path(POINSOT_SOURCE_DIR) / "examples" / "textbook" / "18.105.yaml";
-  const std::string text = to_markdown(run_file(file.string(), {.sets = {}, .explain = true}), 0);
+  const std::string text = to_markdown(Problem::from_file(file.string()).explain(), 0);
   for (const char* piece :
        {"\\Sigma F_{x}", "\\Sigma M_{y}", "D_{x}", "E_{y}", "\\boldsymbol{\\Omega}", "Eqs. 18.1, 18.2", "## Inertia",
         "## Kinetic side", "## Component equations", "## Unknowns"})
@@ -241,7 +243,7 @@ TEST(Explanation, ShowsTheStepsOfBearingReactions) {
 std::string explained(const std::string& statement) {
   const fs::path file = fs::path(::testing::TempDir()) / "explained_part.yaml";
   std::ofstream(file) << statement;
-  const std::string text = to_markdown(run_file(file.string(), {.sets = {}, .explain = true}));
+  const std::string text = to_markdown(Problem::from_file(file.string()).explain());
   fs::remove(file);
   return text;
 }

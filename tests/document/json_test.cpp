@@ -1,5 +1,3 @@
-#include "document/json.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -7,6 +5,7 @@
 #include <random>
 
 #include "document/sample_documents.h"
+#include "poinsot/rendering.h"
 
 namespace poinsot::document {
 namespace {

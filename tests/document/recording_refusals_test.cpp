@@ -1,14 +1,12 @@
 #include <nlohmann/json.hpp>
 
-#include "document/recording.h"
+#include "document/failure.h"
 #include "document/recording_support.h"
-#include "problem/language/failure.h"
 
 namespace poinsot::document {
 namespace {
 
 using Fault = RecordingError::Fault;
-using problem::failure_of;
 
 TEST_F(Recorded, AFailureOnTheWayLeavesTheRowsBeforeIt) {
   const std::string text =
@@ -175,7 +173,7 @@ TEST_F(Recorded, AnyValueAtAnyKeyIsARecordingOrAnError) {
     try {
       record(pendulum + "record: " + one.dump() + "\n", "a.csv");
       ++recorded;
-    } catch (const problem::StatementError& error) {
+    } catch (const StatementError& error) {
       EXPECT_NE(std::string(error.what()).find("problem.yaml:"), std::string::npos);
       ++refused;
     } catch (const RecordingError&) {

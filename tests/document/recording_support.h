@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "document/journal.h"
-#include "document/recording.h"
 #include "document/recording_records.h"
+#include "poinsot/problem.h"
 
 namespace poinsot::document {
 
@@ -49,7 +49,7 @@ class Recorded : public ::testing::Test {
 
   // The whole recording, in `name`.
   Recording record(const std::string& text, const std::string& name, RecordOptions options = {}) const {
-    return record_file(file("problem.yaml", text), path(name), options);
+    return Problem::from_file(file("problem.yaml", text)).record(path(name), options);
   }
   // The message of the RecordingError that a recording must throw; "no error" if none comes.
   std::string refusal(const std::string& text, const std::string& name, const RecordOptions& options,

@@ -1,12 +1,10 @@
-#include "document/recording.h"
-
 #include <hdf5.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "document/recording_support.h"
-#include "document/run.h"
+#include "poinsot/problem.h"
 #include "problem/language/failure.h"
 
 namespace poinsot::document {
@@ -37,10 +35,11 @@ TEST_F(Recorded, NumbersAreThoseOfATable) {
   const auto numbers = rows(path("a.csv"));
   ASSERT_EQ(numbers.size(), 2101U);
   const Document table =
-      run_file(file("table.yaml",
-                    pendulum + "ask: {x: {table: {t: time, a: theta, w: theta'}, over: {time: 0 s .. 2.1 s by 0.1 s}, "
-                               "unit: {a: deg}}}\n"),
-               {});
+      Problem::from_file(
+          file("table.yaml",
+               pendulum + "ask: {x: {table: {t: time, a: theta, w: theta'}, over: {time: 0 s .. 2.1 s by 0.1 s}, "
+                          "unit: {a: deg}}}\n"))
+          .solve();
   const std::vector<Column>& columns = table.solutions.at(0).answers.at(0).columns;
   ASSERT_EQ(columns.size(), 3U);
   for (std::size_t row = 0; row < columns[0].value.size(); ++row)

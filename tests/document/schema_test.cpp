@@ -1,10 +1,10 @@
 // The schema is held against documents, with a validator of its own, in tests/apps/command_line_test.py.
-#include "document/schema.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
+
+#include "poinsot/rendering.h"
 
 namespace poinsot::document {
 namespace {

@@ -1,8 +1,7 @@
-#include "document/terminal.h"
-
 #include <gtest/gtest.h>
 
 #include "document/sample_documents.h"
+#include "poinsot/rendering.h"
 
 namespace poinsot::document {
 namespace {

@@ -1,15 +1,21 @@
-// The answer document: everything that one run on one problem file found. All output is a rendering of it.
+// The answer document: everything that one run on one problem file found. All output is a rendering of it
+// (poinsot/rendering.h).
+//
+// It is plain data that owns all it holds: copies are independent, and one document may be read by several threads.
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "problem/explanation/explanation.h"
+namespace poinsot::problem {
+struct Explanation;
+}
 
-namespace poinsot::document {
+namespace poinsot {
 
 // A number, truth value, text, list of data (vectors and matrices are lists), or nothing.
 struct Datum {
@@ -85,21 +91,23 @@ struct Condition {
 
 struct Solution {
   std::vector<Unknown> unknowns;
-  std::vector<Answer> answers;                        // in the order of the file
-  std::map<std::string, double> checks;               // relative residuals found on the independent road, by name
-  std::vector<std::string> notes;                     // what else was found: stability, what happened during a motion
-  std::vector<std::string> assumptions{};             // that the formulas rest on: "m > 0"
-  std::vector<Condition> conditions{};                // the formulas of those that are words
-  std::optional<problem::Explanation> explanation{};  // the worked solution, where it was asked for
+  std::vector<Answer> answers;             // in the order of the file
+  std::map<std::string, double> checks;    // relative residuals found on the independent road, by name
+  std::vector<std::string> notes;          // what else was found: stability, what happened during a motion
+  std::vector<std::string> assumptions{};  // that the formulas rest on: "m > 0"
+  std::vector<Condition> conditions{};     // the formulas of those that are words
+  // The worked solution, where it was asked for: to_markdown() writes it.
+  std::shared_ptr<const problem::Explanation> explanation{};
 };
 
+// A datum without value.
 struct Letter {
   std::string name;
   std::string unit;
 };
 
 struct Document {
-  std::string file;
+  std::string file;  // the problem's name, as its reader was given it
   std::string title;
   std::vector<Letter> open_letters;
   std::vector<Solution> solutions;
@@ -113,4 +121,4 @@ bool fully_answered(const Document& document);
 // is not finite: a fault of the program, which no rendering passes on.
 void require_values(const Document& document);
 
-}  // namespace poinsot::document
+}  // namespace poinsot

@@ -1,0 +1,108 @@
+#include "document/own_expectations.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "document/check.h"
+#include "document/statement_document.h"
+#include "problem/answers/solve_statement.h"
+
+namespace poinsot::document {
+namespace {
+
+using problem::Value;
+
+// What one part should be, in SI.
+Expectation expectation(const problem::Expected& expected, const problem::Situation& problem,
+                        const problem::Settings& settings) {
+  Expectation result;
+  result.part = expected.part;
+  result.relative_tolerance = expected.relative_tolerance;
+  for (const problem::NamedExpression& column : expected.columns) {
+    problem::DataScope<double> data(problem, settings);
+    result.columns.emplace_back();
+    for (const problem::Expression& item : column.value.as<problem::List>()->items)
+      result.columns.back().push_back(data.value(item).number);
+  }
+  if (!expected.columns.empty()) return result;
+  if (expected.names) {
+    std::vector<Datum> names;
+    for (const std::string& name : *expected.names) names.push_back({name});
+    result.si = {std::move(names)};
+  } else if (expected.holds) {
+    result.si = {*expected.holds};
+  } else {
+    problem::DataScope<double> data(problem, settings);
+    const Value<double> value = data.value(expected.value ? *expected.value : *expected.formula);
+    // A value stands in the unit named; a formula has the dimension of its letters.
+    const double factor = expected.value && expected.unit ? 1 / expected.unit->factor : 1;
+    result.si = datum(value, factor);
+    result.roots = expected.roots;
+    result.absolute_tolerance = expected.absolute_tolerance * (expected.unit ? expected.unit->factor : 1);
+  }
+  return result;
+}
+
+// The dimension of a value, of its first number that is not zero; nothing for texts, truth values and bare zeros.
+std::optional<problem::Dimension> dimension_of(const Value<double>& value) {
+  if (value.is_number() || value.is_vector()) {
+    if (value.bare && value.dimension == problem::dimensions::none) return std::nullopt;
+    return value.dimension;
+  }
+  for (const Value<double>& item : value.items)
+    if (const auto found = dimension_of(item)) return found;
+  return std::nullopt;
+}
+
+// What an expectation says of the kind of quantity, if it is another than the answer's.
+std::string wrong_kind(const problem::Expected& expected, const problem::Situation& problem,
+                       const problem::Settings& settings, const problem::Dimension& answer) {
+  std::optional<problem::Dimension> stated;
+  if (expected.value && expected.unit) stated = expected.unit->dimension;
+  if (expected.formula) stated = dimension_of(problem::DataScope<double>(problem, settings).value(*expected.formula));
+  if (!stated || same_kind(*stated, answer)) return "";
+  return expected.part + ": expected " + to_string(*stated) + ", but the answer is " + to_string(answer);
+}
+
+}  // namespace
+
+std::vector<std::string> own_shortfalls(const problem::Statement& stated) {
+  if (!stated.expects) return {"it has no expect block"};
+  std::vector<std::string> failures;
+  std::set<std::string> covered;
+  for (const problem::ExpectedCase& one : stated.expected) {
+    const problem::SolvedStatement solved = problem::solve_statement(stated, one.sets);
+    const Document document = document_of(stated, solved);
+    const problem::Settings settings = problem::read_settings(stated, one.sets);
+    std::vector<Expectation> expectations;
+    for (const problem::Expected& part : one.parts) {
+      const problem::Situation& problem = stated.situations.front();
+      expectations.push_back(expectation(part, problem, settings));
+      covered.insert(part.part);
+      for (std::size_t i = 0; i < stated.asks.size() && !solved.solutions.empty(); ++i) {
+        const problem::SolvedAsk& ask = solved.solutions.front().asks[i];
+        if (stated.asks[i].name != part.part || stated.asks[i].table || ask.state != problem::AskState::found) continue;
+        const auto answer = dimension_of(ask.value);
+        const std::string fault = answer ? wrong_kind(part, problem, settings, *answer) : "";
+        if (!fault.empty()) failures.push_back(fault);
+      }
+    }
+    // A case may look at some of the parts; together the cases must look at all.
+    Document seen = document;
+    for (Solution& solution : seen.solutions)
+      std::erase_if(solution.answers, [&](const Answer& answer) {
+        return std::none_of(expectations.begin(), expectations.end(),
+                            [&](const Expectation& e) { return e.part == answer.name; });
+      });
+    for (const std::string& failure : shortfalls(seen, expectations))
+      failures.push_back(one.name.empty() ? failure : "case " + one.name + ": " + failure);
+  }
+  for (const problem::Ask& ask : stated.asks)
+    if (!covered.contains(ask.name)) failures.push_back(ask.name + ": the expect block leaves it out");
+  for (const problem::Claim& claim : stated.claims)
+    if (!covered.contains(claim.name)) failures.push_back(claim.name + ": the expect block leaves it out");
+  return failures;
+}
+
+}  // namespace poinsot::document

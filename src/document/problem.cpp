@@ -1,0 +1,177 @@
+#include "poinsot/problem.h"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "document/own_expectations.h"
+#include "document/recording.h"
+#include "document/statement_document.h"
+#include "poinsot/engine/math/trace/straight_line_text.h"
+#include "poinsot/rendering.h"
+#include "problem/answers/solve_statement.h"
+#include "problem/entries/keys.h"
+#include "problem/entries/statement.h"
+#include "problem/equations/equations.h"
+#include "problem/explanation/explanation.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/tree.h"
+
+namespace poinsot {
+namespace {
+
+// What the call returns. An error in the file becomes that of the public header, the same word for word.
+template <class Call>
+auto with_public_errors(const Call& call) {
+  try {
+    return call();
+  } catch (const problem::StatementError& error) {
+    std::vector<Diagnostic> diagnostics;
+    for (const problem::Diagnostic& one : error.diagnostics())
+      diagnostics.push_back({one.file, one.mark.line, one.mark.column, one.message, one.hint});
+    throw StatementError(std::move(diagnostics), error.what());
+  }
+}
+
+StatedDatum stated_datum(const problem::NamedExpression& given) {
+  const auto* number = given.value.as<problem::Number>();
+  return {given.name, to_string(given.value), number && number->has_unit ? number->unit.text : ""};
+}
+
+StatedSituation stated_situation(const problem::Situation& situation) {
+  StatedSituation stated;
+  stated.name = situation.name;
+  for (const problem::NamedExpression& given : situation.given) stated.data.push_back(stated_datum(given));
+  for (const problem::Letter& letter : situation.letters) stated.letters.push_back({letter.name, letter.unit.text});
+  for (const problem::Unknown& unknown : situation.find)
+    stated.unknowns.push_back({unknown.name, unknown.unit.text, unknown.vector});
+  return stated;
+}
+
+problem::EquationPart engine_part(EquationPart part) {
+  switch (part) {
+    case EquationPart::mass_matrix:
+      return problem::EquationPart::mass_matrix;
+    case EquationPart::right_side:
+      return problem::EquationPart::right_side;
+    case EquationPart::constraint_matrix:
+      return problem::EquationPart::constraint_matrix;
+    case EquationPart::reduced:
+      return problem::EquationPart::reduced;
+    case EquationPart::position_rate:
+      return problem::EquationPart::position_rate;
+    case EquationPart::forward_dynamics:
+      return problem::EquationPart::forward_dynamics;
+    case EquationPart::inverse_dynamics:
+      return problem::EquationPart::inverse_dynamics;
+  }
+  throw std::invalid_argument("no part of the equations of motion");
+}
+
+TextForm text_form(EquationForm form) {
+  switch (form) {
+    case EquationForm::text:
+      return TextForm::plain;
+    case EquationForm::tex:
+      return TextForm::tex;
+    case EquationForm::c:
+      return TextForm::c;
+    case EquationForm::cpp:
+      return TextForm::cpp;
+    case EquationForm::python:
+      return TextForm::python;
+    case EquationForm::sympy:
+      return TextForm::sympy;
+  }
+  throw std::invalid_argument("no form of equations");
+}
+
+}  // namespace
+
+struct Problem::Parts {
+  problem::Statement statement;
+  std::string text;
+  std::vector<StatedSituation> situations;
+  std::vector<StatedQuestion> questions, claims;
+};
+
+Problem::Problem(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+Problem::Problem(const Problem&) = default;
+Problem::Problem(Problem&&) noexcept = default;
+Problem& Problem::operator=(const Problem&) = default;
+Problem& Problem::operator=(Problem&&) noexcept = default;
+Problem::~Problem() = default;
+
+Problem Problem::from_text(std::string_view text, const std::string& name) {
+  auto parts = std::make_shared<Parts>();
+  parts->statement = with_public_errors([&] { return problem::read_statement(text, name); });
+  parts->text = text;
+  for (const problem::Situation& one : parts->statement.situations) parts->situations.push_back(stated_situation(one));
+  for (const problem::Ask& ask : parts->statement.asks) parts->questions.push_back({ask.name, ask.text});
+  for (const problem::Claim& claim : parts->statement.claims) parts->claims.push_back({claim.name, claim.text});
+  return Problem(std::move(parts));
+}
+
+Problem Problem::from_file(const std::string& path) {
+  return from_text(with_public_errors([&] { return problem::read_file(path); }), path);
+}
+
+const std::string& Problem::name() const { return parts_->statement.file; }
+const std::string& Problem::title() const { return parts_->statement.title; }
+const std::vector<StatedSituation>& Problem::situations() const { return parts_->situations; }
+const std::vector<StatedQuestion>& Problem::questions() const { return parts_->questions; }
+const std::vector<StatedQuestion>& Problem::claims() const { return parts_->claims; }
+bool Problem::expects() const { return parts_->statement.expects; }
+bool Problem::records() const { return parts_->statement.record.has_value(); }
+
+Document Problem::solve(const Settings& sets) const {
+  return with_public_errors(
+      [&] { return document::document_of(parts_->statement, problem::solve_statement(parts_->statement, sets)); });
+}
+
+Document Problem::explain(const Settings& sets) const {
+  return with_public_errors([&] {
+    const problem::SolvedStatement solved = problem::solve_statement(parts_->statement, sets, true);
+    Document document = document::document_of(parts_->statement, solved);
+    for (std::size_t i = 0; i < document.solutions.size(); ++i)
+      document.solutions[i].explanation =
+          std::make_shared<const problem::Explanation>(problem::explain(parts_->statement, sets, solved, i));
+    return document;
+  });
+}
+
+std::vector<std::string> Problem::check() const {
+  return with_public_errors([&] { return document::own_shortfalls(parts_->statement); });
+}
+
+Recording Problem::record(const std::string& output, const RecordOptions& options) const {
+  return with_public_errors([&] { return document::record_motion(parts_->statement, parts_->text, output, options); });
+}
+
+std::string Problem::equations(const EquationsOptions& options) const {
+  if (!is_function_name(options.function))
+    throw std::invalid_argument("'" + options.function + "' cannot be the name of a function");
+  problem::EquationsOptions wanted;
+  for (const EquationPart part : options.parts) wanted.parts.push_back(engine_part(part));
+  wanted.form = text_form(options.form);
+  wanted.function = options.function;
+  wanted.situation = options.situation;
+  wanted.sets = options.sets;
+  wanted.letters = options.letters;
+  try {
+    return with_public_errors([&] { return problem::equations_text(parts_->statement, wanted); });
+  } catch (const problem::NoEquations& error) {
+    throw NoEquations(error.what());
+  }
+}
+
+bool is_function_name(std::string_view text) { return is_code_name(text); }
+
+std::string problem_schema() { return problem::problem_schema(); }
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+  return problem::did_you_mean(word, candidates);
+}
+
+}  // namespace poinsot

@@ -1,0 +1,126 @@
+#include "document/statement_document.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "poinsot/engine/math/formula/formula_text.h"
+
+namespace poinsot::document {
+
+using problem::Value;
+
+Datum datum(const Value<double>& value, double factor) {
+  if (value.is_number()) return {value.number / factor};
+  if (value.is_boolean()) return {value.truth};
+  if (value.is_text()) return {value.text};
+  std::vector<Datum> items;
+  if (value.is_vector())
+    for (std::size_t k = 0; k < 3; ++k) items.push_back({value.vector[k] / factor});
+  for (const Value<double>& item : value.items) items.push_back(datum(item, factor));
+  return {std::move(items)};
+}
+
+namespace {
+
+Datum formula_datum(const Value<Formula>& value) {
+  if (value.is_number()) return {text(value.number)};
+  std::vector<Datum> items;
+  if (value.is_vector())
+    for (std::size_t k = 0; k < 3; ++k) items.push_back({text(value.vector[k])});
+  for (const Value<Formula>& item : value.items) items.push_back(formula_datum(item));
+  return {std::move(items)};
+}
+
+Answer answer_of(const problem::Claim& stated, const problem::SolvedClaim& solved) {
+  Answer answer;
+  answer.name = stated.name;
+  answer.ask = stated.text;
+  answer.reason = solved.reason;
+  if (solved.state != problem::AskState::found) {
+    answer.state = AnswerState::undetermined;
+    return answer;
+  }
+  answer.value = {solved.holds};
+  answer.si = {solved.holds};
+  ClaimOutcome outcome;
+  outcome.holds = solved.holds;
+  if (solved.holds) outcome.how = solved.proved ? "proved" : "sampled";
+  for (const auto& letter : solved.counterexample)
+    outcome.counterexample.push_back({letter.name, letter.value / letter.unit.factor, letter.unit.text, letter.value});
+  if (solved.sides) outcome.sides = {solved.sides->first, solved.sides->second};
+  outcome.difference = solved.difference;
+  outcome.unit = solved.unit.text;
+  outcome.assumptions = solved.assumptions;
+  answer.claim = std::move(outcome);
+  return answer;
+}
+
+Solution solution_of(const problem::Statement& stated, const problem::Solution& solved) {
+  Solution solution;
+  for (const problem::SolvedUnknown& unknown : solved.unknowns) {
+    if (unknown.formula)
+      solution.unknowns.push_back({unknown.name, {}, unknown.unit.text, {}, formula_datum(*unknown.formula)});
+    else
+      solution.unknowns.push_back(
+          {unknown.name, datum(unknown.value, unknown.unit.factor), unknown.unit.text, datum(unknown.value, 1)});
+  }
+  for (std::size_t i = 0; i < stated.asks.size(); ++i) {
+    const problem::SolvedAsk& found = solved.asks[i];
+    Answer answer;
+    answer.name = stated.asks[i].name;
+    answer.ask = stated.asks[i].text;
+    answer.words = found.words;
+    answer.unit = found.unit.text;
+    answer.reason = found.reason;
+    answer.letters = found.letters;
+    answer.component_names = found.component_names;
+    switch (found.state) {
+      case problem::AskState::found:
+        answer.state = AnswerState::found;
+        for (const problem::SolvedColumn& column : found.columns) {
+          Column shown{column.name, column.unit.text, {}, column.values};
+          for (double value : column.values) shown.value.push_back(value / column.unit.factor);
+          answer.columns.push_back(std::move(shown));
+        }
+        if (!found.columns.empty()) break;
+        answer.value = datum(found.value, found.unit.factor);
+        answer.si = datum(found.value, 1);
+        break;
+      case problem::AskState::needs_letters:
+        answer.state = AnswerState::needs_letters;
+        break;
+      case problem::AskState::undetermined:
+        answer.state = AnswerState::undetermined;
+        break;
+      case problem::AskState::refused:
+        answer.state = AnswerState::refused;
+        break;
+    }
+    if (found.formula) answer.formula = formula_datum(*found.formula);
+    answer.no_formula = found.no_formula;
+    solution.answers.push_back(std::move(answer));
+  }
+  for (std::size_t i = 0; i < solved.claims.size(); ++i)
+    solution.answers.push_back(answer_of(stated.claims[i], solved.claims[i]));
+  solution.checks = solved.checks;
+  solution.assumptions = solved.assumptions;
+  for (const problem::FormulaCondition& condition : solved.conditions)
+    solution.conditions.push_back({condition.words, text(condition.positive) + " > 0"});
+  solution.notes = solved.notes;
+  return solution;
+}
+
+}  // namespace
+
+Document document_of(const problem::Statement& stated, const problem::SolvedStatement& solved) {
+  Document document;
+  document.file = stated.file;
+  document.title = stated.title;
+  for (const problem::Letter& letter : solved.open_letters)
+    document.open_letters.push_back({letter.name, letter.unit.text});
+  for (const problem::Solution& root : solved.solutions) document.solutions.push_back(solution_of(stated, root));
+  document.warnings = solved.warnings;
+  return document;
+}
+
+}  // namespace poinsot::document
