@@ -1,4 +1,4 @@
-// Numbers and texts as bytes of a file, the lowest byte first, on any machine.
+// Numbers and texts as bytes of a file, with the lowest byte first on any machine.
 #pragma once
 
 #include <bit>
@@ -27,7 +27,7 @@ class ByteWriter {
   std::string bytes_;
 };
 
-// Throws std::out_of_range where the bytes end before what is read.
+// Reads what ByteWriter has written. Throws std::out_of_range if the bytes end too early.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
@@ -36,7 +36,7 @@ class ByteReader {
   double f64() { return std::bit_cast<double>(u64()); }
   std::string_view text() { return take(u64()); }
   bool at_end() const { return bytes_.empty(); }
-  // How many items of at least `size` bytes follow, as their count says.
+  // The number of items of at least `size` bytes that follow, from their count.
   std::size_t count(std::size_t size) {
     const std::uint64_t items = u64();
     if (items > bytes_.size() / size) throw std::out_of_range("more items than there are bytes");

@@ -17,7 +17,7 @@ namespace {
 using List = std::vector<Datum>;
 
 constexpr double scale_of_zero = 1e-3;  // SI
-constexpr int digits = 9;               // in messages: finer than the tolerances in use
+constexpr int digits = 9;               // in messages: finer than common tolerances
 
 std::string text_of(const Datum& datum) { return datum_text(datum, "", digits); }
 
@@ -26,7 +26,7 @@ double magnitude(const Datum& datum) {
   return number == nullptr ? 0 : std::abs(*number);
 }
 
-// The first place where a datum differs from what is expected, in words.
+// Describes the first place at which a datum differs from the expected one.
 class Comparison {
  public:
   explicit Comparison(const Expectation& expectation) : expectation_(expectation) {}
@@ -77,7 +77,7 @@ class Comparison {
     return expectation_.relative_tolerance * (largest > 0 ? largest : scale_of_zero) + expectation_.absolute_tolerance;
   }
 
-  // False for what is not a number.
+  // Returns false for NaN.
   static bool within(double found, double expected, double tolerance) {
     return std::abs(found - expected) <= tolerance;
   }
@@ -120,7 +120,7 @@ class Comparison {
     return std::nullopt;
   }
 
-  // The texts of a list that holds nothing else.
+  // The texts of a list that consists of texts only.
   static std::optional<std::multiset<std::string>> texts_of(const List& list) {
     std::multiset<std::string> texts;
     for (const Datum& item : list) {
@@ -139,7 +139,7 @@ const Answer* find_answer(const Solution& solution, const std::string& name) {
   return found == solution.answers.end() ? nullptr : &*found;
 }
 
-// Why there is nothing to compare, if so.
+// If there is nothing to compare, the reason.
 std::optional<std::string> missing(const Answer* answer) {
   if (answer == nullptr) return "the file does not ask for it";
   switch (answer->state) {
@@ -162,14 +162,15 @@ std::optional<std::string> answer_shortfall(const Answer* answer, const Expectat
   const Comparison comparison(expectation);
   if (!expectation.columns.empty()) return comparison.table_difference(answer->columns);
   if (!answer->columns.empty()) return fmt::format("a table, expected {}", text_of(expectation.si));
-  // One name may answer by itself or as a list of one.
+  // A single name may be given as such or as a list of one.
   const auto* names = std::get_if<List>(&expectation.si.content);
   if (names != nullptr && names->size() == 1 && std::holds_alternative<std::string>(si_of(*answer).content))
     return comparison.difference(si_of(*answer), names->front());
   return comparison.difference(si_of(*answer), expectation.si);
 }
 
-// The numbers found in all solutions against those expected, both in ascending order, each to its own magnitude.
+// Compares the numbers found in all solutions with those expected, both in ascending order, each relative to its own
+// magnitude.
 std::optional<std::string> root_shortfall(const Document& document, const Expectation& expectation) {
   List roots;
   for (const Solution& solution : document.solutions) {

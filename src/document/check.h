@@ -1,4 +1,4 @@
-// Comparison of a document with answers that are known from elsewhere.
+// Compares a document with answers that are known from elsewhere.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace poinsot::document {
 
-// What the answer to one question should be. Of `si` and `columns` one is filled.
+// What the answer to one question should be. Either `si` or `columns` is set.
 struct Expectation {
   std::string part;  // the name of the question
 
@@ -25,8 +25,8 @@ struct Expectation {
   bool roots = false;  // `si` lists one number for each solution, in any order; otherwise every solution must agree
 };
 
-// What falls short, one line each; empty if everything agrees. A question of the document without expectation falls
-// short, and so does an expectation without question. Numbers are in SI base units.
+// Describes each discrepancy in one line; empty if everything agrees. A question without expectation is a
+// discrepancy, and so is an expectation without question. Numbers are in SI base units.
 std::vector<std::string> shortfalls(const Document& document, const std::vector<Expectation>& expectations);
 
 }  // namespace poinsot::document

@@ -14,7 +14,7 @@ namespace {
 
 using List = std::vector<Datum>;
 
-// The numbers of a list that holds nothing else and is not empty.
+// The numbers of a non-empty list that consists of numbers only.
 std::optional<std::vector<double>> numbers_of(const Datum& datum) {
   const auto* list = std::get_if<List>(&datum.content);
   if (list == nullptr || list->empty()) return std::nullopt;
@@ -40,7 +40,7 @@ std::optional<std::vector<std::vector<double>>> rows_of(const Datum& datum) {
   return rows;
 }
 
-// Rows rounded together, their columns right-aligned.
+// The rows of a matrix, rounded together and with right-aligned columns.
 std::vector<std::string> matrix_lines(const std::vector<std::vector<double>>& rows, int digits) {
   std::vector<double> entries;
   for (const std::vector<double>& row : rows) entries.insert(entries.end(), row.begin(), row.end());
@@ -84,7 +84,7 @@ std::string text_without_unit(const Datum& datum, int digits, bool vector) {
   return only_texts(*list) ? joined : "[" + joined + "]";
 }
 
-// The rows of a matrix of texts: at least two lists of equally many, at least two.
+// The rows of a matrix of texts: at least two lists of the same length, which is at least two.
 std::vector<std::string> text_matrix_lines(const Datum& datum) {
   const auto* list = std::get_if<List>(&datum.content);
   if (list == nullptr || list->size() < 2) return {};

@@ -8,15 +8,15 @@
 
 namespace poinsot::document {
 
-// At least one line; the unit (printable) stands once, behind the last. Numbers are a list, `[a, b]`, or if `vector`
-// the components of one, `(a, b, c)`, rounded together; texts are joined by commas; an empty list is "none".
+// At least one line. The unit (printable) stands behind the last line. Numbers are shown as a list `[a, b]`, or if
+// `vector` as components `(a, b, c)` that are rounded together; texts are joined by commas; an empty list is "none".
 std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits, bool vector);
 
-// The same on one line, rows of a matrix side by side; three numbers are a vector.
+// The same on a single line, with the rows of a matrix one after the other; three numbers are a vector.
 std::string datum_text(const Datum& datum, const std::string& unit, int digits);
 
-// The assumptions of a solution, those that have conditions as formulas with these: "the cord 'c' stays taut: F - g*m >
-// 0".
+// The assumptions of a solution. Those that have a condition are followed by its formula: "the cord 'c' stays taut: F
+// - g*m > 0".
 std::vector<std::string> assumptions_in_words(const Solution& solution);
 
 }  // namespace poinsot::document

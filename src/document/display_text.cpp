@@ -19,7 +19,7 @@ bool contains(const std::array<CodePointRange, n>& ranges, std::uint32_t code_po
       ranges, [=](const CodePointRange& range) { return range.first <= code_point && code_point <= range.last; });
 }
 
-// C0 and C1 controls, and the embeddings, overrides and isolates of bidirectional text.
+// Control characters (C0 and C1), and the embeddings, overrides and isolates of bidirectional text.
 constexpr std::array<CodePointRange, 4> unprintable{{{0x0, 0x1F}, {0x7F, 0x9F}, {0x202A, 0x202E}, {0x2066, 0x2069}}};
 
 // Combining marks, joiners and variation selectors.
@@ -45,7 +45,7 @@ struct CodePoint {
   std::size_t bytes;
 };
 
-// The code point at the head of a text that is not empty; nothing if its bytes are no UTF-8 (RFC 3629).
+// The first code point of a text that is not empty; nothing if its bytes are not UTF-8 (RFC 3629).
 std::optional<CodePoint> leading_code_point(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char head = byte(0);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int significant_digits = 6;
 
-// The first sides of an equation aligned with those of its neighbours.
+// Marks the first equals sign of an equation for alignment with its neighbours.
 std::string aligned(const problem::ExplainedEquation& equation, bool names) {
   const std::size_t sign = equation.tex.find(" = ");
   std::string line = equation.tex;
@@ -36,7 +36,7 @@ std::string displayed(const std::vector<problem::ExplainedEquation>& equations) 
   return text + "\\end{aligned}\n$$\n";
 }
 
-// Lines of a text without power over a terminal.
+// The lines of a text without characters that control a terminal.
 std::string printable_lines(std::string_view text) {
   std::string result;
   for (std::size_t begin = 0; begin <= text.size();) {

@@ -47,7 +47,7 @@ void sync_folder_of(const std::string& path) {
   const std::filesystem::path parent = std::filesystem::path(path).parent_path();
   const std::string folder = parent.empty() ? "." : parent.string();
   const Descriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // Some file systems cannot sync folders, and say so.
+  // Some file systems cannot sync folders and report this.
   if (opened.number() < 0 || (fsync(opened.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EINTR))
     cannot_write(folder, errno);
 }

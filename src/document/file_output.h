@@ -1,4 +1,4 @@
-// Files that are written so that neither a kill nor a loss of power leaves half of one under its name.
+// Writes files such that neither a kill nor a loss of power leaves an incomplete one under its name.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace poinsot::document {
 
-// Throws RecordingError (the machine's fault) "cannot write PATH: reason", for the error number given.
+// Throws RecordingError with Fault::machine: "cannot write PATH: reason", for an error number.
 [[noreturn]] void cannot_write(const std::string& path, int error);
 
 // An open file that is closed with this object.
@@ -23,14 +23,15 @@ class Descriptor {
   int number_;
 };
 
-// Writes all of the bytes where the file stands. Returns 0, or the error number.
+// Writes all bytes at the current position of the file. Returns 0 or the error number.
 [[nodiscard]] int write_all(int descriptor, std::string_view bytes);
 
-// Until what was written, and the entries of the folder that holds the path, lie on the disk. Throws as cannot_write.
+// Wait until the data written, or the entries of the folder that contains the path, are on the disk. They throw as
+// cannot_write does.
 void sync_file(int descriptor, const std::string& path);
 void sync_folder_of(const std::string& path);
 
-// Gives a file that is complete under `temporary` its name, for good.
+// Renames a complete file from `temporary` to its name, permanently.
 void put_in_place(const std::string& temporary, const std::string& path);
 
 }  // namespace poinsot::document

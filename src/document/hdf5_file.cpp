@@ -13,7 +13,7 @@
 namespace poinsot::document {
 namespace {
 
-// An object of the library, closed with this one.
+// An object of the HDF5 library that is closed with this one.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*closer)(hid_t)) : id_(id), close_(closer) {}
@@ -23,7 +23,7 @@ class Handle {
     if (id_ >= 0) close_(id_);
   }
   hid_t operator*() const { return id_; }
-  // False if what was still to be written could not be.
+  // Returns false if something could not be written.
   [[nodiscard]] bool close() { return close_(std::exchange(id_, -1)) >= 0; }
 
  private:
@@ -54,7 +54,7 @@ class Hdf5File : public DataFile {
     write_scalar(*file_, "check_newton_euler", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, head.checks.newton_euler);
     write_scalar(*file_, "check_energy_drift", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, head.checks.energy_drift);
 
-    // Without the times at which data sets were made: equal recordings are equal files.
+    // Data sets do not record when they were made, so that equal recordings are equal files.
     const Handle properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     check(H5Pset_obj_track_times(*properties, 0));
     const hsize_t size = rows_;
@@ -93,7 +93,8 @@ class Hdf5File : public DataFile {
 
  private:
   Handle create(const std::string& path) {
-    // Its messages are ours to write, and a file that could not be closed must not be tried again at the end.
+    // Errors are reported by this program and not by the library, which must not try again at exit to close a file
+    // either.
     H5dont_atexit();
     H5open();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -121,7 +122,7 @@ class Hdf5File : public DataFile {
     const Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose);
     check(H5Tset_cset(*type, H5T_CSET_UTF8));
     check(H5Tset_strpad(*type, H5T_STR_NULLPAD));
-    // An attribute holds less than 64 kB, and a text at least one byte.
+    // An attribute holds less than 64 kB, and a text has at least one byte.
     constexpr std::size_t most = 60'000;
     std::string padded = text.substr(0, most);
     if (padded.empty()) padded.push_back('\0');

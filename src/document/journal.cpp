@@ -37,7 +37,7 @@ std::string framed(std::string_view payload) {
   return record + checksum.bytes();
 }
 
-// As many of the bytes as there are.
+// Reads up to `count` bytes, or as many as there are.
 std::string read_at(int file, std::uint64_t offset, std::uint64_t count, const std::string& path) {
   std::string bytes(count, '\0');
   std::size_t have = 0;
@@ -133,7 +133,7 @@ void Journal::append(std::string_view payload) {
   const std::string record = framed(payload);
   lseek(file_.number(), static_cast<off_t>(end_), SEEK_SET);
   if (const int error = write_all(file_.number(), record)) {
-    // What could not be written whole would be cut off by the next run; now is as good.
+    // The next run would cut off an incomplete record. It is cut off at once.
     [[maybe_unused]] const int ignored = ftruncate(file_.number(), static_cast<off_t>(end_));
     cannot_write(path_, error);
   }

@@ -1,10 +1,11 @@
-// An append-only file of records, each whole or not there.
+// An append-only file of records, each of which is complete or absent.
 //
 //   file    "poinsot journal\n" record*
 //   record  length (4 bytes), payload, CRC-32 of length and payload (4 bytes)
 //
-// Numbers have their lowest byte first. A kill leaves at most the beginning of a record behind the whole ones, a loss
-// of power besides it zeros or what was on the disk before: what fails its checksum, and all behind it, does not count.
+// Numbers have their lowest byte first. A kill leaves at most an incomplete record behind the complete ones; a loss
+// of power may also leave zeros or old data there. A record with a wrong checksum, and everything behind it, does not
+// count.
 #pragma once
 
 #include <cstdint>
@@ -21,26 +22,26 @@ class Journal {
  public:
   static constexpr std::uint32_t most_bytes = std::uint32_t{1} << 30;  // of a payload
 
-  // Opens the file, or makes an empty one, and keeps other runs away as long as this object lives. Throws
-  // RecordingError: the caller's fault if another run holds it or it cannot be opened.
+  // Opens the file or creates it, and locks it as long as the object lives. Throws RecordingError with Fault::caller
+  // if another run holds it or it cannot be opened.
   explicit Journal(const std::string& path);
 
   const std::string& path() const { return path_; }
-  // The first record if it is whole.
+  // The first record, if it is complete.
   std::optional<std::string> head() const;
-  // Whether the file is what may be left where a journal was about to begin with this record.
+  // Whether the file could be what is left if this record was being written as the first one.
   bool is_torn_beginning_of(std::string_view head) const;
-  // Empties the file and begins with a record, which is on the disk, name and all, when this returns.
+  // Empties the file and writes a first record. It is on the disk, with the name of the file, when this returns.
   void begin(std::string_view head);
 
-  // Calls for every whole record behind the first one, in order; what it throws passes through.
+  // Calls `visit` for every complete record after the first, in order. Exceptions of `visit` are passed on.
   void read(const std::function<void(std::string_view payload)>& visit);
-  // Cuts off what is behind the last whole record. How many bytes that were.
+  // Cuts off what follows the last complete record, and returns the number of these bytes.
   std::uint64_t cut_torn_end();
 
-  // Behind the last record. Throws as cannot_write; the records before it stay whole.
+  // Adds a record at the end. Throws as cannot_write does; the records before it stay complete.
   void append(std::string_view payload);
-  // Until everything appended is on the disk.
+  // Waits until all records are on the disk.
   void sync();
 
  private:

@@ -1,4 +1,4 @@
-// What the records of a recording's journal hold, as bytes.
+// The records in the journal of a recording, as bytes.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace poinsot::document {
 
-// The first record: what is recorded. Recordings with the same bytes here have the same bytes everywhere.
+// The first record, which says what is recorded. Recordings with equal first records are equal.
 struct RecordingHead {
   struct Mesh {
     std::string name;
@@ -35,7 +35,7 @@ struct RecordingHead {
   std::vector<Column> columns;
 };
 
-// Every later record: a block, behind the rows of those before it.
+// A later record: one block. first_row is the number of rows before it.
 struct RecordingBlock {
   std::uint64_t first_row = 0;
   problem::RecordedBlock block;
@@ -43,16 +43,16 @@ struct RecordingBlock {
 
 std::string to_bytes(const RecordingHead& head);
 std::string to_bytes(const RecordingBlock& block);
-// Throws std::out_of_range if the bytes are no such record.
+// These throw std::out_of_range if the bytes are no such record.
 RecordingHead head_of(std::string_view bytes);
 RecordingBlock block_of(std::string_view bytes);
 
 // CRC-64/XZ.
 std::uint64_t crc64(std::string_view bytes);
-// Of the problem, its settings and its meshes: sixteen hexadecimal digits.
+// The checksum of the problem, its settings and its meshes, as sixteen hexadecimal digits.
 std::string problem_hash(const RecordingHead& head);
 
-// In what a journal differs from what is to be recorded, in words: "it holds a recording with other settings".
+// Describes how a journal differs from what is to be recorded: "it holds a recording with other settings".
 std::string difference(const RecordingHead& journal, const RecordingHead& wanted);
 
 }  // namespace poinsot::document

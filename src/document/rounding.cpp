@@ -8,13 +8,13 @@
 namespace poinsot::document {
 namespace {
 
-// The power of ten of the leading digit, once the number is rounded to so many significant digits.
+// The power of ten of the first digit, after rounding to so many significant digits.
 int leading_power(double number, int digits) {
   const std::string text = fmt::format("{:.{}e}", number, digits - 1);
   return std::stoi(text.substr(text.find('e') + 1));
 }
 
-// Without the zeros that end the decimals, and without the sign of a zero.
+// The text without zeros at the end of the decimals, and without the sign of a zero.
 std::string trimmed(std::string text) {
   if (text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
@@ -29,7 +29,7 @@ std::string with_exponent(double number, int decimals) {
   return fmt::format("{}e{}", trimmed(text.substr(0, mark)), std::stoi(text.substr(mark + 1)));
 }
 
-// Rounded to the place of 10^last, with an exponent.
+// The number rounded to a multiple of 10^last, with an exponent.
 std::string with_exponent_to_place(double number, int last, int digits) {
   const int decimals = leading_power(number, digits) - last;
   if (decimals >= 0) return with_exponent(number, decimals);
@@ -37,7 +37,7 @@ std::string with_exponent_to_place(double number, int last, int digits) {
   return fmt::format("{}1e{}", number < 0 ? "-" : "", last);
 }
 
-// Whether numbers with this leading power are written without exponent.
+// Whether numbers with this first digit are written without exponent.
 bool plain(int power, int digits) { return power >= -4 && power < digits; }
 
 // The place to which a set of numbers is rounded together.

@@ -1,4 +1,4 @@
-// Numbers as a reader wants them: rounded, without idle zeros.
+// Numbers rounded for a reader, without superfluous zeros.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ std::vector<std::string> rounded_together(const std::vector<double>& components,
 // The numbers of one column of a table: as rounded_together(), with the same number of decimals in every row.
 std::vector<std::string> rounded_column(const std::vector<double>& numbers, int digits);
 
-// A relative residual, to one digit: 2e-14.
+// A relative misfit, with one digit: 2e-14.
 std::string rounded_residual(double residual);
 
 }  // namespace poinsot::document

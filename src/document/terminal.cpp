@@ -16,7 +16,7 @@
 namespace poinsot::document {
 namespace {
 
-constexpr std::size_t widest_words = 60;  // a longer text stands on a line of its own
+constexpr std::size_t widest_words = 60;  // a longer text gets a line of its own
 
 enum class Role { heading, name, faint, failure, warning };
 
@@ -76,7 +76,7 @@ class TerminalText {
     if (!solution.checks.empty()) text_ += "  " + painted(Role::faint, check_line(solution.checks)) + "\n";
   }
 
-  // The questions as rows of three columns: name, words, what was found.
+  // Shows the questions in three columns: name, words, answer.
   void answers(const std::vector<Answer>& answers) {
     std::size_t name_width = 0;
     std::size_t words_width = 0;
@@ -94,7 +94,7 @@ class TerminalText {
       const bool below = table || display_width(words) > words_width;
       text_ += below ? words + "\n" : padded_right(words, words_width) + "  ";
       for (std::size_t i = 0; i < lines.size(); ++i) {
-        // A table starts below its name, for room.
+        // A table starts below its name, where there is more room.
         if (i > 0 || below) text_ += table ? "    " : indentation;
         text_ += lines[i] + "\n";
       }
@@ -161,14 +161,14 @@ class TerminalText {
     for (const std::string& line : datum_lines(answer.formula, "", style_.digits, false)) lines.push_back(line);
     if (!answer.component_names.empty() && std::holds_alternative<std::vector<Datum>>(answer.formula.content)) {
       const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
-      // A vector; the rows of a matrix have their brackets.
+      // A vector gets parentheses; the rows of a matrix have brackets.
       if (lines.size() == 1 && !lines.front().starts_with("[")) lines.front() = "(" + lines.front() + ")";
       lines.back() += "  " + painted(Role::faint, axes);
     }
     return lines;
   }
 
-  // Names and units head the columns; numbers are right-aligned.
+  // The columns begin with names and units; numbers are right-aligned.
   std::vector<std::string> table_lines(const std::vector<Column>& columns) const {
     std::size_t rows = 0;
     for (const Column& column : columns) rows = std::max(rows, column.value.size());
@@ -206,7 +206,7 @@ class TerminalText {
     return line;
   }
 
-  // How to give values to the letters that some answer needs.
+  // Shows how to give values to the letters that answers need.
   void open_letters(const Document& document) {
     std::vector<std::string> settings;
     for (const Letter& letter : document.open_letters) {

@@ -12,7 +12,7 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr std::size_t longest_assumption = 20;  // operations
+constexpr std::size_t longest_assumption = 20;  // an assumption with more operations than this is not shown
 
 const Situation& chosen_situation(const Statement& statement, const std::string& name) {
   if (name.empty() && statement.situations.size() == 1) return statement.situations.front();
@@ -36,7 +36,7 @@ bool contains(const std::vector<EquationPart>& parts, EquationPart part) {
   return std::find(parts.begin(), parts.end(), part) != parts.end();
 }
 
-// Blocks of results with their numbers.
+// Collects the blocks of results under their names.
 class Equations {
  public:
   Equations(TracedMachine& machine, std::vector<EquationPart> parts) : machine_(machine), parts_(std::move(parts)) {
@@ -57,7 +57,7 @@ class Equations {
   const std::vector<int>& independent() const { return independent_; }
 
  private:
-  // The first name that no letter has.
+  // A short name for a block, or a long one if a letter has the short one.
   std::string name(const std::string& brief, const std::string& whole) const {
     return taken_.contains(brief) ? whole : brief;
   }
@@ -100,7 +100,7 @@ class Equations {
     add("q_dot", "position_rate", "rates of the positions", rate.size(), 1, rate);
   }
 
-  // By the articulated bodies, or by elimination in the mass matrix: the shorter one, as a quick count tells.
+  // Takes the articulated-body algorithm or elimination in the mass matrix, whichever needs fewer operations.
   void forward() {
     const auto n = machine_.third.size();
     std::vector<Traced> best;
@@ -162,7 +162,7 @@ class Equations {
   std::string why_;
 };
 
-// What was assumed to be positive, as text, where it is not by its nature.
+// The assumptions that expressions are positive, as text, unless they are so by their form.
 std::vector<std::string> assumptions(const TracedMachine& machine) {
   std::vector<std::string> lines;
   std::set<Traced, decltype([](const Traced& a, const Traced& b) {

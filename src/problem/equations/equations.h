@@ -1,7 +1,7 @@
-// The equations of motion of a problem file, as formulas and as code.
+// The equations of motion of a problem file as formulas and as code.
 //
-// Letters and unknowns stay letters, data are numbers. What is written holds for every position and velocity of the
-// coordinates; what the file says of an instant does not enter.
+// Letters and unknowns remain letters, data become numbers. The equations hold for all values of the coordinates and
+// velocities; what the file states of an instant is not used.
 #pragma once
 
 #include <stdexcept>
@@ -14,35 +14,35 @@
 
 namespace poinsot::problem {
 
-// M dv/dt = F + J^T y, J dv/dt = b.
+// The parts of the equations M dv/dt = F + J^T y, J dv/dt = b.
 enum class EquationPart {
-  // of the matrices
+  // These are matrices and vectors.
   mass_matrix,        // M
-  right_side,         // F: loads, springs, weights, and what the velocities bring
+  right_side,         // F: loads, springs, weights, and the terms that depend on velocities
   constraint_matrix,  // J and b
-  reduced,            // independent coordinates u: dv/dt = N du/dt + g, (N^T M N) du/dt = N^T (F - M g)
-  // others
+  reduced,            // in independent coordinates u: dv/dt = N du/dt + g, (N^T M N) du/dt = N^T (F - M g)
+  // These are functions.
   position_rate,     // dq/dt
   forward_dynamics,  // dv/dt
   inverse_dynamics   // M a - F
 };
 
 struct EquationsOptions {
-  std::vector<EquationPart> parts;  // empty: M and F, and where there are constraints J and b
+  std::vector<EquationPart> parts;  // if empty: M and F, and with constraints J and b
   TextForm form = TextForm::plain;
   std::string function = "equations";
-  std::string situation;  // of several in the file; "": the only one
+  std::string situation;  // one of several in the file; "" if there is only one
   std::vector<std::pair<std::string, std::string>> sets;
-  std::vector<std::string> letters;  // data that are to stay letters
+  std::vector<std::string> letters;  // data that remain letters
 };
 
-// Equations that cannot be had for this problem, with the reason.
+// Thrown if the problem has no such equations; what() says why.
 class NoEquations : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// Throws StatementError where the file, or a value set, is wrong; NoEquations.
+// The text of the equations. Throws StatementError if the file or a setting is wrong, and NoEquations.
 std::string equations_text(const Statement& statement, const EquationsOptions& options);
 
 }  // namespace poinsot::problem

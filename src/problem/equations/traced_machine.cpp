@@ -21,16 +21,16 @@ namespace {
 
 constexpr std::size_t most_terms = 5000;
 constexpr std::chrono::seconds longest{10}, longest_trying{1};
-constexpr int most_points = 50;  // at which a statement is tried that makes no sense at others
+constexpr int most_points = 50;  // at which the situation is tried until it makes sense
 
-// What may stand for a letter in formulas.
+// A letter of the equations: a letter of the file, an unknown, or a datum that remains a letter.
 struct Parameter {
   std::string name;
   Dimension dimension;
   bool positive = false;
 };
 
-// The values of a file's names, with the letters that may occur in them.
+// The values of the names in a file, as formulas in the parameters.
 class Names {
  public:
   Names(const Situation& situation, const EquationsOptions& options) : situation_(situation) {
@@ -40,7 +40,7 @@ class Names {
     std::set<std::string> set;
     const std::vector<std::string> known = settable_names(situation);
     for (const auto& [name, text] : options.sets) {
-      // What other situations know is theirs.
+      // Settings for names of other situations are not used here.
       if (std::find(known.begin(), known.end(), name) == known.end()) continue;
       set.insert(name);
       values_[name] = exact_setting(situation, name, text);
@@ -82,7 +82,7 @@ class Names {
 
   const std::map<std::string, Value<Formula>>& values() const { return values_; }
   const std::vector<Parameter>& parameters() const { return parameters_; }
-  // As a body is likely to have them, and at no special place: none is zero, or in a simple ratio to others.
+  // Values that a body is likely to have and that are not special: none is zero or in a simple ratio to another.
   LetterValues likely_values(int attempt) const {
     std::vector<Letter> letters;
     for (const Parameter& parameter : parameters_) {
@@ -105,7 +105,7 @@ class Names {
     values_[name] = Value<Formula>::of_number(
         Formula::letter(name, sure ? poinsot::Sign::positive : poinsot::Sign::real), dimension);
   }
-  // A datum may be made of letters; only its dimension and sign count.
+  // A datum may be computed from letters. Only its dimension and its sign are needed here.
   Value<double> value_of(const NamedExpression& item) const {
     Settings ones;
     for (const Letter& letter : situation_.letters)
@@ -139,11 +139,11 @@ MachineOf<Formula> formula_machine(const Situation& situation, const Names& name
   return build_machine(situation, data, timed, any, options);
 }
 
-// At values of the letters with which the statement makes sense: with moments of inertia that a body can have, say.
-// decisions: the values, while they are to be looked at.
+// The machine at values of the letters for which the situation makes sense, such as possible moments of inertia.
+// decisions: receives the scope in which signs are decided at these values.
 MachineOf<Formula> possible_machine(const Situation& situation, const Names& names,
                                     std::optional<PlainPointScope>& decisions) {
-  // The time is always among them.
+  // The time is always one of the parameters.
   if (names.parameters().size() == 1) return formula_machine(situation, names);
   std::optional<StatementError> refusal;
   const auto end = std::chrono::steady_clock::now() + longest_trying;
@@ -162,13 +162,14 @@ MachineOf<Formula> possible_machine(const Situation& situation, const Names& nam
   throw StatementError(std::move(told));
 }
 
-// Contacts and cords act along what they forbid; others would need forces that no equation of motion gives.
+// Checks that contacts and cords carry forces only along what they forbid. Other forces do not follow from the
+// equations of motion.
 void check_actions(Mechanism<Formula>& mechanism) {
   for (VelocityConstraint<Formula>& c : mechanism.constraints) {
     if (c.shape_unknown)
       throw NoEquations("how the point of contact moves is not known (" + c.words +
                         "): state the surface as a shape that it can roll on");
-    // A contact of a steady motion is one of any motion as well.
+    // A contact of a steady motion is treated as one of any motion.
     c.carried_by.reset();
     c.carried_along.reset();
   }
@@ -201,8 +202,8 @@ std::vector<bool> find_held(const Mechanism<Formula>& mechanism) {
   return held;
 }
 
-// Where decisions look: at no special place near the pose as drawn or stated, but on the constraints, so that those
-// that repeat one another are seen.
+// The state in which signs are decided. It is close to the drawn or stated pose and not special, but satisfies the
+// constraints, so that redundant constraints are recognised.
 State<double> sample_state(const MachineOf<Formula>& machine) {
   State<double> state;
   for (std::size_t k = 0; k < machine.q.size(); ++k)
@@ -222,7 +223,7 @@ State<double> sample_state(const MachineOf<Formula>& machine) {
   return before;
 }
 
-// Names and units of the coordinates.
+// The names and units of the coordinates.
 class CoordinateNames {
  public:
   CoordinateNames(const Situation& situation, const MachineOf<Formula>& machine,
@@ -274,7 +275,7 @@ class CoordinateNames {
       if (!c.name.empty()) names[static_cast<std::size_t>(c.velocity)].name = c.name + "'";
     return names;
   }
-  // A letter with a number that names nothing else.
+  // A letter with a number that is not the name of anything else.
   std::string free_name(std::string base, int index) {
     const std::string number = std::to_string(index + 1);
     while (taken_.contains(base + number)) base += base[0];

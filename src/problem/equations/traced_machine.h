@@ -1,4 +1,4 @@
-// The mechanism of a problem over the scalar that writes down what is computed with it.
+// The mechanism of a situation over a scalar that records the operations done with it.
 #pragma once
 
 #include <string>
@@ -16,14 +16,14 @@ struct TracedMachine {
   MachineOf<Formula> stated;
   Mechanism<Traced> mechanism;
   Trace trace;
-  // Inputs of the trace in this order: q, v, third (accelerations, or forces), parameters.
+  // The inputs of the trace in this order: q, v, third (accelerations or forces), parameters.
   State<Traced> state;
   std::vector<Traced> third;
   std::vector<TextInput> inputs;
-  std::vector<bool> held;  // of each velocity coordinate: whether it moves as given
+  std::vector<bool> held;  // for each velocity coordinate, whether its motion is given
 };
 
-// Throws StatementError, NoEquations.
+// Throws StatementError and NoEquations.
 TracedMachine traced_machine(const Situation& situation, const EquationsOptions& options,
                              const std::string& third_array);
 
