@@ -1,7 +1,6 @@
-// The answer document: everything that one run on one problem file found. All output is a rendering of it
-// (poinsot/rendering.h).
+// The answer document: everything that one run on a problem file found. All output renders it (poinsot/rendering.h).
 //
-// It is plain data that owns all it holds: copies are independent, and one document may be read by several threads.
+// It is plain data and owns what it holds. Copies are independent, and several threads may read one document.
 #pragma once
 
 #include <map>
@@ -17,7 +16,7 @@ struct Explanation;
 
 namespace poinsot {
 
-// A number, truth value, text, list of data (vectors and matrices are lists), or nothing.
+// A number, truth value, text, list of data (as are vectors and matrices), or nothing.
 struct Datum {
   std::variant<std::monostate, double, bool, std::string, std::vector<Datum>> content;
 
@@ -27,11 +26,11 @@ struct Datum {
 enum class AnswerState {
   found,
   needs_letters,  // the answer depends on letters that have no value yet
-  undetermined,   // the statement does not fix it
-  refused,        // found, but its independent check failed
+  undetermined,   // nothing in the file determines it
+  refused,        // it was found, but a check failed
 };
 
-// One column of a table: as many numbers as the table has rows.
+// A column of a table, with one number for each row.
 struct Column {
   std::string name;
   std::string unit;
@@ -39,11 +38,11 @@ struct Column {
   std::vector<double> si;     // in SI base units, angles in radians
 };
 
-// What has become of a claim, where the answer is to one.
+// The verdict, if the answer is to a claim.
 struct ClaimOutcome {
   bool holds = false;
   std::string how;  // "proved" or "sampled"; "" if it does not hold
-  // Letters with values for which it does not hold, and the two sides there; numbers in `unit`.
+  // Values of letters for which it does not hold, and both sides there; numbers are in `unit`.
   struct Value {
     std::string letter;
     double value = 0;
@@ -51,8 +50,8 @@ struct ClaimOutcome {
     double si = 0;
   };
   std::vector<Value> counterexample;
-  std::vector<double> sides;           // left and right, in `unit`; empty where it compares no numbers
-  std::optional<double> difference{};  // left less right, exactly, where rounding hides it
+  std::vector<double> sides;           // left and right, in `unit`; empty if the claim compares no numbers
+  std::optional<double> difference{};  // left less right, computed exactly if rounding hides it
   std::string unit;
   std::vector<std::string> assumptions;
 };
@@ -60,16 +59,16 @@ struct ClaimOutcome {
 struct Answer {
   std::string name;   // the key under `ask:` or `claim:`
   std::string ask;    // the ask as written
-  std::string words;  // what is given, in words: quantity, body, point, axes, sense of a reaction
+  std::string words;  // a description of the answer: quantity, body, point, axes, sense of a reaction
   AnswerState state = AnswerState::found;
-  Datum value;       // in `unit`
-  std::string unit;  // "" for pure numbers, truth values and texts
-  Datum si;          // in SI base units, angles in radians; may stay empty where `value` has no unit
+  Datum value;                               // in `unit`
+  std::string unit;                          // "" for pure numbers, truth values and texts
+  Datum si;                                  // in SI base units and radians; may be empty if `value` has no unit
   std::vector<std::string> component_names;  // of a vector answer: the names of the axes, in order
   std::string reason;                        // for every state but `found`: why, and what would help
   std::vector<std::string> letters;          // for needs_letters: the letters it depends on
-  std::vector<Column> columns;               // of a table, in the order asked; then value, si and unit stay empty
-  // Where letters were left open: the answer in SI as infix text (a list for vectors), or why it has none.
+  std::vector<Column> columns;               // of a table, in the order asked for; then value, si and unit are empty
+  // If letters have no value: the answer in SI units as text (for vectors a list), or why it has none.
   Datum formula{};
   std::string no_formula{};
   std::optional<ClaimOutcome> claim{};
@@ -80,23 +79,23 @@ struct Unknown {
   Datum value;
   std::string unit;
   Datum si;
-  Datum formula{};  // where letters were left open; value and si are then empty if letters remain in it
+  Datum formula{};  // if letters have no value; value and si are empty if it contains such letters
 };
 
-// What must be positive so that formulas hold: a cord's pull, a contact's push.
+// A condition under which formulas hold: a cord pulls or a contact pushes if this is positive.
 struct Condition {
-  std::string words;    // as among the assumptions
-  std::string formula;  // "g*m - F > 0", in SI
+  std::string words;    // as in the list of assumptions
+  std::string formula;  // "g*m - F > 0", in SI units
 };
 
 struct Solution {
   std::vector<Unknown> unknowns;
   std::vector<Answer> answers;             // in the order of the file
-  std::map<std::string, double> checks;    // relative residuals found on the independent road, by name
-  std::vector<std::string> notes;          // what else was found: stability, what happened during a motion
-  std::vector<std::string> assumptions{};  // that the formulas rest on: "m > 0"
-  std::vector<Condition> conditions{};     // the formulas of those that are words
-  // The worked solution, where it was asked for: to_markdown() writes it.
+  std::map<std::string, double> checks;    // relative misfits in the check with particles, by name
+  std::vector<std::string> notes;          // on stability, and on events during a motion
+  std::vector<std::string> assumptions{};  // under which formulas hold: "m > 0"
+  std::vector<Condition> conditions{};     // the formulas of assumptions in words
+  // The worked solution, if it was asked for. to_markdown() writes it.
   std::shared_ptr<const problem::Explanation> explanation{};
 };
 
@@ -107,7 +106,7 @@ struct Letter {
 };
 
 struct Document {
-  std::string file;  // the problem's name, as its reader was given it
+  std::string file;  // the name of the problem, as given to Problem::from_text()
   std::string title;
   std::vector<Letter> open_letters;
   std::vector<Solution> solutions;
@@ -117,8 +116,8 @@ struct Document {
 // True if there is a solution and every question has its answer in every solution.
 bool fully_answered(const Document& document);
 
-// Throws std::domain_error, naming the place, if an answer that counts as found or an unknown has no value or one that
-// is not finite: a fault of the program, which no rendering passes on.
+// Throws std::domain_error, which names the place, if an answer marked as found, or an unknown, has no finite value.
+// That is an error in the program, which no rendering should hide.
 void require_values(const Document& document);
 
 }  // namespace poinsot

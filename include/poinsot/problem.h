@@ -1,9 +1,9 @@
-// A problem file, read and checked: what a caller asks for answers.
+// A problem file that was read and checked. Callers ask it for answers.
 //
 //   poinsot::Problem problem = poinsot::Problem::from_text(text, "askew.yaml");
 //   poinsot::Document document = problem.solve({{"n", "3000 rpm"}});
 //
-// The answer document is poinsot/document.h, what shows it poinsot/rendering.h.
+// The answer document is in poinsot/document.h, its renderings in poinsot/rendering.h.
 #pragma once
 
 #include <cstddef>
@@ -22,24 +22,24 @@
 
 namespace poinsot {
 
-// What is wrong in a problem file, and where: line and column from 1, the column in characters (code points). Line 0:
-// at no place of the file.
+// An error in a problem file and its place. Line and column count from 1, the column in characters (code points).
+// With line 0 there is no place in the file.
 struct Diagnostic {
   std::string file;
   int line = 0;
   int column = 0;
-  std::string message;  // what is wrong, what was expected
-  std::string hint;     // what to do; may be empty
+  std::string message;  // what is wrong, and what was expected
+  std::string hint;     // what the author can do; may be empty
 };
 
-// A problem file, or a value that was set, that cannot be understood or cannot be. what() has one line for each
-// diagnostic: `FILE:LINE:COLUMN: error: message (hint)`.
+// Thrown for a problem file, or a value that was set, that cannot be understood or is impossible. what() has one line
+// for each diagnostic: `FILE:LINE:COLUMN: error: message (hint)`.
 class StatementError : public std::exception {
  public:
   StatementError(std::vector<Diagnostic> diagnostics, std::string text)
       : diagnostics_(std::move(diagnostics)), text_(std::move(text)) {}
   const char* what() const noexcept override { return text_.c_str(); }
-  // At least one.
+  // At least one diagnostic.
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
 
  private:
@@ -47,44 +47,44 @@ class StatementError : public std::exception {
   std::string text_;
 };
 
-// Values from outside the file, with their units: {"m", "3 kg"}. A letter or a datum gets this value, an unknown
-// becomes a datum; a later one for the same name counts.
+// Values from outside the file with their units: {"m", "3 kg"}. A letter or a datum gets this value, and an unknown
+// becomes a datum. For a name given twice the later value counts.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-// A datum of the file with the text of its value.
+// A datum of the file and the text of its value.
 struct StatedDatum {
   std::string name;
   std::string text;  // "1200 rpm", "m*r^2/2", "[0, 1 m, 0]"
-  std::string unit;  // of a single number with one: "rpm"; else ""
+  std::string unit;  // of a single number with unit: "rpm"; otherwise ""
 };
 
 struct StatedUnknown {
   std::string name;
-  std::string unit;     // in which it is shown
-  bool vector = false;  // three components
+  std::string unit;     // the unit in which it is shown
+  bool vector = false;  // whether it has three components
 };
 
 struct StatedQuestion {
   std::string name;
-  std::string text;  // as the file asks or claims
+  std::string text;  // as it is written in the file
 };
 
-// One setting of the machine, with what the file shares among all of them.
+// One setting of the machine, including what the file states for all of them.
 struct StatedSituation {
-  std::string name;  // "" where the file states no situations
+  std::string name;  // "" if the file states no situations
   std::vector<StatedDatum> data;
   std::vector<Letter> letters;
   std::vector<StatedUnknown> unknowns;
 };
 
-// M dv/dt = F + J^T y, J dv/dt = b.
+// The parts of the equations M dv/dt = F + J^T y, J dv/dt = b.
 enum class EquationPart {
-  // of the matrices
+  // These are matrices and vectors.
   mass_matrix,        // M
-  right_side,         // F: loads, springs, weights, and what the velocities bring
+  right_side,         // F: loads, springs, weights, and the terms that depend on velocities
   constraint_matrix,  // J and b
-  reduced,            // independent coordinates u: dv/dt = N du/dt + g, (N^T M N) du/dt = N^T (F - M g)
-  // others
+  reduced,            // in independent coordinates u: dv/dt = N du/dt + g, (N^T M N) du/dt = N^T (F - M g)
+  // These are functions.
   position_rate,     // dq/dt
   forward_dynamics,  // dv/dt
   inverse_dynamics   // M a - F
@@ -93,18 +93,18 @@ enum class EquationPart {
 enum class EquationForm { text, tex, c, cpp, python, sympy };
 
 struct EquationsOptions {
-  std::vector<EquationPart> parts{};  // none: M and F, and where there are constraints J and b
+  std::vector<EquationPart> parts{};  // if empty: M and F, and with constraints J and b
   EquationForm form = EquationForm::text;
   std::string function = "equations";  // the name of the function in code
-  std::string situation{};             // of several in the file; "": the only one
+  std::string situation{};             // one of several in the file; "" if there is only one
   Settings sets{};
-  std::vector<std::string> letters{};  // data that are to stay letters
+  std::vector<std::string> letters{};  // data that remain letters
 };
 
-// Whether every language of equations() takes the text as the name of a function.
+// Whether the text can be the name of a function in every language of equations().
 bool is_function_name(std::string_view text);
 
-// There are no such equations of motion for this problem: what() says why.
+// Thrown if the problem has no such equations of motion; what() says why.
 class NoEquations : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -113,8 +113,8 @@ class NoEquations : public std::runtime_error {
 class RecordingError : public std::runtime_error {
  public:
   enum class Fault {
-    caller,   // a wrong path, a journal of another problem
-    problem,  // understood, but without answer
+    caller,   // a wrong path, or a journal of another problem
+    problem,  // the problem is understood but has no answer
     machine,  // a full disk
   };
   RecordingError(Fault fault, const std::string& message) : std::runtime_error(message), fault_(fault) {}
@@ -124,21 +124,21 @@ class RecordingError : public std::runtime_error {
   Fault fault_;
 };
 
-// What is safe on the disk.
+// The part of a recording that is safely on the disk.
 struct RecordingProgress {
   std::uint64_t rows = 0;
-  std::optional<std::uint64_t> of;  // at most; none where only an event ends the motion
-  std::uint64_t resumed_at = 0;     // rows of earlier runs
+  std::optional<std::uint64_t> of;  // at most; nothing if only an event ends the motion
+  std::uint64_t resumed_at = 0;     // the number of rows from earlier runs
   double time = 0;                  // of the last row, s
 };
 
 struct RecordOptions {
   Settings sets{};
-  // Called before the first block. From there on the recording ends well if it is asked to.
+  // Called before the first block. From then on the recording can be interrupted.
   std::function<void()> begun{};
-  // Whether to end here. Asked before every block.
+  // Called before every block; the recording ends here if it returns true.
   std::function<bool()> interrupted{};
-  // Called at first, and then at most ten times a second.
+  // Called at the beginning, and then at most ten times a second.
   std::function<void(const RecordingProgress&)> progress{};
 };
 
@@ -147,20 +147,21 @@ struct Recording {
   std::uint64_t rows = 0;
   std::size_t columns = 0;
   double end = 0;                  // time of the last row, s
-  bool complete = false;           // false: interrupted
-  std::uint64_t resumed_at = 0;    // rows that were in the journal before
-  std::uint64_t torn_bytes = 0;    // of a record that an earlier run had not finished, cut off
-  std::vector<std::string> notes;  // what happened during the motion
+  bool complete = false;           // false if it was interrupted
+  std::uint64_t resumed_at = 0;    // the number of rows that the journal had before
+  std::uint64_t torn_bytes = 0;    // the size of an incomplete record of an earlier run, which was cut off
+  std::vector<std::string> notes;  // events during the motion
 };
 
-// A problem as a value: it does not change, and copies share what they hold. Nothing is kept from one call to the next,
-// so that several threads may use one problem, or copies of it, at the same time; a call runs in the thread that makes
-// it. What a call returns stays good without the problem.
+// A problem is a value: it does not change, and copies share what they hold. Calls leave nothing behind, so that
+// several threads may use a problem or copies of it at the same time. A call runs in the thread that makes it. Its
+// result remains valid without the problem.
 class Problem {
  public:
-  // Reads and checks a problem file's text. `name` stands in messages and in the document. Throws StatementError.
+  // Reads and checks the text of a problem file. `name` is used in messages and in the document. Throws
+  // StatementError.
   static Problem from_text(std::string_view text, const std::string& name);
-  // The file at the path; "-" is standard input. Throws StatementError, also where there is no such file.
+  // Reads and checks a file; "-" is standard input. Throws StatementError, also if there is no such file.
   static Problem from_file(const std::string& path);
 
   Problem(const Problem&);
@@ -169,7 +170,7 @@ class Problem {
   Problem& operator=(Problem&&) noexcept;
   ~Problem();
 
-  // What the file states, in its order.
+  // What the file states, in the order of the file.
   const std::string& name() const;
   const std::string& title() const;
   const std::vector<StatedSituation>& situations() const;  // at least one
@@ -178,33 +179,34 @@ class Problem {
   bool expects() const;  // whether it has an `expect` block
   bool records() const;  // whether it has a `record` block
 
-  // Answers every question and decides every claim. Answers that cannot be given stand in the document with their state
-  // and reason. Throws StatementError where a set is wrong, the statement contradicts itself, or nothing is asked.
+  // Answers every question and decides every claim. Questions without answer are in the document, with state and
+  // reason. Throws StatementError if a setting is wrong, the statement contradicts itself, or nothing is asked.
   Document solve(const Settings& sets = {}) const;
   // The same with a worked solution in each solution of the document.
   Document explain(const Settings& sets = {}) const;
-  // What falls short of the file's own `expect` block, one line each; none: all agrees. A question that the block
-  // leaves out falls short, and so does a file without the block. Throws as solve().
+  // Compares the answers with the file's own `expect` block and describes each discrepancy in one line. A question
+  // that the block leaves out is a discrepancy, and so is a file without the block. Throws as solve() does.
   std::vector<std::string> check() const;
 
-  // Writes the motion that the file says under `record:` to the file `output`, which ends in .csv, .h5 or .hdf5.
+  // Records the motion as the file says under `record:`, to the file `output`, which ends in .csv, .h5 or .hdf5.
   //
-  // While it runs, a recording is an append-only journal beside the data file, OUTPUT.journal. A run that stopped at
-  // any moment leaves a journal that the same call takes up again, with the same bits as if it had never stopped. A
-  // failure after the first row leaves the rows before it in the data file, marked as incomplete. One journal is
-  // written by one call at a time: another is refused. Throws StatementError where the file or a set is wrong,
-  // RecordingError else.
+  // During the run the recording is an append-only journal beside the data file, OUTPUT.journal. If a run stops at
+  // any time, the same call continues from its journal, with the same bits as if it had never stopped. After a
+  // failure the data file has the rows before it and is marked as incomplete. A journal is written by one call at a
+  // time, and a second call is refused. Throws StatementError if the file or a setting is wrong, and RecordingError
+  // for everything else.
   Recording record(const std::string& output, const RecordOptions& options) const;
 
-  // The equations of motion as formulas or as code, in SI units. They hold for every position and velocity of the
-  // coordinates; what the file says of an instant does not enter. Letters and unknowns stay letters, data are numbers.
-  // Throws StatementError where a set is wrong, NoEquations, std::invalid_argument for a name that is none.
+  // The equations of motion as formulas or code, in SI units. They hold for all positions and velocities of the
+  // coordinates; what the file states of an instant is not used. Letters and unknowns remain letters, data become
+  // numbers. Throws StatementError if a setting is wrong, NoEquations, and std::invalid_argument for an impossible
+  // name.
   std::string equations(const EquationsOptions& options = {}) const;
 
  private:
   struct Parts;
   explicit Problem(std::shared_ptr<const Parts> parts);
-  std::shared_ptr<const Parts> parts_;  // none in a problem that was moved from
+  std::shared_ptr<const Parts> parts_;  // empty in a problem that was moved from
 };
 
 // The JSON Schema (draft 2020-12) of the problem file, ending in a newline.

@@ -13,14 +13,14 @@ namespace {
 
 using problem::Value;
 
-// What one part should be, in SI.
-Expectation expectation(const problem::Expected& expected, const problem::Situation& problem,
+// What an answer or a part of it should be, in SI units.
+Expectation expectation(const problem::Expected& expected, const problem::Situation& situation,
                         const problem::Settings& settings) {
   Expectation result;
   result.part = expected.part;
   result.relative_tolerance = expected.relative_tolerance;
   for (const problem::NamedExpression& column : expected.columns) {
-    problem::DataScope<double> data(problem, settings);
+    problem::DataScope<double> data(situation, settings);
     result.columns.emplace_back();
     for (const problem::Expression& item : column.value.as<problem::List>()->items)
       result.columns.back().push_back(data.value(item).number);
@@ -33,9 +33,9 @@ Expectation expectation(const problem::Expected& expected, const problem::Situat
   } else if (expected.holds) {
     result.si = {*expected.holds};
   } else {
-    problem::DataScope<double> data(problem, settings);
+    problem::DataScope<double> data(situation, settings);
     const Value<double> value = data.value(expected.value ? *expected.value : *expected.formula);
-    // A value stands in the unit named; a formula has the dimension of its letters.
+    // A value is in the named unit; a formula has the dimension of its letters.
     const double factor = expected.value && expected.unit ? 1 / expected.unit->factor : 1;
     result.si = datum(value, factor);
     result.roots = expected.roots;
@@ -55,12 +55,12 @@ std::optional<problem::Dimension> dimension_of(const Value<double>& value) {
   return std::nullopt;
 }
 
-// What an expectation says of the kind of quantity, if it is another than the answer's.
-std::string wrong_kind(const problem::Expected& expected, const problem::Situation& problem,
+// Describes it if an expectation is for another kind of quantity than the answer.
+std::string wrong_kind(const problem::Expected& expected, const problem::Situation& situation,
                        const problem::Settings& settings, const problem::Dimension& answer) {
   std::optional<problem::Dimension> stated;
   if (expected.value && expected.unit) stated = expected.unit->dimension;
-  if (expected.formula) stated = dimension_of(problem::DataScope<double>(problem, settings).value(*expected.formula));
+  if (expected.formula) stated = dimension_of(problem::DataScope<double>(situation, settings).value(*expected.formula));
   if (!stated || same_kind(*stated, answer)) return "";
   return expected.part + ": expected " + to_string(*stated) + ", but the answer is " + to_string(answer);
 }
@@ -77,18 +77,18 @@ std::vector<std::string> own_shortfalls(const problem::Statement& stated) {
     const problem::Settings settings = problem::read_settings(stated, one.sets);
     std::vector<Expectation> expectations;
     for (const problem::Expected& part : one.parts) {
-      const problem::Situation& problem = stated.situations.front();
-      expectations.push_back(expectation(part, problem, settings));
+      const problem::Situation& situation = stated.situations.front();
+      expectations.push_back(expectation(part, situation, settings));
       covered.insert(part.part);
       for (std::size_t i = 0; i < stated.asks.size() && !solved.solutions.empty(); ++i) {
         const problem::SolvedAsk& ask = solved.solutions.front().asks[i];
         if (stated.asks[i].name != part.part || stated.asks[i].table || ask.state != problem::AskState::found) continue;
         const auto answer = dimension_of(ask.value);
-        const std::string fault = answer ? wrong_kind(part, problem, settings, *answer) : "";
+        const std::string fault = answer ? wrong_kind(part, situation, settings, *answer) : "";
         if (!fault.empty()) failures.push_back(fault);
       }
     }
-    // A case may look at some of the parts; together the cases must look at all.
+    // A case may concern some of the parts; the cases together must concern all.
     Document seen = document;
     for (Solution& solution : seen.solutions)
       std::erase_if(solution.answers, [&](const Answer& answer) {

@@ -1,4 +1,4 @@
-// A problem file's answers against the `expect` block of the same file.
+// Compares the answers to a problem file with the `expect` block of the same file.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace poinsot::document {
 
-// What falls short, one line each; none: all agrees. Throws problem::StatementError as solve_statement does.
+// Describes each discrepancy in one line; empty if all agrees. Throws problem::StatementError as solve_statement
+// does.
 std::vector<std::string> own_shortfalls(const problem::Statement& stated);
 
 }  // namespace poinsot::document

@@ -21,7 +21,7 @@
 namespace poinsot {
 namespace {
 
-// What the call returns. An error in the file becomes that of the public header, the same word for word.
+// Returns the result of the call. An error in the file is thrown as that of the public header, with the same words.
 template <class Call>
 auto with_public_errors(const Call& call) {
   try {

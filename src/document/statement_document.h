@@ -1,4 +1,4 @@
-// What was solved, as the answer document shows it.
+// Makes the answer document of a solved statement.
 #pragma once
 
 #include "poinsot/document.h"
@@ -8,10 +8,10 @@
 
 namespace poinsot::document {
 
-// A value with its numbers in a unit of so much in SI.
+// A value as a datum, in a unit of which one is `factor` in SI units.
 Datum datum(const problem::Value<double>& value, double factor);
 
-// Without worked solutions.
+// The document without worked solutions.
 Document document_of(const problem::Statement& stated, const problem::SolvedStatement& solved);
 
 }  // namespace poinsot::document
