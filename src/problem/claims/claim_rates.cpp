@@ -82,7 +82,7 @@ std::vector<SolvedClaim::Part> by_addends(ClaimFormulas& formulas, const std::op
 std::optional<Formula> rate_of_letter(ClaimFormulas& formulas, const std::string& name) {
   const Formula letter = Formula::letter(name, poinsot::Sign::real);
   const std::vector<Formula>& v = formulas.velocities();
-  const std::vector<Formula>& a = formulas.instant().moment().accelerations();
+  const std::vector<Formula>& a = formulas.instant().mechanism_state().accelerations();
   for (std::size_t k = 0; k < v.size() && k < a.size(); ++k)
     if (v[k] == letter) return a[k];
   const auto& tree = formulas.instant().machine().mechanism.tree;

@@ -33,7 +33,7 @@ Course::Piece::Piece(Course& motion, std::size_t stage, const Driving::Span& spa
       now_(motion.stages_[stage]),
       loads_(stage < motion.situation_.stages.size() ? motion.situation_.stages[stage].loads : std::nullopt),
       machine_(motion.start_->machine_at(inside(now_.time), loads_)),
-      limit_moment_(machine_.mechanism),
+      limit_state_(machine_.mechanism),
       acting_(now_.acting.empty() ? std::vector<bool>() : now_.acting.back()) {
   for (VelocityConstraint<double>& constraint : machine_.mechanism.constraints) {
     constraint.carried_by.reset();
@@ -227,8 +227,8 @@ void Course::Piece::add_ends_of_surfaces() {
     event.terminal = true;
     event.size = 1;
     event.value = [this, &limit](double, std::span<const double> q, std::span<const double>) {
-      limit_moment_.set_positions({q.begin(), q.end()});
-      return left_of_surface(limit, limit_moment_).value_or(1);
+      limit_state_.set_positions({q.begin(), q.end()});
+      return left_of_surface(limit, limit_state_).value_or(1);
     };
     events_.push_back(std::move(event));
     event_action_.push_back(std::nullopt);
@@ -237,22 +237,22 @@ void Course::Piece::add_ends_of_surfaces() {
 }
 
 const ContactLimit* Course::Piece::beyond_surface() const {
-  solve::MechanismState moment(machine_.mechanism);
-  moment.set_positions(now_.q);
-  moment.set_velocities(now_.v);
+  solve::MechanismState state(machine_.mechanism);
+  state.set_positions(now_.q);
+  state.set_velocities(now_.v);
   for (const ContactLimit& limit : machine_.contact_limits)
-    if (acting_[static_cast<std::size_t>(limit.action)] && goes_beyond(limit, moment)) return &limit;
+    if (acting_[static_cast<std::size_t>(limit.action)] && goes_beyond(limit, state)) return &limit;
   return nullptr;
 }
 
 void Course::Piece::check_sides(const Trajectory* way) const {
   constexpr std::size_t looks = 64;
-  solve::MechanismState moment(machine_.mechanism);
+  solve::MechanismState state(machine_.mechanism);
   const auto check = [&](const std::vector<double>& q, const std::vector<double>& v) {
-    moment.set_positions(q);
-    moment.set_velocities(v);
+    state.set_positions(q);
+    state.set_velocities(v);
     for (const ContactLimit& limit : machine_.contact_limits)
-      if (acting_[static_cast<std::size_t>(limit.action)] && leaves_plane(limit, moment))
+      if (acting_[static_cast<std::size_t>(limit.action)] && leaves_plane(limit, state))
         throw UnansweredError(motion_.situation_.file, limit.mark, words_of_side(limit), hint_of_side(limit));
   };
   if (std::ranges::all_of(machine_.contact_limits, [](const ContactLimit& limit) { return limit.straight.empty(); }))

@@ -70,7 +70,7 @@ class Course::Piece {
   StageRun& now_;
   std::optional<std::vector<std::string>> loads_;
   Machine machine_;
-  solve::MechanismState limit_moment_;
+  solve::MechanismState limit_state_;
   std::vector<bool> acting_;
   std::optional<MechanismDynamics> dynamics_;
   std::vector<MasslessSpin> spins_;

@@ -26,11 +26,11 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
   for (std::size_t i = 0; sudden() && i < numbers.blow.impacts.size(); ++i) {
     const auto along = [&](const auto& figures, std::size_t k) {
       using Scalar = ScalarOf<decltype(figures)>;
-      solve::MechanismStateOf<Scalar> moment = *figures.before;
+      solve::MechanismStateOf<Scalar> state = *figures.before;
       std::vector<Scalar> one(figures.now.state().v.size(), Scalar(0));
       one[k] = Scalar(1);
-      moment.set_velocities(one);
-      return approach_of(moment, figures.blow.impacts[i]);
+      state.set_velocities(one);
+      return approach_of(state, figures.blow.impacts[i]);
     };
     const std::vector<ShownTerm> left =
         coordinate_terms([&](std::size_t k) { return shown([&](const auto& figures) { return along(figures, k); }); });
@@ -53,9 +53,9 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
     // With accelerations at zero, the bias is the part that depends on the velocities.
     const auto row = [&](const auto& figures) {
       using Scalar = ScalarOf<decltype(figures)>;
-      solve::MechanismStateOf<Scalar> moment = figures.now;
-      moment.set_accelerations(std::vector<Scalar>(figures.now.accelerations().size(), Scalar(0)));
-      return solve::constraint_row(moment, figures.mechanism().constraints[i]);
+      solve::MechanismStateOf<Scalar> state = figures.now;
+      state.set_accelerations(std::vector<Scalar>(figures.now.accelerations().size(), Scalar(0)));
+      return solve::constraint_row(state, figures.mechanism().constraints[i]);
     };
     const std::vector<ShownTerm> left = coordinate_terms(
         [&](std::size_t k) { return shown([&](const auto& figures) { return row(figures).coefficients[k]; }); });

@@ -33,13 +33,13 @@ struct InstantFigures {
 
 // The mass, mass center and central inertia of a body in its present pose.
 template <class Scalar>
-MassProperties<Scalar> mass_of(const solve::MechanismStateOf<Scalar>& moment, int body) {
-  const Model<Scalar>& tree = moment.mechanism().tree;
+MassProperties<Scalar> mass_of(const solve::MechanismStateOf<Scalar>& state, int body) {
+  const Model<Scalar>& tree = state.mechanism().tree;
   const SpatialInertia<Scalar>& I = tree.body(body).inertia;
   const Vector3<Scalar> c = I.first_moment / I.mass;
   const SymmetricMatrix3<Scalar> central = I.inertia - I.mass * unit_mass_inertia(c);
-  const Matrix3<Scalar>& R = moment.workspace().motion[static_cast<std::size_t>(body + 1)].R;
-  return {I.mass, body_mass_center(tree, moment.workspace(), body), rotated(R, central)};
+  const Matrix3<Scalar>& R = state.workspace().motion[static_cast<std::size_t>(body + 1)].R;
+  return {I.mass, body_mass_center(tree, state.workspace(), body), rotated(R, central)};
 }
 
 // The moment of inertia about an axis, and the product for a pair of axes (xy, yz, zx) with the plus sign of Eq.
@@ -58,17 +58,17 @@ inline double size_of(const SymmetricMatrix3<double>& I) {
 }
 
 template <class Scalar>
-Momentum<Scalar> momentum_of(const solve::MechanismStateOf<Scalar>& moment, const std::set<int>& bodies,
+Momentum<Scalar> momentum_of(const solve::MechanismStateOf<Scalar>& state, const std::set<int>& bodies,
                              const Vector3<Scalar>& about) {
   Momentum<Scalar> sum{Vector3<Scalar>::zero(), Vector3<Scalar>::zero()};
-  for (const int body : bodies) sum += body_momentum(moment.mechanism().tree, moment.workspace(), body, about);
+  for (const int body : bodies) sum += body_momentum(state.mechanism().tree, state.workspace(), body, about);
   return sum;
 }
 template <class Scalar>
-Momentum<Scalar> momentum_rate_of(const solve::MechanismStateOf<Scalar>& moment, const std::set<int>& bodies,
+Momentum<Scalar> momentum_rate_of(const solve::MechanismStateOf<Scalar>& state, const std::set<int>& bodies,
                                   const Vector3<Scalar>& about) {
   Momentum<Scalar> sum{Vector3<Scalar>::zero(), Vector3<Scalar>::zero()};
-  for (const int body : bodies) sum += body_momentum_rate(moment.mechanism().tree, moment.workspace(), body, about);
+  for (const int body : bodies) sum += body_momentum_rate(state.mechanism().tree, state.workspace(), body, about);
   return sum;
 }
 
@@ -119,13 +119,13 @@ SpatialForce<Scalar> as_wrench(const Momentum<Scalar>& momentum) {
 // The momentum of particles that stay after a blow, with the velocities of a state.
 template <class Scalar>
 SpatialForce<Scalar> absorbed_momentum(const InstantFigures<Scalar>& figures,
-                                       const solve::MechanismStateOf<Scalar>& moment, const std::set<int>& bodies,
+                                       const solve::MechanismStateOf<Scalar>& state, const std::set<int>& bodies,
                                        const Vector3<Scalar>& point) {
   SpatialForce<Scalar> sum = SpatialForce<Scalar>::zero();
   for (const auto& impulse : figures.blow.impulses) {
     if (!bodies.contains(impulse.on)) continue;
-    const Vector3<Scalar> momentum = impulse.absorbed * moment.velocity(impulse.at);
-    sum += SpatialForce<Scalar>{cross(moment.position(impulse.at) - point, momentum), momentum};
+    const Vector3<Scalar> momentum = impulse.absorbed * state.velocity(impulse.at);
+    sum += SpatialForce<Scalar>{cross(state.position(impulse.at) - point, momentum), momentum};
   }
   return sum;
 }
@@ -166,9 +166,9 @@ Balance<Scalar> balance_of(const InstantFigures<Scalar>& figures, const BalanceP
     const Vector3<Scalar> arm = body_mass_center(mechanism.tree, placed.workspace(), body) - point;
     balance.weights.push_back({cross(arm, weight), weight});
   }
-  const auto side = [&](const solve::MechanismStateOf<Scalar>& moment) {
-    if (!plan.sudden) return as_wrench(momentum_rate_of(moment, plan.bodies, point));
-    return as_wrench(momentum_of(moment, plan.bodies, point)) + absorbed_momentum(figures, moment, plan.bodies, point);
+  const auto side = [&](const solve::MechanismStateOf<Scalar>& state) {
+    if (!plan.sudden) return as_wrench(momentum_rate_of(state, plan.bodies, point));
+    return as_wrench(momentum_of(state, plan.bodies, point)) + absorbed_momentum(figures, state, plan.bodies, point);
   };
   solve::MechanismStateOf<Scalar> varied = figures.now;
   const auto at = [&](std::vector<Scalar> values) {
@@ -199,13 +199,13 @@ const Scalar& entry(const SpatialForce<Scalar>& wrench, std::size_t row) {
 
 // The velocity of the struck point relative to what it strikes, along the push.
 template <class Scalar>
-Scalar approach_of(const solve::MechanismStateOf<Scalar>& moment, const solve::ImpactOf<Scalar>& impact) {
-  const Vector3<Scalar> place = moment.position(impact.at);
+Scalar approach_of(const solve::MechanismStateOf<Scalar>& state, const solve::ImpactOf<Scalar>& impact) {
+  const Vector3<Scalar> place = state.position(impact.at);
   const auto velocity = [&](int body) {
-    const auto& motion = moment.workspace().motion[static_cast<std::size_t>(body + 1)];
+    const auto& motion = state.workspace().motion[static_cast<std::size_t>(body + 1)];
     return motion.v + cross(motion.w, place - motion.p);
   };
-  return dot(moment.direction(impact.push), velocity(impact.on) - velocity(impact.from));
+  return dot(state.direction(impact.push), velocity(impact.on) - velocity(impact.from));
 }
 
 }  // namespace poinsot::problem

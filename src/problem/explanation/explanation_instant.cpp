@@ -46,7 +46,7 @@ InstantExplainer::InstantExplainer(const Situation& situation, SolvedInstant& so
     numbers.impulses = solved.blow().value;
   }
   if (!formulas) return;
-  figures_.formulas.emplace(InstantFigures<Formula>{&formulas->machine(), formulas->moment()});
+  figures_.formulas.emplace(InstantFigures<Formula>{&formulas->machine(), formulas->mechanism_state()});
   InstantFigures<Formula>& exact = *figures_.formulas;
   exact.forces = numbers.forces;
   exact.unknowns = formulas->unknowns();

@@ -24,16 +24,16 @@ struct Candidate {
 };
 
 solve::MechanismState state_of(SolvedInstant& instant) {
-  solve::MechanismState moment(instant.machine().mechanism);
+  solve::MechanismState placed(instant.machine().mechanism);
   const MotionState state = instant.state();
-  moment.set_positions(state.q);
-  moment.set_velocities(state.v);
-  return moment;
+  placed.set_positions(state.q);
+  placed.set_velocities(state.v);
+  return placed;
 }
 
-std::set<int> all_bodies(const solve::MechanismState& moment) {
+std::set<int> all_bodies(const solve::MechanismState& placed) {
   std::set<int> bodies;
-  for (int i = 0; i < moment.mechanism().tree.body_count(); ++i) bodies.insert(i);
+  for (int i = 0; i < placed.mechanism().tree.body_count(); ++i) bodies.insert(i);
   return bodies;
 }
 
@@ -41,15 +41,15 @@ std::set<int> all_bodies(const solve::MechanismState& moment) {
 std::vector<Candidate> candidates(const Situation& situation, const Machine& machine, double length) {
   std::vector<Candidate> all;
   all.push_back(
-      {"kinetic and potential energy together", "T + V", dimensions::energy, [](const solve::MechanismState& moment) {
-         const auto& tree = moment.mechanism().tree;
-         return kinetic_energy(tree, moment.workspace()) + potential_energy(tree, moment.workspace());
+      {"kinetic and potential energy together", "T + V", dimensions::energy, [](const solve::MechanismState& placed) {
+         const auto& tree = placed.mechanism().tree;
+         return kinetic_energy(tree, placed.workspace()) + potential_energy(tree, placed.workspace());
        }});
   const auto add_momentum = [&](const std::string& point, const Vector3<double>& P, const Vector3<double>& axis,
                                 const std::string& index) {
     all.push_back({"the angular momentum about " + point + " on the axis $" + index + "$", "H_{" + index + "}",
-                   dimensions::angular_momentum, [P, axis](const solve::MechanismState& moment) {
-                     return dot(axis, momentum_of(moment, all_bodies(moment), P).angular);
+                   dimensions::angular_momentum, [P, axis](const solve::MechanismState& placed) {
+                     return dot(axis, momentum_of(placed, all_bodies(placed), P).angular);
                    }});
   };
   for (const Joint& joint : situation.joints) {
@@ -70,8 +70,8 @@ std::vector<Candidate> candidates(const Situation& situation, const Machine& mac
         body.joint != JointType::revolute)
       continue;
     all.push_back({"the angular velocity of *" + machine.mechanism.tree.name(i) + "* on its own axis",
-                   "\\omega_{\\mathrm{axis}}", dimensions::angular_velocity, [i](const solve::MechanismState& moment) {
-                     const auto& motion = moment.workspace().motion[static_cast<std::size_t>(i + 1)];
+                   "\\omega_{\\mathrm{axis}}", dimensions::angular_velocity, [i](const solve::MechanismState& placed) {
+                     const auto& motion = placed.workspace().motion[static_cast<std::size_t>(i + 1)];
                      return dot(motion.R.column(2), motion.w);
                    }});
   }

@@ -181,12 +181,12 @@ bool InstantExplainer::determines(const std::vector<std::set<int>>& systems) con
   if (sudden())
     for (const solve::Impact& impact : figures_.numbers.blow.impacts) {
       const std::size_t equation = equations.add_equation("impact", scales.length);
-      solve::MechanismState moment = *figures_.numbers.before;
+      solve::MechanismState state = *figures_.numbers.before;
       for (const std::size_t k : open) {
         std::vector<double> one(static_cast<std::size_t>(mechanism().tree.velocity_size()), 0.0);
         one[k] = 1;
-        moment.set_velocities(one);
-        equations.add(equation, unknown(k, coordinate_scale(k)), approach_of(moment, impact));
+        state.set_velocities(one);
+        equations.add(equation, unknown(k, coordinate_scale(k)), approach_of(state, impact));
       }
     }
   const solve::LinearSolution solution = equations.solve();

@@ -31,8 +31,8 @@ FormulaInstant::FormulaInstant(const Situation& situation, const FormulaValues& 
   const AnyValue any = [](const Dimension&) { return 1.0; };
   machine_ = build_machine(situation, *data_, timed, any, options);
   scales_ = solve::natural_scales(machine_.mechanism);
-  moment_.emplace(machine_.mechanism);
-  moment_->set_positions(machine_.q);
+  mechanism_state_.emplace(machine_.mechanism);
+  mechanism_state_->set_positions(machine_.q);
   facts_ = instants_at_start(situation);
   set_positions(facts_);
   solve_velocities();
@@ -40,7 +40,7 @@ FormulaInstant::FormulaInstant(const Situation& situation, const FormulaValues& 
 }
 
 InstantView<Formula> FormulaInstant::view() const {
-  return {situation_, *data_, machine_, *moment_, scales_, time_, before_ ? &*before_ : nullptr};
+  return {situation_, *data_, machine_, *mechanism_state_, scales_, time_, before_ ? &*before_ : nullptr};
 }
 
 // Makes letters of coordinates without value. The pose of a free body or ball has three: it is the quaternion (1, a,
@@ -91,17 +91,17 @@ void FormulaInstant::set_positions(const std::vector<const Instant*>& instants) 
       machine_.position_given[k] = true;
     }
   if (open_) open_positions();
-  moment_->set_positions(machine_.q);
+  mechanism_state_->set_positions(machine_.q);
   // Loops are closed in the pose as drawn. If they do not stay closed, the pose is found by Newton's method and has
   // no formula.
   const auto& constraints = machine_.mechanism.constraints;
   for (std::size_t i = 0; i < constraints.size(); ++i) {
     if (!solve::binds_positions(constraints[i])) continue;
-    const Formula gap =
-        constraint_gap(machine_.mechanism.tree, moment_->workspace(), constraints[i], axis_left_free(constraints, i));
+    const Formula gap = constraint_gap(machine_.mechanism.tree, mechanism_state_->workspace(), constraints[i],
+                                       axis_left_free(constraints, i));
     if (!gap.is_zero()) throw NoFormula("the pose that closes " + constraints[i].words + " is found by numbers only");
   }
-  solve::update_contacts(machine_.mechanism, *moment_);
+  solve::update_contacts(machine_.mechanism, *mechanism_state_);
   for (const auto& [fact, difference] : position_differences(view(), instants))
     if (!difference.value.is_zero()) remainders_.push_back(difference.value);
 }
@@ -111,7 +111,7 @@ void FormulaInstant::solve_velocities() {
   const FactConditions<Formula> stated = velocity_facts(view(), facts_);
   conditions.insert(conditions.end(), stated.linear.begin(), stated.linear.end());
   if (situation_.steady) add_steady(view(), conditions, false);
-  const auto equations = solve::velocity_equations(*moment_, scales_, conditions);
+  const auto equations = solve::velocity_equations(*mechanism_state_, scales_, conditions);
   const auto open = [&](std::size_t k) {
     std::string name(equations.name(k));
     for (const NamedCoordinate& coordinate : machine_.coordinates)
@@ -124,7 +124,7 @@ void FormulaInstant::solve_velocities() {
   remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());
   v_ = v_before_ = std::move(solution.value);
   present_.reset();
-  moment_->set_velocities(v_);
+  mechanism_state_->set_velocities(v_);
   hold_nonlinear(stated.nonlinear);
 }
 
@@ -154,7 +154,7 @@ solve::ExactSolution FormulaInstant::solve_with_unfixed(const solve::LinearSyste
 }
 
 void FormulaInstant::solve_blow() {
-  before_.emplace(*moment_);
+  before_.emplace(*mechanism_state_);
   blow_ = stated_blow(view());
   std::vector<const Instant*> after;
   for (const Instant& instant : situation_.instants)
@@ -168,7 +168,7 @@ void FormulaInstant::solve_blow() {
   v_.assign(impulses_.begin(),
             impulses_.begin() + static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size()));
   present_.reset();
-  moment_->set_velocities(v_);
+  mechanism_state_->set_velocities(v_);
   hold_nonlinear(stated.nonlinear);
 }
 
@@ -209,10 +209,11 @@ void FormulaInstant::find_forces() {
       throw NoFormula("how a point of contact moves is not known");
   FactConditions<Formula> stated = force_facts(view(), facts_);
   if (situation_.steady) add_steady(view(), stated.linear, true);
-  solve::ExactSolution solution = solve_with_unfixed(solve::motion_equations(*moment_, scales_, stated.linear));
+  solve::ExactSolution solution =
+      solve_with_unfixed(solve::motion_equations(*mechanism_state_, scales_, stated.linear));
   remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());
   unknowns_ = std::move(solution.value);
-  moment_->set_accelerations(std::vector<Formula>(
+  mechanism_state_->set_accelerations(std::vector<Formula>(
       unknowns_.begin(), unknowns_.begin() + static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size())));
   hold_nonlinear(stated.nonlinear);
 }
@@ -226,10 +227,10 @@ const QuantityScope<Formula>& FormulaInstant::present_scope() {
                                  State<Formula>{machine_.q, v_});
     if (!situation_.strikes.empty())
       scope.set_flying(
-          flying_particles(situation_, machine_, before_ ? *before_ : *moment_, before_ ? &blow_ : nullptr));
+          flying_particles(situation_, machine_, before_ ? *before_ : *mechanism_state_, before_ ? &blow_ : nullptr));
     if (forces_solved_) {
-      scope.set_accelerations(moment_->accelerations());
-      scope.set_forces(&*moment_, &unknowns_);
+      scope.set_accelerations(mechanism_state_->accelerations());
+      scope.set_forces(&*mechanism_state_, &unknowns_);
     }
     present_.emplace(Present{forces_solved_, noted, std::move(scope), {}, false});
     if (decisions) {

@@ -51,7 +51,7 @@ class FormulaInstant {
   const std::vector<Formula>& velocities() const { return v_; }
   // The state, which has accelerations once forces are solved. The unknowns are those of the motion; if there is a
   // blow, those of the motion before it.
-  const solve::MechanismStateOf<Formula>& moment() const { return *moment_; }
+  const solve::MechanismStateOf<Formula>& mechanism_state() const { return *mechanism_state_; }
   const std::vector<Formula>& unknowns() const { return unknowns_; }
   const std::optional<solve::MechanismStateOf<Formula>>& before() const { return before_; }
   const solve::BlowOf<Formula>& blow() const { return blow_; }
@@ -82,7 +82,7 @@ class FormulaInstant {
   std::unique_ptr<DataScope<Formula>> data_;
   MachineOf<Formula> machine_;
   solve::Scales scales_;
-  std::optional<solve::MechanismStateOf<Formula>> moment_, before_;
+  std::optional<solve::MechanismStateOf<Formula>> mechanism_state_, before_;
   std::vector<const Instant*> facts_;
   solve::BlowOf<Formula> blow_;
   std::vector<Formula> v_, v_before_, unknowns_, impulses_;

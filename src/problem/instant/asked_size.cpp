@@ -46,22 +46,22 @@ AskedBodies asked_bodies(const Machine& machine, const std::set<std::string>& na
 }
 
 // The size for a single body with mass.
-double size_of_body(const solve::MechanismState& moment, const SolvedInstant& instant, int body, const Dimension& d) {
-  const Mechanism<double>& mechanism = moment.mechanism();
+double size_of_body(const solve::MechanismState& placed, const SolvedInstant& instant, int body, const Dimension& d) {
+  const Mechanism<double>& mechanism = placed.mechanism();
   const SpatialInertia<double>& inertia = mechanism.tree.body(body).inertia;
   const double mass = inertia.mass, arm = norm(inertia.first_moment) / mass;
   const double square = (inertia.inertia.xx + inertia.inertia.yy + inertia.inertia.zz) / (2 * mass) - arm * arm;
   // The size of a particle is its distance from the origin of its body.
   double length = square > 1e-12 * arm * arm ? std::sqrt(square) : arm;
   if (!(length > 1e-9 * instant.scales().length)) length = instant.scales().length;
-  const BodyMotion<double>& motion = moment.workspace().motion[static_cast<std::size_t>(body + 1)];
+  const BodyMotion<double>& motion = placed.workspace().motion[static_cast<std::size_t>(body + 1)];
   double pace = std::max(norm(motion.w), norm(motion.v) / length);
   pace = std::max({pace, std::sqrt(norm(motion.alpha)), std::sqrt(norm(motion.a) / length)});
   pace = std::max(pace, std::sqrt(norm(mechanism.tree.gravity()) / length));
   if (instant.forces_solved())
     for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
       if (mechanism.actions[i].on != body && mechanism.actions[i].from != body) continue;
-      const double force = norm(solve::action_wrench(moment, instant.motion().value, i).force);
+      const double force = norm(solve::action_wrench(placed, instant.motion().value, i).force);
       pace = std::max(pace, std::sqrt(force / (mass * length)));
     }
   return std::pow(length, d.length / 12.0) * std::pow(mass, d.mass / 12.0) *
@@ -80,17 +80,17 @@ double asked_size(const SolvedInstant& instant, const Situation& situation, cons
   if (names.contains("system") || (bodies.named.empty() && bodies.acted_on.empty()))
     return instant.natural_size(dimension);
   const MotionState state = instant.state();
-  solve::MechanismState moment(machine.mechanism);
-  moment.set_positions(state.q);
-  moment.set_velocities(state.v);
+  solve::MechanismState placed(machine.mechanism);
+  placed.set_positions(state.q);
+  placed.set_velocities(state.v);
   if (instant.forces_solved()) {
     const auto& solved = instant.motion().value;
-    moment.set_accelerations({solved.begin(), solved.begin() + machine.mechanism.tree.velocity_size()});
+    placed.set_accelerations({solved.begin(), solved.begin() + machine.mechanism.tree.velocity_size()});
   }
   const bool named = !bodies.named.empty();
   double size = 0;
   for (const int body : named ? bodies.named : bodies.acted_on) {
-    const double own = size_of_body(moment, instant, body, dimension);
+    const double own = size_of_body(placed, instant, body, dimension);
     size = size == 0 ? own : named ? std::max(size, own) : std::min(size, own);
   }
   // A small body that moves fast does not turn at that rate.

@@ -79,8 +79,8 @@ void SolvedInstant::build(double time, const std::optional<std::vector<std::stri
     data_ = std::make_unique<DataScope<double>>(situation_, settings_, time);
   machine_ = machine_from(*data_, time, loads);
   scales_ = choice_.scales ? *choice_.scales : solve::natural_scales(machine_.mechanism);
-  moment_.emplace(machine_.mechanism);
-  moment_->set_positions(machine_.q);
+  mechanism_state_.emplace(machine_.mechanism);
+  mechanism_state_->set_positions(machine_.q);
   motion_.reset();
 }
 
@@ -164,11 +164,11 @@ void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
          "the values of the coordinates do not fit together, or no position of the others closes the loop");
   }
   machine_.q = closure.q;
-  moment_->set_positions(machine_.q);
-  solve::update_contacts(machine_.mechanism, *moment_);
+  mechanism_state_->set_positions(machine_.q);
+  solve::update_contacts(machine_.mechanism, *mechanism_state_);
   if (!choice_.trial)
     for (const ContactLimit& limit : machine_.contact_limits)
-      if (left_of_surface(limit, *moment_).value_or(0) < -1e-9)
+      if (left_of_surface(limit, *mechanism_state_).value_or(0) < -1e-9)
         fail(situation_.file, limit.mark, "in the stated pose " + words_of_end(limit),
              "correct the pose, or state the contact at the corner that touches there");
   position_facts(instants);
@@ -202,14 +202,14 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
     v_ = *v;
     velocities_ = {};
     velocities_.value = v_;
-    moment_->set_velocities(v_);
+    mechanism_state_->set_velocities(v_);
     return;
   }
   std::vector<solve::Condition> conditions = rate_conditions(view());
   FactConditions<double> stated = velocity_facts(view(), instants);
   std::move(stated.linear.begin(), stated.linear.end(), std::back_inserter(conditions));
   if (situation_.steady) add_steady(view(), conditions, false);
-  velocity_equations_ = solve::velocity_equations(*moment_, scales_, conditions);
+  velocity_equations_ = solve::velocity_equations(*mechanism_state_, scales_, conditions);
   velocities_ = velocity_equations_.solve();
   if (choice_.trial)
     take_misfits(velocities_);
@@ -226,7 +226,7 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
                           (solve::coordinate_turns(machine_.mechanism.tree, static_cast<int>(k)) ? 1 : scales_.length));
     move_along(velocities_, v_, pace > 0 ? pace : 1);
   }
-  moment_->set_velocities(v_);
+  mechanism_state_->set_velocities(v_);
 }
 
 QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, const std::optional<Expression>& axes,
@@ -247,10 +247,10 @@ QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, con
                                    State<double>{machine_.q, v_});
   if (!situation_.strikes.empty() && !moving_)
     quantities.set_flying(
-        flying_particles(situation_, machine_, before_ ? *before_ : *moment_, before_ ? &blow_ : nullptr));
+        flying_particles(situation_, machine_, before_ ? *before_ : *mechanism_state_, before_ ? &blow_ : nullptr));
   if (motion_) {
-    quantities.set_accelerations(moment_->accelerations());
-    quantities.set_forces(&*moment_, &unknowns_);
+    quantities.set_accelerations(mechanism_state_->accelerations());
+    quantities.set_forces(&*mechanism_state_, &unknowns_);
   }
   if (before_) quantities.set_blow(&*before_, &blow_, &impulses_);
   if (axes) quantities.set_axes(*axes);
@@ -288,7 +288,7 @@ double SolvedInstant::natural_size(const Dimension& d) const {
   // there is none.
   if (d.time > 0) return 0;
   double pace = 0;
-  for (const BodyMotion<double>& motion : moment_->workspace().motion) {
+  for (const BodyMotion<double>& motion : mechanism_state_->workspace().motion) {
     pace = std::max({pace, norm(motion.w), norm(motion.v) / scales_.length});
     pace = std::max({pace, std::sqrt(norm(motion.alpha)), std::sqrt(norm(motion.a) / scales_.length)});
   }
@@ -296,7 +296,7 @@ double SolvedInstant::natural_size(const Dimension& d) const {
   // Forces in balance set a pace too: that with which they would move the machine.
   if (motion_)
     for (std::size_t i = 0; i < machine_.mechanism.actions.size(); ++i) {
-      const SpatialForce<double> wrench = solve::action_wrench(*moment_, unknowns_, i);
+      const SpatialForce<double> wrench = solve::action_wrench(*mechanism_state_, unknowns_, i);
       const double force = std::max(norm(wrench.force), norm(wrench.moment) / scales_.length);
       pace = std::max(pace, std::sqrt(force / (scales_.mass * scales_.length)));
     }
@@ -309,28 +309,29 @@ SolvedInstant::Residuals SolvedInstant::check() const {
   double impulse_size = 0, impulse_moment_size = 0, impulse_misfit = 0, impulse_moment_misfit = 0;
   const Mechanism<double>& mechanism = machine_.mechanism;
   std::vector<double> a(v_.size(), 0.0);
-  if (motion_) a = moment_->accelerations();
+  if (motion_) a = mechanism_state_->accelerations();
   for (const auto& [index, mass] : machine_.masses) {
     solve::CheckBody body;
     body.link = index;
     body.particles = mass.particles;
-    const Momentum<double> momentum = body_momentum(mechanism.tree, moment_->workspace(), index, Vector::zero());
+    const Momentum<double> momentum =
+        body_momentum(mechanism.tree, mechanism_state_->workspace(), index, Vector::zero());
     body.momentum = momentum.linear;
     body.angular_momentum = momentum.angular;
-    body.kinetic_energy = body_kinetic_energy(mechanism.tree, moment_->workspace(), index);
+    body.kinetic_energy = body_kinetic_energy(mechanism.tree, mechanism_state_->workspace(), index);
     body.forces_known = motion_.has_value();
     if (motion_) {
       const double m = mechanism.tree.body(index).inertia.mass;
       body.wrench = SpatialForce<double>::zero();
       if (m > 0) {
         const Vector weight = m * mechanism.tree.gravity();
-        body.wrench = {cross(body_mass_center(mechanism.tree, moment_->workspace(), index), weight), weight};
+        body.wrench = {cross(body_mass_center(mechanism.tree, mechanism_state_->workspace(), index), weight), weight};
         body.force_size = norm(weight);
       }
       for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
         const Action& action = mechanism.actions[i];
         if (action.on != index && action.from != index) continue;
-        const SpatialForce<double> wrench = solve::action_wrench(*moment_, unknowns_, i);
+        const SpatialForce<double> wrench = solve::action_wrench(*mechanism_state_, unknowns_, i);
         body.force_size += norm(wrench.force);
         body.moment_size += norm(wrench.moment);
         if (action.on == index) body.wrench += wrench;

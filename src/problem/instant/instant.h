@@ -187,7 +187,7 @@ class SolvedInstant {
   std::size_t any_in_masses_ = 0;                          // the number of any_values_ that belong to masses
   Machine machine_;
   solve::Scales scales_;
-  std::optional<solve::MechanismState> moment_;
+  std::optional<solve::MechanismState> mechanism_state_;
   double time_ = 0;
   std::optional<bool> timed_;  // whether the machine depends on the time
   bool moving_ = false;        // whether it moves along a motion, so that nothing is stated about this instant

@@ -22,17 +22,18 @@ const Impact& impact_named(const Situation& situation, const std::string& name) 
 }  // namespace
 
 void SolvedInstant::solve_blow() {
-  before_.emplace(*moment_);
+  before_.emplace(*mechanism_state_);
   blow_ = stated_blow(view());
   for (const solve::Impact& impact : machine_.impacts) {
-    const double toward = approach(*moment_, impact);
+    const double toward = approach(*mechanism_state_, impact);
     if (toward >= 0) {
       for (std::size_t d = 0; d < velocities_.open.size() && !choice_.trial; ++d) {
         std::vector<double> moved = v_;
         for (std::size_t k = 0; k < moved.size(); ++k) moved[k] += velocities_.open[d][k];
-        moment_->set_velocities(moved);
-        const bool depends = std::abs(approach(*moment_, impact) - toward) > 1e-9 * scales_.length / scales_.time;
-        moment_->set_velocities(v_);
+        mechanism_state_->set_velocities(moved);
+        const bool depends =
+            std::abs(approach(*mechanism_state_, impact) - toward) > 1e-9 * scales_.length / scales_.time;
+        mechanism_state_->set_velocities(v_);
         if (!depends) continue;
         std::string names;
         for (std::size_t k : velocities_.share[d])
@@ -117,7 +118,7 @@ void SolvedInstant::solve_blow() {
       fail(situation_.file, impact_named(situation_, blow_.impacts[k].name).mark,
            "the impact '" + blow_.impacts[k].name + "' would have to pull", "check the direction under pushes:");
   v_.assign(impulses_.begin(), impulses_.begin() + static_cast<std::ptrdiff_t>(n));
-  moment_->set_velocities(v_);
+  mechanism_state_->set_velocities(v_);
 }
 
 }  // namespace poinsot::problem

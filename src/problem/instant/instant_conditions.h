@@ -28,7 +28,7 @@ struct InstantView {
   const Situation& situation;
   DataScope<Scalar>& data;
   const MachineOf<Scalar>& machine;
-  const solve::MechanismStateOf<Scalar>& moment;
+  const solve::MechanismStateOf<Scalar>& mechanism_state;
   const solve::Scales& scales;
   Scalar time{};
   // The state before a blow, for facts about the instant after it.

@@ -214,9 +214,9 @@ FactConditions<Scalar> force_facts(const InstantView<Scalar>& view, const std::v
       const auto found = as_linear<Scalar>(words_of(*instant, fact), view.scales, places, [&](std::size_t place) {
         const std::vector<Scalar> unknowns = places[place];
         QuantityScope<Scalar> quantities(machine, machine.mechanism.tree, view.data,
-                                         State<Scalar>{machine.q, view.moment.state().v});
+                                         State<Scalar>{machine.q, view.mechanism_state.state().v});
         quantities.set_accelerations(std::vector<Scalar>(unknowns.begin(), unknowns.begin() + count));
-        quantities.set_forces(&view.moment, &unknowns);
+        quantities.set_forces(&view.mechanism_state, &unknowns);
         return differences(fact, quantities, view.situation.file);
       });
       if (found)
@@ -228,7 +228,7 @@ FactConditions<Scalar> force_facts(const InstantView<Scalar>& view, const std::v
 }
 
 InstantView<double> SolvedInstant::view() const {
-  return {situation_, *data_, machine_, *moment_, scales_, time_, before_ ? &*before_ : nullptr};
+  return {situation_, *data_, machine_, *mechanism_state_, scales_, time_, before_ ? &*before_ : nullptr};
 }
 
 std::string SolvedInstant::fact_words(const Fact& fact) const {
@@ -261,8 +261,8 @@ std::vector<double> SolvedInstant::fact_misfits(const std::vector<const Fact*>& 
     if (level_of(situation_, fact->quantity) == Level::force) solve_forces();
     QuantityScope<double> scope(machine_, machine_.mechanism.tree, *data_, State<double>{machine_.q, v_});
     if (motion_) {
-      scope.set_accelerations(moment_->accelerations());
-      scope.set_forces(&*moment_, &unknowns_);
+      scope.set_accelerations(mechanism_state_->accelerations());
+      scope.set_forces(&*mechanism_state_, &unknowns_);
     }
     scope.set_motion(feature_);
     for (const auto& difference : differences(*fact, scope, situation_.file))

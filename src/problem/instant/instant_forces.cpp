@@ -37,15 +37,15 @@ std::vector<const Fact*> SolvedInstant::state_motion_equations() {
     }
   if (!choice_.trial && !moving_)
     for (const ContactLimit& limit : machine_.contact_limits) {
-      if (goes_beyond(limit, *moment_))
+      if (goes_beyond(limit, *mechanism_state_))
         throw UnansweredError(situation_.file, limit.mark, words_of_end(limit) + " as it moves on",
                               "it turns about a corner there: give it a shape with that corner, such as a polygon");
-      if (leaves_plane(limit, *moment_))
+      if (leaves_plane(limit, *mechanism_state_))
         throw UnansweredError(situation_.file, limit.mark, words_of_side(limit), hint_of_side(limit));
     }
   FactConditions<double> stated = force_facts(view(), facts_);
   if (situation_.steady && !moving_) add_steady(view(), stated.linear, true);
-  motion_equations_ = solve::motion_equations(*moment_, scales_, stated.linear);
+  motion_equations_ = solve::motion_equations(*mechanism_state_, scales_, stated.linear);
   return stated.nonlinear;
 }
 
@@ -60,7 +60,7 @@ void SolvedInstant::solve_motion_equations(const std::vector<const Fact*>& nonli
   unknowns_ = motion_->value;
   if (choice_.forces) move_along(*motion_, unknowns_);
   const auto n = static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size());
-  moment_->set_accelerations(std::vector<double>(unknowns_.begin(), unknowns_.begin() + n));
+  mechanism_state_->set_accelerations(std::vector<double>(unknowns_.begin(), unknowns_.begin() + n));
 }
 
 std::vector<std::string> SolvedInstant::unphysical() const {
@@ -74,7 +74,7 @@ std::vector<std::string> SolvedInstant::unphysical() const {
     for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
       const Action& action = mechanism.actions[i];
       if (i == without || (action.on != body && action.from != body)) continue;
-      size = std::max(size, norm(solve::action_wrench(*moment_, unknowns_, i).force));
+      size = std::max(size, norm(solve::action_wrench(*mechanism_state_, unknowns_, i).force));
     }
     return size;
   };

@@ -85,9 +85,9 @@ void SolvedInstant::move_to(const MotionState& state) {
   v_ = state.v;
   velocities_ = {};
   velocities_.value = v_;
-  moment_->set_positions(machine_.q);
-  solve::update_contacts(machine_.mechanism, *moment_);
-  moment_->set_velocities(v_);
+  mechanism_state_->set_positions(machine_.q);
+  solve::update_contacts(machine_.mechanism, *mechanism_state_);
+  mechanism_state_->set_velocities(v_);
 }
 
 // Actions that do not act impose no constraints and carry no forces.
@@ -97,13 +97,13 @@ void SolvedInstant::release(const std::vector<bool>& acting) {
   const auto released = [&](int action) { return action >= 0 && !acting[static_cast<std::size_t>(action)]; };
   std::erase_if(mechanism.constraints, [&](const auto& constraint) { return released(constraint.action); });
   std::erase_if(mechanism.components, [&](const auto& component) { return released(component.action); });
-  moment_.emplace(mechanism);
+  mechanism_state_.emplace(mechanism);
 }
 
 std::vector<double> SolvedInstant::caught(const std::vector<bool>& acting) {
   solve::Blow blow;
   for (const StatedRate& rate : machine_.accelerations) blow.held_coordinates.push_back(rate.velocity);
-  const solve::LinearSolution solution = solve::solve_impulse(*moment_, scales_, blow, {}, acting);
+  const solve::LinearSolution solution = solve::solve_impulse(*mechanism_state_, scales_, blow, {}, acting);
   return {solution.value.begin(), solution.value.begin() + static_cast<std::ptrdiff_t>(v_.size())};
 }
 

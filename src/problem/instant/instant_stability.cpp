@@ -36,7 +36,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   if (linearisation_) return *linearisation_;
   const Model<double>& tree = machine_.mechanism.tree;
   const auto n = static_cast<std::size_t>(tree.velocity_size());
-  const Workspace<double>& w = moment_->workspace();
+  const Workspace<double>& w = mechanism_state_->workspace();
   const int frame = situation_.steady ? machine_.index.at(situation_.steady->frame) : ground;
   const Vector turning = angular_velocity(w, frame);
   solve::SteadyMotion motion;
@@ -70,7 +70,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   Mechanism<double> mechanism = machine_.mechanism;
   for (VelocityConstraint<double>& constraint : mechanism.constraints) {
     if (!constraint.carried_by) continue;
-    const Vector normal = moment_->direction(constraint.surface_axis);
+    const Vector normal = mechanism_state_->direction(constraint.surface_axis);
     if (constraint.shape_unknown || norm(cross(turning, normal)) > 1e-9 * norm(turning))
       throw UnansweredError(situation_.file, mark,
                             "how a contact moves near the steady motion is not known: it lies on a curved surface (" +
@@ -78,10 +78,10 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
                             "stability is told for contacts of round bodies on planes across the axis of the frame");
     constraint.carried_by.reset();
   }
-  solve::MechanismState moment(mechanism);
+  solve::MechanismState state(mechanism);
   const auto place = [&](const std::vector<double>& q) {
-    moment.set_positions(q);
-    solve::update_contacts(mechanism, moment);
+    state.set_positions(q);
+    solve::update_contacts(mechanism, state);
   };
   std::vector<int> held;
   for (std::size_t k = 0; k < n; ++k)
@@ -113,7 +113,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   motion.constraints = [&](const std::vector<double>& q) {
     place(q);
     std::vector<std::vector<double>> rows;
-    for (std::size_t i : order) rows.push_back(solve::constraint_coefficients(moment, mechanism.constraints[i]));
+    for (std::size_t i : order) rows.push_back(solve::constraint_coefficients(state, mechanism.constraints[i]));
     return rows;
   };
 

@@ -49,7 +49,7 @@ void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<
   };
   const auto rides = std::find_if(situation.frames.begin(), situation.frames.end(),
                                   [&](const Frame& f) { return f.name == steady.frame; });
-  const Workspace<Scalar>& w = view.moment.workspace();
+  const Workspace<Scalar>& w = view.mechanism_state.workspace();
   const BodyMotion<Scalar>& F = w.motion[static_cast<std::size_t>(frame + 1)];
   for (int i = 0; i < tree.body_count(); ++i) {
     const auto& body = tree.body(i);

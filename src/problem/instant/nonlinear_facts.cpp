@@ -25,10 +25,10 @@ QuantityScope<Scalar> solution_scope(const InstantView<Scalar>& view, InstantSys
   const bool motion = system == InstantSystem::motion;
   const std::vector<Scalar> first(unknowns.begin(), unknowns.begin() + tree.velocity_size());
   QuantityScope<Scalar> scope(machine, tree, view.data,
-                              State<Scalar>{machine.q, motion ? view.moment.state().v : first});
+                              State<Scalar>{machine.q, motion ? view.mechanism_state.state().v : first});
   if (motion) {
     scope.set_accelerations(first);
-    scope.set_forces(&view.moment, &unknowns);
+    scope.set_forces(&view.mechanism_state, &unknowns);
   } else if (system == InstantSystem::blow) {
     scope.set_blow(view.before, blow, &unknowns);
     if (!view.situation.strikes.empty())

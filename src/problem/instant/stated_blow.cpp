@@ -7,12 +7,12 @@ namespace poinsot::problem {
 namespace {
 
 template <class Scalar>
-Vector3<Scalar> center_velocity(const solve::MechanismStateOf<Scalar>& moment, int body) {
+Vector3<Scalar> center_velocity(const solve::MechanismStateOf<Scalar>& state, int body) {
   if (body == ground) return Vector3<Scalar>::zero();
-  const Model<Scalar>& tree = moment.mechanism().tree;
+  const Model<Scalar>& tree = state.mechanism().tree;
   const Scalar& mass = tree.body(body).inertia.mass;
   if (!(plain(mass) > 0)) return Vector3<Scalar>::zero();
-  return body_momentum(tree, moment.workspace(), body, Vector3<Scalar>::zero()).linear / mass;
+  return body_momentum(tree, state.workspace(), body, Vector3<Scalar>::zero()).linear / mass;
 }
 
 }  // namespace
@@ -38,21 +38,21 @@ std::vector<FlyingParticle<Scalar>> flying_particles(const Situation& situation,
 template <class Scalar>
 solve::BlowOf<Scalar> stated_blow(const InstantView<Scalar>& view) {
   using Vector = Vector3<Scalar>;
-  const solve::MechanismStateOf<Scalar>& moment = view.moment;
+  const solve::MechanismStateOf<Scalar>& state = view.mechanism_state;
   const Model<Scalar>& tree = view.machine.mechanism.tree;
   solve::BlowOf<Scalar> blow;
   for (const StatedImpulseOf<Scalar>& stated : view.machine.impulses) {
     solve::KnownImpulseOf<Scalar> impulse{stated.action, stated.on, SpatialForce<Scalar>::zero(), stated.absorbed,
                                           stated.at};
-    Vector vector = moment.on_ground_axes(stated.axes, stated.vector);
+    Vector vector = state.on_ground_axes(stated.axes, stated.vector);
     if (stated.relative_to) {
       // The momentum that the particle gives to the body: its own, less what it keeps relative to the body.
-      const Vector absolute = vector + stated.particle_mass * center_velocity(moment, *stated.relative_to);
-      const Vector relative = absolute - stated.particle_mass * center_velocity(moment, stated.on);
+      const Vector absolute = vector + stated.particle_mass * center_velocity(state, *stated.relative_to);
+      const Vector relative = absolute - stated.particle_mass * center_velocity(state, stated.on);
       vector = plain(stated.absorbed) > 0 ? absolute : (Scalar(1) - stated.kept) * relative;
     }
     impulse.wrench = stated.couple ? SpatialForce<Scalar>{vector, Vector::zero()}
-                                   : SpatialForce<Scalar>{cross(moment.position(stated.at), vector), vector};
+                                   : SpatialForce<Scalar>{cross(state.position(stated.at), vector), vector};
     blow.impulses.push_back(impulse);
   }
   blow.impacts = view.machine.impacts;

@@ -32,7 +32,13 @@ VariedInstant::VariedInstant(const SolvedInstant& base, const std::string& name,
 }
 
 InstantView<Varied> VariedInstant::view() {
-  return {situation_, data_, machine_, *moment_, base_.scales_, Varied(base_.time_), before_ ? &*before_ : nullptr};
+  return {situation_,
+          data_,
+          machine_,
+          *mechanism_state_,
+          base_.scales_,
+          Varied(base_.time_),
+          before_ ? &*before_ : nullptr};
 }
 
 void VariedInstant::build(const std::string& name, std::size_t component) {
@@ -44,7 +50,7 @@ void VariedInstant::build(const std::string& name, std::size_t component) {
   const AnyValue any = [&](const Dimension&) { return base_.any_values_.at(next++); };
   const auto loads = situation_.stages.empty() ? std::nullopt : situation_.stages.front().loads;
   machine_ = build_machine(situation_, data_, timed, any, base_.machine_options(base_.time_, loads));
-  moment_.emplace(machine_.mechanism);
+  mechanism_state_.emplace(machine_.mechanism);
 }
 
 void VariedInstant::set_positions() {
@@ -60,8 +66,8 @@ void VariedInstant::set_positions() {
       given[k] = true;
     }
   q = solve::varied_pose(machine_.mechanism, base_.machine_.q, q, given);
-  moment_->set_positions(q);
-  solve::update_contacts(machine_.mechanism, *moment_);
+  mechanism_state_->set_positions(q);
+  solve::update_contacts(machine_.mechanism, *mechanism_state_);
   for (const auto& [fact, difference] : position_differences(view(), base_.facts_))
     position_misfits_.push_back(difference.value / Varied(base_.natural_unit(difference.dimension)));
 }
@@ -78,15 +84,15 @@ void VariedInstant::set_velocities() {
   expect_same(InstantSystem::velocities, stated.nonlinear);
   conditions.insert(conditions.end(), stated.linear.begin(), stated.linear.end());
   if (situation_.steady) add_steady(view(), conditions, false);
-  systems_[InstantSystem::velocities] = solve::velocity_equations(*moment_, base_.scales_, conditions);
+  systems_[InstantSystem::velocities] = solve::velocity_equations(*mechanism_state_, base_.scales_, conditions);
   if (!base_.before_ && !base_.motion_) return;
   if (base_.choice_.velocities && !base_.velocities_.open.empty())
     throw std::domain_error("velocities that are chosen have no derivatives");
-  moment_->set_velocities(varied_solution(base_.velocity_equations_, systems_.at(InstantSystem::velocities)));
+  mechanism_state_->set_velocities(varied_solution(base_.velocity_equations_, systems_.at(InstantSystem::velocities)));
 }
 
 void VariedInstant::strike() {
-  before_.emplace(*moment_);
+  before_.emplace(*mechanism_state_);
   blow_ = stated_blow(view());
   std::vector<const Instant*> after;
   for (const Instant& instant : situation_.instants)
@@ -100,14 +106,14 @@ void VariedInstant::strike() {
     throw std::domain_error("impulses that are chosen have no derivatives");
   std::vector<Varied> v = varied_solution(base_.blow_equations_, systems_.at(InstantSystem::blow));
   v.resize(static_cast<std::size_t>(machine_.mechanism.tree.velocity_size()));
-  moment_->set_velocities(v);
+  mechanism_state_->set_velocities(v);
 }
 
 void VariedInstant::set_forces() {
   FactConditions<Varied> stated = force_facts(view(), base_.facts_);
   expect_same(InstantSystem::motion, stated.nonlinear);
   if (situation_.steady) add_steady(view(), stated.linear, true);
-  systems_[InstantSystem::motion] = solve::motion_equations(*moment_, base_.scales_, stated.linear);
+  systems_[InstantSystem::motion] = solve::motion_equations(*mechanism_state_, base_.scales_, stated.linear);
 }
 
 std::vector<Varied> VariedInstant::nonlinear_misfits(InstantSystem system, const std::vector<Varied>& unknowns) {

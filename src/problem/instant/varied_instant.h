@@ -37,7 +37,7 @@ class VariedInstant {
   const Situation& situation_;
   DataScope<Varied> data_;
   MachineOf<Varied> machine_;
-  std::optional<solve::MechanismStateOf<Varied>> moment_, before_;
+  std::optional<solve::MechanismStateOf<Varied>> mechanism_state_, before_;
   solve::BlowOf<Varied> blow_;
   std::vector<Varied> position_misfits_;
   std::map<InstantSystem, solve::LinearSystemOf<Varied>> systems_;

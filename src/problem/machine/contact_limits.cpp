@@ -19,34 +19,34 @@ const VelocityConstraint<double>* touching(const ContactLimit& limit, const Mech
 
 }  // namespace
 
-std::optional<double> left_of_surface(const ContactLimit& limit, const solve::MechanismState& moment) {
-  const VelocityConstraint<double>* constraint = touching(limit, moment.mechanism());
+std::optional<double> left_of_surface(const ContactLimit& limit, const solve::MechanismState& state) {
+  const VelocityConstraint<double>* constraint = touching(limit, state.mechanism());
   if (!constraint || norm(limit.middle) == 0) return std::nullopt;
-  const Model<double>& tree = moment.mechanism().tree;
-  const auto reach = detail::reach_of_rolling(tree, moment.workspace(), *constraint);
+  const Model<double>& tree = state.mechanism().tree;
+  const auto reach = detail::reach_of_rolling(tree, state.workspace(), *constraint);
   if (!reach) return std::nullopt;
-  return dot(normalized(*reach), moment.direction({constraint->on, limit.middle})) - limit.cosine;
+  return dot(normalized(*reach), state.direction({constraint->on, limit.middle})) - limit.cosine;
 }
 
-bool goes_beyond(const ContactLimit& limit, const solve::MechanismState& moment) {
-  const std::optional<double> left = left_of_surface(limit, moment);
+bool goes_beyond(const ContactLimit& limit, const solve::MechanismState& state) {
+  const std::optional<double> left = left_of_surface(limit, state);
   if (!left || *left > 1e-9) return false;
-  const VelocityConstraint<double>& constraint = *touching(limit, moment.mechanism());
-  const Workspace<double>& now = moment.workspace();
-  const Vector u = normalized(*detail::reach_of_rolling(moment.mechanism().tree, now, constraint));
+  const VelocityConstraint<double>& constraint = *touching(limit, state.mechanism());
+  const Workspace<double>& now = state.workspace();
+  const Vector u = normalized(*detail::reach_of_rolling(state.mechanism().tree, now, constraint));
   const Vector w = angular_velocity(now, constraint.on) - angular_velocity(now, constraint.from);
-  const Vector middle = moment.direction({constraint.on, limit.middle});
+  const Vector middle = state.direction({constraint.on, limit.middle});
   return dot(u, cross(w, middle)) < -1e-9 * norm(w);
 }
 
-bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& moment) {
-  const VelocityConstraint<double>* constraint = touching(limit, moment.mechanism());
+bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& state) {
+  const VelocityConstraint<double>* constraint = touching(limit, state.mechanism());
   if (!constraint || limit.straight.empty() || constraint->carried_by) return false;
-  const Workspace<double>& now = moment.workspace();
+  const Workspace<double>& now = state.workspace();
   const Vector w = angular_velocity(now, constraint->on) - angular_velocity(now, constraint->from);
-  const Vector n = moment.direction(constraint->along);
+  const Vector n = state.direction(constraint->along);
   return std::ranges::any_of(limit.straight, [&](const Vector& side) {
-    return std::abs(dot(cross(w, moment.direction({constraint->on, side})), n)) > 1e-9 * norm(w);
+    return std::abs(dot(cross(w, state.direction({constraint->on, side})), n)) > 1e-9 * norm(w);
   });
 }
 

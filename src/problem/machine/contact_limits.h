@@ -11,11 +11,11 @@ namespace poinsot::problem {
 // The cosine of the angle, seen from the center of the round surface, between the contact and the middle of the
 // surface, less the cosine for its end: negative beyond the end. Nothing if the surface has no end or the contact
 // does not hold. The state must have its positions.
-std::optional<double> left_of_surface(const ContactLimit& limit, const solve::MechanismState& moment);
+std::optional<double> left_of_surface(const ContactLimit& limit, const solve::MechanismState& state);
 // Whether the contact is at the end of its surface and moves on beyond it. The state must have its velocities.
-bool goes_beyond(const ContactLimit& limit, const solve::MechanismState& moment);
+bool goes_beyond(const ContactLimit& limit, const solve::MechanismState& state);
 // Whether a straight side turns out of the plane that it touches. The state must have its velocities.
-bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& moment);
+bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& state);
 
 // The message "contact 'floor' is beyond the end of the round surface of 'half'".
 std::string words_of_end(const ContactLimit& limit);

@@ -11,10 +11,10 @@ std::optional<std::string> gimbal_lock(const Machine& machine, const std::vector
   const Mechanism<double>& mechanism = machine.mechanism;
   const auto has_others = [](const Drive<double>& drive) { return drive.turning && drive.others.size() == 2; };
   if (std::ranges::none_of(mechanism.drives, has_others)) return std::nullopt;
-  solve::MechanismState moment(mechanism);
-  moment.set_positions(q);
+  solve::MechanismState state(mechanism);
+  state.set_positions(q);
   const auto parallel = [&](const Direction<double>& a, const Direction<double>& b) {
-    return norm(cross(moment.direction(a), moment.direction(b))) <= sine;
+    return norm(cross(state.direction(a), state.direction(b))) <= sine;
   };
   const auto name_of = [&](const Drive<double>& drive) {
     const auto named = std::ranges::find(machine.coordinates, drive.position, &NamedCoordinate::position);

@@ -46,9 +46,9 @@ void QuantityScope<Scalar, Base>::set_accelerations(const std::vector<Base>& acc
 }
 
 template <class Scalar, class Base>
-void QuantityScope<Scalar, Base>::set_forces(const solve::MechanismStateOf<Base>* moment,
+void QuantityScope<Scalar, Base>::set_forces(const solve::MechanismStateOf<Base>* state,
                                              const std::vector<Base>* unknowns) {
-  moment_ = moment;
+  mechanism_state_ = state;
   unknowns_ = unknowns;
 }
 

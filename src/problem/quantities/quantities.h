@@ -40,7 +40,7 @@ class QuantityScope : public Scope<Scalar> {
   // Sets the accelerations of the coordinates, and for forces the solution of the equations of motion that they
   // belong to.
   void set_accelerations(const std::vector<Base>& accelerations);
-  void set_forces(const solve::MechanismStateOf<Base>* moment, const std::vector<Base>* unknowns);
+  void set_forces(const solve::MechanismStateOf<Base>* state, const std::vector<Base>* unknowns);
   // Sets the particles of strikes that fly on their own: they belong to the system.
   void set_flying(std::vector<FlyingParticle<Base>> particles) { flying_ = std::move(particles); }
   void set_blow(const solve::MechanismStateOf<Base>* before, const solve::BlowOf<Base>* blow,
@@ -133,7 +133,7 @@ class QuantityScope : public Scope<Scalar> {
   bool has_accelerations_ = false;
   std::vector<Base> accelerations_;
   std::vector<FlyingParticle<Base>> flying_;
-  const solve::MechanismStateOf<Base>* moment_ = nullptr;
+  const solve::MechanismStateOf<Base>* mechanism_state_ = nullptr;
   const std::vector<Base>* unknowns_ = nullptr;
   const solve::MechanismStateOf<Base>* before_ = nullptr;
   const solve::BlowOf<Base>* blow_ = nullptr;

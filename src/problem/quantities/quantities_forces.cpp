@@ -17,7 +17,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
   if (sudden && !before_)
     evaluator.fail(mark, call.function + "() belongs to a blow, and nothing sudden happens here",
                    "state impulses:, impacts: or strikes:, and ask it after the blow");
-  if (!sudden && (!moment_ || !unknowns_))
+  if (!sudden && (!mechanism_state_ || !unknowns_))
     evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known of the velocities");
   const std::string_view f = call.function;
   const Mechanism<Base>& mechanism = machine_.mechanism;
@@ -83,8 +83,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
   }
   SpatialForce<Base> wrench = SpatialForce<Base>::zero();
   for (std::size_t i : actions)
-    wrench +=
-        sudden ? solve::action_impulse(*before_, *blow_, *impulses_, i) : solve::action_wrench(*moment_, *unknowns_, i);
+    wrench += sudden ? solve::action_impulse(*before_, *blow_, *impulses_, i)
+                     : solve::action_wrench(*mechanism_state_, *unknowns_, i);
   const Action& first = mechanism.actions[actions.front()];
   Base sign(1);
   if (const Expression* on = call.argument("on")) {
@@ -101,7 +101,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     return vector_value(lifted<Scalar>(sign * v), dimension);
   };
   // The place at which the first component of these actions is carried.
-  const solve::MechanismStateOf<Base>& now = sudden ? *before_ : *moment_;
+  const solve::MechanismStateOf<Base>& now = sudden ? *before_ : *mechanism_state_;
   const auto own_place = [&]() -> Vector3<Base> {
     for (const Component<Base>& component : mechanism.components)
       if (component.action == static_cast<int>(actions.front())) return now.position(component.at);
@@ -130,7 +130,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     // The effort along or about the motor's own axis is meant. Gimbals may pass on more than that.
     for (const Drive<Base>& drive : mechanism.drives) {
       if (drive.action != static_cast<int>(actions.front())) continue;
-      const Vector3<Base> d = moment_->direction(drive.along);
+      const Vector3<Base> d = mechanism_state_->direction(drive.along);
       return drive.turning ? as_vector(dot(wrench.moment, d) * d, dimensions::moment)
                            : as_vector(wrench.force, dimensions::force);
     }

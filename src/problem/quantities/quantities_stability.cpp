@@ -11,7 +11,7 @@ namespace poinsot::problem {
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::holding(const Call& call, const Evaluator<Scalar>& evaluator) {
   const Expression& what = call.arguments[0].value;
-  if (!moment_ || !unknowns_)
+  if (!mechanism_state_ || !unknowns_)
     evaluator.fail(what.mark(), call.function + "() cannot stand inside rate() or among what is known");
   const ActionKind kind = call.function == "taut" ? ActionKind::cord : ActionKind::contact;
   const Mechanism<Base>& mechanism = machine_.mechanism;

@@ -113,7 +113,7 @@ LetterValues random_values(std::mt19937_64& random) {
   return values;
 }
 
-TEST(ExpressionDynamics, FormulasHaveTheValuesOfDoubles) {
+TEST(FormulaDynamics, FormulasHaveTheValuesOfDoubles) {
   std::mt19937_64 random(31);
   const auto pendulum = double_pendulum<Formula>({});
   const auto gyro = gyroscope<Formula>({});
@@ -131,7 +131,7 @@ TEST(ExpressionDynamics, FormulasHaveTheValuesOfDoubles) {
 }
 
 // Forces that follow from accelerations that follow from forces are the forces.
-TEST(ExpressionDynamics, InverseAndForwardDynamicsUndoEachOtherExactly) {
+TEST(FormulaDynamics, InverseAndForwardDynamicsUndoEachOtherExactly) {
   for (auto c : {double_pendulum<Formula>({}), gyroscope<Formula>({})}) {
     const std::vector<Formula> given = c.given;
     c.given = accelerations(c);
@@ -140,7 +140,7 @@ TEST(ExpressionDynamics, InverseAndForwardDynamicsUndoEachOtherExactly) {
   }
 }
 
-TEST(ExpressionDynamics, HasTheTextbooksEquations) {
+TEST(FormulaDynamics, HasTheTextbooksEquations) {
   auto pendulum = double_pendulum<Formula>({});
   const Formula L1 = Formula::letter("L1", Sign::positive);
   const Formula L2 = Formula::letter("L2", Sign::positive);

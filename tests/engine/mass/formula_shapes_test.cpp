@@ -23,7 +23,7 @@ const Formula b = Formula::letter("b", Sign::real);
 const Vector origin = Vector::zero();
 const Vector up{0, 0, 1};
 
-TEST(ExpressionShapes, HaveTheFormulasOfTheTables) {
+TEST(FormulaShapes, HaveTheFormulasOfTheTables) {
   const auto cylinder = of_mass(shapes::cylinder<Formula>(origin, L * up, r), m);
   EXPECT_EQ(text(cylinder.inertia_center.xx), "m*(L^2 + 3*r^2)/12");
   EXPECT_EQ(text(cylinder.inertia_center.zz), "m*r^2/2");
@@ -48,14 +48,14 @@ TEST(ExpressionShapes, HaveTheFormulasOfTheTables) {
   EXPECT_EQ(text(cube.inertia_center.zz), "L^2*m/18");
 }
 
-TEST(ExpressionShapes, MoveByTheTheoremOfParallelAxes) {
+TEST(FormulaShapes, MoveByTheTheoremOfParallelAxes) {
   const auto disk = of_mass(shapes::disk<Formula>(origin, up, r), m);
   EXPECT_EQ(text(moment_about_axis(disk, Vector{r, 0, 0}, up)), "3*m*r^2/2");
   EXPECT_EQ(text(moment_about_axis(disk, Vector{0, 0, h}, Vector{1, 0, 0})), "m*(h^2 + r^2/4)");
   EXPECT_EQ(text(moment_about_axis(disk, origin, Vector{0, sin(b), cos(b)})), "m*r^2*(cos(b)^2 + 1)/4");
 }
 
-TEST(ExpressionShapes, TurnByTheAngle) {
+TEST(FormulaShapes, TurnByTheAngle) {
   const auto rod = of_mass(shapes::rod<Formula>(origin, L * up), m);
   const auto turned_rod = transformed(rotation_about(Vector{1, 0, 0}, b), origin, rod);
   EXPECT_EQ(text(turned_rod.inertia_center.yy), "L^2*m*cos(b)^2/12");
@@ -68,7 +68,7 @@ TEST(ExpressionShapes, TurnByTheAngle) {
 }
 
 // A plate of two halves is the plate, in whatever order they are added.
-TEST(ExpressionShapes, AddUp) {
+TEST(FormulaShapes, AddUp) {
   const auto plate = [](const Formula& from, const Formula& to) {
     const Vector center{(from + to) / 2, 0, 0};
     return shapes::rectangle<Formula>(center, Vector{to - from, 0, 0}, Vector{0, h, 0});

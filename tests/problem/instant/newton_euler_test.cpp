@@ -1,5 +1,5 @@
 // Whole problem files against Newton's and Euler's equations in redundant coordinates, written independently
-// (tests/dynamics/newton_euler_oracle.h), for all kinds of joints.
+// (tests/engine/dynamics/newton_euler_oracle.h), for all kinds of joints.
 #include <gtest/gtest.h>
 
 #include "case_count.h"

@@ -173,14 +173,14 @@ class Subject {
     }
     about("pose");
     numbers.add(machine.q);
-    solve::MechanismStateOf<Scalar> moment(mechanism);
-    moment.set_positions(machine.q);
-    solve::update_contacts(mechanism, moment);
+    solve::MechanismStateOf<Scalar> placed(mechanism);
+    placed.set_positions(machine.q);
+    solve::update_contacts(mechanism, placed);
 
     for (int i = 0; i < tree.body_count(); ++i) {
       about("pose of " + tree.name(i));
-      numbers.add(body_rotation(tree, moment.workspace(), i));
-      numbers.add(point_position(tree, moment.workspace(), i, Vector3<Scalar>::zero()));
+      numbers.add(body_rotation(tree, placed.workspace(), i));
+      numbers.add(point_position(tree, placed.workspace(), i, Vector3<Scalar>::zero()));
     }
 
     about("velocities");
@@ -195,7 +195,7 @@ class Subject {
     const auto n = static_cast<std::size_t>(tree.velocity_size());
     state(rates, machine.rates, n);
     state(accelerations, machine.accelerations, solve::force_unknowns(mechanism).size());
-    const auto velocity_equations = solve::velocity_equations(moment, scales_, rates);
+    const auto velocity_equations = solve::velocity_equations(placed, scales_, rates);
     numbers.add(velocity_equations);
     const Solved<Scalar> velocities = solved(velocity_equations);
     add_misfit(numbers, "misfit of velocities", velocities);
@@ -204,29 +204,29 @@ class Subject {
     if (!velocities.fixed)
       for (std::size_t k = 0; k < n; ++k) v[k] = Scalar(0.3 + 0.2 * static_cast<double>(k % 5));
     numbers.add(v);
-    moment.set_velocities(v);
+    placed.set_velocities(v);
 
     for (const Component<Scalar>& component : mechanism.components) {
       about("component of " + mechanism.actions[static_cast<std::size_t>(component.action)].name);
-      numbers.add(moment.component_wrench(component));
+      numbers.add(placed.component_wrench(component));
     }
     for (const Drive<Scalar>& drive : mechanism.drives) {
       about("drive");
-      numbers.add(moment.drive_wrench(drive));
-      numbers.add(moment.known_effort(drive));
+      numbers.add(placed.drive_wrench(drive));
+      numbers.add(placed.known_effort(drive));
     }
     about("loads and springs");
-    for (const KnownForce<Scalar>& force : mechanism.forces) numbers.add(moment.known_wrench(force));
-    for (const SpringLaw<Scalar>& spring : mechanism.springs) numbers.add(moment.spring_wrench(spring));
+    for (const KnownForce<Scalar>& force : mechanism.forces) numbers.add(placed.known_wrench(force));
+    for (const SpringLaw<Scalar>& spring : mechanism.springs) numbers.add(placed.spring_wrench(spring));
     for (const VelocityConstraint<Scalar>& constraint : mechanism.constraints) {
       about("constraint " + constraint.words);
-      const solve::ConstraintRow<Scalar> row = solve::constraint_row(moment, constraint);
+      const solve::ConstraintRow<Scalar> row = solve::constraint_row(placed, constraint);
       numbers.add(row.coefficients);
       numbers.add(row.bias);
     }
 
     about("motion");
-    const auto motion_equations = solve::motion_equations(moment, scales_, accelerations);
+    const auto motion_equations = solve::motion_equations(placed, scales_, accelerations);
     numbers.add(motion_equations);
     const Solved<Scalar> motion = solved(motion_equations);
     add_misfit(numbers, "misfit of motion", motion);
@@ -235,9 +235,9 @@ class Subject {
       numbers.add(motion.value);
       about("action");
       for (std::size_t i = 0; i < mechanism.actions.size(); ++i)
-        numbers.add(solve::action_wrench(moment, motion.value, i));
+        numbers.add(solve::action_wrench(placed, motion.value, i));
     }
-    if (problem_.has_blow()) add_blow(machine, moment, numbers);
+    if (problem_.has_blow()) add_blow(machine, placed, numbers);
     return numbers;
   }
 

@@ -1,4 +1,5 @@
-// What the actions of a Mechanism exert on body `on`, and reversed on body `from`, in a pose with velocities.
+// The forces that the actions of a Mechanism exert on body `on`, and reversed on body `from`, in a pose with
+// velocities.
 #pragma once
 
 #include "poinsot/engine/dynamics/velocity_constraint.h"
@@ -6,7 +7,7 @@
 
 namespace poinsot {
 
-// A component of size one. After update_poses.
+// The force (N) or couple (N m) of a component of size one. After update_poses.
 template <class Scalar>
 PlacedForce<Scalar> component_force(const Model<Scalar>& tree, const Workspace<Scalar>& w,
                                     const Component<Scalar>& component) {
@@ -19,7 +20,7 @@ PlacedForce<Scalar> component_force(const Model<Scalar>& tree, const Workspace<S
   return {P, d, component.couple_per_force * d};
 }
 
-// After update_poses.
+// The force or couple of a load. After update_poses.
 template <class Scalar>
 PlacedForce<Scalar> known_force(const Model<Scalar>& tree, const Workspace<Scalar>& w,
                                 const KnownForce<Scalar>& force) {
@@ -29,7 +30,8 @@ PlacedForce<Scalar> known_force(const Model<Scalar>& tree, const Workspace<Scala
   return force.couple ? PlacedForce<Scalar>{P, none, vector} : PlacedForce<Scalar>{P, vector, none};
 }
 
-// The pull of a spring with its damper, N, along the line to its other end; elastic: the spring's part of it.
+// The pull of a spring with its damper on body `on`, along the line to its other end (N). elastic_energy is that of
+// the spring.
 template <class Scalar>
 struct SpringPull {
   PlacedForce<Scalar> force{};
@@ -38,7 +40,7 @@ struct SpringPull {
   Scalar elastic_energy{};  // J
 };
 
-// After update_velocities.
+// The pull of a spring at the present velocities. After update_velocities.
 template <class Scalar>
 SpringPull<Scalar> spring_pull(const Model<Scalar>& tree, const Workspace<Scalar>& w, const SpringLaw<Scalar>& spring) {
   SpringPull<Scalar> pull;
@@ -46,7 +48,7 @@ SpringPull<Scalar> spring_pull(const Model<Scalar>& tree, const Workspace<Scalar
   const Vector3<Scalar> span = point_position(tree, w, spring.toward.body, spring.toward.point) - P;
   pull.length = norm(span);
   if constexpr (requires { plain(spring.free_length); }) {
-    // Its pull is that of the span itself, also where the ends meet and the span has no direction.
+    // Such a spring pulls in proportion to its span, also if the ends meet and the span has no direction.
     if (vanishes(spring.free_length) && vanishes(spring.damping)) {
       pull.elastic_energy = Scalar(0.5) * spring.stiffness * norm_squared(span);
       pull.force = {P, spring.stiffness * span, Vector3<Scalar>::zero()};

@@ -1,8 +1,8 @@
-// The equations of motion of a Mechanism as matrices, over any scalar: run on a Traced (math/traced.h) they become
-// formulas and code.
+// The equations of motion of a Mechanism as matrices, over any scalar: run on a Traced (math/trace/traced.h) they
+// become formulas and code.
 //
-// With M the mass matrix of all velocity coordinates v, h what velocities and weights bring, Q the generalised forces
-// of loads, springs, dampers and known efforts, J the rows of the constraints beyond the tree and b their biases,
+// M is the mass matrix of all velocity coordinates v, h the part of velocities and weights, Q the generalised forces
+// of loads, springs, dampers and known efforts, J the rows of the constraints beyond the tree and b their biases:
 //
 //   M dv/dt = Q - h + J^T y + (efforts of held coordinates),      J dv/dt + b = 0       (principle of virtual work).
 #pragma once
@@ -28,11 +28,11 @@ struct EquationsOfMotion {
   std::vector<Scalar> right_side;             // Q - h
   std::vector<std::vector<Scalar>> jacobian;  // J, a row per constraint
   std::vector<Scalar> bias;                   // b
-  // The sizes of the terms that each entry of J is the sum of: an entry far below is what rounding has left of nothing.
+  // The sizes of the terms whose sum is each entry of J. An entry far below this is what rounding left of zero.
   std::vector<std::vector<double>> jacobian_terms;
 };
 
-// Adds the generalised forces of a force on body `on`, reversed on body `from`. After update_poses.
+// Adds the generalised forces of a force on body `on`, and of its reaction on body `from`. After update_poses.
 template <class Scalar>
 void add_generalised_force(const Model<Scalar>& tree, const Workspace<Scalar>& workspace, int on, int from,
                            const PlacedForce<Scalar>& force, std::vector<Scalar>& forces) {
@@ -44,7 +44,8 @@ void add_generalised_force(const Model<Scalar>& tree, const Workspace<Scalar>& w
                                });
 }
 
-// Q: of loads, springs with their dampers, and what drives exert that is known. After update_velocities.
+// Q: the generalised forces of loads, springs with their dampers, and known efforts of drives. After
+// update_velocities.
 template <class Scalar>
 std::vector<Scalar> known_generalised_forces(const Mechanism<Scalar>& mechanism, const Workspace<Scalar>& workspace,
                                              const State<Scalar>& state) {
@@ -74,7 +75,7 @@ double size_of_terms(const PlacedForce<Scalar>& unit, const SpatialMotion<Scalar
   return norm(plain(unit.force)) * arm + norm(plain(unit.couple)) * turning;
 }
 
-// J and b at a state. After update_accelerations with accelerations zero.
+// The rows J and b at a state. After update_accelerations with accelerations of zero.
 template <class Scalar>
 void add_constraint_rows(const Mechanism<Scalar>& mechanism, const Workspace<Scalar>& workspace,
                          EquationsOfMotion<Scalar>& equations) {
@@ -90,7 +91,7 @@ void add_constraint_rows(const Mechanism<Scalar>& mechanism, const Workspace<Sca
             size_of_terms(line.unit, S, plain(p), plain(workspace.motion[static_cast<std::size_t>(body + 1)].p));
       });
     };
-    // A cord acts on its other end.
+    // The two bodies meet at one point, but a cord pulls each of them at its own end.
     const bool cord = c.kind == VelocityConstraintKind::cord_length;
     add(c.on, line.unit.point, 1);
     add(c.from, cord ? point_position(mechanism.tree, workspace, c.toward.body, c.toward.point) : line.unit.point, -1);
@@ -136,8 +137,8 @@ std::vector<Scalar> needed_generalised_forces(const Mechanism<Scalar>& mechanism
   return forces;
 }
 
-// The equations without the constraint forces. Of the free coordinates some are dependent: dv/dt = N du/dt + g with the
-// accelerations du/dt of the independent ones, and
+// The equations after elimination of the constraint forces. Some of the free coordinates depend on the others: dv/dt
+// = N du/dt + g, where du/dt are the accelerations of the independent ones, and
 //
 //   (N^T M N) du/dt = N^T (Q - h - M g).
 template <class Scalar>
@@ -149,9 +150,9 @@ struct ReducedEquations {
   std::vector<Scalar> right_side;          // N^T (Q - h - M g)
 };
 
-// held, acceleration: of each velocity coordinate, whether it moves as given, and how. Gauss's elimination with pivots
-// that are best at plain numbers, rows left out of which only rounding is left; preferred: for a coordinate, how gladly
-// it is kept as independent.
+// held, acceleration: for each velocity coordinate whether its motion is given, and its acceleration then. Dependent
+// coordinates are chosen by Gauss's elimination with the pivots that are best at plain numbers; rows that are nothing
+// but rounding are left out. preferred: the larger it is for a coordinate, the rather this stays independent.
 template <class Scalar>
 ReducedEquations<Scalar> reduced_equations(const EquationsOfMotion<Scalar>& equations, const std::vector<bool>& held,
                                            const std::vector<Scalar>& acceleration,
@@ -167,7 +168,8 @@ ReducedEquations<Scalar> reduced_equations(const EquationsOfMotion<Scalar>& equa
       if (held[k]) value -= rows[i][k] * acceleration[k];
     right.push_back(value);
   }
-  // The terms that each entry has come from, through the elimination: its rounding is a part of them.
+  // The terms that each entry comes from are followed through the elimination, since the rounding of an entry is a
+  // part of them.
   std::vector<std::vector<double>> terms = equations.jacobian_terms;
   std::vector<double> row_size(rows.size(), 0);
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -184,11 +186,12 @@ ReducedEquations<Scalar> reduced_equations(const EquationsOfMotion<Scalar>& equa
       for (std::size_t k = 0; k < n; ++k) {
         if (held[k] || pivot_of[k] >= 0 || vanishes(rows[i][k])) continue;
         const double size = std::fabs(plain(rows[i][k]));
-        // What rounding has left of nothing is no pivot; numbers are better than formulas, short rows than long ones.
+        // An entry that is nothing but rounding is no pivot. Numbers are preferred to formulas, and short rows to
+        // long ones.
         if (size <= 1e-11 * terms[i][k] || size <= 1e-9 * row_size[i]) continue;
         std::size_t entries = 0;
         for (std::size_t j = 0; j < n; ++j) entries += !held[j] && !vanishes(rows[i][j]);
-        // A row that is small here may vanish near by.
+        // An entry that is small here may vanish nearby.
         double quality = size / largest_row / static_cast<double>(entries * entries);
         if (is_constant(rows[i][k])) quality *= 10;
         if (!preferred.empty()) quality *= std::exp(-preferred[k]);
@@ -261,8 +264,8 @@ ReducedEquations<Scalar> reduced_equations(const EquationsOfMotion<Scalar>& equa
   return reduced;
 }
 
-// dv/dt of all coordinates by Cholesky's elimination without roots, first those with the fewest neighbours.
-// std::domain_error if a coordinate that nothing holds moves no mass.
+// The accelerations dv/dt of all coordinates, by Cholesky's elimination without roots, where the coordinates with the
+// fewest neighbours come first. Throws std::domain_error if a coordinate that nothing holds moves no mass.
 template <class Scalar>
 std::vector<Scalar> solved_accelerations(const ReducedEquations<Scalar>& reduced) {
   const std::size_t m = reduced.independent.size();
@@ -274,7 +277,7 @@ std::vector<Scalar> solved_accelerations(const ReducedEquations<Scalar>& reduced
     std::size_t p = m;
     for (std::size_t k = 0; k < m; ++k) {
       if (std::find(order.begin(), order.end(), k) != order.end()) continue;
-      // The one with the fewest neighbours fills in least.
+      // The coordinate with the fewest neighbours causes the least fill-in.
       const auto better = [&](std::size_t a, std::size_t b) {
         const auto entries = [&](std::size_t i) {
           std::size_t count = 0;

@@ -5,7 +5,7 @@
 // velocities taken at one point: the power of the force f at that point and the couple c, exerted on `on` and reversed
 // on `from` (principle of virtual work). Its derivative is J dv/dt + bias.
 //
-// Decisions look at plain numbers (math/plain.h).
+// Decisions look at plain numbers (math/algebra/plain.h).
 #pragma once
 
 #include <cmath>
@@ -30,7 +30,7 @@ struct PlacedForce {
 template <class Scalar>
 struct ConstraintLine {
   PlacedForce<Scalar> unit{};
-  Scalar bias{};  // rate of the constraint's rate while the coordinates have no acceleration but that of the workspace
+  Scalar bias{};  // the rate of the constraint's rate at the accelerations in the workspace
 };
 
 // Whether a constraint binds positions as well; those against slipping bind velocities only.
@@ -41,7 +41,7 @@ bool binds_positions(const VelocityConstraint<Scalar>& c) {
 
 namespace detail {
 
-// Below this sine a body of revolution lies flat on the surface: its whole circle touches.
+// If this sine is less, a body of revolution lies flat on the surface and its whole circle touches.
 inline constexpr double flat_sine = 1e-9;
 
 // From the center of a rolling body's circle to where it touches, along u = b - (b . e) e (e: axis of the circle, b: of
@@ -86,7 +86,7 @@ Vector3<Scalar> contact_velocity(const Model<Scalar>& tree, const Workspace<Scal
   return center_velocity + dot(r, direction) * direction_rate;
 }
 
-// Velocity and acceleration of the point of a body that is at the ground point p now.
+// The velocity and the acceleration of the point of a body that is now at the ground point p.
 template <class Scalar>
 Vector3<Scalar> velocity_at(const Workspace<Scalar>& w, int body, const Vector3<Scalar>& p) {
   const BodyMotion<Scalar>& motion = w.motion[static_cast<std::size_t>(body + 1)];
@@ -99,7 +99,7 @@ Vector3<Scalar> acceleration_at(const Workspace<Scalar>& w, int body, const Vect
   return motion.a + cross(motion.alpha, r) + cross(motion.w, cross(motion.w, r));
 }
 
-// Velocity of a contact that rests in a frame of a steady motion.
+// The velocity of a contact that rests in a frame of a steady motion.
 template <class Scalar>
 Vector3<Scalar> carried_velocity(const Model<Scalar>& tree, const Workspace<Scalar>& w,
                                  const VelocityConstraint<Scalar>& c, const Vector3<Scalar>& P) {
@@ -112,8 +112,8 @@ Vector3<Scalar> carried_velocity(const Model<Scalar>& tree, const Workspace<Scal
 
 }  // namespace detail
 
-// Where the constraint holds the two bodies together, m: for rolling bodies of revolution where they touch now. After
-// update_poses.
+// The point at which the constraint holds the two bodies together, m; for rolling bodies of revolution the present
+// point of contact. After update_poses.
 template <class Scalar>
 Vector3<Scalar> constraint_point(const Model<Scalar>& tree, const Workspace<Scalar>& w,
                                  const VelocityConstraint<Scalar>& c) {
@@ -123,7 +123,7 @@ Vector3<Scalar> constraint_point(const Model<Scalar>& tree, const Workspace<Scal
   return point_position(tree, w, c.at.body, c.at.point);
 }
 
-// The row without its bias, at the point P where it holds. After update_poses.
+// The unit force of the constraint, without its bias, at the point P where it holds. After update_poses.
 template <class Scalar>
 PlacedForce<Scalar> constraint_force(const Model<Scalar>& tree, const Workspace<Scalar>& w,
                                      const VelocityConstraint<Scalar>& c, const Vector3<Scalar>& P) {
@@ -143,8 +143,8 @@ PlacedForce<Scalar> constraint_force(const Model<Scalar>& tree, const Workspace<
   return constraint_force(tree, w, c, constraint_point(tree, w, c));
 }
 
-// The row with its bias, at the point P where it holds. After update_accelerations with the accelerations that the
-// coordinates are known to have.
+// The unit force of the constraint and its bias, at the point P where it holds. After update_accelerations with the
+// known accelerations of the coordinates.
 template <class Scalar>
 ConstraintLine<Scalar> constraint_line(const Model<Scalar>& tree, const Workspace<Scalar>& w,
                                        const VelocityConstraint<Scalar>& c, const Vector3<Scalar>& P) {
@@ -159,7 +159,7 @@ ConstraintLine<Scalar> constraint_line(const Model<Scalar>& tree, const Workspac
     }
     case VelocityConstraintKind::point:
     case VelocityConstraintKind::rolling: {
-      // The bodies' points at the contact change as it moves over them with v_contact.
+      // The material points at the contact change as the contact moves over the bodies with v_contact.
       const Vector3<Scalar>& d = line.unit.force;
       const Vector3<Scalar> v_on = detail::velocity_at(w, c.on, P), v_from = detail::velocity_at(w, c.from, P);
       const Vector3<Scalar> v_contact =
@@ -191,8 +191,8 @@ ConstraintLine<Scalar> constraint_line(const Model<Scalar>& tree, const Workspac
   return constraint_line(tree, w, c, constraint_point(tree, w, c));
 }
 
-// The axis, on the axes of `from`, about which a joint that closes a loop lets the bodies turn: two angular constraints
-// of one joint stand across it. Nothing if the joint forbids other turnings than these two.
+// The axis, on the axes of `from`, about which a joint that closes a loop lets the bodies turn. The joint has two
+// angular constraints perpendicular to it. Nothing if the joint forbids other rotations than these two.
 template <class Scalar>
 std::optional<Vector3<Scalar>> axis_left_free(const std::vector<VelocityConstraint<Scalar>>& constraints,
                                               std::size_t index) {
@@ -211,8 +211,8 @@ std::optional<Vector3<Scalar>> axis_left_free(const std::vector<VelocityConstrai
   return others == 1 ? axis : std::nullopt;
 }
 
-// By how much a constraint is open, m or rad: its derivative is the constraint's rate where it is closed. free_axis: of
-// axis_left_free, for angular ones. After update_poses.
+// By how much a constraint is open, m or rad. Where it is closed, the derivative is the constraint's rate. free_axis:
+// the result of axis_left_free, for angular constraints. After update_poses.
 template <class Scalar>
 Scalar constraint_gap(const Model<Scalar>& tree, const Workspace<Scalar>& w, const VelocityConstraint<Scalar>& c,
                       const std::optional<Vector3<Scalar>>& free_axis) {
@@ -220,7 +220,7 @@ Scalar constraint_gap(const Model<Scalar>& tree, const Workspace<Scalar>& w, con
   using std::sqrt;
   switch (c.kind) {
     case VelocityConstraintKind::angular: {
-      // The least rotation vector that leads from closed to the present pose; as drawn the bodies' axes coincide.
+      // The smallest rotation vector from the closed to the present pose. As drawn, the axes of the bodies coincide.
       const Matrix3<Scalar> R = transpose(body_rotation(tree, w, c.from)) * body_rotation(tree, w, c.on);
       Vector3<Scalar> turn;  // its direction, of length sine
       Scalar cosine;

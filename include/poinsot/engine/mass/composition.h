@@ -44,7 +44,7 @@ constexpr MassProperties<Scalar> scaled(const Scalar& factor, const MassProperti
   return {factor * body.mass, body.center, factor * body.inertia_center};
 }
 
-// Moved by d without turning.
+// The body after a translation by d.
 template <class Scalar>
 constexpr MassProperties<Scalar> translated(const Vector3<Scalar>& d, const MassProperties<Scalar>& body) {
   return {body.mass, body.center + d, body.inertia_center};

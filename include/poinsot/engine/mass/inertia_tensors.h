@@ -1,4 +1,4 @@
-// Small tensors and vectors from which the inertias of shapes are put together.
+// Small tensors and vectors from which the inertias of shapes are composed.
 #pragma once
 
 #include <cmath>
@@ -14,26 +14,27 @@ Scalar magnitude(const Scalar& a) {
   return sqrt(a * a);
 }
 
-// v v^T.
+// The dyad v v^T.
 template <class Scalar>
 constexpr SymmetricMatrix3<Scalar> dyad(const Vector3<Scalar>& v) {
   return {v.x * v.x, v.y * v.y, v.z * v.z, v.x * v.y, v.y * v.z, v.z * v.x};
 }
 
-// The same moment about every axis.
+// The tensor with the same moment about every axis.
 template <class Scalar>
 constexpr SymmetricMatrix3<Scalar> isotropic_tensor(const Scalar& moment) {
   return SymmetricMatrix3<Scalar>::diagonal(moment, moment, moment);
 }
 
-// Moment `axial` about the unit vector `axis`, `transverse` about every axis perpendicular to it.
+// The tensor with the moment `axial` about the unit vector `axis` and `transverse` about every axis perpendicular to
+// it.
 template <class Scalar>
 constexpr SymmetricMatrix3<Scalar> axisymmetric_tensor(const Vector3<Scalar>& axis, const Scalar& axial,
                                                        const Scalar& transverse) {
   return isotropic_tensor(transverse) + (axial - transverse) * dyad(axis);
 }
 
-// Moments about three perpendicular unit vectors, the columns of `axes`, which are principal axes.
+// The tensor with these moments about three perpendicular unit vectors, the columns of `axes`.
 template <class Scalar>
 constexpr SymmetricMatrix3<Scalar> principal_tensor(const Matrix3<Scalar>& axes, const Vector3<Scalar>& moments) {
   return moments.x * dyad(axes.column(0)) + moments.y * dyad(axes.column(1)) + moments.z * dyad(axes.column(2));

@@ -1,4 +1,4 @@
-// Bodies given by closed triangle meshes: volume, centroid and inertia, and whether a mesh encloses a body.
+// Bodies given by closed triangle meshes: volume, centroid and inertia, and checks that a mesh encloses a body.
 #pragma once
 
 #include <array>
@@ -96,13 +96,13 @@ ParticleSet<Scalar> solid_of_mesh(const TriangleMesh<Scalar>& mesh) {
 
 enum class MeshRule {
   has_triangles,
-  known_vertices,  // every triangle names vertices that exist
+  known_vertices,  // every triangle refers to existing vertices
   finite_vertices,
-  proper_triangles,        // three different corners that are not on one line
+  proper_triangles,        // three different corners that are not on a line
   closed_surface,          // every edge belongs to two triangles
-  consistent_orientation,  // which run along it in opposite directions
+  consistent_orientation,  // and they run along it in opposite directions
   outward_orientation,     // the volume is positive
-  separate_parts,          // lie apart, or as cavities in each other
+  separate_parts,          // parts are separate, or are cavities in each other
 };
 
 struct MeshFault {
@@ -111,8 +111,8 @@ struct MeshFault {
   std::size_t count = 0;  // triangles, vertices or edges at fault
 };
 
-// Every rule that the mesh breaks, one entry for each; nothing for a mesh that encloses a body. `name` is the mesh's
-// name in the messages. Later rules are looked at only where earlier ones allow.
+// Every rule that the mesh breaks, with one entry for each; empty for a mesh that encloses a body. `name` is the mesh's
+// name in messages. Later rules are checked only if earlier ones allow it.
 std::vector<MeshFault> find_faults(const TriangleMesh<double>& mesh, const std::string& name);
 
 }  // namespace poinsot

@@ -1,7 +1,7 @@
 // Triangle meshes from STL (binary and text) and Wavefront OBJ files.
 //
 // A reader takes any bytes: it returns a mesh or says what is wrong and where, and never needs memory beyond a small
-// multiple of the input. It does not ask whether the mesh is closed: see find_faults in poinsot/mass/mesh.h.
+// multiple of the input. It does not ask whether the mesh is closed: see find_faults in poinsot/engine/mass/mesh.h.
 #pragma once
 
 #include <cstddef>

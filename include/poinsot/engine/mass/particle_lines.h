@@ -1,4 +1,4 @@
-// Particles for rods and wires; names and arguments as in poinsot/mass/lines.h.
+// Particles for rods and wires; names and arguments as in poinsot/engine/mass/lines.h.
 #pragma once
 
 #include "poinsot/engine/mass/particle_set.h"

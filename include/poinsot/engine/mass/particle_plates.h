@@ -1,4 +1,4 @@
-// Particles for thin plates; names and arguments as in poinsot/mass/plates.h.
+// Particles for thin plates; names and arguments as in poinsot/engine/mass/plates.h.
 #pragma once
 
 #include <array>

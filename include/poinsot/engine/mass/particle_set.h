@@ -1,7 +1,8 @@
 // A shape or body as a few weighted particles with the same mass, first and second moments.
 //
-// This is the independent road to every momentum, energy and force that the closed forms of poinsot/mass/shapes.h lead
-// to: nothing here or in the particle_*.h headers uses a formula for a centroid or a moment of inertia.
+// This is the independent road to every momentum, energy and force that the closed forms of
+// poinsot/engine/mass/shapes.h lead to: nothing here or in the particle_*.h headers uses a formula for a centroid or a
+// moment of inertia.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Particles for thin shells; names and arguments as in poinsot/mass/shells.h.
+// Particles for thin shells; names and arguments as in poinsot/engine/mass/shells.h.
 #pragma once
 
 #include "poinsot/engine/mass/particle_set.h"

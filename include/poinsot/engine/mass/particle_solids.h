@@ -1,4 +1,4 @@
-// Particles for solids; names and arguments as in poinsot/mass/solids.h.
+// Particles for solids; names and arguments as in poinsot/engine/mass/solids.h.
 #pragma once
 
 #include "poinsot/engine/mass/particle_set.h"

@@ -1,6 +1,6 @@
 // Every uniform shape as weighted particles: particles::NAME(placement...) -> ParticleSet, with the names and arguments
-// of poinsot/mass/shapes.h but none of its formulas; then particles_of_mass or particles_of_density. Bodies given only
-// by their inertia become six particles.
+// of poinsot/engine/mass/shapes.h but none of its formulas; then particles_of_mass or particles_of_density. Bodies
+// given only by their inertia become six particles.
 #pragma once
 
 #include "poinsot/engine/mass/particle_lines.h"

@@ -1,7 +1,7 @@
 // Thin plates: closed forms of area, centroid and inertia per unit mass.
 //
 // Points are given from the origin (m); directions need not be unit vectors. Nothing is checked here: see
-// poinsot/mass/shape_faults.h, whose functions take the same arguments.
+// poinsot/engine/mass/shape_faults.h, whose functions take the same arguments.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// Whether the data of a shape make sense: one function for each shape of poinsot/mass/shapes.h, with its name and
-// arguments after the name of the body that stands in messages. Nothing is returned for a proper shape, else the first
-// rule that is broken.
+// Whether the data of a shape make sense: one function for each shape of poinsot/engine/mass/shapes.h, with its name
+// and arguments after the name of the body that stands in messages. Nothing is returned for a proper shape, else the
+// first rule that is broken.
 //
 // Lengths count as zero below 1e-12 of the largest length given; flatness, right angles and the like may be off by
 // `tolerance` (relative), since data are often typed with few digits.

@@ -1,6 +1,6 @@
 // Every uniform shape whose mass properties have a closed form: shapes::NAME(placement...) -> ShapeProperties, then
-// of_mass or of_density. The same names and arguments give particles in poinsot/mass/particles.h and checks in
-// poinsot/mass/shape_faults.h.
+// of_mass or of_density. The same names and arguments give particles in poinsot/engine/mass/particles.h and checks in
+// poinsot/engine/mass/shape_faults.h.
 #pragma once
 
 #include "poinsot/engine/mass/lines.h"

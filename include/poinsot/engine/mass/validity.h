@@ -25,8 +25,9 @@ struct InvalidMassReport {
   Vector3<double> principal_moments;  // ascending, kg m^2; NaN where they were not computed
 };
 
-// Nothing if a body with these properties can exist. Rods and particles, with moments of zero, and thin plates, for
-// which the triangle inequality is an equality, can: a moment may be short by `tolerance` times the largest moment.
+// Returns nothing if a body with these properties can exist. That includes rods and particles, some of whose moments
+// are zero, and thin plates, for which the triangle inequality is an equality. A moment may be short by `tolerance`
+// times the largest one.
 std::optional<InvalidMassReport> validate(const MassProperties<double>& body, std::string_view name,
                                           double tolerance = 1e-9);
 

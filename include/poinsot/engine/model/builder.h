@@ -55,15 +55,16 @@ class ModelBuilder {
     names_.push_back(std::move(name));
     return static_cast<int>(bodies_.size()) - 1;
   }
-  // The same with the parent by name ("ground" for the ground).
+  // The same, where the parent is given by its name ("ground" for the ground).
   int add_body(std::string name, std::string_view parent, const Joint<Scalar>& joint,
                const SpatialTransform<Scalar>& placement, const MassProperties<Scalar>& mass,
                CoordinateMode mode = CoordinateMode::free) {
     return add_body(std::move(name), index_of(name, parent), joint, placement, mass, mode);
   }
 
-  // A body on a universal joint: turns about first_axis, then about second_axis carried along by it.
-  // The massless body between is named name + ".1". Returns the index of the last body, as do those below.
+  // A body on a universal joint, which turns about first_axis and then about second_axis, which first_axis carries
+  // along. The massless body between them is named name + ".1". The functions below return the index of the last body
+  // too.
   int add_universal(const std::string& name, int parent, const Vector3<Scalar>& first_axis,
                     const Vector3<Scalar>& second_axis, const SpatialTransform<Scalar>& placement,
                     const MassProperties<Scalar>& mass) {
@@ -75,7 +76,7 @@ class ModelBuilder {
                       const SpatialTransform<Scalar>& placement, const MassProperties<Scalar>& mass) {
     return add_chain(name, parent, {Joint<Scalar>::prismatic(axis), Joint<Scalar>::revolute(axis)}, placement, mass);
   }
-  // A body that slides along two directions and turns about a third.
+  // A body that slides along two directions and turns about a third one.
   int add_planar(const std::string& name, int parent, const Vector3<Scalar>& first_direction,
                  const Vector3<Scalar>& second_direction, const Vector3<Scalar>& normal,
                  const SpatialTransform<Scalar>& placement, const MassProperties<Scalar>& mass) {
@@ -84,7 +85,7 @@ class ModelBuilder {
                       Joint<Scalar>::revolute(normal)},
                      placement, mass);
   }
-  // A body on a chain of joints at one place, with massless bodies name.1, name.2, ... between.
+  // A body on a chain of joints at one place, with massless bodies name.1, name.2, ... between them.
   int add_chain(const std::string& name, int parent, const std::vector<Joint<Scalar>>& joints,
                 const SpatialTransform<Scalar>& placement, const MassProperties<Scalar>& mass) {
     if (joints.empty()) throw std::invalid_argument("body '" + name + "': its chain of joints is empty");
@@ -109,7 +110,7 @@ class ModelBuilder {
     }
     modes_[bodies_[body].v + coordinate] = mode;
   }
-  // Acceleration of free fall on ground axes, m/s^2; zero unless set.
+  // Sets the acceleration of free fall on ground axes, m/s^2. It is zero unless set.
   void set_gravity(const Vector3<Scalar>& gravity) {
     if (!finite(gravity)) throw std::invalid_argument("set_gravity: the gravity is not finite");
     gravity_ = gravity;
@@ -173,7 +174,7 @@ class ModelBuilder {
       refuse(name, "its mass properties are not finite");
     }
     if (!every_value(mass.mass, not_negative)) refuse(name, "its mass is negative");
-    // Of particles on a line nothing but rounding is left.
+    // The moment of particles on a line about this line is nothing but rounding.
     const Scalar rounding = Scalar(1e-12) * (I.xx + I.yy + I.zz + mass.mass * norm_squared(mass.center));
     if (!every_value(I.xx + rounding, not_negative) || !every_value(I.yy + rounding, not_negative) ||
         !every_value(I.zz + rounding, not_negative)) {

@@ -1,4 +1,4 @@
-// A mechanism over another scalar.
+// Converts a mechanism to another scalar.
 #pragma once
 
 #include <utility>
@@ -7,7 +7,7 @@
 
 namespace poinsot {
 
-// The same mechanism with every number as convert gives it, a function from Source to Target.
+// The same mechanism with every number converted by a function from Source to Target.
 template <class Target, class Source, class Convert>
 Mechanism<Target> convert_mechanism(const Mechanism<Source>& source, Convert convert) {
   const auto vector = [&](const Vector3<Source>& a) { return detail::converted<Target>(a, convert); };

@@ -1,4 +1,4 @@
-// A model to whose bodies particles are fixed.
+// Adds the masses of particles that are fixed to bodies.
 #pragma once
 
 #include <utility>
@@ -15,7 +15,7 @@ struct FixedParticle {
   Vector3<Scalar> point{};  // in the body frame, m
 };
 
-// The same bodies, joints and coordinates, with the mass of the particles.
+// The same bodies, joints and coordinates, where bodies include the masses of their particles.
 template <class Scalar>
 Model<Scalar> with_particles(const Model<Scalar>& model, const std::vector<FixedParticle<Scalar>>& particles) {
   std::vector<Body<Scalar>> bodies(model.bodies().begin(), model.bodies().end());

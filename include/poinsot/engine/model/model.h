@@ -25,12 +25,13 @@ namespace poinsot {
 // The parent of a body that is joined to the ground.
 inline constexpr int ground = -1;
 
-// What the algorithms read of a body, on its working axes.
+// The data of a body that the algorithms read, on its working axes.
 template <class Scalar>
 struct Body {
   JointType joint = JointType::weld;
-  bool all_free = true;       // every velocity coordinate of its joint is free
-  bool axisymmetric = false;  // a body of revolution about the axis of its revolute joint, of numbers
+  bool all_free = true;  // every velocity coordinate of its joint is free
+  // Whether it is a body of revolution about the axis of its revolute joint (for numbers only).
+  bool axisymmetric = false;
   int parent = ground;
   int q = 0;                             // its first position coordinate
   int v = 0;                             // its first velocity coordinate
@@ -43,7 +44,7 @@ struct Body {
 
 namespace detail {
 
-// About z, to rounding.
+// Whether the body is a body of revolution about z, up to rounding.
 template <std::floating_point Scalar>
 bool is_of_revolution(const SpatialInertia<Scalar>& body) {
   const SymmetricMatrix3<Scalar>& I = body.inertia;
@@ -54,7 +55,7 @@ bool is_of_revolution(const SpatialInertia<Scalar>& body) {
   return rounding > 0 && vanish(rounding, I.xx - I.yy, I.xy, I.yz, I.zx) && vanish(rounding_of_moment, h.x, h.y);
 }
 
-// Rounding of what vanishes would count times the square of a fast spin.
+// Removes the rounding in what should vanish, since the square of a fast spin would multiply it.
 template <std::floating_point Scalar>
 void make_exactly_of_revolution(Body<Scalar>& body) {
   const SymmetricMatrix3<Scalar>& I = body.inertia.inertia;
@@ -69,8 +70,8 @@ void make_exactly_of_revolution(Body<Scalar>& body) {
 template <class Scalar>
 class Model {
  public:
-  // For ModelBuilder and the conversions below: bodies in topological order, one name per body, one mode per velocity
-  // coordinate.
+  // For ModelBuilder and the conversions below. Bodies must be in topological order, with one name for each body and
+  // one mode for each velocity coordinate.
   Model(std::vector<Body<Scalar>> bodies, std::vector<std::string> names, std::vector<CoordinateMode> modes,
         const Vector3<Scalar>& gravity)
       : bodies_(std::move(bodies)), names_(std::move(names)), modes_(std::move(modes)), gravity_(gravity) {
@@ -116,7 +117,7 @@ class Model {
     int first;
     int last;
   };
-  // The shortest run [first, last) of position coordinates that holds every angle of revolute and screw joints.
+  // The shortest run [first, last) of position coordinates that contains all angles of revolute and screw joints.
   const Run& angles() const { return angles_; }
   // The velocity coordinates that move a body, as runs [first, last) in ascending order.
   std::span<const Run> moving_coordinates(int body) const {
@@ -185,7 +186,7 @@ Body<Target> converted(const Body<Source>& b, Convert convert) {
 
 }  // namespace detail
 
-// The same model over another scalar; its numbers become constants there.
+// The same model over another scalar. Its numbers become constants there.
 template <class Target, class Source>
 Model<Target> convert(const Model<Source>& model) {
   const auto constant = [](const Source& x) { return Target(x); };

@@ -1,4 +1,4 @@
-// Positions and velocities of a model's coordinates, and how positions follow velocities.
+// Positions and velocities of a model's coordinates, and how positions change with velocities.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ struct State {
   std::vector<Scalar> v;  // velocity_size() numbers
 };
 
-// At rest with every body frame on its joint frame.
+// The state at rest in which every body frame coincides with its joint frame.
 template <class Scalar>
 State<Scalar> neutral_state(const Model<Scalar>& model) {
   State<Scalar> state{std::vector<Scalar>(model.position_size(), Scalar(0)),

@@ -23,7 +23,7 @@ Formula in_whole_angles(const Formula& x) {
   Formula result = x;
   for (std::size_t v = 0; v < halves.size(); ++v) {
     if (halves[v] == 0) continue;
-    const Formula tangent = symbolic::generator_expression((*f.generators)[v]);
+    const Formula tangent = symbolic::generator_formula((*f.generators)[v]);
     result /= pow(1 + tangent * tangent, halves[v]);
   }
   return result;
@@ -48,7 +48,7 @@ std::string text_of_sign(const Formula& x) {
   for (std::size_t i = 0; i < p.length(); ++i) {
     Integer size = p.coefficient(i);
     fmpz_abs(size.get(), size.get());
-    std::string words = text(whole / symbolic::integer_expression(size));
+    std::string words = text(whole / symbolic::integer_formula(size));
     if (words.size() < shortest.size()) shortest = std::move(words);
   }
   return shortest;
@@ -80,7 +80,7 @@ Formula whole_number(std::string_view digits, std::string_view all) {
   if (plain_digits.empty() || plain_digits.find_first_not_of("0123456789") != std::string_view::npos) refuse(all);
   Integer number;
   fmpz_set_str(number.get(), std::string(plain_digits).c_str(), 10);
-  const Formula size = symbolic::integer_expression(number);
+  const Formula size = symbolic::integer_formula(number);
   return digits.starts_with('-') ? -size : size;
 }
 
@@ -99,7 +99,7 @@ Formula::Formula(double number) {
   if (!std::isfinite(number)) throw std::domain_error("a number that is not finite stands for no formula");
   if (number == 0) return;
   if (const auto fraction = small_fraction(number)) {
-    *this = symbolic::ratio_expression(*fraction);
+    *this = symbolic::ratio_formula(*fraction);
     return;
   }
   int exponent = 0;
@@ -135,10 +135,10 @@ Formula Formula::number(std::string_view digits) {
 }
 
 Formula Formula::letter(const std::string& name, Sign sign) {
-  return symbolic::generator_expression(symbolic::letter_generator(name, sign));
+  return symbolic::generator_formula(symbolic::letter_generator(name, sign));
 }
 
-Formula Formula::pi() { return symbolic::generator_expression(symbolic::pi_generator()); }
+Formula Formula::pi() { return symbolic::generator_formula(symbolic::pi_generator()); }
 
 bool Formula::is_number() const {
   return !fraction_ || std::all_of(fraction_->generators->begin(), fraction_->generators->end(),

@@ -32,7 +32,7 @@ Pair from_half_tangent(const Formula& t) {
 Pair of_generator(Kind kind, const Formula& argument, Ratio multiple) {
   const bool negative = multiple.numerator < 0;
   if (negative) multiple.numerator = -multiple.numerator;
-  const Pair pair = from_half_tangent(generator_expression(tangent_generator(kind, argument, multiple)));
+  const Pair pair = from_half_tangent(generator_formula(tangent_generator(kind, argument, multiple)));
   return negative ? Pair{-pair.sine, pair.cosine} : pair;
 }
 
@@ -91,7 +91,7 @@ std::int64_t small(const Integer& number) {
 Pair of_term(const Formula& unit, const Ratio& multiple) {
   if (unit == Formula(1)) return of_generator(Kind::constant_tangent, unit, multiple);
   const Generators& generators = *unit.fraction()->generators;
-  if (generators.size() == 1 && unit == generator_expression(generators[0])) {
+  if (generators.size() == 1 && unit == generator_formula(generators[0])) {
     const Generator& g = *generators[0];
     if (g.kind == Kind::pi) return of_pi(multiple);
     if (g.kind == Kind::inverse && multiple.denominator == 1) return repeated(of_inverse(g), multiple.numerator);
@@ -116,7 +116,7 @@ std::optional<Formula> known_angle(const Formula& x, const std::function<Formula
 }
 
 Formula of_inverse_function(const std::string& name, const Formula& x) {
-  return generator_expression(inverse_generator(name, x, Formula()));
+  return generator_formula(inverse_generator(name, x, Formula()));
 }
 
 bool leads_with_minus(const Formula& x) { return x.fraction() && x.fraction()->numerator.leading_sign() < 0; }
@@ -136,7 +136,7 @@ SineCosine<Formula> sine_cosine(const Formula& x) {
   if (x.is_zero()) return pair;
   const Fraction& f = *x.fraction();
   const Integer divisor = f.denominator.content();
-  const Formula below = polynomial_expression(*f.generators, divided_exactly(f.denominator, divisor));
+  const Formula below = polynomial_formula(*f.generators, divided_exactly(f.denominator, divisor));
   for (std::size_t i = 0; i < f.numerator.length(); ++i) {
     const Integer coefficient = f.numerator.coefficient(i);
     Polynomial product(f.generators->size());
@@ -147,7 +147,7 @@ SineCosine<Formula> sine_cosine(const Formula& x) {
     Integer d(divisor);
     fmpz_divexact(n.get(), n.get(), common.get());
     fmpz_divexact(d.get(), d.get(), common.get());
-    const Formula unit = polynomial_expression(*f.generators, std::move(product)) / below;
+    const Formula unit = polynomial_formula(*f.generators, std::move(product)) / below;
     pair = turned(pair, of_term(unit, {small(n), small(d)}));
   }
   if (f.assumptions) {
@@ -215,7 +215,7 @@ Formula atan2(const Formula& y, const Formula& x) {
       right = sign * symbolic::denominator_of(ratio);
     }
   }
-  return symbolic::generator_expression(symbolic::inverse_generator("atan2", above, right));
+  return symbolic::generator_formula(symbolic::inverse_generator("atan2", above, right));
 }
 
 Formula sinc_of_square(const Formula& x) {

@@ -8,12 +8,12 @@ namespace {
 Formula derivative_of(const GeneratorPointer& generator, const std::string& letter) {
   const Generator& g = *generator;
   const Formula u = g.argument;
-  const Formula x = generator_expression(generator);
+  const Formula x = generator_formula(generator);
   switch (g.kind) {
     case Kind::letter:
       return g.name == letter ? 1 : 0;
     case Kind::tangent:
-      return ratio_expression(g.multiple) / 2 * (1 + x * x) * derivative(u, letter);
+      return ratio_formula(g.multiple) / 2 * (1 + x * x) * derivative(u, letter);
     case Kind::root:
       return derivative(u, letter) / (2 * x);
     case Kind::inverse:
@@ -37,7 +37,7 @@ Formula derivative_of(const GeneratorPointer& generator, const std::string& lett
 Formula partial(const Fraction& f, const Polynomial& polynomial, std::size_t variable) {
   Polynomial result(f.generators->size());
   fmpz_mpoly_derivative(result.get(), polynomial.get(), static_cast<slong>(variable), polynomial.ring());
-  return polynomial_expression(*f.generators, std::move(result), f.assumptions);
+  return polynomial_formula(*f.generators, std::move(result), f.assumptions);
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ Formula substituted(const Formula& x, const std::map<std::string, Formula>& valu
     if (g->kind != Kind::tangent) return nullptr;
     const Formula argument = substituted(g->argument, values);
     if (argument.fraction() == g->argument.fraction()) return nullptr;
-    const auto [sine, cosine] = sine_cosine(ratio_expression(g->multiple) * argument);
+    const auto [sine, cosine] = sine_cosine(ratio_formula(g->multiple) * argument);
     const Formula below = 1 + cosine;
     if (below.is_zero()) return std::make_unique<Replacement>(Replacement{1, 0});
     const Formula tangent = sine / below;

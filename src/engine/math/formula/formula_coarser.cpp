@@ -26,7 +26,7 @@ Remainder highest_power(std::size_t n, const Formula& u) {
   const MultipleTangent tangent = multiple_tangent(static_cast<std::int64_t>(n));
   Remainder equation(n + 1);  // zero is sum of equation[k] t^k
   for (std::size_t k = 0; k <= n; ++k) {
-    equation[k] = integer_expression(tangent.numerator[k]) - u * integer_expression(tangent.denominator[k]);
+    equation[k] = integer_formula(tangent.numerator[k]) - u * integer_formula(tangent.denominator[k]);
   }
   Remainder result(n);
   for (std::size_t k = 0; k < n; ++k) result[k] = -equation[k] / equation[n];
@@ -39,7 +39,7 @@ Remainder remainder(const Fraction& f, const Polynomial& polynomial, std::size_t
   power[0] = 1;
   Remainder sum(n);
   for (const Polynomial& part : polynomial.coefficients_by(variable)) {
-    const Formula c = polynomial_expression(*f.generators, part, f.assumptions);
+    const Formula c = polynomial_formula(*f.generators, part, f.assumptions);
     for (std::size_t k = 0; k < n; ++k) sum[k] += c * power[k];
     power = times_t(power, highest);
   }
@@ -58,7 +58,7 @@ std::optional<Formula> coarser(const Formula& x, std::size_t v, int n) {
   if (inside) return std::nullopt;
 
   const std::int64_t shared = g->multiple.denominator % n == 0 ? n : 1;
-  const Formula u = generator_expression(
+  const Formula u = generator_formula(
       tangent_generator(g->kind, g->argument, {g->multiple.numerator * n / shared, g->multiple.denominator / shared}));
   const Remainder highest = highest_power(static_cast<std::size_t>(n), u);
   const Remainder above = remainder(f, f.numerator, v, highest);

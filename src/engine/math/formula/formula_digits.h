@@ -1,4 +1,4 @@
-// Digits of expressions: balls of real numbers, Arb's arb as a value.
+// Digits of formulas: balls of real numbers, with Arb's arb as a value.
 #pragma once
 
 #include <arb.h>

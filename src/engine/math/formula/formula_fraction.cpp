@@ -120,7 +120,7 @@ Formula with_finer_angle(const Formula& x, const GeneratorPointer& coarse, const
     Polynomial p(1);
     for (std::size_t k = 0; k < coefficients.size(); ++k) p.push(coefficients[k], {static_cast<int>(k)});
     p.tidy();
-    return polynomial_expression({fine}, std::move(p));
+    return polynomial_formula({fine}, std::move(p));
   };
   return replaced(x, [&](const GeneratorPointer& g) {
     return same(g, coarse) ? std::make_unique<Replacement>(
@@ -276,33 +276,33 @@ Formula quotient(const Generators& generators, Polynomial numerator, Polynomial 
   return above / finished(list, reduced(generators, std::move(denominator)), one, assumptions, true);
 }
 
-Formula polynomial_expression(const Generators& generators, Polynomial numerator, const Assumptions& assumptions) {
+Formula polynomial_formula(const Generators& generators, Polynomial numerator, const Assumptions& assumptions) {
   return quotient(generators, std::move(numerator), Polynomial(generators.size(), Integer(1)), assumptions);
 }
 
-Formula generator_expression(const GeneratorPointer& generator) {
+Formula generator_formula(const GeneratorPointer& generator) {
   Generators all = generator->needs;
   all.insert(std::upper_bound(all.begin(), all.end(), generator, before), generator);
   const auto place = static_cast<std::size_t>(std::find(all.begin(), all.end(), generator) - all.begin());
   Polynomial x = Polynomial::variable(all.size(), place);
-  return polynomial_expression(all, std::move(x));
+  return polynomial_formula(all, std::move(x));
 }
 
-Formula integer_expression(const Integer& number) { return polynomial_expression({}, Polynomial(0, number)); }
+Formula integer_formula(const Integer& number) { return polynomial_formula({}, Polynomial(0, number)); }
 
-Formula ratio_expression(const Ratio& ratio) {
-  return integer_expression(Integer(ratio.numerator)) / integer_expression(Integer(ratio.denominator));
+Formula ratio_formula(const Ratio& ratio) {
+  return integer_formula(Integer(ratio.numerator)) / integer_formula(Integer(ratio.denominator));
 }
 
 Formula numerator_of(const Formula& x) {
   if (!x.fraction()) return {};
   const Fraction& f = *x.fraction();
-  return polynomial_expression(*f.generators, f.numerator, f.assumptions);
+  return polynomial_formula(*f.generators, f.numerator, f.assumptions);
 }
 Formula denominator_of(const Formula& x) {
   if (!x.fraction()) return 1;
   const Fraction& f = *x.fraction();
-  return polynomial_expression(*f.generators, f.denominator, f.assumptions);
+  return polynomial_formula(*f.generators, f.denominator, f.assumptions);
 }
 
 Rational rational_of(const Formula& x) {
@@ -331,7 +331,7 @@ namespace poinsot {
 
 using symbolic::Polynomial;
 
-Formula Formula::of_integer(std::int64_t number) { return symbolic::integer_expression(symbolic::Integer(number)); }
+Formula Formula::of_integer(std::int64_t number) { return symbolic::integer_formula(symbolic::Integer(number)); }
 
 bool Formula::is_zero() const { return fraction_ == nullptr; }
 

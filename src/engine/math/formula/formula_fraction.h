@@ -1,4 +1,4 @@
-// What an Expression holds: a quotient of polynomials in generators, the letters and functions that are no rational
+// What a Formula holds: a quotient of polynomials in generators, the letters and functions that are no rational
 // functions of each other.
 //
 // Kept true of every fraction: its generators are in order and each occurs, or is needed by a root that occurs;
@@ -90,12 +90,12 @@ Formula assuming(const Formula& x, const Assumption& assumption);
 Formula quotient(const Generators& generators, Polynomial numerator, Polynomial denominator,
                  const Assumptions& assumptions);
 // The same where the denominator is 1.
-Formula polynomial_expression(const Generators& generators, Polynomial numerator, const Assumptions& assumptions = {});
-Formula generator_expression(const GeneratorPointer& generator);
-Formula integer_expression(const Integer& number);
-Formula ratio_expression(const Ratio& ratio);
+Formula polynomial_formula(const Generators& generators, Polynomial numerator, const Assumptions& assumptions = {});
+Formula generator_formula(const GeneratorPointer& generator);
+Formula integer_formula(const Integer& number);
+Formula ratio_formula(const Ratio& ratio);
 
-// numerator and denominator as expressions.
+// The numerator and the denominator as formulas.
 Formula numerator_of(const Formula& x);
 Formula denominator_of(const Formula& x);
 // The polynomial with each generator's square replaced where it is known.
@@ -129,7 +129,7 @@ struct MultipleTangent {
 };
 MultipleTangent multiple_tangent(std::int64_t n);
 
-// A number of an expression without generators.
+// The number of a formula without generators.
 struct Rational {
   Integer numerator;
   Integer denominator;
@@ -139,7 +139,7 @@ Rational rational_of(const Formula& x);
 // Equal to zero as far as 1000 bits can tell, at a point of no special place.
 bool is_zero_by_digits(const Generators& generators, const Polynomial& polynomial);
 
-// A text that tells expressions apart, without regard to beauty.
+// A text that differs for different formulas, and is not for reading.
 std::string key_of(const Formula& x);
 
 }  // namespace poinsot::symbolic

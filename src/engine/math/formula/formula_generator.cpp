@@ -1,4 +1,4 @@
-// The letters and functions that expressions are made of.
+// The letters and functions that formulas are made of.
 #include <algorithm>
 #include <stdexcept>
 

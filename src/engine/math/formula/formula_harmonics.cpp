@@ -92,7 +92,7 @@ std::vector<Wave> waves_of(const Amplitudes& amplitudes, const Generators& gener
     Formula angle;
     for (std::size_t k = 0; k < wave.size(); ++k) {
       const Generator& g = *generators[angles.tangents[k]];
-      angle += Formula(wave[k]) * ratio_expression(g.multiple) * g.argument;
+      angle += Formula(wave[k]) * ratio_formula(g.multiple) * g.argument;
     }
     const bool negative = angle.fraction()->numerator.leading_sign() < 0;
     if (negative) angle = -angle;

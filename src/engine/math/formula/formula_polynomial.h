@@ -85,7 +85,7 @@ class Polynomial {
   friend Polynomial operator+(const Polynomial& a, const Polynomial& b);
   friend Polynomial operator-(const Polynomial& a, const Polynomial& b);
   friend Polynomial operator-(const Polynomial& a);
-  // Throws ExpressionTooLarge if the product has too many terms, also power.
+  // Throws FormulaTooLarge if the product has too many terms, also power.
   friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
   friend bool operator==(const Polynomial& a, const Polynomial& b);
 
@@ -108,7 +108,7 @@ struct Factors {
 };
 Factors factored(const Polynomial& a);
 
-// Throws ExpressionTooLarge if so many terms are too many or the deadline has passed.
+// Throws FormulaTooLarge if so many terms are too many or the deadline has passed.
 void check_limits(std::size_t terms);
 
 }  // namespace poinsot::symbolic

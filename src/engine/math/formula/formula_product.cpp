@@ -12,7 +12,7 @@ struct Power {
   int exponent;
 };
 
-// An expression over those parts of its angles with which its form is shortest.
+// The formula in those fractions of its angles with which its form is shortest.
 struct Choice {
   Formula x;
   Form form;
@@ -46,7 +46,7 @@ class Builder {
   // The number before the rest of the form.
   Formula coefficient() {
     write_parts();
-    return integer_expression(coefficient_) / integer_expression(divisor_);
+    return integer_formula(coefficient_) / integer_formula(divisor_);
   }
 
  private:
@@ -172,7 +172,7 @@ class Builder {
       const auto place = static_cast<std::size_t>(own - generators_.begin());
       // Of two even powers that which leaves less outside.
       if (half % 2 != 0 && std::abs(excess(place) + even + 2) < std::abs(excess(place) + even)) even += 2;
-      const Formula t = generator_expression(g);
+      const Formula t = generator_formula(g);
       radicand_ /= pow(1 + t * t, even);
       half_[place].one += even / 2;
     }
@@ -279,7 +279,7 @@ class Builder {
     const HalfTangents& half = half_[v];
     if (half.sine == 0 && half.plus == 0 && half.minus == 0 && half.one == 0) return;
     if (half.plus == 0 && half.minus == 0 && half.one == 0) {
-      const Formula half_angle = ratio_expression(generators_[v]->multiple) * generators_[v]->argument / 2;
+      const Formula half_angle = ratio_formula(generators_[v]->multiple) * generators_[v]->argument / 2;
       written_.push_back({call_form("tan", form_of(half_angle)), half.sine});
       return;
     }
@@ -348,9 +348,9 @@ class Builder {
     // A whole number without squares is left of the number under the root.
     const Formula number = Builder(choice_of(radicand_).x).coefficient();
     const Rational n = rational_of(number);
-    const Formula product = integer_expression(n.numerator) * integer_expression(n.denominator);
+    const Formula product = integer_formula(n.numerator) * integer_formula(n.denominator);
     const Integer outside = sqrt(product).fraction()->numerator.coefficient(0);
-    const Formula square = integer_expression(outside) * integer_expression(outside);
+    const Formula square = integer_formula(outside) * integer_formula(outside);
     radicand_ *= product / square / number;
     fmpz_mul(coefficient_.get(), coefficient_.get(), outside.get());
     fmpz_mul(divisor_.get(), divisor_.get(), n.denominator.get());
@@ -403,7 +403,7 @@ bool is_angle(const Generator& generator) {
 }
 
 Form angle_form(const Generator& tangent, std::int64_t times) {
-  return form_of(ratio_expression(tangent.multiple) * Formula(times) * tangent.argument);
+  return form_of(ratio_formula(tangent.multiple) * Formula(times) * tangent.argument);
 }
 
 Form form_of(const Formula& x) {

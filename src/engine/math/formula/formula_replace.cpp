@@ -72,7 +72,7 @@ Formula replaced(const Formula& x, const Replacements& replacements) {
     Formula sum;
     for (auto& [powers, coefficient] : by_powers) {
       coefficient.tidy();
-      Formula term = polynomial_expression(*f.generators, std::move(coefficient), f.assumptions);
+      Formula term = polynomial_formula(*f.generators, std::move(coefficient), f.assumptions);
       for (std::size_t k = 0; k < powers.size(); ++k) term *= parts[k][static_cast<std::size_t>(powers[k])];
       sum += term;
     }

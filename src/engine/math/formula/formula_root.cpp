@@ -82,18 +82,18 @@ Formula noting_letters(Formula x, const Generators& generators, const Polynomial
   return x;
 }
 
-Formula sign_expression(const Formula& polynomial) { return generator_expression(sign_generator(polynomial)); }
+Formula sign_formula(const Formula& polynomial) { return generator_formula(sign_generator(polynomial)); }
 
 // |p|
 Formula size_of(const Generators& generators, const Polynomial& p) {
-  const Formula x = polynomial_expression(generators, p);
+  const Formula x = polynomial_formula(generators, p);
   const int sign = sign_of(generators, p);
-  if (sign == 0) return sign_expression(x) * x;
+  if (sign == 0) return sign_formula(x) * x;
   return noting_letters(sign < 0 ? -x : x, generators, p);
 }
 
 Formula root_of_irreducible(const Formula& radicand, bool dependent = false) {
-  return generator_expression(root_generator(radicand, dependent));
+  return generator_formula(root_generator(radicand, dependent));
 }
 
 class IntegerFactors {
@@ -135,7 +135,7 @@ Formula root_of_integer(const Integer& number) {
   for (slong i = 0; i < factors->num; ++i) {
     Integer prime;
     fmpz_set(prime.get(), factors->p + i);
-    const Formula base = integer_expression(prime);
+    const Formula base = integer_formula(prime);
     root *= pow(base, static_cast<int>(factors->exp[i] / 2));
     if (factors->exp[i] % 2 != 0) root *= root_of_irreducible(base);
   }
@@ -177,8 +177,8 @@ std::optional<Formula> without_nesting(const Formula& x) {
     const GeneratorPointer& g = (*f.generators)[v];
     if (g->kind != Kind::root || f.numerator.degree(v) != 1 || g->doubtful) continue;
     const std::vector<Polynomial> by_root = f.numerator.coefficients_by(v);
-    const Formula A = polynomial_expression(*f.generators, by_root[0]);
-    const Formula B = polynomial_expression(*f.generators, by_root[1]);
+    const Formula A = polynomial_formula(*f.generators, by_root[0]);
+    const Formula B = polynomial_formula(*f.generators, by_root[1]);
     if (A.is_zero()) continue;
     const Formula norm = A * A - B * B * g->argument;
     if (norm.is_zero()) continue;
@@ -263,7 +263,7 @@ Formula sqrt(const Formula& x) {
     if (whole % 2 != 0) {
       root *= pow(size_of(*f.generators, base), whole);
     } else {
-      root *= pow(polynomial_expression(*f.generators, base), whole);
+      root *= pow(polynomial_formula(*f.generators, base), whole);
     }
     if (!odd) continue;
     const int own = sign_of(*f.generators, base);
@@ -272,12 +272,12 @@ Formula sqrt(const Formula& x) {
       ++open_factors;
     } else {
       sign *= own;
-      root *= root_of_irreducible(polynomial_expression(*f.generators, own < 0 ? -base : base));
+      root *= root_of_irreducible(polynomial_formula(*f.generators, own < 0 ? -base : base));
     }
   }
   if (parts.rest) {
     const int own = sign_of(*f.generators, *parts.rest);
-    const Formula rest = polynomial_expression(*f.generators, own < 0 ? -*parts.rest : *parts.rest);
+    const Formula rest = polynomial_formula(*f.generators, own < 0 ? -*parts.rest : *parts.rest);
     if (own != 0) {
       sign *= own;
       const auto simple = without_nesting(rest);
@@ -294,7 +294,7 @@ Formula sqrt(const Formula& x) {
     if (sign < 0) throw std::domain_error("the square root of " + text(x) + ", which is negative");
     return root;
   }
-  const Formula radicand = polynomial_expression(*f.generators, sign < 0 ? -open : open);
+  const Formula radicand = polynomial_formula(*f.generators, sign < 0 ? -open : open);
   return assuming(root * root_of_irreducible(radicand, open_factors > 1), {key_of(radicand), radicand});
 }
 
@@ -306,8 +306,8 @@ Formula abs(const Formula& x) {
   Formula sign(fmpz_sgn(parts.numerator.get()));
   const auto turn = [&](const Polynomial& p) {
     const int own = sign_of(*f.generators, p);
-    const Formula y = polynomial_expression(*f.generators, p);
-    sign *= own == 0 ? sign_expression(y) : noting_letters(Formula(own), *f.generators, p);
+    const Formula y = polynomial_formula(*f.generators, p);
+    sign *= own == 0 ? sign_formula(y) : noting_letters(Formula(own), *f.generators, p);
   };
   for (const auto& [base, exponent] : parts.powers) {
     if (exponent % 2 != 0) turn(base);

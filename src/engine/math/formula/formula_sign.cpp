@@ -32,7 +32,7 @@ SeenSign sign_of_terms(const Generators& generators, const Polynomial& p) {
   return seen;
 }
 
-// How often an expression may still be squared and split.
+// How often a formula may still be squared and split.
 struct Effort {
   int squarings = most_squarings;
   int splits = most_splits;
@@ -48,7 +48,7 @@ SeenSign sign_with_root(const Generators& generators, const Polynomial& p, std::
   if (p.length() > most_terms) return {};
   const std::vector<Polynomial> parts = p.coefficients_by(root);
   if (parts.size() != 2 || parts[0].is_zero()) return {};
-  const Formula a = polynomial_expression(generators, parts[0]), b = polynomial_expression(generators, parts[1]);
+  const Formula a = polynomial_formula(generators, parts[0]), b = polynomial_formula(generators, parts[1]);
   const SeenSign of_a = sign_of_sum(a, effort), of_b = sign_of_sum(b, effort);
   if (of_a.sign == 0 || of_b.sign == 0) return {};
   if (of_a.sign == of_b.sign) return {of_a.sign, of_a.strict};
@@ -64,7 +64,7 @@ SeenSign sign_by_coefficients(const Generators& generators, const std::vector<Po
   for (std::size_t k = 0; k < c.size(); ++k) {
     if (c[k].is_zero()) continue;
     if (!positive && k % 2 == 1) return {};
-    const SeenSign own = sign_of_sum(polynomial_expression(generators, c[k]), effort);
+    const SeenSign own = sign_of_sum(polynomial_formula(generators, c[k]), effort);
     if (own.sign == 0 || (seen.sign != 0 && own.sign != seen.sign)) return {};
     seen.sign = own.sign;
     seen.strict = seen.strict || (own.strict && (positive || k == 0));
@@ -74,11 +74,11 @@ SeenSign sign_by_coefficients(const Generators& generators, const std::vector<Po
 
 // a x^2 + b x + c: the sign of a where 4 a c - b^2 is nowhere negative; by continuity also where a vanishes.
 SeenSign sign_of_square(const Generators& generators, const std::vector<Polynomial>& c, const Effort& effort) {
-  const Formula a = polynomial_expression(generators, c[2]);
+  const Formula a = polynomial_formula(generators, c[2]);
   const SeenSign leading = sign_of_sum(a, effort);
   if (leading.sign == 0) return {};
-  const Formula b = polynomial_expression(generators, c[1]);
-  const Formula rest = 4 * a * polynomial_expression(generators, c[0]) - b * b;
+  const Formula b = polynomial_formula(generators, c[1]);
+  const Formula rest = 4 * a * polynomial_formula(generators, c[0]) - b * b;
   if (rest.is_zero()) return {leading.sign, false};
   const SeenSign definite = sign_of_sum(rest, effort);
   if (definite.sign <= 0) return {};
@@ -146,7 +146,7 @@ std::vector<Formula> vanishing_factors(const Formula& x) {
   for (const auto& [base, exponent] : factored(x.fraction()->numerator).powers) {
     int terms = most_factored;
     const SeenSign seen = sign_of_factor(generators, base, {most_squarings, most_splits, &terms});
-    if (seen.sign == 0 || !seen.strict) found.push_back(polynomial_expression(generators, base));
+    if (seen.sign == 0 || !seen.strict) found.push_back(polynomial_formula(generators, base));
   }
   return found;
 }
@@ -167,7 +167,7 @@ Formula sign_part(const Formula& x, bool keep_zeros) {
       const SeenSign own = sign_of_factor(generators, base, {most_squarings, most_splits, &terms});
       const bool kept = own.sign == 0 || (keep_zeros && !own.strict);
       if (kept)
-        part *= pow(polynomial_expression(generators, base), exponent % 2 == 0 ? (keep_zeros ? 2 : 0) : 1);
+        part *= pow(polynomial_formula(generators, base), exponent % 2 == 0 ? (keep_zeros ? 2 : 0) : 1);
       else if (exponent % 2 == 1)
         part *= Formula(own.sign);
     }

@@ -42,7 +42,7 @@ Form generator_form(const GeneratorPointer& g) {
       return {Form::Kind::name, g->name};
     case Kind::tangent:
     case Kind::constant_tangent:
-      return call_form("tan", form_of(ratio_expression(g->multiple) * g->argument / 2));
+      return call_form("tan", form_of(ratio_formula(g->multiple) * g->argument / 2));
     case Kind::inverse: {
       Form form = call_form(g->name, form_of(g->argument));
       if (g->name == "atan2") form.parts.push_back(form_of(g->second));
@@ -57,7 +57,7 @@ Form generator_form(const GeneratorPointer& g) {
   const Generators& generators = *g->argument.fraction()->generators;
   const std::vector<int> halves = root_halves(generators, *g);
   for (std::size_t v = 0; v < generators.size(); ++v) {
-    const Formula t = generator_expression(generators[v]);
+    const Formula t = generator_formula(generators[v]);
     radicand /= pow(1 + t * t, halves[v]);
   }
   return call_form("sqrt", form_of(radicand));

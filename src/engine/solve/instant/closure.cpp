@@ -14,9 +14,9 @@ namespace {
 
 // The distance (m) or angle (rad) by which a constraint is open in this pose.
 template <class Scalar>
-Scalar gap_of(const MechanismStateOf<Scalar>& moment, std::size_t constraint) {
-  const Mechanism<Scalar>& mechanism = moment.mechanism();
-  return constraint_gap(mechanism.tree, moment.workspace(), mechanism.constraints[constraint],
+Scalar gap_of(const MechanismStateOf<Scalar>& state, std::size_t constraint) {
+  const Mechanism<Scalar>& mechanism = state.mechanism();
+  return constraint_gap(mechanism.tree, state.workspace(), mechanism.constraints[constraint],
                         axis_left_free(mechanism.constraints, constraint));
 }
 
@@ -79,7 +79,7 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
   }
   const std::vector<bool> movable = movable_coordinates(tree, given);
   const double length = natural_scales(mechanism).length;
-  MechanismState moment(mechanism);
+  MechanismState state(mechanism);
   double largest = 0;
   for (std::size_t k = 0; k < target.size(); ++k)
     if (given[k]) largest = std::max(largest, std::abs(target[k]));
@@ -100,18 +100,18 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
     const int most = step == steps ? 60 : 6;
     double previous = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < most; ++iteration) {
-      moment.set_positions(result.q);
+      state.set_positions(result.q);
       ClosingStep newton(tree, length, movable);
       double worst = 0;
       for (std::size_t i : rows) {
         const VelocityConstraint<double>& c = mechanism.constraints[i];
-        const double gap = gap_of(moment, i);
+        const double gap = gap_of(state, i);
         if (std::abs(gap) / newton.unit(c.kind) >= worst) {
           worst = std::abs(gap) / newton.unit(c.kind);
           result.gap = std::abs(gap);
           result.where = c.words;
         }
-        newton.add(c.kind, constraint_coefficients(moment, c), gap);
+        newton.add(c.kind, constraint_coefficients(state, c), gap);
       }
       // Near a pose in which the loop could part a gap is the square of the distance from that pose, so that it
       // becomes small long before the pose is reached. The last part goes on as long as its steps still help.
@@ -136,12 +136,12 @@ std::vector<Dual<1>> varied_pose(const Mechanism<Dual<1>>& mechanism, const std:
   // The dual parts of the given coordinates open the gaps at first order. One Newton step of the movable coordinates
   // closes them again and so gives their derivatives.
   const std::vector<bool> movable = movable_coordinates(tree, given);
-  MechanismStateOf<Dual<1>> moment(mechanism);
-  moment.set_positions(q);
+  MechanismStateOf<Dual<1>> state(mechanism);
+  state.set_positions(q);
   ClosingStep newton(tree, natural_scales(mechanism).length, movable);
   for (std::size_t i : rows) {
     const VelocityConstraint<Dual<1>>& c = mechanism.constraints[i];
-    newton.add(c.kind, plain(constraint_coefficients(moment, c)), gap_of(moment, i).partial[0]);
+    newton.add(c.kind, plain(constraint_coefficients(state, c)), gap_of(state, i).partial[0]);
   }
   std::vector<Dual<1>> step;
   for (double displacement : newton.displacements()) step.push_back({0.0, {displacement}});
@@ -150,15 +150,15 @@ std::vector<Dual<1>> varied_pose(const Mechanism<Dual<1>>& mechanism, const std:
 }
 
 template <class Scalar>
-void update_contacts(Mechanism<Scalar>& mechanism, const MechanismStateOf<Scalar>& moment) {
+void update_contacts(Mechanism<Scalar>& mechanism, const MechanismStateOf<Scalar>& state) {
   using Vector = Vector3<Scalar>;
   const Model<Scalar>& tree = mechanism.tree;
-  const Workspace<Scalar>& w = moment.workspace();
+  const Workspace<Scalar>& w = state.workspace();
   for (VelocityConstraint<Scalar>& c : mechanism.constraints) {
     if (c.kind != VelocityConstraintKind::rolling) continue;
     const std::optional<Vector> r = detail::reach_of_rolling(tree, w, c);
     if (!r) continue;
-    const Vector was = moment.position(c.at) - point_position(tree, w, c.on, c.center);
+    const Vector was = state.position(c.at) - point_position(tree, w, c.on, c.center);
     // A change that is nothing but rounding must not move the point, but its derivatives count.
     Vector change = *r - was;
     if (norm(plain(change)) < 1e-12 * plain(c.radius)) change = change - lifted<Scalar>(plain(change));

@@ -5,10 +5,10 @@
 
 namespace poinsot::solve {
 template <class Scalar>
-ConstraintRow<Scalar> constraint_row(const MechanismStateOf<Scalar>& moment, const VelocityConstraint<Scalar>& c) {
-  const Model<Scalar>& tree = moment.mechanism().tree;
-  const Workspace<Scalar>& w = moment.workspace();
-  const ConstraintLine<Scalar> line = constraint_line(tree, w, c, moment.position(c.at));
+ConstraintRow<Scalar> constraint_row(const MechanismStateOf<Scalar>& state, const VelocityConstraint<Scalar>& c) {
+  const Model<Scalar>& tree = state.mechanism().tree;
+  const Workspace<Scalar>& w = state.workspace();
+  const ConstraintLine<Scalar> line = constraint_line(tree, w, c, state.position(c.at));
   ConstraintRow<Scalar> row;
   row.coefficients.assign(static_cast<std::size_t>(tree.velocity_size()), Scalar(0));
   row.bias = line.bias;
@@ -20,14 +20,14 @@ ConstraintRow<Scalar> constraint_row(const MechanismStateOf<Scalar>& moment, con
     });
   };
   add(c.on, line.unit.point, 1);
-  add(c.from, c.kind == VelocityConstraintKind::cord_length ? moment.position(c.toward) : line.unit.point, -1);
+  add(c.from, c.kind == VelocityConstraintKind::cord_length ? state.position(c.toward) : line.unit.point, -1);
   return row;
 }
 
 template <class Scalar>
-std::vector<Scalar> constraint_coefficients(const MechanismStateOf<Scalar>& moment,
+std::vector<Scalar> constraint_coefficients(const MechanismStateOf<Scalar>& state,
                                             const VelocityConstraint<Scalar>& constraint) {
-  return constraint_row(moment, constraint).coefficients;
+  return constraint_row(state, constraint).coefficients;
 }
 
 template ConstraintRow<double> constraint_row(const MechanismStateOf<double>&, const VelocityConstraint<double>&);

@@ -87,17 +87,17 @@ Scales natural_scales(const Mechanism<Scalar>& mechanism) {
 }
 
 template <class Scalar>
-LinearSystemOf<Scalar> velocity_equations(const MechanismStateOf<Scalar>& moment, const Scales& scales,
+LinearSystemOf<Scalar> velocity_equations(const MechanismStateOf<Scalar>& state, const Scales& scales,
                                           const std::vector<ConditionOf<Scalar>>& conditions) {
-  const Mechanism<Scalar>& mechanism = moment.mechanism();
+  const Mechanism<Scalar>& mechanism = state.mechanism();
   LinearSystemOf<Scalar> system;
   for (int k = 0; k < mechanism.tree.velocity_size(); ++k)
     system.add_unknown(mechanism.coordinate_names[static_cast<std::size_t>(k)],
                        coordinate_turns(mechanism.tree, k) ? 1 : scales.length);
   for (const VelocityConstraint<Scalar>& constraint : mechanism.constraints)
-    add_constraint(
-        system, constraint,
-        without_rounding(constraint_row(moment, constraint).coefficients, constraint, mechanism.tree, scales), scales);
+    add_constraint(system, constraint,
+                   without_rounding(constraint_row(state, constraint).coefficients, constraint, mechanism.tree, scales),
+                   scales);
   for (const ConditionOf<Scalar>& condition : conditions) add_condition(system, condition);
   return system;
 }
@@ -114,19 +114,19 @@ ForceUnknowns force_unknowns(const Mechanism<Scalar>& mechanism) {
 }
 
 template <class Scalar>
-LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& moment, const Scales& scales,
+LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& state, const Scales& scales,
                                         const std::vector<ConditionOf<Scalar>>& conditions) {
   // With all accelerations at zero, what is left of the rates of momenta depends on the velocities alone and goes to
   // the right side.
-  if (std::any_of(moment.accelerations().begin(), moment.accelerations().end(),
+  if (std::any_of(state.accelerations().begin(), state.accelerations().end(),
                   [](const Scalar& a) { return !vanishes(a); })) {
-    MechanismStateOf<Scalar> unaccelerated = moment;
-    unaccelerated.set_accelerations(std::vector<Scalar>(moment.accelerations().size(), Scalar(0)));
+    MechanismStateOf<Scalar> unaccelerated = state;
+    unaccelerated.set_accelerations(std::vector<Scalar>(state.accelerations().size(), Scalar(0)));
     return motion_equations(unaccelerated, scales, conditions);
   }
   using Vector = Vector3<Scalar>;
   using Wrench = SpatialForce<Scalar>;
-  const Mechanism<Scalar>& mechanism = moment.mechanism();
+  const Mechanism<Scalar>& mechanism = state.mechanism();
   const Model<Scalar>& tree = mechanism.tree;
   const double force_scale = scales.mass * scales.length / (scales.time * scales.time);
   const double couple_scale = force_scale * scales.length;
@@ -152,7 +152,7 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& moment, 
   for (int i = 0; i < tree.body_count(); ++i) {
     if (!mechanism.takes_part[static_cast<std::size_t>(i)]) continue;
     const SpatialInertia<Scalar>& I = tree.body(i).inertia;
-    const BodyMotion<Scalar>& motion = moment.workspace().motion[static_cast<std::size_t>(i + 1)];
+    const BodyMotion<Scalar>& motion = state.workspace().motion[static_cast<std::size_t>(i + 1)];
     const Vector& O = motion.p;
     std::size_t row = 0;
     for (int k = 0; k < 3; ++k) {
@@ -167,7 +167,7 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& moment, 
     const Matrix3<Scalar>& R = motion.R;
     const Vector first_moment = R * I.first_moment;  // m c, from the origin, on ground axes
     const Vector weight_moment = cross(first_moment, tree.gravity());
-    const Momentum<Scalar> known = body_momentum_rate(tree, moment.workspace(), i, O);
+    const Momentum<Scalar> known = body_momentum_rate(tree, state.workspace(), i, O);
     const double spread = plain(I.inertia.xx + I.inertia.yy + I.inertia.zz);
     const double gyroscopic = spread * norm_squared(plain(motion.w));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -176,7 +176,7 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& moment, 
     }
     // m a_G and I_O alpha + m c x a_O per unit acceleration of each coordinate.
     const double mass = plain(I.mass), arm = norm(plain(first_moment)) / mass, distance = norm(plain(O));
-    for_each_coordinate_motion(tree, moment.workspace(), i, O, [&](int coordinate, const SpatialMotion<Scalar>& S) {
+    for_each_coordinate_motion(tree, state.workspace(), i, O, [&](int coordinate, const SpatialMotion<Scalar>& S) {
       const Vector m_a = I.mass * S.linear + cross(S.angular, first_moment);
       const Vector H_rate = R * (I.inertia * transpose_times(R, S.angular)) + cross(first_moment, S.linear);
       const double turning = norm(plain(S.angular)), reach = norm(plain(S.linear)) + turning * (distance + arm);
@@ -192,7 +192,7 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& moment, 
     for (const auto& [body, sign] : {std::pair{action.on, Scalar(1)}, std::pair{action.from, Scalar(-1)}}) {
       if (body == ground || !mechanism.takes_part[static_cast<std::size_t>(body)]) continue;
       const std::size_t row = first_row[static_cast<std::size_t>(body)];
-      const Vector& O = moment.workspace().motion[static_cast<std::size_t>(body + 1)].p;
+      const Vector& O = state.workspace().motion[static_cast<std::size_t>(body + 1)].p;
       const Vector about_origin = wrench.moment - cross(O, wrench.force);
       const double force = norm(plain(wrench.force));
       const double couple = norm(plain(wrench.moment)) + norm(plain(O)) * force;
@@ -207,12 +207,12 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& moment, 
   };
   std::size_t column = unknowns.accelerations;
   for (const Component<Scalar>& component : mechanism.components) {
-    on_both(action_of(component), moment.component_wrench(component),
+    on_both(action_of(component), state.component_wrench(component),
             [&](std::size_t row, const Scalar& value, double error) { system.add(row, column, -value, error); });
     ++column;
   }
   for (std::size_t drive : unknowns.drive_of_effort) {
-    on_both(action_of(mechanism.drives[drive]), moment.drive_wrench(mechanism.drives[drive]),
+    on_both(action_of(mechanism.drives[drive]), state.drive_wrench(mechanism.drives[drive]),
             [&](std::size_t row, const Scalar& value, double error) { system.add(row, column, -value, error); });
     ++column;
   }
@@ -221,12 +221,12 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& moment, 
             [&](std::size_t row, const Scalar& value, double) { system.add_right_side(row, value); });
   };
   for (const Drive<Scalar>& drive : mechanism.drives)
-    known(drive, moment.known_effort(drive) * moment.drive_wrench(drive));
-  for (const KnownForce<Scalar>& force : mechanism.forces) known(force, moment.known_wrench(force));
-  for (const SpringLaw<Scalar>& spring : mechanism.springs) known(spring, moment.spring_wrench(spring));
+    known(drive, state.known_effort(drive) * state.drive_wrench(drive));
+  for (const KnownForce<Scalar>& force : mechanism.forces) known(force, state.known_wrench(force));
+  for (const SpringLaw<Scalar>& spring : mechanism.springs) known(spring, state.spring_wrench(spring));
 
   for (const VelocityConstraint<Scalar>& constraint : mechanism.constraints) {
-    const ConstraintRow<Scalar> r = constraint_row(moment, constraint);
+    const ConstraintRow<Scalar> r = constraint_row(state, constraint);
     const std::size_t row =
         add_constraint(system, constraint, without_rounding(r.coefficients, constraint, tree, scales), scales);
     system.add_right_side(row, -r.bias);
@@ -236,28 +236,28 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& moment, 
 }
 
 template <class Scalar>
-SpatialForce<Scalar> action_wrench(const MechanismStateOf<Scalar>& moment, const std::vector<Scalar>& unknowns,
+SpatialForce<Scalar> action_wrench(const MechanismStateOf<Scalar>& state, const std::vector<Scalar>& unknowns,
                                    std::size_t action) {
-  const Mechanism<Scalar>& mechanism = moment.mechanism();
+  const Mechanism<Scalar>& mechanism = state.mechanism();
   const ForceUnknowns order = force_unknowns(mechanism);
   const int index = static_cast<int>(action);
   SpatialForce<Scalar> total = SpatialForce<Scalar>::zero();
   std::size_t column = order.accelerations;
   for (const Component<Scalar>& component : mechanism.components) {
-    if (component.action == index) total += unknowns[column] * moment.component_wrench(component);
+    if (component.action == index) total += unknowns[column] * state.component_wrench(component);
     ++column;
   }
   for (std::size_t drive : order.drive_of_effort) {
     if (mechanism.drives[drive].action == index)
-      total += unknowns[column] * moment.drive_wrench(mechanism.drives[drive]);
+      total += unknowns[column] * state.drive_wrench(mechanism.drives[drive]);
     ++column;
   }
   for (const Drive<Scalar>& drive : mechanism.drives)
-    if (drive.action == index) total += moment.known_effort(drive) * moment.drive_wrench(drive);
+    if (drive.action == index) total += state.known_effort(drive) * state.drive_wrench(drive);
   for (const KnownForce<Scalar>& force : mechanism.forces)
-    if (force.action == index) total += moment.known_wrench(force);
+    if (force.action == index) total += state.known_wrench(force);
   for (const SpringLaw<Scalar>& spring : mechanism.springs)
-    if (spring.action == index) total += moment.spring_wrench(spring);
+    if (spring.action == index) total += state.spring_wrench(spring);
   return total;
 }
 

@@ -11,8 +11,8 @@ namespace poinsot::solve {
 namespace {
 
 template <class Scalar>
-Vector3<Scalar> point_rate(const MechanismStateOf<Scalar>& moment, int body, const Vector3<Scalar>& p) {
-  const BodyMotion<Scalar>& motion = moment.workspace().motion[static_cast<std::size_t>(body + 1)];
+Vector3<Scalar> point_rate(const MechanismStateOf<Scalar>& state, int body, const Vector3<Scalar>& p) {
+  const BodyMotion<Scalar>& motion = state.workspace().motion[static_cast<std::size_t>(body + 1)];
   return motion.v + cross(motion.w, p - motion.p);
 }
 
@@ -184,46 +184,46 @@ LinearSolution solve_impulse(const MechanismState& before, const Scales& scales,
 }
 
 template <class Scalar>
-SpatialForce<Scalar> impact_wrench(const MechanismStateOf<Scalar>& moment, const ImpactOf<Scalar>& impact) {
-  const Vector3<Scalar> n = moment.direction(impact.push);
-  return {cross(moment.position(impact.at), n), n};
+SpatialForce<Scalar> impact_wrench(const MechanismStateOf<Scalar>& state, const ImpactOf<Scalar>& impact) {
+  const Vector3<Scalar> n = state.direction(impact.push);
+  return {cross(state.position(impact.at), n), n};
 }
 
 template <class Scalar>
-Scalar approach(const MechanismStateOf<Scalar>& moment, const ImpactOf<Scalar>& impact) {
-  const Vector3<Scalar> P = moment.position(impact.at);
-  return dot(moment.direction(impact.push), point_rate(moment, impact.on, P) - point_rate(moment, impact.from, P));
+Scalar approach(const MechanismStateOf<Scalar>& state, const ImpactOf<Scalar>& impact) {
+  const Vector3<Scalar> P = state.position(impact.at);
+  return dot(state.direction(impact.push), point_rate(state, impact.on, P) - point_rate(state, impact.from, P));
 }
 
 template <class Scalar>
-SpatialForce<Scalar> action_impulse(const MechanismStateOf<Scalar>& moment, const BlowOf<Scalar>& blow,
+SpatialForce<Scalar> action_impulse(const MechanismStateOf<Scalar>& state, const BlowOf<Scalar>& blow,
                                     const std::vector<Scalar>& unknowns, std::size_t action) {
   using Vector = Vector3<Scalar>;
   using Wrench = SpatialForce<Scalar>;
-  const Mechanism<Scalar>& mechanism = moment.mechanism();
+  const Mechanism<Scalar>& mechanism = state.mechanism();
   const ImpulseUnknowns order = impulse_unknowns(mechanism, blow);
   const int index = static_cast<int>(action);
   Wrench total = Wrench::zero();
   std::size_t column = order.velocities;
   for (const Component<Scalar>& component : mechanism.components) {
-    if (component.action == index) total += unknowns[column] * moment.component_wrench(component);
+    if (component.action == index) total += unknowns[column] * state.component_wrench(component);
     ++column;
   }
   for (std::size_t drive : order.drive_of_effort) {
     if (mechanism.drives[drive].action == index)
-      total += unknowns[column] * moment.drive_wrench(mechanism.drives[drive]);
+      total += unknowns[column] * state.drive_wrench(mechanism.drives[drive]);
     ++column;
   }
   for (const ImpactOf<Scalar>& impact : blow.impacts) {
-    if (impact.action == index) total += unknowns[column] * impact_wrench(moment, impact);
+    if (impact.action == index) total += unknowns[column] * impact_wrench(state, impact);
     ++column;
   }
   for (const KnownImpulseOf<Scalar>& impulse : blow.impulses) {
     if (impulse.action != index) continue;
     total += impulse.wrench;
-    const Vector P = moment.position(impulse.at);
+    const Vector P = state.position(impulse.at);
     for_each_coordinate_motion(
-        mechanism.tree, moment.workspace(), impulse.on, P, [&](int k, const SpatialMotion<Scalar>& S) {
+        mechanism.tree, state.workspace(), impulse.on, P, [&](int k, const SpatialMotion<Scalar>& S) {
           const Vector kept = (-impulse.absorbed * unknowns[static_cast<std::size_t>(k)]) * S.linear;
           total += Wrench{cross(P, kept), kept};
         });

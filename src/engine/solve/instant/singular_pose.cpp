@@ -28,7 +28,7 @@ class LoopsInPose {
  public:
   LoopsInPose(const Mechanism<double>& mechanism, const std::vector<std::size_t>& constraints,
               const std::vector<bool>& movable, double length)
-      : mechanism_(mechanism), constraints_(constraints), length_(length), moment_(mechanism) {
+      : mechanism_(mechanism), constraints_(constraints), length_(length), mechanism_state_(mechanism) {
     for (std::size_t k = 0; k < movable.size(); ++k) {
       if (!movable[k]) continue;
       columns_.push_back(k);
@@ -37,16 +37,17 @@ class LoopsInPose {
   }
 
   Loops at(const std::vector<double>& q) {
-    moment_.set_positions(q);
+    mechanism_state_.set_positions(q);
     const auto m = static_cast<Eigen::Index>(constraints_.size());
     Loops loops{Eigen::VectorXd(m), Eigen::MatrixXd(m, static_cast<Eigen::Index>(columns_.size()))};
     for (Eigen::Index i = 0; i < m; ++i) {
       const std::size_t index = constraints_[static_cast<std::size_t>(i)];
       const VelocityConstraint<double>& c = mechanism_.constraints[index];
       const double unit = c.kind == VelocityConstraintKind::angular ? 1 : length_;
-      loops.gap[i] =
-          constraint_gap(mechanism_.tree, moment_.workspace(), c, axis_left_free(mechanism_.constraints, index)) / unit;
-      const std::vector<double> rates = constraint_coefficients(moment_, c);
+      loops.gap[i] = constraint_gap(mechanism_.tree, mechanism_state_.workspace(), c,
+                                    axis_left_free(mechanism_.constraints, index)) /
+                     unit;
+      const std::vector<double> rates = constraint_coefficients(mechanism_state_, c);
       for (std::size_t j = 0; j < columns_.size(); ++j)
         loops.rates(i, static_cast<Eigen::Index>(j)) = rates[columns_[j]] * units_[j] / unit;
     }
@@ -57,7 +58,7 @@ class LoopsInPose {
   double rounding() const {
     double farthest = length_;
     for (const std::size_t index : constraints_)
-      farthest = std::max(farthest, norm(moment_.position(mechanism_.constraints[index].at)));
+      farthest = std::max(farthest, norm(mechanism_state_.position(mechanism_.constraints[index].at)));
     return 16 * epsilon * farthest / length_;
   }
 
@@ -76,7 +77,7 @@ class LoopsInPose {
   const Mechanism<double>& mechanism_;
   const std::vector<std::size_t>& constraints_;
   double length_;
-  MechanismState moment_;
+  MechanismState mechanism_state_;
   std::vector<std::size_t> columns_;
   std::vector<double> units_;
 };

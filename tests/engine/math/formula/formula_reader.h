@@ -1,4 +1,4 @@
-// Reads infix formulas, on any scalar: the way back from text to expressions and to numbers.
+// Reads infix formulas, on any scalar: the way back from text to formulas and to numbers.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 #include "poinsot/engine/math/formula/formula_text.h"
 
 namespace poinsot {
-// How GoogleTest shows expressions.
+// How GoogleTest shows formulas.
 inline void PrintTo(const Formula& x, std::ostream* out) { *out << text(x); }
 }  // namespace poinsot
 
 namespace poinsot::testing {
 
-// Scalar: double or Expression. name: the value of a letter or of pi; number: that of digits.
+// Scalar: double or Formula. name: the value of a letter or of pi; number: that of digits.
 template <class Scalar>
 class FormulaReader {
  public:

@@ -12,7 +12,7 @@ using testing::RandomFormula;
 
 Formula read(const std::string& text) { return testing::read_expression(text, testing::letters_of_any_sign); }
 
-TEST(ExpressionText, PrintsWhatPeopleRecognise) {
+TEST(FormulaText, PrintsWhatPeopleRecognise) {
   const std::vector<std::pair<std::string, std::string>> formulas{
       {"0", "0"},
       {"-m", "-m"},
@@ -68,7 +68,7 @@ TEST(ExpressionText, PrintsWhatPeopleRecognise) {
 }
 
 // The count by which formulas of books are compared with these: half as long again and two is the limit.
-TEST(ExpressionText, IsNoLongerThanTheFormulasOfBooks) {
+TEST(FormulaText, IsNoLongerThanTheFormulasOfBooks) {
   const std::vector<std::string> formulas{"v*sin(a)*cos(a)",
                                           "v*sin(a)^2",
                                           "2*pi/(v*sin(a))",
@@ -119,7 +119,7 @@ TEST(ExpressionText, IsNoLongerThanTheFormulasOfBooks) {
   }
 }
 
-TEST(ExpressionText, ComesBackAsTheSameExpression) {
+TEST(FormulaText, ComesBackAsTheSameExpression) {
   RandomFormula random(22);
   for (int trial = 0; trial < 150; ++trial) {
     const std::string formula = random.any(3);
@@ -132,7 +132,7 @@ TEST(ExpressionText, ComesBackAsTheSameExpression) {
   }
 }
 
-TEST(ExpressionText, DependsOnTheValueAlone) {
+TEST(FormulaText, DependsOnTheValueAlone) {
   RandomFormula random(23);
   for (int trial = 0; trial < 60; ++trial) {
     const std::string a = random.any(2);
@@ -148,7 +148,7 @@ TEST(ExpressionText, DependsOnTheValueAlone) {
 }
 
 // Short fractions are fractions; numbers of many digits are decimals with the digits that they carry.
-TEST(ExpressionText, PrintsTheDigitsThatNumbersCarry) {
+TEST(FormulaText, PrintsTheDigitsThatNumbersCarry) {
   EXPECT_EQ(text(read("0.15*m")), "3*m/20");
   EXPECT_EQ(text(read("0.1234567*m")), "0.1234567*m");
   EXPECT_EQ(text(read("1.581333088067359*sqrt(g/r)")), "1.581333088067359*sqrt(g/r)");
@@ -162,7 +162,7 @@ TEST(ExpressionText, PrintsTheDigitsThatNumbersCarry) {
   EXPECT_EQ(text(read("m/123456789")), "m/123456789");
 }
 
-TEST(ExpressionText, SpeaksOtherLanguages) {
+TEST(FormulaText, SpeaksOtherLanguages) {
   struct Spoken {
     std::string formula, c, python, sympy, tex;
   };

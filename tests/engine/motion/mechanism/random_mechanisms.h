@@ -316,7 +316,7 @@ inline State<double> later(const MechanismDynamics& dynamics, const State<double
   return moved;
 }
 
-// Accelerations and forces by the equations of solve/equations.h with every force an unknown.
+// Accelerations and forces by the equations of solve/instant/equations.h with every force an unknown.
 struct NamedMotion {
   Mechanism<double> mechanism;  // with contacts where they are
   solve::LinearSolution solution;
@@ -328,10 +328,10 @@ struct NamedMotion {
     // What does not act is not there.
     std::erase_if(mechanism.constraints,
                   [&](const VelocityConstraint<double>& c) { return c.action >= 0 && !dynamics.is_acting(c.action); });
-    solve::MechanismState moment(mechanism);
-    moment.set_positions(state.q);
-    solve::update_contacts(mechanism, moment);
-    moment.set_velocities(state.v);
+    solve::MechanismState placed(mechanism);
+    placed.set_positions(state.q);
+    solve::update_contacts(mechanism, placed);
+    placed.set_velocities(state.v);
     const solve::ForceUnknowns unknowns = solve::force_unknowns(mechanism);
     components = unknowns.accelerations;
     efforts = components + unknowns.components;
@@ -345,7 +345,7 @@ struct NamedMotion {
     for (std::size_t j = 0; j < mechanism.components.size(); ++j)
       if (!dynamics.is_acting(mechanism.components[j].action)) set(components + j, 0, 1);
     solve::LinearSystem system;
-    system = solve::motion_equations(moment, solve::natural_scales(mechanism), conditions);
+    system = solve::motion_equations(placed, solve::natural_scales(mechanism), conditions);
     solution = system.solve();
     for (std::size_t i = 0; i < system.equations(); ++i) words.emplace_back(system.words(i));
   }

@@ -60,10 +60,10 @@ struct Collision {
   }
   const Impact& impact() const { return blow.impacts.front(); }
   double approach_with(const std::vector<double>& v) const {
-    MechanismState moment(mechanism);
-    moment.set_positions(state.q);
-    moment.set_velocities(v);
-    return approach(moment, impact());
+    MechanismState placed(mechanism);
+    placed.set_positions(state.q);
+    placed.set_velocities(v);
+    return approach(placed, impact());
   }
 };
 
@@ -95,10 +95,10 @@ std::optional<std::vector<double>> after_stiff_spring(const Collision& collision
   spring.stiffness = std::pow(3.141592653589793 / duration, 2) / mobility;
   sprung.springs.push_back(spring);
   MechanismDynamics dynamics(sprung);
-  MechanismState moment(sprung);
+  MechanismState placed(sprung);
   const auto gap = [&](const State<double>& state) {
-    moment.set_positions(state.q);
-    return norm(moment.position(spring.at) - moment.position(spring.toward)) - length;
+    placed.set_positions(state.q);
+    return norm(placed.position(spring.at) - placed.position(spring.toward)) - length;
   };
   // By the midpoint rule.
   const auto stepped = [&](const State<double>& state, double h) {

@@ -112,7 +112,7 @@ struct Trial {
       conditions.push_back(std::move(condition));
     }
   }
-  MechanismState moment() const {
+  MechanismState state() const {
     MechanismState now(mechanism);
     now.set_positions(state.q);
     now.set_velocities(state.v);
@@ -131,8 +131,8 @@ TEST(Equations, MotionAgreesWithHybridDynamics) {
   Random random(21);
   for (int trial = 0; trial < 1000; ++trial) {
     const Trial t(random);
-    const MechanismState moment = t.moment();
-    const LinearSolution solution = motion_equations(moment, natural_scales(t.mechanism), t.conditions).solve();
+    const MechanismState state = t.mechanism_state();
+    const LinearSolution solution = motion_equations(state, natural_scales(t.mechanism), t.conditions).solve();
     ASSERT_TRUE(solution.conflict.empty()) << trial;
     ASSERT_TRUE(solution.open.empty()) << trial;
     std::vector<double> acceleration = t.acceleration, force = t.force;
@@ -159,7 +159,7 @@ TEST(Equations, ReactionsAgreeWithNewtonAndEuler) {
     Trial t(random);
     const int count = t.tree.body_count();
     // Loads and springs, told to the oracle as wrenches on the body's axes about its origin.
-    MechanismState drawn = t.moment();
+    MechanismState drawn = t.mechanism_state();
     std::vector<SpatialForce<double>> external(static_cast<std::size_t>(count), SpatialForce<double>::zero());
     const auto apply = [&](int body, const Vector& place, const Vector& force, const Vector& couple) {
       if (body == ground) return;
@@ -216,8 +216,8 @@ TEST(Equations, ReactionsAgreeWithNewtonAndEuler) {
                    drive.stiffness * (t.state.q[static_cast<std::size_t>(drive.position)] - drive.free_position) -
                    drive.damping * t.state.v[k];
     }
-    const MechanismState moment = t.moment();
-    const LinearSolution solution = motion_equations(moment, natural_scales(t.mechanism), t.conditions).solve();
+    const MechanismState state = t.mechanism_state();
+    const LinearSolution solution = motion_equations(state, natural_scales(t.mechanism), t.conditions).solve();
     ASSERT_TRUE(solution.conflict.empty()) << trial;
     ASSERT_TRUE(solution.open.empty()) << trial;
     std::vector<CoordinateMode> modes;
@@ -233,7 +233,7 @@ TEST(Equations, ReactionsAgreeWithNewtonAndEuler) {
       for (std::size_t a = 0; a < t.mechanism.actions.size(); ++a) {
         const Action& action = t.mechanism.actions[a];
         if (action.on == i && (action.kind == ActionKind::joint || action.kind == ActionKind::drive))
-          wrench += action_wrench(moment, solution.value, a);
+          wrench += action_wrench(state, solution.value, a);
       }
       const testing::OracleBody& body = oracle.bodies[static_cast<std::size_t>(i)];
       const Vector origin{body.p.x(), body.p.y(), body.p.z()};
@@ -294,7 +294,7 @@ TEST(Equations, VelocitiesAndAccelerationsKeepTheConstraints) {
   for (int trial = 0; trial < 1000; ++trial) {
     Trial t(random, {.least_bodies = 2, .most_bodies = 5, .given_coordinates = false});
     const int count = t.tree.body_count();
-    const MechanismState placed = t.moment();
+    const MechanismState placed = t.mechanism_state();
     for (int n = random.integer(1, 2); n > 0; --n) {
       VelocityConstraint<double> c;
       c.words = "constraint";
@@ -345,8 +345,8 @@ TEST(Equations, VelocitiesAndAccelerationsKeepTheConstraints) {
     }
     if (t.mechanism.constraints.empty()) continue;
     const Scales scales = natural_scales(t.mechanism);
-    MechanismState moment = t.moment();
-    const LinearSolution slow = velocity_equations(moment, scales, {}).solve();
+    MechanismState state = t.mechanism_state();
+    const LinearSolution slow = velocity_equations(state, scales, {}).solve();
     ASSERT_TRUE(slow.conflict.empty());
     // Any of the motions that the constraints leave.
     std::vector<double> v = slow.value;
@@ -356,14 +356,14 @@ TEST(Equations, VelocitiesAndAccelerationsKeepTheConstraints) {
     }
     const double speed = largest_of(v);
     if (slow.condition > 1e4 || speed > 20) continue;
-    moment.set_velocities(v);
+    state.set_velocities(v);
     for (const auto& c : t.mechanism.constraints) {
-      const std::vector<double> row = constraint_coefficients(moment, c);
+      const std::vector<double> row = constraint_coefficients(state, c);
       double rate = 0;
       for (std::size_t k = 0; k < v.size(); ++k) rate += row[k] * v[k];
       EXPECT_NEAR(rate, 0, 1e-10 * speed);
     }
-    const LinearSolution solution = motion_equations(moment, scales, {}).solve();
+    const LinearSolution solution = motion_equations(state, scales, {}).solve();
     // A body held in place may not allow the constraint's acceleration; then this is said, and nothing else.
     if (!solution.conflict.empty() || solution.condition > 1e6) continue;
     const std::vector<double> a(solution.value.begin(), solution.value.begin() + static_cast<std::ptrdiff_t>(v.size()));
@@ -415,15 +415,15 @@ TEST(Equations, ARollingDisk) {
     condition.coefficients[k] = 1;
     return condition;
   };
-  MechanismState moment(mechanism);
+  MechanismState state(mechanism);
   const LinearSolution motion =
-      velocity_equations(moment, natural_scales(mechanism), {stated(4, v), stated(2, 0), stated(1, 0)}).solve();
+      velocity_equations(state, natural_scales(mechanism), {stated(4, v), stated(2, 0), stated(1, 0)}).solve();
   ASSERT_TRUE(motion.conflict.empty());
   EXPECT_TRUE(motion.open.empty());
   EXPECT_NEAR(motion.value[0], -v / r, 1e-14);
   EXPECT_NEAR(motion.value[3], 0, 1e-14);
-  moment.set_velocities(motion.value);
-  const LinearSolution forces = motion_equations(moment, natural_scales(mechanism), {}).solve();
+  state.set_velocities(motion.value);
+  const LinearSolution forces = motion_equations(state, natural_scales(mechanism), {}).solve();
   ASSERT_TRUE(forces.conflict.empty());
   EXPECT_TRUE(forces.open.empty());
   // The last three are rates of components on the axes of the disk, which turn: -w x v.
@@ -457,8 +457,8 @@ TEST(Equations, AParallelogramLinkage) {
     mechanism.constraints.push_back(c);
   }
   Condition condition{"the crank", {1, 0, 0}, 5, 1};
-  MechanismState moment(mechanism);
-  const LinearSolution motion = velocity_equations(moment, natural_scales(mechanism), {condition}).solve();
+  MechanismState state(mechanism);
+  const LinearSolution motion = velocity_equations(state, natural_scales(mechanism), {condition}).solve();
   ASSERT_TRUE(motion.conflict.empty());
   EXPECT_TRUE(motion.open.empty());
   EXPECT_NEAR(motion.value[0], 5, 1e-13);
@@ -466,7 +466,7 @@ TEST(Equations, AParallelogramLinkage) {
   EXPECT_NEAR(motion.value[2], 5, 1e-13);
   // A second stated rate that does not fit is a contradiction that names what takes part in it.
   const LinearSystem equations =
-      velocity_equations(moment, natural_scales(mechanism), {condition, {"the other crank", {0, 0, 1}, 4, 1}});
+      velocity_equations(state, natural_scales(mechanism), {condition, {"the other crank", {0, 0, 1}, 4, 1}});
   const LinearSolution wrong = equations.solve();
   std::vector<std::string> names;
   for (std::size_t row : wrong.conflict) names.emplace_back(equations.words(row));
@@ -512,11 +512,11 @@ TEST(Equations, ASmallBodyBesideALargeOne) {
     const Model<double> tree = testing::built(stated);
     Mechanism<double> mechanism = mechanism_of(stated, tree);
     mechanism.drives[1].effort = 4 * I;
-    MechanismState moment(mechanism);
+    MechanismState state(mechanism);
     const State<double> state{{0.2, 0.4}, {1.5, -2}};
-    moment.set_positions(state.q);
-    moment.set_velocities(state.v);
-    const LinearSolution solution = motion_equations(moment, natural_scales(mechanism), {}).solve();
+    state.set_positions(state.q);
+    state.set_velocities(state.v);
+    const LinearSolution solution = motion_equations(state, natural_scales(mechanism), {}).solve();
     EXPECT_TRUE(solution.conflict.empty()) << size;
     EXPECT_TRUE(solution.open.empty()) << size;
     std::vector<double> acceleration(2), force{0, 4 * I};

@@ -37,13 +37,13 @@ struct Linkage {
   }
   // What is left open when one coordinate has a rate, and the rates then.
   LinearSolution with_rate(const std::vector<double>& q, std::size_t coordinate, double rate) const {
-    MechanismState moment(mechanism);
-    moment.set_positions(q);
+    MechanismState state(mechanism);
+    state.set_positions(q);
     Condition given;
     given.coefficients.assign(3, 0.0);
     given.coefficients[coordinate] = 1;
     given.value = rate;
-    return velocity_equations(moment, natural_scales(mechanism), {given}).solve();
+    return velocity_equations(state, natural_scales(mechanism), {given}).solve();
   }
 };
 

@@ -59,7 +59,7 @@ template <class Scalar>
 constexpr Matrix3<Scalar> operator*(const Scalar& s, const Matrix3<Scalar>& a) {
   return {s * a.row0, s * a.row1, s * a.row2};
 }
-// The matrix of v -> a x v.
+// The matrix [a]x of the map v -> a x v.
 template <class Scalar>
 constexpr Matrix3<Scalar> cross_matrix(const Vector3<Scalar>& a) {
   return {{Scalar(0), -a.z, a.y}, {a.z, Scalar(0), -a.x}, {-a.y, a.x, Scalar(0)}};

@@ -1,8 +1,9 @@
-// The plain number behind a scalar: what decisions look at, such as whether a mass is positive or two axes are
+// The plain number behind a scalar. Decisions look at it, such as whether a mass is positive or two axes are
 // parallel.
 //
-// A program that runs on duals takes the same way as on doubles, and its results carry the derivatives along that way.
-// Scalars of other kinds bring their own `plain` and `is_constant`, found by argument-dependent look-up.
+// A program that runs on dual numbers takes the same branches as on doubles, and its results carry the derivatives
+// along these branches. Other scalars bring their own `plain` and `is_constant`, which argument-dependent look-up
+// finds.
 #pragma once
 
 #include <concepts>
@@ -42,7 +43,7 @@ auto plain(const std::vector<Item>& items) {
   return result;
 }
 
-// Without derivatives: the same whatever the variables are.
+// Whether a number has no derivatives, so that it is the same for all values of the variables.
 template <std::floating_point Scalar>
 constexpr bool is_constant(const Scalar&) {
   return true;
@@ -54,13 +55,13 @@ constexpr bool is_constant(const Dual<N, Base>& x) {
   return is_constant(x.value);
 }
 
-// Zero, whatever the variables are: a term that may be left out.
+// Whether a term is zero for all values of the variables, and so may be left out.
 template <class Scalar>
 constexpr bool vanishes(const Scalar& x) {
   return plain(x) == 0 && is_constant(x);
 }
 
-// A number of one scalar as a constant of another: of a double as a dual, of a dual as a dual of duals.
+// A number of one scalar as a constant of another: a double as a dual number, a dual number as a dual of duals.
 template <class Target, class Source>
 constexpr Target lifted(const Source& x) {
   if constexpr (std::same_as<Target, Source> || std::floating_point<Source>) {

@@ -15,7 +15,7 @@ class JacobiFunctions {
     double sn, cn, dn;
   };
 
-  // 0 <= m <= 1; what is not a number otherwise.
+  // For 0 <= m <= 1; otherwise the functions are NaN.
   explicit JacobiFunctions(const EllipticParameter<long double>& parameter);
   explicit JacobiFunctions(const EllipticParameter<double>& parameter)
       : JacobiFunctions(EllipticParameter<long double>{parameter.m, parameter.complement}) {}

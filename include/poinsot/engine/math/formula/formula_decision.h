@@ -1,9 +1,8 @@
-// What was decided on the way to a formula.
+// Records the decisions on signs that lead to a formula.
 //
 // Some quantities are one formula where something is positive and another where it is negative: the larger of two
-// numbers, the acute one of two angles. For an Expression the branch is taken that holds at the point of decisions
-// (plain()), and what was looked at is noted. Whoever wants a formula for all values of the letters asks what was
-// noted.
+// numbers, the acute one of two angles. The branch that holds at the point of decisions is taken (plain()), and the
+// sign that decided is recorded. Who needs a formula for all values of the letters can then check these signs.
 #pragma once
 
 #include <vector>
@@ -14,7 +13,7 @@
 
 namespace poinsot {
 
-// What is decided in this thread while it lives; a scope within a scope keeps its own.
+// Records the decisions in this thread as long as it exists. A scope within a scope has its own records.
 class DecisionScope {
  public:
   DecisionScope();
@@ -22,9 +21,9 @@ class DecisionScope {
   DecisionScope(const DecisionScope&) = delete;
   DecisionScope& operator=(const DecisionScope&) = delete;
 
-  // Each was taken to have everywhere the sign that it has at the point of decisions; none is a number.
+  // Each of these was assumed to have the sign everywhere that it has at the point of decisions. None is a number.
   const std::vector<Formula>& signs() const { return signs_; }
-  // Whether a formula was taken for zero because its digits are, at some points (see Expression).
+  // Whether a formula was taken for zero because its digits vanish at some points (see Formula).
   bool zeros_by_digits() const { return zeros_by_digits_; }
 
  private:
@@ -36,10 +35,10 @@ class DecisionScope {
   DecisionScope* outer_;
 };
 
-// x is taken to have everywhere the sign that it has at the point of decisions.
+// Records that x is assumed to have the sign everywhere that it has at the point of decisions.
 void note_sign(const Formula& x);
 void note_zero_by_digits();
-// Whether a scope lives.
+// Whether there is a scope.
 bool notes_decisions();
 
 // Whether x < 0 at the point of decisions.

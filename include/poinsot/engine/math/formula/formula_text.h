@@ -1,7 +1,7 @@
-// Formulas as text, in the form that people recognise.
+// Writes formulas in the form that people recognise.
 //
-// The form depends on the value alone, not on the way it was reached: exact numbers; common factors pulled out; sines
-// and cosines as powers, of double angles or of sums of angles, whatever is shortest by the count of operators.
+// The form depends only on the value, not on how it was computed: exact numbers; common factors in front; sines and
+// cosines as powers, of double angles or of sums of angles, whichever needs the fewest operators.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ enum class Notation {
   tex      // \frac{m r^{2}}{2}
 };
 
-// Throws ExpressionTooLarge as the operations on expressions do. Sums of more than some sixty terms are written as they
+// Throws FormulaTooLarge as the operations on formulas do. Sums of more than some sixty terms are written as they
 // stand.
 std::string text(const Formula& x, Notation notation = Notation::plain);
 

@@ -26,20 +26,21 @@ class StraightLine {
     std::uint32_t input = 0;                      // which input of the trace
   };
 
-  // How far shorter programs are sought: by common factors and other ways of one or two operations to the same numbers,
-  // in about a millisecond for small models, or by ways of up to three, in milliseconds, as pays for code that is
-  // kept.
+  // How thoroughly shorter programs are sought. quick: by common factors and other ways with one or two operations to
+  // the same numbers, in about a millisecond for small models. thorough: by ways with up to three, in milliseconds,
+  // which pays for code that is kept.
   enum class Shortening { quick, thorough };
 
-  // Only what the outputs need, with terms of sums that share a factor brought together as long as that saves
+  // Keeps only what the outputs need, and combines terms of sums that share a factor as long as this saves
   // operations.
   StraightLine(const Trace& trace, const std::vector<Traced>& outputs, Shortening shortening = Shortening::thorough);
 
-  // Each after those that it uses: zero first, then inputs, constants and operations.
+  // Each step comes after those that it uses: zero first, then inputs, constants and operations.
   const std::vector<Step>& steps() const { return steps_; }
   const std::vector<Operand>& outputs() const { return outputs_; }
   std::size_t input_count() const { return inputs_; }
-  // Additions, subtractions, products, quotients and functions; a sine with the cosine of the same angle are two.
+  // The number of additions, subtractions, products, quotients and functions. A sine and the cosine of the same angle
+  // count as two.
   std::size_t operations() const;
 
   // input: one number per input of the trace; output: one per output. std::invalid_argument if a size is wrong.

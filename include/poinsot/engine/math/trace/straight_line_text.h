@@ -1,7 +1,7 @@
 // Straight-line programs as code and as formulas: plain text, TeX, C (C99), C++, Python and SymPy.
 //
-// What is used more than once has a name of its own: z1, z2, ...; all else stands where it is used, as long as lines
-// stay short.
+// A result that is used more than once gets a name: z1, z2, ... All others are written where they are used, as long
+// as lines stay short.
 #pragma once
 
 #include <cstddef>
@@ -21,10 +21,11 @@ struct TextInput {
   int index = 0;
   std::string name;
   std::string meaning;    // "rad: angle of hinge 'A'"
-  bool positive = false;  // known to be: a mass, a length
+  bool positive = false;  // whether it is known to be positive, as a mass or a length
 };
 
-// A number, vector or matrix among the outputs, which follow one another in the order of the blocks, row after row.
+// A number, vector or matrix among the outputs. Its numbers follow one another in rows, and blocks follow in their
+// order.
 struct TextBlock {
   std::string name;
   std::string meaning;
@@ -40,13 +41,15 @@ struct ProgramText {
   std::vector<std::string> remarks;  // lines that stand first, as comments
 };
 
-// Throws std::invalid_argument if inputs or blocks do not fit the program, or if the function's name is none in C.
+// The program as text. Throws std::invalid_argument if inputs or blocks do not fit the program, or if the name of the
+// function is not possible in C.
 std::string write_program(const StraightLine& program, const ProgramText& text, TextForm form);
 
 // The first output as one line of plain text.
 std::string formula_text(const StraightLine& program, const std::vector<TextInput>& inputs);
 
-// Whether a word can name a function: letters, digits and _, no digit first, and no word of C, C++ or Python.
+// Whether a word can be the name of a function: letters, digits and _, not beginning with a digit, and no word of C,
+// C++ or Python.
 bool is_code_name(std::string_view word);
 
 }  // namespace poinsot

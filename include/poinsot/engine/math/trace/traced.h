@@ -1,17 +1,17 @@
 // A scalar that writes down what is computed with it: algorithms that run on it leave a straight-line program in which
 // every common subexpression occurs once.
 //
-// Where Expression (expression.h) keeps formulas in the one form that people read, a Traced is the way of computing: a
-// reference to an operation of the Trace that is being recorded. Recording is cheap (some hundred nanoseconds for an
-// operation), so that equations with many thousand operations are had in milliseconds.
+// A Formula (formula.h) is kept in the canonical form that people read. A Traced is a way of computing: a reference
+// to an operation of the Trace that is being recorded. Recording is cheap (some hundred nanoseconds for an
+// operation), so that equations with many thousand operations take milliseconds.
 //
-// Operations whose results are the same function of the inputs are one, whatever the way they were reached: each is
-// evaluated at random points of a finite field with 2^122 elements, and those with equal values there are equal (but
-// for a chance below 1e-20). So cos^2 + sin^2 is 1, and what cancels is 0. Numbers written with few digits are taken as
-// the fractions that they stand for: 0.1 as 1/10.
+// Operations whose results are the same function of the inputs become one. Each is evaluated at random points of a
+// finite field with 2^122 elements, and those with equal values are equal (except with a chance below 1e-20). So
+// cos^2 + sin^2 is 1, and what cancels is 0. Numbers with few digits are taken as the fractions that they stand for:
+// 0.1 is 1/10.
 //
-// Decisions in algorithms look at a sample: plain(x) is the value where each input has the sample number it was given.
-// There the root of x^2 is x or -x, and stays so.
+// Decisions in algorithms look at a sample: plain(x) is the value when each input has its sample number. The root of
+// x^2 becomes x or -x by this sample.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ class Traced {
   friend Traced operator+(const Traced& a, const Traced& b);
   friend Traced operator-(const Traced& a, const Traced& b) { return a + -b; }
   friend Traced operator*(const Traced& a, const Traced& b);
-  // A division by what is zero everywhere throws std::domain_error.
+  // A division by something that is zero everywhere throws std::domain_error.
   friend Traced operator/(const Traced& a, const Traced& b);
   friend bool operator==(const Traced&, const Traced&) = default;
 
@@ -75,8 +75,8 @@ enum class TracedOperation : std::uint8_t {
   absolute
 };
 
-// What is recorded. While a TraceScope names it, all computing with Traced in this thread goes on in it; a Traced
-// belongs to the trace that it was made in, and is of no use in another.
+// A recording. While a TraceScope refers to it, all computing with Traced in this thread adds to it. A Traced belongs
+// to the trace in which it was made and must not be used in another.
 class Trace {
  public:
   Trace();
@@ -84,10 +84,10 @@ class Trace {
   Trace(Trace&&) noexcept;
   Trace& operator=(Trace&&) noexcept;
 
-  // A new variable; sample: where decisions look.
+  // A new variable. sample: the number at which decisions look.
   Traced input(double sample);
   std::size_t input_count() const;
-  // What was taken to be positive, as it is at the sample: x where the root of x^2 was taken.
+  // What was assumed to be positive, as it is at the sample: x where the root of x^2 was taken as x.
   const std::vector<Traced>& assumed_positive() const;
 
   struct Node;

@@ -1,4 +1,4 @@
-// From formulas to traced computing.
+// Computes formulas in a trace.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,8 @@
 
 namespace poinsot {
 
-// Computes the expression in the trace that is being recorded, in its shortest form; letter: what stands for a letter.
+// Computes the formula, in its shortest form, in the trace that is being recorded. letter: gives the value of a
+// letter.
 Traced traced(const Formula& x, const std::function<Traced(const std::string& letter)>& letter);
 
 }  // namespace poinsot

@@ -19,8 +19,9 @@
 namespace poinsot {
 
 enum class IntegrationMethod {
-  // Explicit; from where the equations prove stiff, `stiff` if there is a solver for them. Where accelerations at eight
-  // instants are given and no state but the last is asked for (no store, observer, events), first `collocation`.
+  // Explicit. Where the equations prove to be stiff, `stiff` takes over if there is a solver for them. If
+  // accelerations at eight instants are given and only the last state is wanted (no store, observer or events),
+  // `collocation` is tried first.
   automatic,
   explicit_runge_kutta,  // Dormand and Prince's order 8(5,3) with dense output of order 7
   collocation,           // Gauss-Legendre of order 16 in chosen steps; needs accelerations at eight instants
@@ -31,21 +32,21 @@ enum class IntegrationMethod {
 enum class Ending {
   reached_end,
   terminal_event,
-  interrupted,      // the observer said so
-  step_limit,       // most_steps
-  time_limit,       // seconds
+  interrupted,      // the observer asked for it
+  step_limit,       // most_steps was reached
+  time_limit,       // `seconds` were used up
   step_too_small,   // a singularity, a discontinuity, or a tolerance below rounding
   not_finite,       // the equations give no finite accelerations at `time`
   stiff,            // an explicit method would need steps far below what accuracy asks
   no_convergence,   // the implicit equations of a step could not be solved
   singular_pose,    // the motion can go on in more than one way, or in none
-  no_stiff_solver,  // stiff was asked, and poinsot was built without SUNDIALS
+  no_stiff_solver,  // `stiff` was asked for, and poinsot was built without SUNDIALS
 };
 
 struct IntegrationOptions {
   IntegrationMethod method = IntegrationMethod::automatic;
   // Error of a step over the natural size of each coordinate. Over a few turns of random bodies and gimbals the errors
-  // add up to at most some hundred times that (tests/motion/accuracy_test.cpp).
+  // add up to at most some hundred times that (tests/engine/motion/integrator/accuracy_test.cpp).
   double tolerance = 1e-10;
   double first_step = 0.0;    // s; 0: chosen
   double largest_step = 0.0;  // s; 0: no limit
@@ -54,10 +55,10 @@ struct IntegrationOptions {
   double fixed_step = 0.0;
   std::int64_t most_steps = 10'000'000;
   double seconds = std::numeric_limits<double>::infinity();  // of real time
-  bool store = true;                                         // keep the steps in the trajectory
-  bool watch_drift = true;                                   // of the conserved quantities, at each step
-  bool estimate_error = false;  // integrate a second time with another tolerance and compare
-  // Called after each step, the state within it to be asked from `step`; false ends the integration.
+  bool store = true;                                         // whether to keep the steps in the trajectory
+  bool watch_drift = true;      // whether to report it for the conserved quantities, at each step
+  bool estimate_error = false;  // whether to integrate a second time with another tolerance and compare
+  // Called after each step with the step, which gives the state within it; returning false ends the integration.
   std::function<bool(const StepView& step)> observer;
 };
 
@@ -74,8 +75,8 @@ struct Drift {
   double largest = 0.0;  // its largest change at the end of a step
 };
 
-// How far the motion may be from the true one, by the difference from an integration with a coarser tolerance: a bound
-// where the error falls with the tolerance, as it does unless rounding or chaos rules.
+// How far the motion may be from the true one: the difference from an integration with a larger tolerance. It is a
+// bound if the error falls with the tolerance, as it does unless rounding or chaos dominates.
 struct ErrorEstimate {
   std::vector<double> q;  // at the end, magnitudes in the units of the coordinates
   std::vector<double> v;
@@ -104,7 +105,7 @@ IntegrationResult integrate(const MotionEquations& equations, double start, std:
                             std::span<const double> v, double end, const IntegrationOptions& options = {},
                             std::span<const Event> events = {});
 
-// What ended the integration, as a sentence: "the steps became too small at 0.3 s: ...".
+// Describes what ended the integration: "the steps became too small at 0.3 s: ...".
 std::string describe(const IntegrationResult& result);
 
 // Whether stiff equations can be integrated: poinsot was built with SUNDIALS.

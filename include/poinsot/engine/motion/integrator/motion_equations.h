@@ -2,8 +2,8 @@
 //
 //   dq/dt = position rate (t, q, v),   dv/dt = accelerations (t, q, v),
 //
-// what must hold besides (constraints, coordinates given as functions of time, unit quaternions), and the natural sizes
-// in which errors are measured. Whoever makes the equations owns what the functions refer to.
+// further conditions (constraints, coordinates given as functions of time, unit quaternions), and the natural sizes
+// in which errors are measured. What the functions refer to must outlive the equations.
 #pragma once
 
 #include <functional>
@@ -16,13 +16,13 @@
 
 namespace poinsot {
 
-// In this pose constraints depend on one another that elsewhere do not, or cannot all hold: the motion can go on in
-// more than one way, or in none.
+// In this pose constraints depend on each other that do not do so elsewhere, or cannot all hold. The motion can
+// continue in more than one way, or in none.
 struct SingularPose : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A number that the motion keeps (energy, a component of an angular momentum): its drift is reported.
+// A number that the motion conserves (energy, a component of an angular momentum). Its drift is reported.
 struct ConservedQuantity {
   std::string name;
   std::function<double(double t, std::span<const double> q, std::span<const double> v)> value;

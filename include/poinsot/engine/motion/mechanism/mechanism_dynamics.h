@@ -3,7 +3,7 @@
 // Tree joints are eliminated by their coordinates v; what acts beyond them enters by its power (principle of virtual
 // work). With M the mass matrix of the free coordinates, h what the velocities, the weights and the held coordinates
 // bring, Q the generalised forces of loads, springs, drives and dampers, J the rows of the constraints
-// (dynamics/velocity_constraint.h) and b their biases,
+// (engine/dynamics/velocity_constraint.h) and b their biases,
 //
 //   M dv/dt + h = Q + J^T y,      J dv/dt + b = 0.
 //
@@ -15,9 +15,9 @@
 // free has inertia (massless rods and links in loops). Coordinates are scaled by their inertia. Where unknown
 // components do not stand along the constraints (a contact without friction on which nothing may slip, say), z and the
 // components' sizes are found together. Without constraints the accelerations come from the articulated-body algorithm
-// (dynamics/hybrid_dynamics.h).
+// (engine/dynamics/hybrid_dynamics.h).
 //
-// The same equations, with every force named and determined or not: solve/equations.h.
+// The same equations, with every force named and determined or not: solve/instant/equations.h.
 #pragma once
 
 #include <cstddef>
@@ -51,7 +51,7 @@ class MechanismDynamics {
   const Mechanism<double>& mechanism() const;
   double natural_length() const;  // the extent of its points, m
 
-  // What changes with time. Positions and velocities of held coordinates are the caller's, in q and v.
+  // What changes with time. The caller keeps positions and velocities of held coordinates in q and v.
   bool is_held(int coordinate) const;
   std::span<const int> held_coordinates() const;
   void set_held_acceleration(int coordinate, double acceleration);   // rad/s^2 or m/s^2; 0 until set
@@ -69,10 +69,11 @@ class MechanismDynamics {
   // The size of mechanism().components[component]: the tension of a cord, the normal force of a contact. 0 while it
   // does not act, and for components of tree joints, which the equations of motion need not know.
   double component_force(std::size_t component) const;
-  // Whether the equations of motion fix it: not for tree joints, nor where redundant constraints share a load.
+  // Whether the equations of motion determine it. They do not for tree joints, nor where redundant constraints share
+  // a load.
   bool component_determined(std::size_t component) const;
-  // The couple or force on a held coordinate that gives it its acceleration, beside its known effort, spring and
-  // damper.
+  // The couple or force on a held coordinate that gives it its acceleration, in addition to its known effort, spring
+  // and damper.
   double held_effort(int coordinate) const;
   // Largest |J dv/dt + b|, relative to the largest term: constraints and given motions that contradict each other.
   double constraint_misfit();
@@ -87,13 +88,14 @@ class MechanismDynamics {
   // The same after each step of a motion. Throws SingularPose (motion_equations.h) where the constraints cannot hold,
   // or where they depend on one another as at no pose held before.
   void hold(std::span<double> q, std::span<double> v);
-  // Positions alone, and velocities alone.
+  // The same for positions only, and for velocities only.
   double project_positions(std::span<double> q);
   void project_velocities(std::span<const double> q, std::span<double> v);
   // The largest gap and rate of acting constraints: m or rad, m/s or rad/s.
   double largest_gap(std::span<const double> q);
   double largest_rate(std::span<const double> q, std::span<const double> v);
-  // Of one constraint, acting or not: < 0 while a cord is slack, > 0 while a contact is open. Its rate.
+  // The gap of a single constraint, whether it acts or not: negative while a cord is slack, positive while a contact
+  // is open. Then its rate.
   double gap(std::size_t constraint, std::span<const double> q);
   double gap_rate(std::size_t constraint, std::span<const double> q, std::span<const double> v);
   // After accelerations or project: how far the constraints that count are from depending on one another, from 1 to 0

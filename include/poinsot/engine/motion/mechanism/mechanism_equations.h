@@ -1,4 +1,4 @@
-// A mechanism's equations of motion as the integrators take them.
+// The equations of motion of a mechanism for the integrators.
 #pragma once
 
 #include <functional>

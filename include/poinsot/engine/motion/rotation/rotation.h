@@ -4,7 +4,7 @@
 // angular momentum, n the principal axis across which the moments differ least (I' their mean, in reciprocals) and I
 // the moment about it,
 //
-//   attitude(t) = exp(L t/I') attitude(0) exp(n (L.n) (1/I - 1/I') t)                       (Eqs. 18.48-18.52 unrolled)
+//   attitude(t) = exp(L t/I') attitude(0) exp(n (L.n) (1/I - 1/I') t)                       (Eqs. 18.46 to 18.48)
 //
 // Only the departure from this motion, by torques and by unequal moments, is integrated: adaptively by Gauss-Legendre
 // collocation of order 16, all eight stages at once in packs; a body without further torques gets its energy back after

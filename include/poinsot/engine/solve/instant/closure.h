@@ -1,5 +1,5 @@
-// The pose of a mechanism with loops, cords and contacts: the coordinates that are given, and the others such that
-// every loop is closed, every cord as long as drawn, and every contact touches.
+// Finds the pose of a mechanism with loops, cords and contacts: some coordinates are given, and the others follow
+// such that every loop is closed, every cord has the length as drawn, and every contact touches.
 #pragma once
 
 #include <string>
@@ -12,26 +12,27 @@ namespace poinsot::solve {
 
 struct Closure {
   std::vector<double> q;
-  double gap = 0;     // largest distance (m) or angle (rad) left open
+  double gap = 0;     // the largest distance (m) or angle (rad) that is left
   std::string where;  // the words of the constraint that it belongs to
 };
 
-// From the drawn pose, in which all is closed, the given coordinates move to their values in small steps and the others
-// follow by Newton's method, the least that closes. given: for each entry of q. The solution is the one reached without
-// a jump.
+// Starts from the drawn pose, in which everything is closed. The given coordinates (marked for each entry of q) move
+// to their targets in small steps, and the others follow by Newton's method with the least displacements that close
+// the gaps. So the pose is the one that is reached without a jump.
 Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>& target,
                    const std::vector<bool>& given);
 
-// How a closed pose varies. closed: the q that close_pose found for the plain numbers of mechanism and target. The
-// given coordinates vary as their targets do, the others by the implicit function theorem: one step of Newton's method.
+// The derivatives of a closed pose. closed: the q that close_pose found for the plain numbers of mechanism and
+// target. The given coordinates vary as their targets do, the others by the implicit function theorem, which is one
+// step of Newton's method.
 std::vector<Dual<1>> varied_pose(const Mechanism<Dual<1>>& mechanism, const std::vector<double>& closed,
                                  const std::vector<Dual<1>>& target, const std::vector<bool>& given);
 
 using poinsot::binds_positions;
 
-// Contact points of bodies of revolution move over them as they turn: puts them where they touch now. Scalar: double or
-// Dual<1>.
+// Moves the contact points of rolling bodies of revolution to where the bodies touch in this pose. The state must
+// have its positions. The scalar is double, Dual<1> or Formula.
 template <class Scalar>
-void update_contacts(Mechanism<Scalar>& mechanism, const MechanismStateOf<Scalar>& moment);
+void update_contacts(Mechanism<Scalar>& mechanism, const MechanismStateOf<Scalar>& state);
 
 }  // namespace poinsot::solve

@@ -1,4 +1,4 @@
-// A mechanism in a pose with velocities and accelerations, and what follows from them for its places and actions.
+// A mechanism in a pose with velocities and accelerations: the places of its points, and the forces of its actions.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace poinsot::solve {
 
-// Scalar: double or Dual<1>.
+// The scalar is double, Dual<1> or Formula.
 template <class Scalar>
 class MechanismStateOf {
  public:
-  // mechanism must outlive the moment.
+  // The mechanism must outlive the state.
   explicit MechanismStateOf(const Mechanism<Scalar>& mechanism);
 
-  // Places the bodies; velocities and accelerations become zero.
+  // Places the bodies and sets velocities and accelerations to zero.
   void set_positions(const std::vector<Scalar>& q);
   void set_velocities(const std::vector<Scalar>& v);
   void set_accelerations(const std::vector<Scalar>& a);
@@ -31,12 +31,12 @@ class MechanismStateOf {
   Vector3<Scalar> direction(const Direction<Scalar>& direction) const;
   Vector3<Scalar> on_ground_axes(int axes, const Vector3<Scalar>& vector) const;
 
-  // About the ground's origin, on ground axes.
-  SpatialForce<Scalar> component_wrench(const Component<Scalar>& component) const;  // of size one
-  SpatialForce<Scalar> drive_wrench(const Drive<Scalar>& drive) const;              // of effort one
+  // The following wrenches are on ground axes about the ground's origin (N, N m).
+  SpatialForce<Scalar> component_wrench(const Component<Scalar>& component) const;  // for a component of size one
+  SpatialForce<Scalar> drive_wrench(const Drive<Scalar>& drive) const;              // for an effort of one
   SpatialForce<Scalar> known_wrench(const KnownForce<Scalar>& force) const;
   SpatialForce<Scalar> spring_wrench(const SpringLaw<Scalar>& spring) const;
-  // The part of a drive's effort that is known: what is stated, its spring and its damping.
+  // The known part of a drive's effort: the stated effort, its spring and its damper.
   Scalar known_effort(const Drive<Scalar>& drive) const;
 
  private:

@@ -10,14 +10,14 @@
 namespace poinsot::solve {
 
 struct ExactSolution {
-  std::vector<Formula> value;       // one solution; unknowns that nothing fixes are as asked for
-  std::vector<bool> determined;     // of each unknown: whether the equations fix it
-  std::vector<Formula> remainders;  // what is left of equations when all unknowns are eliminated: each must vanish
+  std::vector<Formula> value;       // one solution; `open` gives the unknowns that nothing determines
+  std::vector<bool> determined;     // for each unknown, whether the equations determine it
+  std::vector<Formula> remainders;  // of equations after all unknowns are eliminated; each must vanish
 };
 
 // By Gauss's elimination on sparse rows, every pivot certain to be no zero; the next pivot is the one that fills in
 // least with the fewest terms. A pivot that vanishes for special values of the letters is taken to be none there.
-// Throws ExpressionTooLarge.
+// Throws FormulaTooLarge.
 // open: the values of unknowns that nothing fixes, by index; zero when left out.
 ExactSolution solve_exactly(const LinearSystemOf<Formula>& system,
                             const std::function<Formula(std::size_t)>& open = {});

@@ -20,35 +20,35 @@
 namespace poinsot::solve {
 
 struct RootRange {
-  double lower = 0, upper = 0;                  // infinite where open
-  double scale = 1;                             // a natural size of the unknown
-  bool lower_open = false, upper_open = false;  // the end itself is excluded, and what lies within rounding of it
+  double lower = 0, upper = 0;                  // infinite if there is no end
+  double scale = 1;                             // the natural size of the unknown
+  bool lower_open = false, upper_open = false;  // whether the end is excluded, with what lies within rounding of it
 };
 
-// Left sides of equations that must vanish, and the size of the largest terms in them.
+// The left sides of equations that must vanish, and the size of the largest of their terms.
 struct RootEquations {
   std::vector<double> values = {};
   double size = 0;
-  // Optional: a smoother function that vanishes wherever the equations hold, and the size of its terms. Roots are then
-  // sought with it; they must satisfy both.
+  // Optional: a smoother function that vanishes wherever the equations hold, and the size of its terms. Roots are
+  // sought with it and must then satisfy both.
   std::vector<double> smooth = {};
   double smooth_size = 0;
 };
 
 struct RootProblem {
   std::vector<RootRange> ranges;  // one for each unknown
-  // At least as many equations as unknowns; nothing where they have no value. What can be certified are the roots of
-  // smooth functions: weights of equations should not jump or have corners.
+  // At least as many equations as unknowns; nothing where they have no value. Only roots of smooth functions can be
+  // certified: weights of equations should not jump or have corners.
   std::function<std::optional<RootEquations>(const std::vector<double>&)> equations;
   // If set, used where slopes are needed, in place of central differences: the equations, and in (*slopes)[i][k] the
   // derivative of value i by unknown k (of smooth value i, if there are such). Where it gives nothing, differences are
   // taken.
   std::function<std::optional<RootEquations>(const std::vector<double>&, std::vector<std::vector<double>>* slopes)>
       slopes;
-  // Optional: the smooth equations alone, `values` left empty, where these are found sooner than all; else all.
+  // Optional: the smooth equations alone, with `values` left empty, if they take less time than all; otherwise all.
   std::function<std::optional<RootEquations>(const std::vector<double>&)> smooth = {};
-  bool costly = false;  // an evaluation takes long (a motion is followed): few are made
-  // Optional, for these: the equations sooner, to about 1e-7 of their size. Roots are looked for with them.
+  bool costly = false;  // whether an evaluation takes long, as when a motion is followed; then there are few
+  // Optional, for such problems: a faster evaluation with an error of about 1e-7, by which roots are located first.
   std::function<std::optional<RootEquations>(const std::vector<double>&)> rough = {};
   // Seconds since some time, by which a search ends; the steady clock when left out.
   std::function<double()> clock = {};
@@ -61,7 +61,7 @@ enum class RootSearch {
   few_evaluations,  // of equations that are costly to evaluate: there may be others
 };
 
-// A part of the ranges where roots could neither be found nor excluded.
+// A part of the ranges in which roots could neither be found nor excluded.
 struct UnresolvedPart {
   std::vector<double> lower, upper;  // of each unknown
   std::string reason;
@@ -70,19 +70,19 @@ struct UnresolvedPart {
 struct Roots {
   std::vector<std::vector<double>> points;  // ascending by their first unknown
   RootSearch search = RootSearch::linear;
-  bool open = false;  // the equations leave the unknowns open, at least at a root
+  bool open = false;  // whether the equations leave unknowns open, at least at one root
   std::vector<std::size_t> open_unknowns;
-  std::vector<double> alternative;         // where unknowns are open: another solution
-  double best_misfit = 0;                  // where there is no root: the smallest misfit met
-  std::vector<double> best;                // and the place of it; empty if the equations had no value anywhere
+  std::vector<double> alternative;         // another solution, if unknowns are open
+  double best_misfit = 0;                  // the smallest misfit met, if there is no root
+  std::vector<double> best;                // the place where it was met; empty if the equations had no value anywhere
   std::size_t starts = 0;                  // of a search from many starts
   std::size_t evaluations = 0;             // of the equations
-  double reach = 0;                        // infinite ranges of a certified search end at so many natural sizes
-  std::vector<UnresolvedPart> unresolved;  // why a search for one or two unknowns is not certified; a few parts
+  double reach = 0;                        // infinite ranges were searched as far as this many natural sizes
+  std::vector<UnresolvedPart> unresolved;  // why a search for one or two unknowns is not certified
 };
 
-// Equations are taken as equal to zero below a misfit of 1e-9 of the sizes of their terms. Roots closer together than
-// rounding can tell are one. Ends within `seconds`.
+// The equations count as zero if their misfit is below 1e-9 of the sizes of their terms. Roots that are closer than
+// rounding can tell are one. The search ends after `seconds`.
 Roots find_roots(const RootProblem& problem, double seconds = 8);
 
 }  // namespace poinsot::solve
