@@ -1,0 +1,269 @@
+#include "poinsot/engine/solve/instant/constraint_check.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "engine/solve/instant/drawn_motion.h"
+
+namespace poinsot::solve {
+namespace {
+
+using drawn::Displacement;
+using drawn::Real;
+using drawn::Vector;
+using drawn::widened;
+
+using Constraint = VelocityConstraint<double>;
+
+// Quantities over the nine times of a difference, from four steps before the instant to four after.
+constexpr int reach = 4;
+using Nine = std::array<Real, 2 * reach + 1>;
+
+Real first_derivative(const Nine& value, Real h) {
+  Real sum = 0;
+  for (std::size_t j = 1; j <= reach; ++j)
+    sum += drawn::first_weights[j - 1] * (value[reach + j] - value[reach - j]) / h;
+  return sum;
+}
+Real second_derivative(const Nine& value, Real h) {
+  Real sum = 0;
+  for (std::size_t j = 1; j <= reach; ++j)
+    sum += drawn::second_weights[j - 1] * ((value[reach + j] - value[reach]) + (value[reach - j] - value[reach]));
+  return sum / (h * h);
+}
+
+// The vector of an antisymmetric matrix's part: w x r = M r.
+Vector axial(const Matrix3<Real>& M) {
+  return Real(0.5) * Vector{M(2, 1) - M(1, 2), M(0, 2) - M(2, 0), M(1, 0) - M(0, 1)};
+}
+
+// The bodies over seventeen times: nine, and those that the velocities at each of the nine are differences of.
+class CarriedBodies {
+ public:
+  CarriedBodies(const std::vector<CheckLink>& links, const std::vector<double>& q, const std::vector<double>& v,
+                const std::vector<double>& a, Real h)
+      : links_(links), h_(h) {
+    for (int j = -2 * reach; j <= 2 * reach; ++j)
+      at_.push_back(drawn::displacements(links, q, v, a, static_cast<Real>(j) * h));
+  }
+
+  Real h() const { return h_; }
+
+  // Time j counts steps from the instant, -8 to 8. The ground stays.
+  const Displacement& displacement(int body, int j) const {
+    static const Displacement none;
+    return body == ground ? none : at_[static_cast<std::size_t>(j + 2 * reach)][static_cast<std::size_t>(body)];
+  }
+  // A point on a body's axes from its origin, as drawn: the axes of all bodies lie along those of the ground.
+  Vector drawn_point(int body, const Vector3<double>& point) const {
+    const Vector own = widened(point);
+    return body == ground ? own : widened(links_[static_cast<std::size_t>(body)].anchor) + own;
+  }
+  Vector point(int body, const Vector3<double>& point, int j) const {
+    return displacement(body, j)(drawn_point(body, point));
+  }
+  Vector direction(int body, const Vector3<double>& direction, int j) const {
+    return displacement(body, j).turn * widened(direction);
+  }
+  // Of the particle of a body that is at the place P at time j: the velocity there.
+  Vector velocity_at(int body, const Vector& P, int j) const {
+    const Displacement& now = displacement(body, j);
+    const Vector own = transpose_times(now.turn, P - now.shift);
+    Vector sum = Vector::zero();
+    for (int k = 1; k <= reach; ++k)
+      sum += drawn::first_weights[static_cast<std::size_t>(k - 1)] / h_ *
+             (displacement(body, j + k)(own) - displacement(body, j - k)(own));
+    return sum;
+  }
+  // dR/dt R^T = w x.
+  Vector angular_velocity(int body, int j) const {
+    Matrix3<Real> rate = Matrix3<Real>::zero();
+    for (int k = 1; k <= reach; ++k) {
+      const Real weight = drawn::first_weights[static_cast<std::size_t>(k - 1)] / h_;
+      rate = rate + weight * displacement(body, j + k).turn - weight * displacement(body, j - k).turn;
+    }
+    return axial(rate * transpose(displacement(body, j).turn));
+  }
+
+ private:
+  const std::vector<CheckLink>& links_;
+  Real h_;
+  std::vector<std::vector<Displacement>> at_;
+};
+
+// What must vanish: a gap (m, or of axes its sine) with its rates, or where only velocities are bound a rate with its
+// rate. Nothing where the constraint binds none.
+struct Bound {
+  std::optional<Nine> gap;
+  std::optional<Nine> rate;
+  bool angular = false;
+};
+
+Nine over_time(const std::function<Real(int)>& value) {
+  Nine nine{};
+  for (int j = -reach; j <= reach; ++j) nine[static_cast<std::size_t>(j + reach)] = value(j);
+  return nine;
+}
+
+class BoundFinder {
+ public:
+  BoundFinder(const CarriedBodies& bodies, const std::vector<Constraint>& constraints)
+      : bodies_(bodies), constraints_(constraints) {}
+
+  Bound of(std::size_t index) const {
+    const Constraint& c = constraints_[index];
+    switch (c.kind) {
+      case VelocityConstraintKind::angular:
+        return turning(index);
+      case VelocityConstraintKind::cord_length:
+        return {
+            over_time([&](int j) {
+              return norm(bodies_.point(c.at.body, c.at.point, j) - bodies_.point(c.toward.body, c.toward.point, j)) -
+                     Real(c.length);
+            }),
+            std::nullopt};
+      case VelocityConstraintKind::point:
+      case VelocityConstraintKind::rolling:
+        return c.action < 0 ? joined_points(c) : contact(c);
+    }
+    return {};
+  }
+
+ private:
+  Bound joined_points(const Constraint& c) const {
+    return {over_time([&](int j) {
+              return dot(bodies_.direction(c.along.body, c.along.vector, j),
+                         bodies_.point(c.at.body, c.at.point, j) - bodies_.point(c.toward.body, c.toward.point, j));
+            }),
+            std::nullopt};
+  }
+
+  // A joint that leaves an axis free keeps that axis of both bodies together: its part along the constraint's direction
+  // vanishes, which stands across it. One that leaves none lets the bodies not turn from each other at all.
+  Bound turning(std::size_t index) const {
+    const Constraint& c = constraints_[index];
+    std::vector<Vector3<double>> others;
+    for (std::size_t i = 0; i < constraints_.size(); ++i) {
+      const Constraint& other = constraints_[i];
+      if (i != index && other.kind == c.kind && other.on == c.on && other.from == c.from && other.action == c.action &&
+          norm(other.at.point - c.at.point) == 0)
+        others.push_back(other.along.vector);
+    }
+    Bound bound;
+    bound.angular = true;
+    if (others.size() == 1) {
+      const Vector3<double> axis = normalized(cross(c.along.vector, others.front()));
+      bound.gap = over_time(
+          [&](int j) { return dot(bodies_.direction(c.from, c.along.vector, j), bodies_.direction(c.on, axis, j)); });
+    } else if (others.size() == 2) {
+      bound.gap = over_time([&](int j) {
+        const Matrix3<Real> R = transpose(bodies_.displacement(c.from, j).turn) * bodies_.displacement(c.on, j).turn;
+        // By more than a quarter turn the sine would come back to zero.
+        if (R(0, 0) + R(1, 1) + R(2, 2) < 1) return Real(1);
+        return dot(widened(c.along.vector), axial(R));
+      });
+    }
+    bound.rate = over_time([&](int j) {
+      return dot(bodies_.direction(c.from, c.along.vector, j),
+                 bodies_.angular_velocity(c.on, j) - bodies_.angular_velocity(c.from, j));
+    });
+    return bound;
+  }
+
+  // Where the bodies touch, at time j.
+  Vector contact_point(const Constraint& c, int j) const {
+    if (c.carried_by) {
+      // In a steady motion the place rests in a frame; where that only turns, beside the mass center of a body. That
+      // center is not known here, but at the instant itself it does not matter.
+      const Displacement &frame = bodies_.displacement(*c.carried_by, j), &now = bodies_.displacement(*c.carried_by, 0);
+      return frame(transpose_times(now.turn, touching_now(c, 0) - now.shift));
+    }
+    return touching_now(c, j);
+  }
+  // By the geometry of the surfaces: a circle about an axis touches a plane at its lowest point.
+  Vector touching_now(const Constraint& c, int j) const {
+    if (c.kind == VelocityConstraintKind::point) return bodies_.point(c.at.body, c.at.point, j);
+    const Vector C = bodies_.point(c.on, c.center, j),
+                 n = bodies_.direction(c.surface_axis.body, c.surface_axis.vector, j);
+    Vector down = n;
+    if (norm(c.axis) > 0) {
+      const Vector e = bodies_.direction(c.on, c.axis, j);
+      down = n - dot(n, e) * e;
+    }
+    // A disk that lies flat touches all around: any of its points will do, and the drawn one is at hand.
+    if (norm(down) < flat) return bodies_.point(c.at.body, c.at.point, j);
+    const Real side = dot(C - bodies_.point(c.toward.body, c.toward.point, j), n) > 0 ? -1 : 1;
+    return C + (side * Real(c.radius)) * normalized(down);
+  }
+
+  // No relative velocity of the two particles that touch, along the constraint's direction; across the surface they
+  // keep their places, too.
+  Bound contact(const Constraint& c) const {
+    Bound bound;
+    const auto along = [&](int j) {
+      if (!c.carried_by) return bodies_.direction(c.along.body, c.along.vector, j);
+      const Vector now = bodies_.direction(c.along.body, c.along.vector, 0);
+      return Vector(bodies_.displacement(*c.carried_by, j).turn *
+                    transpose_times(bodies_.displacement(*c.carried_by, 0).turn, now));
+    };
+    bound.rate = over_time([&](int j) {
+      const Vector P = contact_point(c, j);
+      return dot(along(j), bodies_.velocity_at(c.on, P, j) - bodies_.velocity_at(c.from, P, j));
+    });
+    if (!c.normal || c.shape_unknown) return bound;
+    bound.gap = over_time([&](int j) {
+      const Vector n = bodies_.direction(c.along.body, c.along.vector, j);
+      return dot(n, touching_now(c, j) - bodies_.point(c.toward.body, c.toward.point, j));
+    });
+    return bound;
+  }
+
+  // Below this sine a circle lies flat on a plane: rounding leaves no more of the sine of zero.
+  static constexpr Real flat = 1e-9L;
+
+  const CarriedBodies& bodies_;
+  const std::vector<Constraint>& constraints_;
+};
+
+Real worse(Real a, Real b) {
+  return std::isfinite(b) ? std::max(a, std::abs(b)) : std::numeric_limits<Real>::infinity();
+}
+
+}  // namespace
+
+double check_constraints(const std::vector<CheckLink>& links,
+                         const std::vector<VelocityConstraint<double>>& constraints, const ConstraintClaim& claim,
+                         const std::vector<double>& q, const std::vector<double>& v, const std::vector<double>& a) {
+  if (constraints.empty()) return 0;
+  const Real length = claim.length;
+  const Real pace = std::max(drawn::pace_of(links, v, a, length), Real(claim.pace));
+  const CarriedBodies bodies(links, q, v, a, drawn::step_of_pace / (pace > 0 ? pace : 1));
+  const BoundFinder finder(bodies, constraints);
+  Real worst = 0;
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    const Constraint& c = constraints[i];
+    const bool lets_go = c.action >= 0 && !claim.lets_go.empty() && claim.lets_go[static_cast<std::size_t>(c.action)];
+    const Bound bound = finder.of(i);
+    const Real unit = bound.angular ? 1 : length;
+    if (bound.gap) worst = worse(worst, (*bound.gap)[reach] / unit);
+    if (lets_go || !(pace > 0)) continue;
+    // How a place moves on that rests in a frame about a mass center, or on a surface that is not known, is not known.
+    const bool accelerations = claim.accelerations && !c.carried_along && !(c.shape_unknown && !c.carried_by);
+    // In a steady motion the surfaces may be curved in any way that leaves the place at rest in the frame: then the
+    // rates tell, and not the gap of a plane.
+    if (bound.gap && !c.carried_by) {
+      worst = worse(worst, first_derivative(*bound.gap, bodies.h()) / (unit * pace));
+      if (accelerations) worst = worse(worst, second_derivative(*bound.gap, bodies.h()) / (unit * pace * pace));
+    }
+    if (bound.rate) {
+      worst = worse(worst, (*bound.rate)[reach] / (unit * pace));
+      if (accelerations) worst = worse(worst, first_derivative(*bound.rate, bodies.h()) / (unit * pace * pace));
+    }
+  }
+  return static_cast<double>(worst);
+}
+
+}  // namespace poinsot::solve
