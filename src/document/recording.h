@@ -2,7 +2,7 @@
 //
 // While it runs, a recording is an append-only journal beside the data file, OUT.journal: first what is recorded
 // (problem, settings, columns), then block after block of rows, each with the state from which the next one starts, all
-// framed with length and checksum. A run that stops at any moment leaves a journal that the same call takes up again:
+// framed with length and checksum. A run that stops at any time leaves a journal that the same call takes up again:
 // a torn end is cut off, and the blocks that follow have the bits that they would have had. The data file is made from
 // the journal, under another name first; the journal stays.
 #pragma once

@@ -18,11 +18,10 @@ constexpr std::size_t most_bytes = 3000, most_bodies = 6, most_stages = 0, most_
 bool small_enough(const Statement& statement) {
   if (statement.situations.size() > 3 || statement.asks.size() > 12) return false;
   for (const Situation& situation : statement.situations) {
-    const Situation& problem = situation;
-    if (problem.bodies.size() + problem.frames.size() > most_bodies || problem.joints.size() > 2 * most_bodies)
+    if (situation.bodies.size() + situation.frames.size() > most_bodies || situation.joints.size() > 2 * most_bodies)
       return false;
-    if (problem.find.size() > most_unknowns || !problem.choose.empty()) return false;
-    if (problem.stages.size() > most_stages || problem.letters.size() > most_letters) return false;
+    if (situation.find.size() > most_unknowns || !situation.choose.empty()) return false;
+    if (situation.stages.size() > most_stages || situation.letters.size() > most_letters) return false;
   }
   return true;
 }

@@ -22,24 +22,24 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 // Whether a character can begin the name of a unit: a letter, % or the underscore.
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '%' || c == '_'; }
 
-struct Sign {
+struct ForeignSpelling {
   std::string_view sign;
   std::string_view meaning;
 };
 // Signs that stand for an operation elsewhere, and how the language writes it.
-constexpr Sign foreign_signs[] = {{"**", "^"},
-                                  {".", "*"},
-                                  {"-", "*"},
-                                  {"\xc2\xb7", "*"},      // middle dot
-                                  {"\xe2\x8b\x85", "*"},  // dot operator
-                                  {"\xc3\x97", "*"},      // multiplication sign
-                                  {"\xc2\xb2", "^2"},
-                                  {"\xc2\xb3", "^3"},
-                                  {"\xe2\x81\xbb\xc2\xb9", "^-1"},
-                                  {"\xe2\x81\xbb\xc2\xb2", "^-2"}};
+constexpr ForeignSpelling foreign_signs[] = {{"**", "^"},
+                                             {".", "*"},
+                                             {"-", "*"},
+                                             {"\xc2\xb7", "*"},      // middle dot
+                                             {"\xe2\x8b\x85", "*"},  // dot operator
+                                             {"\xc3\x97", "*"},      // multiplication sign
+                                             {"\xc2\xb2", "^2"},
+                                             {"\xc2\xb3", "^3"},
+                                             {"\xe2\x81\xbb\xc2\xb9", "^-1"},
+                                             {"\xe2\x81\xbb\xc2\xb2", "^-2"}};
 
-const Sign* foreign_sign(std::string_view text) {
-  for (const Sign& sign : foreign_signs) {
+const ForeignSpelling* foreign_sign(std::string_view text) {
+  for (const ForeignSpelling& sign : foreign_signs) {
     if (text.substr(0, sign.sign.size()) == sign.sign) return &sign;
   }
   return nullptr;
@@ -74,7 +74,8 @@ std::string in_own_form(std::string_view text) {
     } else if (after_name && is_digit(text[i])) {
       own += '^';
       own += text[i++];
-    } else if (const Sign* sign = foreign_sign(text.substr(i)); sign && (sign->sign != "-" || after_name || i == 0)) {
+    } else if (const ForeignSpelling* sign = foreign_sign(text.substr(i));
+               sign && (sign->sign != "-" || after_name || i == 0)) {
       own += sign->meaning;
       i += sign->sign.size();
     } else {

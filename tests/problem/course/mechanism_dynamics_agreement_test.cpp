@@ -86,8 +86,7 @@ TEST(MechanismDynamicsAgreement, TextbookFiles) {
     const SolvedStatement solved = solve_statement(statement, {});
     for (const Solution& solution : solved.solutions) {
       for (const Situation& situation : statement.situations) {
-        const Situation& problem = situation;
-        if (!problem.stages.empty()) continue;
+        if (!situation.stages.empty()) continue;
         // "L @ spinning" is the unknown L of the situation `spinning`.
         Settings settings;
         for (const SolvedUnknown& unknown : solution.unknowns) {
@@ -100,11 +99,11 @@ TEST(MechanismDynamicsAgreement, TextbookFiles) {
           settings[letter.name] = Value<double>::of_number(letter_value *= 1.3, letter.unit.dimension);
         std::optional<SolvedInstant> instant;
         try {
-          instant.emplace(problem, settings, When{}, OpenChoice{});
+          instant.emplace(situation, settings, When{}, OpenChoice{});
         } catch (const StatementError&) {
           // Letters may stay without a value, or with one that belongs to no body; unknowns may not have been found.
-          const bool without_unknowns = solution.unknowns.empty() && !problem.find.empty();
-          if (problem.letters.empty() && !without_unknowns) throw;
+          const bool without_unknowns = solution.unknowns.empty() && !situation.find.empty();
+          if (situation.letters.empty() && !without_unknowns) throw;
           ++without_body;
           continue;
         }

@@ -120,44 +120,44 @@ ask: {T: mass(bar)}
 }
 
 // A value for every name that the formulas keep.
-Settings random_settings(const Situation& problem, std::mt19937_64& random) {
+Settings random_settings(const Situation& situation, std::mt19937_64& random) {
   Settings settings;
   const auto number = [&] { return std::uniform_real_distribution<double>(0.6, 1.4)(random); };
   // Products of inertia and offsets are small beside moments of inertia.
-  for (const Letter& letter : problem.letters)
+  for (const Letter& letter : situation.letters)
     settings[letter.name] =
         Value<double>::of_number(letter.either_sign ? 0.4 * (number() - 1) : number(), letter.unit.dimension);
-  for (const Unknown& unknown : problem.find)
+  for (const Unknown& unknown : situation.find)
     settings[unknown.name] = unknown.vector
                                  ? Value<double>::of_vector({number(), number(), number()}, unknown.unit.dimension)
                                  : Value<double>::of_number(number(), unknown.unit.dimension);
   return settings;
 }
 
-double parameter(const Settings& settings, const Situation& problem, const std::string& name) {
+double parameter(const Settings& settings, const Situation& situation, const std::string& name) {
   if (name == "time") return 0;
   if (const auto found = settings.find(name); found != settings.end()) return found->second.number;
   for (std::size_t k = 0; k < 3; ++k)
-    if (name.ends_with("_" + problem.axes[k]))
-      return settings.at(name.substr(0, name.size() - problem.axes[k].size() - 1)).vector[k];
+    if (name.ends_with("_" + situation.axes[k]))
+      return settings.at(name.substr(0, name.size() - situation.axes[k].size() - 1)).vector[k];
   throw std::logic_error("no value for " + name);
 }
 
 // Largest difference of the traced accelerations from those of MechanismDynamics, relative; nothing where the
 // statement has no equations or no values.
-std::optional<double> difference(const Situation& problem, std::mt19937_64& random) {
-  const Settings settings = random_settings(problem, random);
+std::optional<double> difference(const Situation& situation, std::mt19937_64& random) {
+  const Settings settings = random_settings(situation, random);
   Machine machine;
   std::optional<TracedMachine> traced;
   try {
-    traced.emplace(traced_machine(problem, {}, "u"));
-    DataScope<double> data(problem, settings, 0);
-    DataScope<TimeJet> timed(problem, settings, time_jet(0.0));
+    traced.emplace(traced_machine(situation, {}, "u"));
+    DataScope<double> data(situation, settings, 0);
+    DataScope<TimeJet> timed(situation, settings, time_jet(0.0));
     MachineOptions options;
     options.lenient = true;
-    if (!problem.stages.empty()) options.loads = problem.stages.front().loads;
+    if (!situation.stages.empty()) options.loads = situation.stages.front().loads;
     machine = build_machine(
-        problem, data, timed, [](const Dimension&) { return 1.0; }, options);
+        situation, data, timed, [](const Dimension&) { return 1.0; }, options);
   } catch (const StatementError&) {
     return std::nullopt;
   } catch (const NoEquations&) {
@@ -186,7 +186,7 @@ std::optional<double> difference(const Situation& problem, std::mt19937_64& rand
     inputs.push_back(acceleration);
   }
   for (std::size_t i = inputs.size(); i < traced->inputs.size(); ++i)
-    inputs.push_back(parameter(settings, problem, traced->inputs[i].name));
+    inputs.push_back(parameter(settings, situation, traced->inputs[i].name));
 
   const TraceScope scope(traced->trace);
   EquationsOfMotion<Traced> equations = equations_of_motion(traced->mechanism, traced->state);

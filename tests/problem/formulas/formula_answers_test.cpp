@@ -32,16 +32,16 @@ std::string read(const fs::path& path) {
 Sets turn_data_into_letters(Statement& statement) {
   Sets values;
   for (std::size_t s = 0; s < statement.situations.size(); ++s) {
-    Situation& problem = statement.situations[s];
-    for (auto it = problem.given.begin(); it != problem.given.end();) {
+    Situation& situation = statement.situations[s];
+    for (auto it = situation.given.begin(); it != situation.given.end();) {
       const Number* number = it->value.as<Number>();
       if (!number || !number->has_unit || number->value <= 0) {
         ++it;
         continue;
       }
-      problem.letters.push_back({it->name, number->unit, it->mark});
+      situation.letters.push_back({it->name, number->unit, it->mark});
       if (s == 0) values.emplace_back(it->name, number->text);
-      it = problem.given.erase(it);
+      it = situation.given.erase(it);
     }
   }
   return values;

@@ -153,11 +153,10 @@ TEST(ExactSlopes, EveryDatumOfTheExamples) {
     std::vector<Unknown> unknowns;
     std::vector<double> x;
     for (const Situation& situation : statement.situations) {
-      const Situation& problem = situation;
-      for (const Letter& letter : problem.letters)
+      for (const Letter& letter : situation.letters)
         letters[letter.name] = Value<double>::of_number(0.7 * letter.unit.factor, letter.unit.dimension);
-      DataScope<double> scope(problem, letters);
-      for (const NamedExpression& datum : problem.given) {
+      DataScope<double> scope(situation, letters);
+      for (const NamedExpression& datum : situation.given) {
         const bool known = std::any_of(unknowns.begin(), unknowns.end(),
                                        [&](const Unknown& unknown) { return unknown.name == datum.name; });
         try {

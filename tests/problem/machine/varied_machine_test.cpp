@@ -98,8 +98,8 @@ std::vector<Dual<1>> closed(const MachineOf<Dual<1>>& machine, const std::vector
 
 class Subject {
  public:
-  Subject(const Situation& problem, Settings settings, const Varied& varied)
-      : problem_(problem), settings_(std::move(settings)), varied_(varied) {
+  Subject(const Situation& situation, Settings settings, const Varied& varied)
+      : situation_(situation), settings_(std::move(settings)), varied_(varied) {
     Value<double>& value = settings_[varied.name];
     base_ = value.is_vector() ? value.vector[varied.component] : value.number;
     const Numbers<double> first = at(0);
@@ -113,9 +113,9 @@ class Subject {
     Settings settings = settings_;
     Value<double>& value = settings[varied_.name];
     (value.is_vector() ? value.vector[varied_.component] : value.number) = base_ + change;
-    DataScope<double> data(problem_, settings, time);
-    DataScope<TimeJet> timed(problem_, settings, time_jet(time));
-    Machine machine = build_machine(problem_, data, timed, any, options());
+    DataScope<double> data(situation_, settings, time);
+    DataScope<TimeJet> timed(situation_, settings, time_jet(time));
+    Machine machine = build_machine(situation_, data, timed, any, options());
     double gap = 0;
     machine.q = closed(machine, gap);
     q_now_ = machine.q;
@@ -126,12 +126,12 @@ class Subject {
     return numbers;
   }
   Numbers<Dual<1>> varied() {
-    DataScope<Dual<1>> data(problem_, settings_, Dual<1>(time));
-    DataScope<TimeJetOf<Dual<1>>> timed(problem_, settings_, time_jet(Dual<1>(time)));
+    DataScope<Dual<1>> data(situation_, settings_, Dual<1>(time));
+    DataScope<TimeJetOf<Dual<1>>> timed(situation_, settings_, time_jet(Dual<1>(time)));
     const Value<Dual<1>> variable = as_variable(settings_.at(varied_.name), varied_.component);
     data.vary(varied_.name, variable);
     timed.vary(varied_.name, lifted<TimeJetOf<Dual<1>>>(variable));
-    MachineOf<Dual<1>> machine = build_machine(problem_, data, timed, any, options());
+    MachineOf<Dual<1>> machine = build_machine(situation_, data, timed, any, options());
     machine.q = closed(machine, q_);
     return numbers_of(machine);
   }
@@ -237,7 +237,7 @@ class Subject {
       for (std::size_t i = 0; i < mechanism.actions.size(); ++i)
         numbers.add(solve::action_wrench(placed, motion.value, i));
     }
-    if (problem_.has_blow()) add_blow(machine, placed, numbers);
+    if (situation_.has_blow()) add_blow(machine, placed, numbers);
     return numbers;
   }
 
@@ -279,7 +279,7 @@ class Subject {
     numbers.add(solution.misfit);
   }
 
-  const Situation& problem_;
+  const Situation& situation_;
   Settings settings_;
   Varied varied_;
   double base_ = 0, gap_ = 0;
@@ -367,11 +367,11 @@ TEST(VariedMachine, EveryNumberOfRandomProblems) {
     const auto which = static_cast<std::size_t>(random.integer(0, static_cast<int>(literals) - 1));
     const std::string varied = with_datum(text, which, literals);
     const Statement statement = read_statement(varied, "test.yaml");
-    const Situation& problem = statement.situations.front();
-    DataScope<double> scope(problem, {});
-    const Settings settings{{"varied", scope.value(problem.given.front().value)}};
+    const Situation& situation = statement.situations.front();
+    DataScope<double> scope(situation, {});
+    const Settings settings{{"varied", scope.value(situation.given.front().value)}};
     try {
-      Subject subject(problem, settings, {"varied"});
+      Subject subject(situation, settings, {"varied"});
       const std::size_t count = expect_derivatives(subject, "seed " + std::to_string(seed));
       ++tried;
       varying += count > 0;
@@ -392,17 +392,16 @@ struct Count {
 Count vary_all(const Statement& statement, const std::string& words) {
   Count count;
   for (const Situation& situation : statement.situations) {
-    const Situation& problem = situation;
     Settings settings;
-    for (const Letter& letter : problem.letters)
+    for (const Letter& letter : situation.letters)
       settings[letter.name] = Value<double>::of_number(0.7 * letter.unit.factor, letter.unit.dimension);
-    for (const Unknown& unknown : problem.find)
+    for (const Unknown& unknown : situation.find)
       settings[unknown.name] = Value<double>::of_number(0.4 * unknown.unit.factor, unknown.unit.dimension);
-    for (const Choice& choice : problem.choose)
+    for (const Choice& choice : situation.choose)
       for (const std::string& name : choice.of) settings[name] = Value<double>::of_number(0, dimensions::none);
     Settings values = settings;
-    DataScope<double> scope(problem, settings);
-    for (const NamedExpression& datum : problem.given) {
+    DataScope<double> scope(situation, settings);
+    for (const NamedExpression& datum : situation.given) {
       try {
         values[datum.name] = scope.value(datum.value);
       } catch (const StatementError&) {
@@ -415,7 +414,7 @@ Count vary_all(const Statement& statement, const std::string& words) {
         Settings set = settings;
         set[name] = value;
         try {
-          Subject subject(problem, set, {name, component});
+          Subject subject(situation, set, {name, component});
           if (subject.gap() > 1e-9) continue;
           const std::size_t varying = expect_derivatives(subject, words + ", " + name);
           ++count.tried;
