@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "poinsot/engine/dynamics/convert_mechanism.h"
 #include "poinsot/engine/dynamics/equations_of_motion.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
-#include "poinsot/engine/model/convert_mechanism.h"
 
 namespace poinsot::problem {
 namespace {

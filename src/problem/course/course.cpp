@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "poinsot/engine/dynamics/action_forces.h"
 #include "poinsot/engine/motion/mechanism/lone_body.h"
 #include "problem/entries/absorbed_particles.h"
 #include "problem/instant/massless_turning.h"
@@ -91,18 +92,9 @@ std::string Course::words_of(std::size_t stage) const {
 bool Course::dissipates() const {
   const Machine machine =
       start_->machine_at(0, situation_.stages.empty() ? std::nullopt : situation_.stages.back().loads);
-  const auto& drives = machine.mechanism.drives;
-  const auto& springs = machine.mechanism.springs;
-  return !timed_ && machine.accelerations.empty() && machine.mechanism.forces.empty() &&
-         std::ranges::all_of(drives, [](const Drive<double>& drive) { return drive.effort == 0; }) &&
-         (std::ranges::any_of(drives, [](const Drive<double>& drive) { return drive.damping != 0; }) ||
-          std::ranges::any_of(springs, [](const SpringLaw<double>& spring) { return spring.damping != 0; }));
+  return !timed_ && machine.accelerations.empty() && !laws_feed(machine.mechanism) && laws_drain(machine.mechanism);
 }
-bool Course::has_springs() const {
-  const auto& mechanism = start_->machine().mechanism;
-  return !mechanism.springs.empty() ||
-         std::ranges::any_of(mechanism.drives, [](const Drive<double>& drive) { return drive.stiffness != 0; });
-}
+bool Course::has_springs() const { return laws_store(start_->machine().mechanism); }
 
 double Course::reached() const {
   double time = 0;

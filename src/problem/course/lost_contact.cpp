@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "poinsot/engine/model/mechanism.h"
+#include "poinsot/engine/dynamics/mechanism.h"
 #include "poinsot/engine/model/state.h"
 
 namespace poinsot::problem {

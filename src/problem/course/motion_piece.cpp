@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
 #include <utility>
 
+#include "poinsot/engine/dynamics/action_forces.h"
 #include "problem/language/diagnostic.h"
 
 namespace poinsot::problem {
@@ -16,12 +19,7 @@ int sense_of(Relation relation) {
 }
 
 bool conserves_energy(const Machine& machine) {
-  const Mechanism<double>& mechanism = machine.mechanism;
-  return machine.accelerations.empty() && mechanism.forces.empty() &&
-         std::none_of(mechanism.drives.begin(), mechanism.drives.end(),
-                      [](const Drive<double>& drive) { return drive.damping != 0 || drive.effort != 0; }) &&
-         std::none_of(mechanism.springs.begin(), mechanism.springs.end(),
-                      [](const SpringLaw<double>& spring) { return spring.damping != 0; });
+  return machine.accelerations.empty() && !laws_feed(machine.mechanism) && !laws_drain(machine.mechanism);
 }
 
 }  // namespace
@@ -263,6 +261,37 @@ void Course::Piece::check_sides(const Trajectory* way) const {
     const double part = static_cast<double>(k) / looks;
     const State<double> then = way->state(way->start_time() + part * (way->end_time() - way->start_time()));
     check(then.q, then.v);
+  }
+}
+
+// The angle of a torsional spring is that within half a turn of the figure as drawn: where the bodies turn farther it
+// jumps by a whole turn from one look to the next. Steps resolve the turning, so a few looks at each are enough.
+void Course::Piece::check_winding(const Trajectory& way) const {
+  constexpr int looks = 4;
+  const Mechanism<double>& mechanism = machine_.mechanism;
+  if (mechanism.torsions.empty() || way.empty()) return;
+  Workspace<double> workspace(mechanism.tree);
+  std::vector<double> before;
+  for (std::size_t i = 0; i < way.step_count(); ++i) {
+    const StepView step = way.step(i);
+    for (int k = 0; k <= looks; ++k) {
+      const double time = step.start + (step.end - step.start) * k / looks;
+      update_poses<double>(mechanism.tree, workspace, way.state(time).q);
+      std::vector<double> angles;
+      for (const TorsionLaw<double>& torsion : mechanism.torsions)
+        angles.push_back(torsion.angle(mechanism.tree, workspace));
+      for (std::size_t j = 0; j < before.size(); ++j) {
+        if (std::abs(angles[j] - before[j]) < std::numbers::pi) continue;
+        const std::string& name = mechanism.actions[static_cast<std::size_t>(mechanism.torsions[j].action)].name;
+        const auto spring = std::ranges::find(motion_.situation_.springs, name, &Spring::name);
+        throw UnansweredError(motion_.situation_.file, spring->mark,
+                              "the torsional spring '" + name + "' is wound by half a turn at " + std::to_string(time) +
+                                  " s: farther its angle is not followed",
+                              "ask for earlier times, or state the spring at a joint that turns about this axis: "
+                              "there whole turns count");
+      }
+      before = std::move(angles);
+    }
   }
 }
 

@@ -44,6 +44,8 @@ class Course::Piece {
   const ContactLimit* beyond_surface() const;
   // Throws UnansweredError if a straight side turns out of the plane that it touches, at the start or on the way.
   void check_sides(const Trajectory* way) const;
+  // Throws UnansweredError if a torsional spring is wound by more than half a turn on the way.
+  void check_winding(const Trajectory& way) const;
 
   bool would_press_in(std::size_t action) {
     return problem::would_press_in(*dynamics_, action, now_.q, now_.v, motion_.pace_time_);

@@ -82,6 +82,7 @@ void Course::run(std::size_t stage, double until) {
     const IntegrationResult result =
         piece.follow(std::min(smooth.end, now.end.value_or(target)), most_seconds_ - taken());
     piece.check_sides(&result.trajectory);
+    piece.check_winding(result.trajectory);
     keep(stage, piece, result);
     if (result.ending == Ending::terminal_event) {
       if (const std::optional<std::size_t> action = piece.action_of(result.hits.back().event)) {

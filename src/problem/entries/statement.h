@@ -153,11 +153,12 @@ struct Cord {
   Mark mark;
 };
 
+// Between two points (`at`, `end`), or a torsional one about an axis (`about`).
 struct Spring {
   std::string name, from, to;
   Mark from_mark, to_mark;
-  Expression at, end;
-  std::optional<Expression> stiffness, free_length, tension, damping;
+  std::optional<Expression> at, end, about;
+  std::optional<Expression> stiffness, free_length, free_angle, tension, damping;
   Mark mark;
 };
 

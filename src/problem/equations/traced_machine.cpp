@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "poinsot/engine/dynamics/convert_mechanism.h"
 #include "poinsot/engine/math/trace/traced_formula.h"
-#include "poinsot/engine/model/convert_mechanism.h"
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
 #include "problem/claims/claim_points.h"
 #include "problem/formulas/formula_answers.h"

@@ -151,12 +151,7 @@ Balance<Scalar> balance_of(const InstantFigures<Scalar>& figures, const BalanceP
       for (const auto& impulse : figures.blow.impulses)
         if (impulse.action == action) total += impulse.wrench;
     } else {
-      for (const Drive<Scalar>& drive : mechanism.drives)
-        if (drive.action == action) total += placed.known_effort(drive) * placed.drive_wrench(drive);
-      for (const KnownForce<Scalar>& force : mechanism.forces)
-        if (force.action == action) total += placed.known_wrench(force);
-      for (const SpringLaw<Scalar>& spring : mechanism.springs)
-        if (spring.action == action) total += placed.spring_wrench(spring);
+      total = placed.known_wrench(action);
     }
     balance.known.push_back(about(Scalar(static_cast<int>(known.sign)) * total, point));
   }

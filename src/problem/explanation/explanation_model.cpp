@@ -153,7 +153,10 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
                     (cord.end ? " at " + code(*cord.end) : "") +
                     (cord.direction ? " along " + code(*cord.direction) : ""));
   for (const Spring& spring : situation.springs)
-    lines.push_back("the spring *" + spring.name + "* joins " + code(spring.at) + " and " + code(spring.end));
+    lines.push_back(spring.about
+                        ? "the torsional spring *" + spring.name + "* between *" + spring.from + "* and *" + spring.to +
+                              "* acts about " + code(*spring.about)
+                        : "the spring *" + spring.name + "* joins " + code(*spring.at) + " and " + code(*spring.end));
   for (const Load& load : situation.loads)
     lines.push_back("on *" + load.body + "* acts the " +
                     (load.couple ? "couple *" + load.name + "*, " + code(*load.couple)

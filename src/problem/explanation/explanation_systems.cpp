@@ -87,8 +87,7 @@ BalancePlan InstantExplainer::plan_for(const std::set<int>& bodies) const {
   for (std::size_t a = 0; a < m.actions.size(); ++a) {
     const ActionKind kind = m.actions[a].kind;
     const bool given =
-        sudden() ? kind == ActionKind::impulse
-                 : kind == ActionKind::load || kind == ActionKind::spring || (kind == ActionKind::drive && !held[a]);
+        sudden() ? kind == ActionKind::impulse : has_law(kind) || (kind == ActionKind::drive && !held[a]);
     const double s = sign(static_cast<int>(a));
     if (!given || s == 0) continue;
     plan.known.push_back({a, s});

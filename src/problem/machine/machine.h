@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "poinsot/engine/model/mechanism.h"
+#include "poinsot/engine/dynamics/mechanism.h"
 #include "poinsot/engine/solve/instant/impulse.h"
 #include "poinsot/engine/solve/instant/particle_check.h"
 #include "problem/machine/data.h"

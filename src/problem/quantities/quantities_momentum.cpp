@@ -1,17 +1,49 @@
 // Mass, weight, momenta (Eqs. 18.7, 18.11) and energies (Eq. 18.17).
+#include <optional>
+#include <string>
 #include <string_view>
 
+#include "poinsot/engine/dynamics/mechanism.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/quantities/quantities.h"
 #include "problem/quantities/quantity_values.h"
 
 namespace poinsot::problem {
+namespace {
+
+// What the springs of a name store, or those at the freedoms of the joint of that name; nothing if there are none. The
+// workspace has its poses at the state.
+template <class Scalar, class Base>
+std::optional<Scalar> energy_of_springs(const Mechanism<Base>& mechanism, const std::string& name,
+                                        const Model<Scalar>& model, const Workspace<Scalar>& workspace,
+                                        const State<Scalar>& state) {
+  const auto lift = [](const Base& x) { return lifted<Scalar>(x); };
+  const LawConverter<Scalar, decltype(lift)> to{lift};
+  std::optional<Scalar> energy;
+  const auto add = [&](const Scalar& stored) { energy = energy ? Scalar(*energy + stored) : stored; };
+  const auto action_of = [&](const auto& law) -> const Action& {
+    return mechanism.actions[static_cast<std::size_t>(law.action)];
+  };
+  for (const Drive<Base>& drive : mechanism.drives)
+    if (drive.stores() && action_of(drive).joint == name)
+      add(drive.template converted<Scalar>(to).stored_energy(state));
+  for_each_law(mechanism, [&](const auto& law) {
+    if (law.stores() && action_of(law).name == name)
+      add(law.template converted<Scalar>(to).stored_energy(model, workspace));
+  });
+  return energy;
+}
+
+}  // namespace
 
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Evaluator<Scalar>& evaluator) {
   const std::string_view f = call.function;
   const Expression& what = call.arguments[0].value;
+  if (const Name* name = plain_name(what); name && f == "potential_energy" && !machine_.index.contains(name->name))
+    if (const auto energy = energy_of_springs(machine_.mechanism, name->name, model_, workspace_, state_))
+      return number_value(*energy, dimensions::energy);
   const int body = body_of(what, evaluator, true);
   if (body == ground) evaluator.fail(what.mark(), "the ground has no " + call.function);
   const bool all = body == whole_system;

@@ -213,11 +213,10 @@ class Subject {
     for (const Drive<Scalar>& drive : mechanism.drives) {
       about("drive");
       numbers.add(placed.drive_wrench(drive));
-      numbers.add(placed.known_effort(drive));
+      numbers.add(drive.known_effort(placed.state()));
     }
     about("loads and springs");
-    for (const KnownForce<Scalar>& force : mechanism.forces) numbers.add(placed.known_wrench(force));
-    for (const SpringLaw<Scalar>& spring : mechanism.springs) numbers.add(placed.spring_wrench(spring));
+    for (const auto& known : placed.known_wrenches()) numbers.add(known.wrench);
     for (const VelocityConstraint<Scalar>& constraint : mechanism.constraints) {
       about("constraint " + constraint.words);
       const solve::ConstraintRow<Scalar> row = solve::constraint_row(placed, constraint);

@@ -1,9 +1,11 @@
 // The forces that the actions of a Mechanism exert on body `on`, and reversed on body `from`, in a pose with
-// velocities.
+// velocities; the energy that its laws of force store, and the power that they bring and take.
 #pragma once
 
-#include "poinsot/engine/dynamics/velocity_constraint.h"
-#include "poinsot/engine/model/mechanism.h"
+#include <algorithm>
+#include <cstddef>
+
+#include "poinsot/engine/dynamics/mechanism.h"
 
 namespace poinsot {
 
@@ -20,48 +22,52 @@ PlacedForce<Scalar> component_force(const Model<Scalar>& tree, const Workspace<S
   return {P, d, component.couple_per_force * d};
 }
 
-// The force or couple of a load. After update_poses.
+// V of all laws of force and drives, J; the potential of the weights is the tree's own (momentum.h). After update_poses
+// at these positions.
 template <class Scalar>
-PlacedForce<Scalar> known_force(const Model<Scalar>& tree, const Workspace<Scalar>& w,
-                                const KnownForce<Scalar>& force) {
-  const Vector3<Scalar> vector = direction_on_ground(tree, w, force.axes, force.vector);
-  const Vector3<Scalar> none = Vector3<Scalar>::zero();
-  const Vector3<Scalar> P = point_position(tree, w, force.at.body, force.at.point);
-  return force.couple ? PlacedForce<Scalar>{P, none, vector} : PlacedForce<Scalar>{P, vector, none};
+Scalar stored_energy(const Mechanism<Scalar>& mechanism, const Workspace<Scalar>& w, const State<Scalar>& state) {
+  Scalar energy(0);
+  for_each_law(mechanism, [&](const auto& law) { energy += law.stored_energy(mechanism.tree, w); });
+  for (const Drive<Scalar>& drive : mechanism.drives) energy += drive.stored_energy(state);
+  return energy;
 }
 
-// The pull of a spring with its damper on body `on`, along the line to its other end (N). elastic_energy is that of
-// the spring.
+// The power of all laws of force and drives that no potential accounts for, W. After update_velocities at this state.
 template <class Scalar>
-struct SpringPull {
-  PlacedForce<Scalar> force{};
-  Scalar length{};          // m
-  Scalar lengthening{};     // m/s
-  Scalar elastic_energy{};  // J
-};
+Scalar unstored_power(const Mechanism<Scalar>& mechanism, const Workspace<Scalar>& w, const State<Scalar>& state) {
+  Scalar power(0);
+  for (const Drive<Scalar>& drive : mechanism.drives) power += drive.unstored_power(state);
+  for_each_law(mechanism, [&](const auto& law) {
+    const Action& action = mechanism.actions[static_cast<std::size_t>(law.action)];
+    power += law.unstored_power(mechanism.tree, w, action.on, action.from);
+  });
+  return power;
+}
 
-// The pull of a spring at the present velocities. After update_velocities.
+namespace detail {
+
+template <class Scalar, class Predicate>
+bool any_law(const Mechanism<Scalar>& mechanism, Predicate&& predicate) {
+  bool found = std::any_of(mechanism.drives.begin(), mechanism.drives.end(), predicate);
+  for_each_law(mechanism, [&](const auto& law) { found = found || predicate(law); });
+  return found;
+}
+
+}  // namespace detail
+
+// Whether any law or drive may bring energy in from outside, takes energy out for good, or has a potential. A
+// mechanism whose laws neither feed nor drain keeps its energy unless motions are given.
 template <class Scalar>
-SpringPull<Scalar> spring_pull(const Model<Scalar>& tree, const Workspace<Scalar>& w, const SpringLaw<Scalar>& spring) {
-  SpringPull<Scalar> pull;
-  const Vector3<Scalar> P = point_position(tree, w, spring.at.body, spring.at.point);
-  const Vector3<Scalar> span = point_position(tree, w, spring.toward.body, spring.toward.point) - P;
-  pull.length = norm(span);
-  if constexpr (requires { plain(spring.free_length); }) {
-    // Such a spring pulls in proportion to its span, also if the ends meet and the span has no direction.
-    if (vanishes(spring.free_length) && vanishes(spring.damping)) {
-      pull.elastic_energy = Scalar(0.5) * spring.stiffness * norm_squared(span);
-      pull.force = {P, spring.stiffness * span, Vector3<Scalar>::zero()};
-      return pull;
-    }
-  }
-  const Vector3<Scalar> u = span / pull.length;
-  pull.lengthening = dot(u, point_velocity(tree, w, spring.toward.body, spring.toward.point) -
-                                point_velocity(tree, w, spring.at.body, spring.at.point));
-  const Scalar stretch = pull.length - spring.free_length;
-  pull.elastic_energy = Scalar(0.5) * spring.stiffness * stretch * stretch;
-  pull.force = {P, (spring.stiffness * stretch + spring.damping * pull.lengthening) * u, Vector3<Scalar>::zero()};
-  return pull;
+bool laws_feed(const Mechanism<Scalar>& mechanism) {
+  return detail::any_law(mechanism, [](const auto& law) { return law.feeds(); });
+}
+template <class Scalar>
+bool laws_drain(const Mechanism<Scalar>& mechanism) {
+  return detail::any_law(mechanism, [](const auto& law) { return law.drains(); });
+}
+template <class Scalar>
+bool laws_store(const Mechanism<Scalar>& mechanism) {
+  return detail::any_law(mechanism, [](const auto& law) { return law.stores(); });
 }
 
 }  // namespace poinsot

@@ -18,6 +18,8 @@
 #include "poinsot/engine/dynamics/hybrid_dynamics.h"
 #include "poinsot/engine/dynamics/inverse_dynamics.h"
 #include "poinsot/engine/dynamics/mass_matrix.h"
+#include "poinsot/engine/dynamics/mechanism.h"
+#include "poinsot/engine/dynamics/velocity_constraint.h"
 
 namespace poinsot {
 
@@ -44,24 +46,18 @@ void add_generalised_force(const Model<Scalar>& tree, const Workspace<Scalar>& w
                                });
 }
 
-// Q: the generalised forces of loads, springs with their dampers, and known efforts of drives. After
-// update_velocities.
+// Q: the generalised forces of the laws of force, and the known efforts of drives. After update_velocities.
 template <class Scalar>
 std::vector<Scalar> known_generalised_forces(const Mechanism<Scalar>& mechanism, const Workspace<Scalar>& workspace,
                                              const State<Scalar>& state) {
   std::vector<Scalar> forces(static_cast<std::size_t>(mechanism.tree.velocity_size()), Scalar(0));
   for (const Drive<Scalar>& drive : mechanism.drives)
-    forces[static_cast<std::size_t>(drive.coordinate)] +=
-        drive.effort - drive.stiffness * (state.q[static_cast<std::size_t>(drive.position)] - drive.free_position) -
-        drive.damping * state.v[static_cast<std::size_t>(drive.coordinate)];
-  const auto add = [&](int action, const PlacedForce<Scalar>& force) {
-    const Action& stated = mechanism.actions[static_cast<std::size_t>(action)];
-    add_generalised_force(mechanism.tree, workspace, stated.on, stated.from, force, forces);
-  };
-  for (const KnownForce<Scalar>& force : mechanism.forces)
-    add(force.action, known_force(mechanism.tree, workspace, force));
-  for (const SpringLaw<Scalar>& spring : mechanism.springs)
-    add(spring.action, spring_pull(mechanism.tree, workspace, spring).force);
+    forces[static_cast<std::size_t>(drive.coordinate)] += drive.known_effort(state);
+  for_each_law(mechanism, [&](const auto& law) {
+    const Action& action = mechanism.actions[static_cast<std::size_t>(law.action)];
+    add_generalised_force(mechanism.tree, workspace, action.on, action.from, law.exerted(mechanism.tree, workspace),
+                          forces);
+  });
   return forces;
 }
 

@@ -14,18 +14,11 @@
 #include <vector>
 
 #include "poinsot/engine/dynamics/kinematics.h"
+#include "poinsot/engine/dynamics/mechanism.h"
+#include "poinsot/engine/dynamics/place.h"
 #include "poinsot/engine/math/algebra/plain.h"
-#include "poinsot/engine/model/mechanism.h"
 
 namespace poinsot {
-
-// A force at a point (m) together with a couple, on ground axes from the ground's origin.
-template <class Scalar>
-struct PlacedForce {
-  Vector3<Scalar> point{};
-  Vector3<Scalar> force{};
-  Vector3<Scalar> couple{};
-};
 
 template <class Scalar>
 struct ConstraintLine {

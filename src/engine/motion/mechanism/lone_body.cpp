@@ -41,10 +41,12 @@ std::optional<Vector> massless_line(const Tensor& I, const Vector& w) {
 }
 
 bool loads_act(const Mechanism<double>& mechanism) {
-  return !mechanism.constraints.empty() || !mechanism.forces.empty() || !mechanism.springs.empty() ||
-         std::any_of(mechanism.drives.begin(), mechanism.drives.end(), [](const Drive<double>& drive) {
-           return drive.held || drive.effort != 0 || drive.stiffness != 0 || drive.damping != 0;
-         });
+  if (!mechanism.constraints.empty()) return true;
+  bool acts = std::any_of(mechanism.drives.begin(), mechanism.drives.end(), [](const Drive<double>& drive) {
+    return drive.held || drive.feeds() || drive.stores() || drive.drains();
+  });
+  for_each_law(mechanism, [&](const auto&) { acts = true; });
+  return acts;
 }
 
 // A joint that is no weld, with the bodies welded to its body.

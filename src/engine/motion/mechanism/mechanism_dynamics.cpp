@@ -70,17 +70,14 @@ PlacedForce<double> MechanismDynamics::Parts::force_of_component(int component) 
   return force;
 }
 
-// Generalised forces of springs, drives, dampers and loads. After update_velocities and find_axes where there are loads
-// or springs.
+// Generalised forces of drives and of the laws of force. After update_velocities and find_axes where there are laws.
 void MechanismDynamics::Parts::find_known_forces() {
   std::fill(known.begin(), known.end(), 0.0);
-  for (const Drive<double>& drive : mechanism.drives)
-    known[drive.coordinate] += drive.effort - drive.stiffness * (state.q[drive.position] - drive.free_position) -
-                               drive.damping * state.v[drive.coordinate];
-  for (std::size_t i = 0; i < mechanism.forces.size(); ++i)
-    add_generalised(of_force[i], known_force(mechanism.tree, workspace, mechanism.forces[i]), 1, known.data());
-  for (std::size_t i = 0; i < mechanism.springs.size(); ++i)
-    add_generalised(of_spring[i], spring_pull(mechanism.tree, workspace, mechanism.springs[i]).force, 1, known.data());
+  for (const Drive<double>& drive : mechanism.drives) known[drive.coordinate] += drive.known_effort(state);
+  const Range* range = of_law.data();
+  for_each_law(mechanism, [&](const auto& law) {
+    add_generalised(*range++, law.exerted(mechanism.tree, workspace), 1, known.data());
+  });
 }
 
 void MechanismDynamics::Parts::find_accelerations(std::span<double> result) {
@@ -103,7 +100,7 @@ void MechanismDynamics::Parts::find_accelerations(std::span<double> result) {
 }
 
 void MechanismDynamics::Parts::find_by_tree(std::span<double> result) {
-  if (!mechanism.forces.empty() || !mechanism.springs.empty()) {
+  if (!of_law.empty()) {
     update_velocities(mechanism.tree, workspace, state);
     find_axes();
   }

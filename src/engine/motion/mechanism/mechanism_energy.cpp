@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/motion/mechanism/mechanism_parts.h"
+#include "poinsot/engine/dynamics/action_forces.h"
 
 namespace poinsot {
 
@@ -17,12 +18,7 @@ double MechanismDynamics::potential_energy(std::span<const double> q) {
   Parts& p = *parts_;
   p.load_positions(q);
   update_poses<double>(p.mechanism.tree, p.workspace, p.state.q);
-  double energy = poinsot::potential_energy(p.mechanism.tree, p.workspace);
-  for (const SpringLaw<double>& spring : p.mechanism.springs)
-    energy += spring_pull(p.mechanism.tree, p.workspace, spring).elastic_energy;
-  for (const Drive<double>& drive : p.mechanism.drives)
-    energy += 0.5 * drive.stiffness * std::pow(p.state.q[drive.position] - drive.free_position, 2);
-  return energy;
+  return poinsot::potential_energy(p.mechanism.tree, p.workspace) + stored_energy(p.mechanism, p.workspace, p.state);
 }
 
 Momentum<double> MechanismDynamics::momentum(std::span<const double> q, std::span<const double> v,
@@ -35,20 +31,8 @@ Momentum<double> MechanismDynamics::momentum(std::span<const double> q, std::spa
 double MechanismDynamics::power() {
   Parts& p = *parts_;
   update_velocities(p.mechanism.tree, p.workspace, p.state);
-  p.find_axes();
-  double power = 0;
+  double power = unstored_power(p.mechanism, p.workspace, p.state);
   for (const int k : p.held) power += p.held_force[k] * p.state.v[k];
-  for (const Drive<double>& drive : p.mechanism.drives) {
-    const double rate = p.state.v[drive.coordinate];
-    power += (drive.effort - drive.damping * rate) * rate;
-  }
-  std::fill(p.step.begin(), p.step.end(), 0.0);
-  for (std::size_t i = 0; i < p.mechanism.forces.size(); ++i)
-    p.add_generalised(p.of_force[i], known_force(p.mechanism.tree, p.workspace, p.mechanism.forces[i]), 1,
-                      p.step.data());
-  for (int k = 0; k < p.n; ++k) power += p.step[k] * p.state.v[k];
-  for (const SpringLaw<double>& spring : p.mechanism.springs)
-    power -= spring.damping * std::pow(spring_pull(p.mechanism.tree, p.workspace, spring).lengthening, 2);
   return power;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "poinsot/engine/dynamics/action_forces.h"
 #include "poinsot/engine/model/state.h"
 
 namespace poinsot {
@@ -11,11 +12,7 @@ namespace {
 
 bool keeps_its_energy(const MechanismDynamics& dynamics) {
   const Mechanism<double>& mechanism = dynamics.mechanism();
-  return mechanism.forces.empty() && dynamics.held_coordinates().empty() &&
-         std::all_of(mechanism.drives.begin(), mechanism.drives.end(),
-                     [](const Drive<double>& drive) { return drive.effort == 0 && drive.damping == 0; }) &&
-         std::all_of(mechanism.springs.begin(), mechanism.springs.end(),
-                     [](const SpringLaw<double>& spring) { return spring.damping == 0; });
+  return dynamics.held_coordinates().empty() && !laws_feed(mechanism) && !laws_drain(mechanism);
 }
 
 }  // namespace

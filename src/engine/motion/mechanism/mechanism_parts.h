@@ -102,7 +102,7 @@ struct MechanismDynamics::Parts {
   std::vector<char> turns;                   // each coordinate
 
   std::vector<Coupling> couplings;
-  std::vector<Range> of_constraint, of_component, of_force, of_spring;
+  std::vector<Range> of_constraint, of_component, of_law;
   std::vector<std::optional<Vector>> free_axis;  // of each constraint
   std::vector<Link> links;                       // of each component
 

@@ -123,8 +123,7 @@ void MechanismDynamics::Parts::find_couplings() {
                                                                   : std::nullopt);
   }
   for (const Component<double>& component : mechanism.components) of_component.push_back(of_action(component.action));
-  for (const KnownForce<double>& force : mechanism.forces) of_force.push_back(of_action(force.action));
-  for (const SpringLaw<double>& spring : mechanism.springs) of_spring.push_back(of_action(spring.action));
+  for_each_law(mechanism, [&](const auto& law) { of_law.push_back(of_action(law.action)); });
 }
 
 // Whether a component stands along a constraint wherever the mechanism goes.

@@ -216,14 +216,9 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& state, c
             [&](std::size_t row, const Scalar& value, double error) { system.add(row, column, -value, error); });
     ++column;
   }
-  const auto known = [&](const auto& item, const Wrench& wrench) {
-    on_both(action_of(item), wrench,
+  for (const auto& [action, wrench] : state.known_wrenches())
+    on_both(mechanism.actions[static_cast<std::size_t>(action)], wrench,
             [&](std::size_t row, const Scalar& value, double) { system.add_right_side(row, value); });
-  };
-  for (const Drive<Scalar>& drive : mechanism.drives)
-    known(drive, state.known_effort(drive) * state.drive_wrench(drive));
-  for (const KnownForce<Scalar>& force : mechanism.forces) known(force, state.known_wrench(force));
-  for (const SpringLaw<Scalar>& spring : mechanism.springs) known(spring, state.spring_wrench(spring));
 
   for (const VelocityConstraint<Scalar>& constraint : mechanism.constraints) {
     const ConstraintRow<Scalar> r = constraint_row(state, constraint);
@@ -252,13 +247,7 @@ SpatialForce<Scalar> action_wrench(const MechanismStateOf<Scalar>& state, const 
       total += unknowns[column] * state.drive_wrench(mechanism.drives[drive]);
     ++column;
   }
-  for (const Drive<Scalar>& drive : mechanism.drives)
-    if (drive.action == index) total += state.known_effort(drive) * state.drive_wrench(drive);
-  for (const KnownForce<Scalar>& force : mechanism.forces)
-    if (force.action == index) total += state.known_wrench(force);
-  for (const SpringLaw<Scalar>& spring : mechanism.springs)
-    if (spring.action == index) total += state.spring_wrench(spring);
-  return total;
+  return total + state.known_wrench(index);
 }
 
 template bool coordinate_turns(const Model<double>&, int);

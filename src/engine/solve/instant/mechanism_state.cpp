@@ -8,15 +8,6 @@
 #include "poinsot/engine/math/formula/formula.h"
 
 namespace poinsot::solve {
-namespace {
-
-// The wrench of a force and a couple, with its moment about the origin of the ground.
-template <class Scalar>
-SpatialForce<Scalar> wrench_of(const PlacedForce<Scalar>& f) {
-  return {f.couple + cross(f.point, f.force), f.force};
-}
-
-}  // namespace
 
 template <class Scalar>
 MechanismStateOf<Scalar>::MechanismStateOf(const Mechanism<Scalar>& mechanism)
@@ -86,20 +77,25 @@ SpatialForce<Scalar> MechanismStateOf<Scalar>::drive_wrench(const Drive<Scalar>&
 }
 
 template <class Scalar>
-SpatialForce<Scalar> MechanismStateOf<Scalar>::known_wrench(const KnownForce<Scalar>& force) const {
-  return wrench_of(known_force(mechanism_.tree, workspace_, force));
+auto MechanismStateOf<Scalar>::known_wrenches() const -> std::vector<KnownWrench> {
+  std::vector<KnownWrench> wrenches;
+  for (const Drive<Scalar>& drive : mechanism_.drives)
+    wrenches.push_back({drive.action, drive.known_effort(state_) * drive_wrench(drive)});
+  for_each_law(mechanism_, [&](const auto& law) {
+    wrenches.push_back({law.action, wrench_of(law.exerted(mechanism_.tree, workspace_))});
+  });
+  return wrenches;
 }
 
 template <class Scalar>
-SpatialForce<Scalar> MechanismStateOf<Scalar>::spring_wrench(const SpringLaw<Scalar>& spring) const {
-  return wrench_of(spring_pull(mechanism_.tree, workspace_, spring).force);
-}
-
-template <class Scalar>
-Scalar MechanismStateOf<Scalar>::known_effort(const Drive<Scalar>& drive) const {
-  const Scalar& position = state_.q[static_cast<std::size_t>(drive.position)];
-  const Scalar& rate = state_.v[static_cast<std::size_t>(drive.coordinate)];
-  return drive.effort - drive.stiffness * (position - drive.free_position) - drive.damping * rate;
+SpatialForce<Scalar> MechanismStateOf<Scalar>::known_wrench(int action) const {
+  SpatialForce<Scalar> total = SpatialForce<Scalar>::zero();
+  for (const Drive<Scalar>& drive : mechanism_.drives)
+    if (drive.action == action) total += drive.known_effort(state_) * drive_wrench(drive);
+  for_each_law(mechanism_, [&](const auto& law) {
+    if (law.action == action) total += wrench_of(law.exerted(mechanism_.tree, workspace_));
+  });
+  return total;
 }
 
 template class MechanismStateOf<double>;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "poinsot/engine/model/mechanism.h"
+#include "poinsot/engine/dynamics/mechanism.h"
 
 namespace poinsot::solve {
 

@@ -11,8 +11,8 @@
 
 #include "engine/dynamics/random_trees.h"
 #include "poinsot/engine/dynamics/kinematics.h"
+#include "poinsot/engine/dynamics/mechanism.h"
 #include "poinsot/engine/mass/composition.h"
-#include "poinsot/engine/model/mechanism.h"
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
 #include "poinsot/engine/solve/instant/closure.h"
 #include "poinsot/engine/solve/instant/equations.h"
@@ -275,6 +275,15 @@ inline Mechanism<double> random_mechanism(Random& random, const MechanismOptions
     spring.free_length = random.uniform(0.1, 1);
     spring.damping = random.uniform(0, 2);
     mechanism.springs.push_back(spring);
+  }
+  for (int i = random.integer(0, 1); i > 0; --i) {
+    const int on = any(ground), from = any(on);
+    mechanism.torsions.push_back({maker.add_action(ActionKind::spring, on, from),
+                                  on,
+                                  {from, random.direction()},
+                                  random.uniform(1, 20),
+                                  random.uniform(-1, 1),
+                                  random.uniform(0, 2)});
   }
   return std::move(maker.mechanism);
 }

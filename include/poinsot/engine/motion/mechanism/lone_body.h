@@ -12,7 +12,7 @@
 #include <optional>
 #include <span>
 
-#include "poinsot/engine/model/mechanism.h"
+#include "poinsot/engine/dynamics/mechanism.h"
 #include "poinsot/engine/motion/integrator/integrate.h"
 
 namespace poinsot {

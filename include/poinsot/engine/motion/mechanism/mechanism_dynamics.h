@@ -25,8 +25,8 @@
 #include <span>
 #include <vector>
 
+#include "poinsot/engine/dynamics/mechanism.h"
 #include "poinsot/engine/dynamics/momentum.h"
-#include "poinsot/engine/model/mechanism.h"
 
 namespace poinsot {
 

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "poinsot/engine/model/mechanism.h"
+#include "poinsot/engine/dynamics/mechanism.h"
 #include "poinsot/engine/solve/instant/particle_check.h"
 
 namespace poinsot::solve {

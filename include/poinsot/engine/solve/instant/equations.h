@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "poinsot/engine/model/mechanism.h"
+#include "poinsot/engine/dynamics/mechanism.h"
 #include "poinsot/engine/solve/instant/mechanism_state.h"
 #include "poinsot/engine/solve/linear/linear_system.h"
 

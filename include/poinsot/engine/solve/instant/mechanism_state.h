@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "poinsot/engine/dynamics/mechanism.h"
 #include "poinsot/engine/dynamics/momentum.h"
 #include "poinsot/engine/math/algebra/dual.h"
-#include "poinsot/engine/model/mechanism.h"
 
 namespace poinsot::solve {
 
@@ -34,10 +34,13 @@ class MechanismStateOf {
   // The following wrenches are on ground axes about the ground's origin (N, N m).
   SpatialForce<Scalar> component_wrench(const Component<Scalar>& component) const;  // for a component of size one
   SpatialForce<Scalar> drive_wrench(const Drive<Scalar>& drive) const;              // for an effort of one
-  SpatialForce<Scalar> known_wrench(const KnownForce<Scalar>& force) const;
-  SpatialForce<Scalar> spring_wrench(const SpringLaw<Scalar>& spring) const;
-  // The known part of a drive's effort: the stated effort, its spring and its damper.
-  Scalar known_effort(const Drive<Scalar>& drive) const;
+  // What the laws of force and the known parts of the drives' efforts exert: each, and of one action together.
+  struct KnownWrench {
+    int action = 0;
+    SpatialForce<Scalar> wrench{};
+  };
+  std::vector<KnownWrench> known_wrenches() const;
+  SpatialForce<Scalar> known_wrench(int action) const;
 
  private:
   const Mechanism<Scalar>& mechanism_;

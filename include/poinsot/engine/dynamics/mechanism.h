@@ -1,32 +1,27 @@
 // A tree of bodies with all that acts between them: what joints, supports, contacts and cords can carry, the
 // constraints beyond the tree, springs, drives and loads.
 //
-// Bodies are indices into the tree, or `ground`. Points and directions that move with a body are given on its axes,
-// points from its origin.
+// Bodies are indices into the tree, or `ground`. Points and directions that move with a body: see place.h.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "poinsot/engine/dynamics/drive_law.h"
+#include "poinsot/engine/dynamics/force_law.h"
+#include "poinsot/engine/dynamics/load_law.h"
+#include "poinsot/engine/dynamics/place.h"
+#include "poinsot/engine/dynamics/spring_law.h"
+#include "poinsot/engine/dynamics/torsion_law.h"
 #include "poinsot/engine/model/model.h"
 
 namespace poinsot {
 
-template <class Scalar>
-struct Place {
-  int body = ground;
-  Vector3<Scalar> point{};
-};
-
-// A unit vector.
-template <class Scalar>
-struct Direction {
-  int body = ground;
-  Vector3<Scalar> vector{};
-};
-
 enum class ActionKind { joint, support, drive, contact, cord, spring, load, impulse, impact };
+
+// Whether a law of force (force_law.h) says what it exerts; a drive's law says a part of it.
+constexpr bool has_law(ActionKind kind) { return kind == ActionKind::spring || kind == ActionKind::load; }
 
 // What one thing exerts on body `on`, and with opposite sign on body `from`.
 struct Action {
@@ -83,38 +78,6 @@ struct VelocityConstraint {
   Direction<Scalar> surface_axis;
 };
 
-// A load: a given force or couple.
-template <class Scalar>
-struct KnownForce {
-  int action = 0;
-  bool couple = false;
-  Place<Scalar> at;          // for a force
-  Vector3<Scalar> vector{};  // size and direction on the axes of `axes`
-  int axes = ground;
-};
-template <class Scalar>
-struct SpringLaw {
-  int action = 0;
-  Place<Scalar> at, toward;  // at on `on`, toward on `from`
-  Scalar stiffness{}, free_length{}, damping{};
-};
-
-// One velocity coordinate of a joint, and the effort in it.
-template <class Scalar>
-struct Drive {
-  int action = 0;
-  int coordinate = 0;  // velocity coordinate in the tree
-  int position = 0;    // position coordinate in the tree
-  bool turning = true;
-  Place<Scalar> at;
-  Direction<Scalar> along;
-  // The axes of the other rotations of the joint, at most two. The couple does no work on them, as in gimbals.
-  std::vector<Direction<Scalar>> others{};
-  bool held = false;  // whether its motion is given, so that the effort is unknown
-  Scalar effort{};    // the known couple or force of `from` on `on`
-  Scalar stiffness{}, free_position{}, damping{};
-};
-
 template <class Scalar>
 struct Mechanism {
   Model<Scalar> tree = Model<Scalar>({}, {}, {}, Vector3<Scalar>::zero());
@@ -123,9 +86,29 @@ struct Mechanism {
   std::vector<Action> actions;
   std::vector<Component<Scalar>> components;
   std::vector<VelocityConstraint<Scalar>> constraints;
+  std::vector<Drive<Scalar>> drives;
+  // The laws of force, a list of each kind.
   std::vector<KnownForce<Scalar>> forces;
   std::vector<SpringLaw<Scalar>> springs;
-  std::vector<Drive<Scalar>> drives;
+  std::vector<TorsionLaw<Scalar>> torsions;
 };
+
+// Visits the lists of laws, of several mechanisms side by side: the one place that names them all.
+template <class Visit, class... Mechanisms>
+void for_each_law_list(Visit&& visit, Mechanisms&... mechanisms) {
+  visit(mechanisms.forces...);
+  visit(mechanisms.springs...);
+  visit(mechanisms.torsions...);
+}
+
+// Visits every law of force.
+template <class Scalar, class Visit>
+void for_each_law(const Mechanism<Scalar>& mechanism, Visit&& visit) {
+  for_each_law_list(
+      [&]<ForceLaw<Scalar> Law>(const std::vector<Law>& laws) {
+        for (const Law& law : laws) visit(law);
+      },
+      mechanism);
+}
 
 }  // namespace poinsot
