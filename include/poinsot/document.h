@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "poinsot/engine/work/budget.h"
+
 namespace poinsot::problem {
 struct Explanation;
 }
@@ -111,6 +113,8 @@ struct Document {
   std::vector<Letter> open_letters;
   std::vector<Solution> solutions;
   std::vector<std::string> warnings;
+  // Where a budget ended the search: the document holds what was found until then.
+  std::optional<BudgetEnd> ended{};
 };
 
 // True if there is a solution and every question has its answer in every solution.

@@ -4,6 +4,9 @@
 //   poinsot::Document document = problem.solve({{"n", "3000 rpm"}});
 //
 // The answer document is in poinsot/document.h, its renderings in poinsot/rendering.h.
+//
+// A Budget (poinsot/engine/work/budget.h) bounds how long a call may take, by a deadline, by a flag or by a stop token
+// that another thread or a signal handler sets. It also reports progress.
 #pragma once
 
 #include <cstddef>
@@ -19,6 +22,7 @@
 #include <vector>
 
 #include "poinsot/document.h"
+#include "poinsot/engine/work/budget.h"
 
 namespace poinsot {
 
@@ -158,8 +162,8 @@ struct Recording {
 // result remains valid without the problem.
 class Problem {
  public:
-  // Reads and checks the text of a problem file. `name` is used in messages and in the document. Throws
-  // StatementError.
+  // Reads and checks the text of a problem file. `name` is used in messages and in the document, and its folder holds
+  // the meshes. Throws StatementError.
   static Problem from_text(std::string_view text, const std::string& name);
   // Reads and checks a file; "-" is standard input. Throws StatementError, also if there is no such file.
   static Problem from_file(const std::string& path);
@@ -180,13 +184,15 @@ class Problem {
   bool records() const;  // whether it has a `record` block
 
   // Answers every question and decides every claim. Questions without answer are in the document, with state and
-  // reason. Throws StatementError if a setting is wrong, the statement contradicts itself, or nothing is asked.
-  Document solve(const Settings& sets = {}) const;
-  // The same with a worked solution in each solution of the document.
-  Document explain(const Settings& sets = {}) const;
+  // reason. If the budget ends first, the document says so in `ended` and holds what was found until then. Throws
+  // StatementError if a setting is wrong, the statement contradicts itself, or nothing is asked.
+  Document solve(const Settings& sets = {}, const Budget& budget = {}) const;
+  // The same with a worked solution in each solution of the document, as far as the budget lasts.
+  Document explain(const Settings& sets = {}, const Budget& budget = {}) const;
   // Compares the answers with the file's own `expect` block and describes each discrepancy in one line. A question
-  // that the block leaves out is a discrepancy, and so is a file without the block. Throws as solve() does.
-  std::vector<std::string> check() const;
+  // that the block leaves out is a discrepancy, and so is a file without the block. Throws as solve() does, and
+  // BudgetEnded, which is no std::exception, if the budget ends first.
+  std::vector<std::string> check(const Budget& budget = {}) const;
 
   // Records the motion as the file says under `record:`, to the file `output`, which ends in .csv, .h5 or .hdf5.
   //
@@ -199,9 +205,9 @@ class Problem {
 
   // The equations of motion as formulas or code, in SI units. They hold for all positions and velocities of the
   // coordinates; what the file states of an instant is not used. Letters and unknowns remain letters, data become
-  // numbers. Throws StatementError if a setting is wrong, NoEquations, and std::invalid_argument for an impossible
-  // name.
-  std::string equations(const EquationsOptions& options = {}) const;
+  // numbers. Throws StatementError if a setting is wrong, NoEquations, std::invalid_argument for an impossible name,
+  // and BudgetEnded, which is no std::exception, if the budget ends first.
+  std::string equations(const EquationsOptions& options = {}, const Budget& budget = {}) const;
 
  private:
   struct Parts;

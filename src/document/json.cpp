@@ -125,11 +125,12 @@ std::string to_json(const Document& document) {
   require_values(document);
   document::Json solutions = document::Json::array();
   for (std::size_t i = 0; i < document.solutions.size(); ++i) solutions.push_back(document::solution_json(document, i));
-  const document::Json json{{"poinsot", POINSOT_VERSION},
-                            {"file", document.file},
-                            {"title", document.title},
-                            {"solutions", solutions},
-                            {"warnings", document.warnings}};
+  document::Json json{{"poinsot", POINSOT_VERSION},
+                      {"file", document.file},
+                      {"title", document.title},
+                      {"solutions", solutions},
+                      {"warnings", document.warnings}};
+  if (document.ended) json["ended"] = *document.ended == BudgetEnd::deadline ? "deadline" : "interrupted";
   constexpr int no_indentation = -1;
   return json.dump(no_indentation, ' ', false, document::Json::error_handler_t::replace);
 }

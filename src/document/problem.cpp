@@ -9,6 +9,7 @@
 #include "document/recording.h"
 #include "document/statement_document.h"
 #include "poinsot/engine/math/trace/straight_line_text.h"
+#include "poinsot/engine/work/budget.h"
 #include "poinsot/rendering.h"
 #include "problem/answers/solve_statement.h"
 #include "problem/entries/keys.h"
@@ -47,6 +48,27 @@ StatedSituation stated_situation(const problem::Situation& situation) {
   for (const problem::Unknown& unknown : situation.find)
     stated.unknowns.push_back({unknown.name, unknown.unit.text, unknown.vector});
   return stated;
+}
+
+// What is found as far as the budget lasts.
+Document solved_document(const problem::Statement& stated, const Settings& sets, bool explain, const Budget& budget) {
+  const BudgetScope scope(budget);
+  Document document;
+  document.file = stated.file;
+  document.title = stated.title;
+  try {
+    const problem::SolvedStatement solved = problem::solve_statement(stated, sets, explain);
+    document = document::document_of(stated, solved);
+    for (std::size_t i = 0; explain && i < document.solutions.size(); ++i)
+      document.solutions[i].explanation =
+          std::make_shared<const problem::Explanation>(problem::explain(stated, sets, solved, i));
+  } catch (const BudgetEnded& budget_end) {
+    document.ended = budget_end.end;
+  }
+  if (document.ended && document.solutions.empty())
+    document.warnings.push_back("the search was ended before a solution was found: " +
+                                std::string(words_of(*document.ended)));
+  return document;
 }
 
 problem::EquationPart engine_part(EquationPart part) {
@@ -125,23 +147,16 @@ const std::vector<StatedQuestion>& Problem::claims() const { return parts_->clai
 bool Problem::expects() const { return parts_->statement.expects; }
 bool Problem::records() const { return parts_->statement.record.has_value(); }
 
-Document Problem::solve(const Settings& sets) const {
-  return with_public_errors(
-      [&] { return document::document_of(parts_->statement, problem::solve_statement(parts_->statement, sets)); });
+Document Problem::solve(const Settings& sets, const Budget& budget) const {
+  return with_public_errors([&] { return solved_document(parts_->statement, sets, false, budget); });
 }
 
-Document Problem::explain(const Settings& sets) const {
-  return with_public_errors([&] {
-    const problem::SolvedStatement solved = problem::solve_statement(parts_->statement, sets, true);
-    Document document = document::document_of(parts_->statement, solved);
-    for (std::size_t i = 0; i < document.solutions.size(); ++i)
-      document.solutions[i].explanation =
-          std::make_shared<const problem::Explanation>(problem::explain(parts_->statement, sets, solved, i));
-    return document;
-  });
+Document Problem::explain(const Settings& sets, const Budget& budget) const {
+  return with_public_errors([&] { return solved_document(parts_->statement, sets, true, budget); });
 }
 
-std::vector<std::string> Problem::check() const {
+std::vector<std::string> Problem::check(const Budget& budget) const {
+  const BudgetScope scope(budget);
   return with_public_errors([&] { return document::own_shortfalls(parts_->statement); });
 }
 
@@ -149,7 +164,7 @@ Recording Problem::record(const std::string& output, const RecordOptions& option
   return with_public_errors([&] { return document::record_motion(parts_->statement, parts_->text, output, options); });
 }
 
-std::string Problem::equations(const EquationsOptions& options) const {
+std::string Problem::equations(const EquationsOptions& options, const Budget& budget) const {
   if (!is_function_name(options.function))
     throw std::invalid_argument("'" + options.function + "' cannot be the name of a function");
   problem::EquationsOptions wanted;
@@ -159,6 +174,7 @@ std::string Problem::equations(const EquationsOptions& options) const {
   wanted.situation = options.situation;
   wanted.sets = options.sets;
   wanted.letters = options.letters;
+  const BudgetScope scope(budget);
   try {
     return with_public_errors([&] { return problem::equations_text(parts_->statement, wanted); });
   } catch (const problem::NoEquations& error) {

@@ -18,7 +18,11 @@ std::string answer_schema() {
       "description": "one per root in the range, ascending by the first unknown",
       "items": {"$ref": "#/$defs/solution"}
     },
-    "warnings": {"type": "array", "items": {"type": "string"}}
+    "warnings": {"type": "array", "items": {"type": "string"}},
+    "ended": {
+      "enum": ["deadline", "interrupted"],
+      "description": "present if the search was ended from outside: the document holds what was found until then"
+    }
   },
   "$defs": {
     "solution": {

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -50,10 +52,37 @@ TEST(Readme, ShowsWhatTheProgramPrints) {
   }
 }
 
+// The lines of this file between two marks, without their indentation.
+std::string own_lines(const std::string& subject) {
+  const std::string source = text_of_page("tests/docs/readme_test.cpp");
+  const std::string begin = "  // The README's lines of " + subject + ".\n";
+  const std::size_t from = source.find(begin) + begin.size();
+  std::istringstream lines(source.substr(from, source.find("  // Until here.\n", from) - from));
+  std::string own;
+  for (std::string line; std::getline(lines, line);) own += line.substr(2) + "\n";
+  return own;
+}
+
 TEST(Readme, HasLinesOfCppThatDoWhatTheySay) {
+  const std::string text = blocks_of("yaml").at(0);
+  testing::internal::CaptureStdout();
+  // The README's lines of problems.
+  const Problem problem = Problem::from_text(text, "askew.yaml");
+  const Document document = problem.solve({{"n", "3000 rpm"}}, Budget().end_after(std::chrono::seconds(10)));
+  std::cout << to_terminal(document);
+  for (const Answer& answer : document.solutions.at(0).answers)
+    std::cout << answer.name << " in " << answer.unit << "\n";
+  // Until here.
+  std::cout.flush();
+  const std::string shown = testing::internal::GetCapturedStdout();
+  EXPECT_TRUE(shown.starts_with("Disk mounted askew on a shaft  (askew.yaml)\n")) << shown;
+  EXPECT_TRUE(shown.ends_with("\nH in kg*m^2/s\nT in J\nA in N\nB in N\n")) << shown;
+  // Reactions grow with the square of the rate, from those that the README shows at 1200 rpm.
+  EXPECT_NE(shown.find("(0, -2854.83, 0) N"), std::string::npos) << shown;
+
   const std::vector<double> force{0};
   std::vector<double> acceleration{0};
-  // The README's lines.
+  // The README's lines of the engine.
   ModelBuilder<double> builder;
   builder.add_body("bar", ground, Joint<double>::revolute({0, 0, 1}), SpatialTransform<double>::identity(),
                    of_mass(shapes::rod<double>({0, 0, 0}, {1, 0, 0}), 2.0));
@@ -64,13 +93,7 @@ TEST(Readme, HasLinesOfCppThatDoWhatTheySay) {
   // Until here.
   EXPECT_NEAR(acceleration[0], -1.5 * 9.81, 1e-12);
 
-  const std::string source = text_of_page("tests/docs/readme_test.cpp");
-  const std::string begin = "  // The README's lines.\n";
-  const std::size_t from = source.find(begin) + begin.size();
-  std::istringstream lines(source.substr(from, source.find("  // Until here.\n") - from));
-  std::string own;
-  for (std::string line; std::getline(lines, line);) own += line.substr(2) + "\n";
-  EXPECT_EQ(blocks_of("cpp"), std::vector<std::string>{own});
+  EXPECT_EQ(blocks_of("cpp"), (std::vector<std::string>{own_lines("problems"), own_lines("the engine")}));
 }
 
 TEST(Readme, LinksToPagesThatExist) {
