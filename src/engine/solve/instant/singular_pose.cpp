@@ -1,11 +1,11 @@
 #include "engine/solve/instant/singular_pose.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "engine/solve/linear/decompositions.h"
 #include "poinsot/engine/dynamics/velocity_constraint.h"
 #include "poinsot/engine/solve/instant/equations.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/solve/linear/decompositions.h"
+
 namespace poinsot::solve {
 namespace {
 

@@ -1,11 +1,11 @@
 #include "poinsot/engine/solve/linear/linear_system.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "engine/solve/linear/assembled_system.h"
+#include "engine/solve/linear/decompositions.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "poinsot/engine/math/formula/formula.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/solve/linear/decompositions.h"
 #include "engine/solve/roots/linear_roots.h"
 
 namespace poinsot::solve {

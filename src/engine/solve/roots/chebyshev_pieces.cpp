@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/solve/linear/decompositions.h"
+
 namespace poinsot::solve {
 namespace {
 

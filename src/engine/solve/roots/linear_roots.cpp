@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "engine/solve/linear/decompositions.h"
 #include "engine/solve/roots/root_polish.h"
 
 namespace poinsot::solve {

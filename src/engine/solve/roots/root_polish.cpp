@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/solve/linear/decompositions.h"
+
 namespace poinsot::solve {
 namespace {
 
