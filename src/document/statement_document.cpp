@@ -120,6 +120,7 @@ Document document_of(const problem::Statement& stated, const problem::SolvedStat
     document.open_letters.push_back({letter.name, letter.unit.text});
   for (const problem::Solution& root : solved.solutions) document.solutions.push_back(solution_of(stated, root));
   document.warnings = solved.warnings;
+  document.ended = solved.ended;
   return document;
 }
 
