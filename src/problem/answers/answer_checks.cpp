@@ -140,6 +140,7 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
     keep("energy", residual.energy);
     if (instant->forces_solved()) keep("newton_euler", residual.newton_euler);
     if (instant->after_blow()) keep("impulse", residuals.impulse);
+    if (residuals.constraints) keep("constraints", *residuals.constraints);
   }
   if (const std::optional<double> facts = largest_fact_misfit(statement, sample)) result.checks["facts"] = *facts;
   for (const auto& [situation, motion] : sample.motions())
@@ -186,7 +187,10 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
       }
       char size[40];
       std::snprintf(size, sizeof size, "%.2g", residual);
-      ask.reason = "the independent check with particles does not confirm it (" + name + " off by " + size + ")";
+      ask.reason = name == "constraints"
+                       ? "what joints, contacts and cords hold together comes apart in it, by " + std::string(size) +
+                             " of its size"
+                       : "the independent check with particles does not confirm it (" + name + " off by " + size + ")";
     }
   }
 }

@@ -191,10 +191,12 @@ void RecordedMotion::Parts::read_row(double time, std::vector<double>& values) {
 RecordedChecks RecordedMotion::Parts::check(double time) {
   SolvedInstant& instant = motion->instant_at(time);
   instant.solve_forces();
-  const solve::CheckResult residual = instant.check().particles;
+  const SolvedInstant::Residuals checked = instant.check();
+  const solve::CheckResult& residual = checked.particles;
   const RecordedChecks checks{residual.momentum, residual.energy, residual.newton_euler,
                               motion->energy_drift().value_or(0)};
-  const double largest = std::max({checks.momentum, checks.energy, checks.newton_euler, checks.energy_drift});
+  const double apart = checked.constraints.value_or(0);
+  const double largest = std::max({checks.momentum, checks.energy, checks.newton_euler, checks.energy_drift, apart});
   if (!(largest <= recording_tolerance))
     throw UnansweredRecord(statement.file + ": the independent check does not confirm the motion at " +
                            in_seconds(time) + ": off by " + std::to_string(largest));
@@ -213,7 +215,7 @@ RecordedBlock RecordedMotion::block(std::uint64_t first_row, const RecordedState
     const double reached = motion.follow(parts.time_of(last ? end_row - 1 : end_row));
     const bool over = motion.is_over();
     // The last instant belongs to the motion, even if rounding puts it behind the end.
-    const double allowed = reached * (1 + 1e-12) + 1e-12;
+    const double allowed = reached * (1 + 1e-12);
     if (over && !last) ++end_row;
 
     RecordedBlock block;

@@ -269,7 +269,7 @@ bool confirmed_by_particles(Sample& sample) {
     const solve::CheckResult& particles = residuals.particles;
     return particles.momentum <= check_tolerance && particles.energy <= check_tolerance &&
            (!item.second->forces_solved() || particles.newton_euler <= check_tolerance) &&
-           residuals.impulse <= check_tolerance;
+           residuals.impulse <= check_tolerance && residuals.constraints.value_or(0) <= check_tolerance;
   });
 }
 

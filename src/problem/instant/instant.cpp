@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "poinsot/engine/solve/instant/closure.h"
+#include "poinsot/engine/solve/instant/constraint_check.h"
 #include "problem/language/diagnostic.h"
 #include "problem/machine/contact_limits.h"
 
@@ -143,14 +144,20 @@ void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
       }
       const auto k = static_cast<std::size_t>(coordinate->position);
       const double value = data_->number(fact.value, coordinate->turning ? dimensions::angle : dimensions::length);
-      if (given[k] && std::abs(q[k] - value) > 1e-12 * (1 + std::abs(value)))
+      // The same value, written in another way, differs by the rounding of a few operations: of itself, and of a radian
+      // or the length of the machine where it is what is left of larger ones. Ten times more would be another value to
+      // a reader of twelve digits.
+      const double size = std::abs(value) + (coordinate->turning ? 1 : scales_.length);
+      if (given[k] && std::abs(q[k] - value) > 1e-12 * size)
         fail(situation_.file, fact.mark, "'" + name->name + "' already has another value", "state it once");
       q[k] = value;
       given[k] = true;
     }
   }
   const solve::Closure closure = solve::close_pose(machine_.mechanism, q, given);
-  if (closure.gap > 1e-9 * (1 + scales_.length)) {
+  // Newton's method closes what can be closed to some 1e-14 of the machine's length. What stays open by more than this
+  // part of it does not close; a part ten times larger would be what the check of constraints by geometry refuses.
+  if (closure.relative > 1e-9) {
     Mark mark = situation_.joints.empty() ? Mark{1, 1} : situation_.joints.front().mark;
     for (const Joint& joint : situation_.joints)
       if (closure.where.find("'" + joint.name + "'") != std::string::npos) mark = joint.mark;
@@ -361,6 +368,16 @@ SolvedInstant::Residuals SolvedInstant::check() const {
   if (impulse_moment_size > 0)
     residuals.impulse = std::max(residuals.impulse, impulse_moment_misfit / impulse_moment_size);
   residuals.particles = solve::check_with_particles(machine_.links, bodies, machine_.q, v_, a);
+  if (!mechanism.constraints.empty()) {
+    solve::ConstraintClaim claim{scales_.length, pace(), motion_.has_value(), {}};
+    if (before_) {
+      // What comes to rest in a blow is measured by the motion before it, and what gives way in the blow may part.
+      for (const BodyMotion<double>& motion : before_->workspace().motion)
+        claim.pace = std::max({claim.pace, norm(motion.w), norm(motion.v) / scales_.length});
+      for (const bool acts : blow_acting_) claim.lets_go.push_back(!acts);
+    }
+    residuals.constraints = solve::check_constraints(machine_.links, mechanism.constraints, claim, machine_.q, v_, a);
+  }
   return residuals;
 }
 

@@ -141,7 +141,8 @@ class SolvedInstant {
   // Compares the solution with one for particles; forces are included if they are solved.
   struct Residuals {
     solve::CheckResult particles;
-    double impulse = 0;  // momenta before + impulses - momenta after (Eq. 17.4), relative
+    double impulse = 0;                   // momenta before + impulses - momenta after (Eq. 17.4), relative
+    std::optional<double> constraints{};  // if there are any: by how much they are open or come apart, relative
   };
   Residuals check() const;
 

@@ -109,6 +109,7 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
         if (std::abs(gap) / newton.unit(c.kind) >= worst) {
           worst = std::abs(gap) / newton.unit(c.kind);
           result.gap = std::abs(gap);
+          result.relative = worst;
           result.where = c.words;
         }
         newton.add(c.kind, constraint_coefficients(state, c), gap);

@@ -12,8 +12,9 @@ namespace poinsot::solve {
 
 struct Closure {
   std::vector<double> q;
-  double gap = 0;     // the largest distance (m) or angle (rad) that is left
-  std::string where;  // the words of the constraint that it belongs to
+  double gap = 0;       // the largest distance (m) or angle (rad) that is left
+  double relative = 0;  // the same as a part of the mechanism's length, or of a radian
+  std::string where;    // the words of the constraint that it belongs to
 };
 
 // Starts from the drawn pose, in which everything is closed. The given coordinates (marked for each entry of q) move
