@@ -176,7 +176,7 @@ MotionState Course::end_of(std::size_t stage) {
 MotionState Course::at(double time) {
   const std::size_t stage = stage_at(time);
   StageRun& now = stages_[stage];
-  const auto beyond = [&] { return now.end && time > *now.end * (1 + 1e-12) + 1e-12; };
+  const auto beyond = [&] { return now.end && time > *now.end * (1 + 1e-12); };
   if (!beyond() && time > now.time) run(stage, time);
   if (beyond())
     throw UnansweredError(situation_.file, mark_of(stage), words_of(stage) + " ends before that time",

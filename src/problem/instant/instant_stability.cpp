@@ -44,7 +44,10 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   motion.q = machine_.q;
   motion.v = v_;
   motion.length = scales_.length;
-  motion.time = std::sqrt(scales_.length / std::max(norm(tree.gravity()), 1e-9));
+  // The weight sets the least pace that is looked at; without it that is some 1e-5 of the motion's own, below which a
+  // rate is lost in the rounding of the accelerations: their terms are of the size of its square.
+  constexpr double slowest = 3e-5;
+  motion.time = 1 / std::max(std::sqrt(norm(tree.gravity()) / scales_.length), slowest * pace());
   motion.held.assign(n, false);
   for (const StatedRate& rate : machine_.accelerations) motion.held[static_cast<std::size_t>(rate.velocity)] = true;
   for (int k : still_coordinates(machine_)) motion.held[static_cast<std::size_t>(k)] = true;

@@ -59,6 +59,16 @@ ExtremumSearch::ExtremumSearch(const Statement& statement, const Ask& ask, const
     }
 }
 
+double ExtremumSearch::natural_size(const Settings& settings) const {
+  OpenChoice choice = choice_;
+  choice.trial = true;
+  try {
+    return SolvedInstant(situation_, settings, When{}, choice).natural_size(dimension_);
+  } catch (const StatementError&) {
+    return 0;
+  }
+}
+
 // Data are positive unless they are angles or stated as signed.
 ExtremumSearch::Span ExtremumSearch::span() const {
   const std::string& name = ask_.extremum->name;
@@ -72,6 +82,12 @@ ExtremumSearch::Span ExtremumSearch::span() const {
   for (const Unknown& unknown : situation_.find)
     if (unknown.name == name) span.scale = unknown.unit.factor;
   const Settings& own = settings_[situation_of(statement_, ask_)];
+  // A unit is a natural size, unless the problem is of another order.
+  if (!is_pure(dimension_)) {
+    constexpr double far = 1e4;
+    const double natural = natural_size(own);
+    if (natural > far * span.scale || (natural > 0 && natural < span.scale / far)) span.scale = natural;
+  }
   for (const NamedExpression& item : situation_.given) {
     if (item.name != name) continue;
     DataScope<double> data(situation_, own);

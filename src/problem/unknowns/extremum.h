@@ -32,6 +32,8 @@ class ExtremumSearch {
     double lower = 0, upper = 0, scale = 1;
   };
   Span span() const;
+  // How large the datum is by nature in this problem, with the value that it has; 0 if that cannot be told.
+  double natural_size(const Settings& settings) const;
   // What the conditions come to at a value. Doubtful: the linearised equations do not decide about stability.
   // Refused: there is no such motion.
   enum class Truth { holds, fails, doubtful, refused };

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "problem/course/course.h"
+#include "problem/instant/instant_conditions.h"
 #include "problem/unknowns/unknown_ranges.h"
 
 namespace poinsot::problem {
@@ -14,6 +15,21 @@ std::vector<bool> facts_among(const solve::LinearSystem& system) {
   std::vector<bool> facts(system.equations());
   for (std::size_t i = 0; i < facts.size(); ++i) facts[i] = system.words(i).starts_with("'");
   return facts;
+}
+
+// The latest of the instants that are called by their time.
+std::optional<double> latest_time(const Situation& situation, SolvedInstant& instant) {
+  std::optional<double> latest;
+  for (const Instant& one : situation.instants) {
+    if (!is_later(situation, one) || one.found_when) continue;
+    try {
+      const double time = instant.data_number(parse_expression(one.name, situation.file, one.mark), dimensions::time);
+      if (time > latest.value_or(0)) latest = time;
+    } catch (const StatementError&) {
+      // Stages and their ends have names.
+    }
+  }
+  return latest;
 }
 
 }  // namespace
@@ -37,12 +53,31 @@ UnknownEquations::UnknownEquations(const Statement& statement, UnknownSystem sys
   // Natural sizes come from the problem, with each unknown at one unit.
   std::vector<double> natural(slots_.size(), 0.0);
   try {
-    std::vector<double> ones;
-    for (const UnknownSlot& slot : slots_) ones.push_back(slot.unknown.unit.factor);
-    put(ones, trial_);
-    const std::size_t first = situations.empty() ? 0 : situations.front();
-    SolvedInstant instant(statement_.situations[first], trial_[first], When{}, choice_);
-    for (std::size_t k = 0; k < slots_.size(); ++k) natural[k] = instant.natural_size(slots_[k].unknown.unit.dimension);
+    const auto natural_sizes = [&](double units) {
+      std::vector<double> values, sizes;
+      for (const UnknownSlot& slot : slots_) values.push_back(units * slot.unknown.unit.factor);
+      put(values, trial_);
+      const std::size_t first = situations.empty() ? 0 : situations.front();
+      SolvedInstant instant(statement_.situations[first], trial_[first], When{}, choice_);
+      const std::optional<double> time = latest_time(statement_.situations[first], instant);
+      for (const UnknownSlot& slot : slots_) {
+        const Dimension& dimension = slot.unknown.unit.dimension;
+        sizes.push_back(instant.natural_size(dimension));
+        // Where nothing moves or pulls at the start, the time until which something is asked sets the pace.
+        if (sizes.back() == 0 && dimension.time < 0 && time)
+          sizes.back() = natural_unit(instant.scales(), dimension) * std::pow(*time, dimension.time / 12.0);
+      }
+      return sizes;
+    };
+    natural = natural_sizes(1);
+    // An unknown as large as its unit may be what sets the size of all, as 1 kg m^2 does in a watch. With next to
+    // nothing in place of the unknowns the data alone set it; what then vanishes with the unknowns has no size by them.
+    constexpr double next_to_nothing = 1e-15, far = 1e4;
+    const std::vector<double> by_data = natural_sizes(next_to_nothing);
+    for (std::size_t k = 0; k < slots_.size(); ++k) {
+      const double unit = slots_[k].unknown.unit.factor;
+      if (by_data[k] > far * next_to_nothing * unit && by_data[k] < unit / far) natural[k] = by_data[k];
+    }
   } catch (const StatementError&) {
     // The problem makes no sense at these values, and units serve as natural sizes.
   }
