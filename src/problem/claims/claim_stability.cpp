@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
-#include "poinsot/engine/dynamics/convert_mechanism.h"
-#include "poinsot/engine/dynamics/equations_of_motion.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
+#include "poinsot/engine/solve/stability/near_equations.h"
 
 namespace poinsot::problem {
 namespace {
 
-using FormulaDual = Dual<1, Formula>;
-using Matrix = std::vector<std::vector<Formula>>;
+using Matrix = solve::Rows<Formula>;
 
 constexpr std::size_t most_freedoms = 5;
 constexpr std::size_t highest_power = 6;  // of the rate of growth in the characteristic polynomial
@@ -83,134 +82,90 @@ struct Linearised {
   std::vector<Formula> unrest;  // vanishes if the motion is steady
 };
 
-class FormulaLineariser {
- public:
-  explicit FormulaLineariser(const SteadyFormulas& motion)
-      : motion_(motion), tree_(motion.machine.mechanism.tree), n_(motion.v.size()) {
-    for (std::size_t k = 0; k < n_; ++k)
-      if (std::find(motion.held.begin(), motion.held.end(), static_cast<int>(k)) == motion.held.end())
-        free_.push_back(k);
+Vector3<Formula> center_of(const SpatialInertia<Formula>& I) {
+  return I.mass.is_zero() ? Vector3<Formula>::zero() : Vector3<Formula>(I.first_moment / I.mass);
+}
+
+// Whether a body's mass is symmetric about the axis through its mass center along w, so that its turning about it
+// changes nothing.
+bool looks_the_same(const SpatialInertia<Formula>& I, const Vector3<Formula>& w) {
+  if (w.x.is_zero() && w.y.is_zero() && w.z.is_zero()) return false;
+  if (I.mass.is_zero()) return true;
+  const Matrix3<Formula> central = as_matrix(I.inertia - I.mass * unit_mass_inertia(center_of(I)));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3<Formula> e = Vector3<Formula>::unit(k);
+    const Vector3<Formula> difference = central * cross(w, e) - cross(w, central * e);
+    if (!difference.x.is_zero() || !difference.y.is_zero() || !difference.z.is_zero()) return false;
   }
+  return true;
+}
 
-  std::size_t freedoms() const { return free_.size(); }
+// The spins of bodies on ball and free joints in the frame, about their mass centers, that nobody sees.
+std::vector<std::pair<int, SpatialMotion<Formula>>> unseen_spins(const SteadyFormulas& motion) {
+  const Model<Formula>& tree = motion.machine.mechanism.tree;
+  Workspace<Formula> workspace(tree);
+  update_velocities(tree, workspace, State<Formula>{motion.q, motion.v});
+  const Vector3<Formula> turning =
+      motion.frame == ground ? Vector3<Formula>::zero() : angular_velocity(workspace, motion.frame);
+  std::vector<std::pair<int, SpatialMotion<Formula>>> spins;
+  for (int i = 0; i < tree.body_count(); ++i) {
+    const auto& body = tree.body(i);
+    if (body.joint != JointType::ball && body.joint != JointType::free) continue;
+    const Vector3<Formula> own = direction_on_body(tree, workspace, i, angular_velocity(workspace, i) - turning);
+    if (looks_the_same(body.inertia, own)) spins.push_back({i, {own, cross(center_of(body.inertia), own)}});
+  }
+  return spins;
+}
 
-  Linearised linearised() {
-    Workspace<Formula> workspace(tree_);
-    update_velocities(tree_, workspace, State<Formula>{motion_.q, motion_.v});
-    Linearised result;
-    Matrix S = zeros(n_), D = zeros(n_);
-    for (int i = 0; i < tree_.body_count(); ++i) {
-      const auto& body = tree_.body(i);
-      if (body.joint != JointType::ball && body.joint != JointType::free) continue;
-      const auto first = static_cast<std::size_t>(body.v);
-      SpatialMotion<Formula> twist = SpatialMotion<Formula>::zero();
-      for (std::size_t k = 0; k < 3; ++k) {
-        twist.angular[k] = motion_.v[first + k];
-        if (body.joint == JointType::free) twist.linear[k] = motion_.v[first + 3 + k];
-      }
-      put_adjoint(D, first, body.joint, twist);
-      const Vector3<Formula> turning =
-          motion_.frame == ground ? Vector3<Formula>::zero() : angular_velocity(workspace, motion_.frame);
-      const Vector3<Formula> own = direction_on_body(tree_, workspace, i, angular_velocity(workspace, i) - turning);
-      if (looks_the_same(body.inertia, own)) put_adjoint(S, first, body.joint, about_center(body.inertia, own));
+std::vector<std::size_t> free_coordinates(const SteadyFormulas& motion) {
+  std::vector<std::size_t> free;
+  for (std::size_t k = 0; k < motion.v.size(); ++k)
+    if (std::find(motion.held.begin(), motion.held.end(), static_cast<int>(k)) == motion.held.end()) free.push_back(k);
+  return free;
+}
+
+Linearised linearised(const SteadyFormulas& motion, const std::vector<std::size_t>& free) {
+  const Mechanism<Formula>& mechanism = motion.machine.mechanism;
+  const Matrix S = solve::adjoint_rows(mechanism.tree, unseen_spins(motion));
+  const Matrix D = solve::adjoint_rows(mechanism.tree, solve::own_twists(mechanism.tree, motion.v));
+  // The accelerations of the steady motion: v is constant on axes that follow the frame and not the spin.
+  const std::size_t n = motion.v.size();
+  std::vector<Formula> a(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k) a[i] -= S[i][k] * motion.v[k];
+  for (const auto& rate : motion.machine.accelerations) a[static_cast<std::size_t>(rate.velocity)] = rate.value;
+
+  // How M a + h - Q varies, which is zero along the motion.
+  Linearised result;
+  const State<Formula> state{motion.q, motion.v};
+  const std::vector<Formula> left = solve::remainder_of(mechanism, state, a, {}).forces;
+  for (const std::size_t i : free) result.unrest.push_back(left[i]);
+  const solve::RemainderSlopes<Formula> slopes(mechanism, state, a, {});
+  Matrix by_position = zeros(n), by_velocity = zeros(n);
+  for (const std::size_t k : free) {
+    const std::vector<Formula> moved = slopes.by_position(k).forces, hastened = slopes.by_velocity(k).forces;
+    for (const std::size_t i : free) {
+      by_position[i][k] = moved[i];
+      by_velocity[i][k] = hastened[i];
     }
-    // The accelerations of the steady motion: v is constant on axes that follow the frame and not the spin.
-    std::vector<Formula> a(n_);
-    for (std::size_t i = 0; i < n_; ++i)
-      for (std::size_t k = 0; k < n_; ++k) a[i] -= S[i][k] * motion_.v[k];
-    for (const auto& rate : motion_.machine.accelerations) a[static_cast<std::size_t>(rate.velocity)] = rate.value;
-
-    // Derivatives of the misfit F - M a of the equations of motion by positions and velocities.
-    Matrix by_position = zeros(n_), by_velocity = zeros(n_);
-    const EquationsOfMotion<Formula> here =
-        equations_of_motion(motion_.machine.mechanism, State<Formula>{motion_.q, motion_.v});
-    for (const std::size_t i : free_) {
-      Formula left = here.right_side[i];
-      for (std::size_t k = 0; k < n_; ++k) left -= here.mass[i * n_ + k] * a[k];
-      result.unrest.push_back(left);
-    }
-    const Mechanism<FormulaDual> mechanism =
-        convert_mechanism<FormulaDual>(motion_.machine.mechanism, [](const Formula& x) { return FormulaDual(x); });
-    for (const std::size_t k : free_)
-      for (const bool position : {true, false}) {
-        std::vector<Formula> along(n_), rate(motion_.q.size());
-        along[k] = Formula(1);
-        position_rate<Formula>(tree_, motion_.q, along, rate);
-        State<FormulaDual> state;
-        for (std::size_t i = 0; i < motion_.q.size(); ++i)
-          state.q.push_back(moved(motion_.q[i], position ? rate[i] : Formula(0)));
-        for (std::size_t i = 0; i < n_; ++i) state.v.push_back(moved(motion_.v[i], position ? Formula(0) : along[i]));
-        const EquationsOfMotion<FormulaDual> near = equations_of_motion(mechanism, state);
-        for (const std::size_t i : free_) {
-          Formula change = near.right_side[i].partial[0];
-          for (std::size_t j = 0; j < n_; ++j) change -= near.mass[i * n_ + j].partial[0] * a[j];
-          (position ? by_position : by_velocity)[i][k] = change;
-        }
-      }
-    // With y = (l - S + D) x the deviations of the velocities, l y = A_q x + (A_v + S) y. This is multiplied by M.
-    Matrix mass = zeros(n_);
-    for (std::size_t i = 0; i < n_; ++i)
-      for (std::size_t k = 0; k < n_; ++k) mass[i][k] = here.mass[i * n_ + k];
-    const Matrix spin = of_free(S), drift = of_free(sum(D, S, -1));
-    const Matrix M = of_free(mass), Fv = of_free(by_velocity), Fq = of_free(by_position);
-    result.M = M;
-    result.C = sum(product(M, sum(drift, spin, -1)), Fv, -1);
-    result.K = sum(sum(zeros(M.size()), product(product(M, spin), drift), -1), sum(product(Fv, drift), Fq), -1);
-    result.follows_spin = !vanishes(spin) || !vanishes(drift);
-    return result;
   }
-
- private:
-  static FormulaDual moved(const Formula& value, const Formula& change) {
-    FormulaDual x(value);
-    x.partial[0] = change;
-    return x;
-  }
-  static Vector3<Formula> center_of(const SpatialInertia<Formula>& I) {
-    return I.mass.is_zero() ? Vector3<Formula>::zero() : Vector3<Formula>(I.first_moment / I.mass);
-  }
-  static SpatialMotion<Formula> about_center(const SpatialInertia<Formula>& I, const Vector3<Formula>& w) {
-    return {w, cross(center_of(I), w)};
-  }
-  // Whether a body's mass is symmetric about the axis through its mass center along w, so that its turning about it
-  // changes nothing.
-  static bool looks_the_same(const SpatialInertia<Formula>& I, const Vector3<Formula>& w) {
-    if (w.x.is_zero() && w.y.is_zero() && w.z.is_zero()) return false;
-    if (I.mass.is_zero()) return true;
-    const Matrix3<Formula> central = as_matrix(I.inertia - I.mass * unit_mass_inertia(center_of(I)));
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector3<Formula> e = Vector3<Formula>::unit(k);
-      const Vector3<Formula> difference = central * cross(w, e) - cross(w, central * e);
-      if (!difference.x.is_zero() || !difference.y.is_zero() || !difference.z.is_zero()) return false;
-    }
-    return true;
-  }
-  static void put_adjoint(Matrix& A, std::size_t at, JointType joint, const SpatialMotion<Formula>& twist) {
-    const auto put = [&](std::size_t row, std::size_t column, const Vector3<Formula>& w) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vector3<Formula> turned = cross(w, Vector3<Formula>::unit(k));
-        for (std::size_t i = 0; i < 3; ++i) A[at + row + i][at + column + k] = turned[i];
-      }
-    };
-    put(0, 0, twist.angular);
-    if (joint != JointType::free) return;
-    put(3, 0, twist.linear);
-    put(3, 3, twist.angular);
-  }
-  Matrix of_free(const Matrix& A) const {
+  const auto of_free = [&](const Matrix& A) {
     Matrix part;
-    for (const std::size_t i : free_) {
+    for (const std::size_t i : free) {
       part.emplace_back();
-      for (const std::size_t k : free_) part.back().push_back(A[i][k]);
+      for (const std::size_t k : free) part.back().push_back(A[i][k]);
     }
     return part;
-  }
-
-  const SteadyFormulas& motion_;
-  const Model<Formula>& tree_;
-  std::size_t n_;
-  std::vector<std::size_t> free_;
-};
+  };
+  // With y = (l - S + D) x the deviations of the velocities, M (l - S) y + r_v y + r_q x = 0.
+  const Matrix spin = of_free(S), drift = of_free(sum(D, S, -1));
+  const Matrix M = of_free(solve::mass_rows(mechanism.tree, motion.q)), Rv = of_free(by_velocity);
+  result.M = M;
+  result.C = sum(product(M, sum(drift, spin, -1)), Rv);
+  result.K = sum(sum(product(Rv, drift), product(product(M, spin), drift), -1), of_free(by_position));
+  result.follows_spin = !vanishes(spin) || !vanishes(drift);
+  return result;
+}
 
 // The coefficients of det(M l^2 + C l + K) in ascending powers of l.
 std::vector<Formula> characteristic_polynomial(const Linearised& near) {
@@ -362,9 +317,9 @@ bool proves_stability(const SteadyFormulas& motion, const WorkedAssumptions& ass
                       std::optional<StabilityShown>* shown) {
   const Mechanism<Formula>& mechanism = motion.machine.mechanism;
   if (!mechanism.constraints.empty() || !assumptions.complete()) return false;
-  FormulaLineariser lineariser(motion);
-  if (lineariser.freedoms() > most_freedoms) return false;
-  const Linearised near = lineariser.linearised();
+  const std::vector<std::size_t> free = free_coordinates(motion);
+  if (free.size() > most_freedoms) return false;
+  const Linearised near = linearised(motion, free);
   if (!std::all_of(near.unrest.begin(), near.unrest.end(), [&](const Formula& unrest) {
         return assumptions.proves({unrest, Formula(0), Relation::equal});
       }))

@@ -5,7 +5,6 @@
 
 #include "poinsot/engine/mass/principal_axes.h"
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
-#include "poinsot/engine/solve/instant/closure.h"
 #include "problem/instant/instant.h"
 #include "problem/instant/open_words.h"
 #include "problem/language/diagnostic.h"
@@ -40,7 +39,6 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   const int frame = situation_.steady ? machine_.index.at(situation_.steady->frame) : ground;
   const Vector turning = angular_velocity(w, frame);
   solve::SteadyMotion motion;
-  motion.tree = &tree;
   motion.q = machine_.q;
   motion.v = v_;
   motion.length = scales_.length;
@@ -81,16 +79,10 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
                             "stability is told for contacts of round bodies on planes across the axis of the frame");
     constraint.carried_by.reset();
   }
-  solve::MechanismState state(mechanism);
-  const auto place = [&](const std::vector<double>& q) {
-    state.set_positions(q);
-    solve::update_contacts(mechanism, state);
-  };
   std::vector<int> held;
   for (std::size_t k = 0; k < n; ++k)
     if (motion.held[k]) held.push_back(static_cast<int>(k));
   MechanismDynamics dynamics(mechanism, held);
-  for (const StatedRate& rate : machine_.accelerations) dynamics.set_held_acceleration(rate.velocity, rate.value);
   for (const OpenCoordinate& open : dynamics.open_coordinates(machine_.q))
     throw UnansweredError(
         situation_.file, mark,
@@ -98,27 +90,12 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
             with_article(machine_.mechanism.coordinate_names[static_cast<std::size_t>(open.coordinate)]) +
             (open.without_inertia ? ", which moves no mass" : ""),
         "say what holds or drives it");
-  motion.accelerations = [&](const std::vector<double>& q,
-                             const std::vector<double>& v) -> std::optional<std::vector<double>> {
-    std::vector<double> a(n);
-    dynamics.accelerations(q, v, a);
-    for (double each : a)
-      if (!std::isfinite(each)) return std::nullopt;
-    return a;
-  };
-  std::vector<std::size_t> order;
-  for (const bool positions : {true, false})
-    for (std::size_t i = 0; i < mechanism.constraints.size(); ++i)
-      if (solve::binds_positions(mechanism.constraints[i]) == positions) {
-        order.push_back(i);
-        motion.position_constraints += positions;
-      }
-  motion.constraints = [&](const std::vector<double>& q) {
-    place(q);
-    std::vector<std::vector<double>> rows;
-    for (std::size_t i : order) rows.push_back(solve::constraint_coefficients(state, mechanism.constraints[i]));
-    return rows;
-  };
+  motion.mechanism = &mechanism;
+  motion.given.resize(n);
+  for (std::size_t k = 0; k < n; ++k)
+    if (dynamics.is_held(static_cast<int>(k))) motion.given[k] = 0;
+  for (const StatedRate& rate : machine_.accelerations)
+    motion.given[static_cast<std::size_t>(rate.velocity)] = rate.value;
 
   // The spin of each body on a ball or free joint, on the body's axes, as a twist about its mass center.
   const auto about = [](const Vector& angular, const Vector& c) { return Twist{angular, cross(c, angular)}; };

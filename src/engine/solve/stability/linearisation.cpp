@@ -2,38 +2,28 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
+#include "engine/solve/stability/acceleration_slopes.h"
 #include "engine/solve/stability/doubted_rates.h"
 #include "engine/solve/stability/same_motion.h"
-#include "poinsot/engine/dynamics/kinematics.h"
+#include "poinsot/engine/solve/stability/near_equations.h"
 
 namespace poinsot::solve {
 namespace {
 
 using Index = Eigen::Index;
-using VectorXd = Eigen::VectorXd;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // An oscillation is called stable only if its rate is known to this part of itself: the growth is hidden in the error
 // else.
 constexpr double decisive = 1e-7;
 
-// The adjoint of a twist, which gives the rate of a deviation's components on axes that move with the twist.
-Eigen::Matrix<double, 6, 6> adjoint(const SpatialMotion<double>& twist) {
-  const auto tilde = [](const Vector3<double>& a) {
-    Eigen::Matrix3d m;
-    m << 0, -a.z, a.y, a.z, 0, -a.x, -a.y, a.x, 0;
-    return m;
-  };
-  Eigen::Matrix<double, 6, 6> ad = Eigen::Matrix<double, 6, 6>::Zero();
-  ad.topLeftCorner<3, 3>() = tilde(twist.angular);
-  ad.bottomLeftCorner<3, 3>() = tilde(twist.linear);
-  ad.bottomRightCorner<3, 3>() = tilde(twist.angular);
-  return ad;
+Matrix matrix(const Rows<double>& rows) {
+  const auto n = static_cast<Index>(rows.size());
+  return Matrix::NullaryExpr(
+      n, n, [&](Index i, Index k) { return Real(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]); });
 }
 
 bool vanishes(const Mode& mode) { return !(std::hypot(mode.growth_rate, mode.frequency) > mode.doubt); }
@@ -45,47 +35,30 @@ bool is_doubtful(const Mode& mode) {
 class Lineariser {
  public:
   explicit Lineariser(const SteadyMotion& motion)
-      : motion_(motion), tree_(*motion.tree), n_(static_cast<Index>(motion.v.size())) {}
+      : motion_(motion),
+        tree_(motion.mechanism->tree),
+        slopes_(acceleration_slopes(motion)),
+        n_(static_cast<Index>(motion.v.size())) {}
 
   Linearisation linearise() {
     Linearisation result;
-    const VectorXd a = accelerations(motion_.q, motion_.v);
     // The state is described on axes that follow the frame and not the spin: there the velocities of a steady motion
     // are constant, and deviations obey equations with constant coefficients.
-    Eigen::MatrixXd spin = Eigen::MatrixXd::Zero(n_, n_), drift = Eigen::MatrixXd::Zero(n_, n_);
-    for (int i = 0; i < tree_.body_count(); ++i) {
-      const auto& body = tree_.body(i);
-      if (body.joint != JointType::ball && body.joint != JointType::free) continue;
-      const Index size = velocity_size(body.joint);
-      SpatialMotion<double> twist = SpatialMotion<double>::zero();
-      for (std::size_t k = 0; k < 3; ++k) {
-        twist.angular[k] = motion_.v[static_cast<std::size_t>(body.v) + k];
-        if (size == 6) twist.linear[k] = motion_.v[static_cast<std::size_t>(body.v) + 3 + k];
-      }
-      drift.block(body.v, body.v, size, size) = adjoint(twist).topLeftCorner(size, size);
-      for (const auto& [spinning, own] : motion_.spins)
-        if (spinning == i) spin.block(body.v, body.v, size, size) = adjoint(own).topLeftCorner(size, size);
-    }
+    const auto twists = own_twists(tree_, motion_.v);
+    const Matrix spin = matrix(adjoint_rows(tree_, motion_.spins)), drift = matrix(adjoint_rows(tree_, twists));
     result.pace = std::max(pace(), 1e-300);
 
     Doubted A{Matrix::Zero(2 * n_, 2 * n_), Matrix::Zero(2 * n_, 2 * n_)};
-    A.value.topLeftCorner(n_, n_) = (spin - drift).cast<Real>();
+    A.value.topLeftCorner(n_, n_) = spin - drift;
     A.value.topRightCorner(n_, n_).setIdentity();
-    const auto put = [&](Index column, const Slope& slope, Real length) {
-      A.value.col(column).tail(n_) = slope.value.cast<Real>() / length;
-      A.doubt.col(column).tail(n_) = slope.doubt.cast<Real>() / length;
-    };
-    for (Index k = 0; k < n_; ++k) {
-      put(k, slope([&](double h) { return accelerations(displaced(k, h), motion_.v); }, 2e-3), unit(k));
-      put(n_ + k, slope([&](double h) { return accelerations(motion_.q, hastened(k, h)); }, 2e-3 * result.pace),
-          unit(k));
-    }
-    const std::optional<double> unrest = unrest_of(a, spin, A.value, result.pace);
+    for (const auto part : {&Doubted::value, &Doubted::doubt})
+      (A.*part).bottomRows(n_) << slopes_.by_position.*part, slopes_.by_velocity.*part;
+    const std::optional<double> unrest = unrest_of(spin, A.value, result.pace);
     if (!unrest) {
       result.steady = false;
       return result;
     }
-    A.value.bottomRightCorner(n_, n_) += spin.cast<Real>();
+    A.value.bottomRightCorner(n_, n_) += spin;
     A.doubt += 4 * epsilon * A.value.cwiseAbs();
     // From here on deviations are in natural units, and rates are parts of the pace.
     Vector scale(2 * n_);
@@ -130,9 +103,10 @@ class Lineariser {
       Mode mode;
       mode.growth_rate = static_cast<double>(rate.real() * Real(result.pace));
       mode.frequency = static_cast<double>(rate.imag() * Real(result.pace));
-      // The doubts of the entries are estimated from a few differences only: the factor is a margin for that.
+      // Two rates that nearly meet may be off by twice what first order says, and most numbers of a mechanism were
+      // rounded more than once before they came here.
       mode.doubt = 4 * rates.doubt[m] * result.pace;
-      const VectorXd moved = (basis * rates.motion.col(m).normalized()).cwiseAbs().cast<double>();
+      const Eigen::VectorXd moved = (basis * rates.motion.col(m).normalized()).cwiseAbs().cast<double>();
       for (int i = 0; i < tree_.body_count(); ++i) mode.moves.push_back(moves(i, moved));
       result.modes.push_back(std::move(mode));
     }
@@ -172,95 +146,19 @@ class Lineariser {
       fastest = std::max(fastest, std::abs(motion_.v[static_cast<std::size_t>(k)]) / unit(k));
     return fastest;
   }
-  VectorXd accelerations(const std::vector<double>& q, const std::vector<double>& v) const {
-    const auto a = motion_.accelerations(q, v);
-    if (!a) throw std::runtime_error("the accelerations near the steady motion are not determined");
-    return Eigen::Map<const VectorXd>(a->data(), n_);
-  }
-  std::vector<double> displaced(Index k, double h) const {
-    std::vector<double> q = motion_.q, along(static_cast<std::size_t>(n_), 0.0);
-    along[static_cast<std::size_t>(k)] = unit(k);
-    integrate_position<double>(tree_, q, along, h);
-    return q;
-  }
-  std::vector<double> hastened(Index k, double h) const {
-    std::vector<double> v = motion_.v;
-    v[static_cast<std::size_t>(k)] += h * unit(k);
-    return v;
-  }
-  // The derivative at zero by differences of sixth order, and an error estimate from differences with other steps.
-  // Where a displacement by h leads far away (a disk that lies nearly flat passes through the floor), shorter steps
-  // are taken. Where the function is quadratic, as accelerations are in the velocities, the slopes over the three
-  // steps agree but for rounding, and one difference is enough.
-  struct Slope {
-    VectorXd value, doubt;
-    bool of_quadratic = false;  // then shorter steps would only increase the rounding
-  };
-  template <class Function>
-  static Slope slope(Function&& f, double h) {
-    constexpr double closely = 1e-8, shorter = 1.0 / 16;
-    Slope found = slope_by(f, h);
-    for (int i = 0; i < 3 && !found.of_quadratic && !(found.doubt.norm() <= closely * found.value.norm()); ++i) {
-      h *= shorter;
-      Slope other = slope_by(f, h);
-      if (!(other.doubt.norm() < found.doubt.norm())) break;
-      found = std::move(other);
-    }
-    return found;
-  }
-  template <class Function>
-  static Slope slope_by(Function&& f, double h) {
-    // The steps are no multiples of each other: those would round alike and agree by chance.
-    constexpr std::array<double, 3> ratios{1, 1.618, 2.718};
-    VectorXd sizes = VectorXd::Zero(0);  // the sizes of the values that cancel in a difference
-    const auto slopes_over = [&](double step) {
-      std::array<VectorXd, 3> slopes;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double far = ratios[k] * step;
-        const VectorXd after = f(far), before = f(-far);
-        const VectorXd largest = after.cwiseAbs().cwiseMax(before.cwiseAbs());
-        sizes = sizes.size() == 0 ? largest : VectorXd(sizes.cwiseMax(largest));
-        slopes[k] = (after - before) / (2 * far);
-      }
-      return slopes;
-    };
-    // The combination of the three slopes in which the terms of third and fifth order cancel.
-    const auto sixth_order = [&](const std::array<VectorXd, 3>& slopes) -> VectorXd {
-      VectorXd sum = VectorXd::Zero(slopes[0].size());
-      for (std::size_t i = 0; i < 3; ++i) {
-        double weight = 1;
-        for (std::size_t k = 0; k < 3; ++k)
-          if (k != i) weight *= ratios[k] * ratios[k] / (ratios[k] * ratios[k] - ratios[i] * ratios[i]);
-        sum += weight * slopes[i];
-      }
-      return sum;
-    };
-    const auto spread = [](const std::array<VectorXd, 3>& d) -> VectorXd {
-      return d[0].cwiseMax(d[1]).cwiseMax(d[2]) - d[0].cwiseMin(d[1]).cwiseMin(d[2]);
-    };
-    const std::array<VectorXd, 3> slopes = slopes_over(h);
-    const VectorXd apart = spread(slopes), noise = epsilon / h * sizes;
-    // Solving for accelerations leaves some tens of times the rounding of the values. The longest step has the least
-    // of it; a cubic term would add less than twice what the slopes are apart.
-    if ((apart.array() <= 64 * noise.array()).all()) return {slopes[2], (2 * apart).cwiseMax(noise), true};
-    const std::array<VectorXd, 3> all{sixth_order(slopes), sixth_order(slopes_over(0.7 * h)),
-                                      sixth_order(slopes_over(1.3 * h))};
-    return {(all[0] + all[1] + all[2]) / 3, spread(all)};
-  }
-
   // The largest change of a velocity in natural units, as a part of the pace; nothing if it exceeds what the errors
   // of the pose and the velocities explain: then the motion is not steady. A: the matrix before the spin is added.
-  std::optional<double> unrest_of(const VectorXd& a, const Eigen::MatrixXd& spin, const Matrix& A, double pace) const {
+  std::optional<double> unrest_of(const Matrix& spin, const Matrix& A, double pace) const {
     constexpr double closely = 1e-7;
-    const Eigen::Map<const VectorXd> v(motion_.v.data(), n_);
-    const VectorXd change = a + spin * v;
-    const VectorXd turned = spin.cwiseAbs() * v.cwiseAbs();
+    const Vector v = Eigen::Map<const Eigen::VectorXd>(motion_.v.data(), n_).cast<Real>();
+    const Eigen::VectorXd change = (slopes_.a + spin * v).cast<double>();
+    const Eigen::VectorXd turned = (spin.cwiseAbs() * v.cwiseAbs()).cast<double>();
     double largest = 0;
     for (Index k = 0; k < n_; ++k) {
       double terms = turned[k] + unit(k) / (motion_.time * motion_.time);
       for (Index j = 0; j < n_; ++j)
         terms += std::abs(static_cast<double>(A(n_ + k, j))) * unit(j) +
-                 std::abs(static_cast<double>(A(n_ + k, n_ + j)) * v[j]);
+                 std::abs(static_cast<double>(A(n_ + k, n_ + j) * v[j]));
       if (std::abs(change[k]) > closely * terms + 64 * epsilon * unit(k) * pace * pace) return std::nullopt;
       largest = std::max(largest, std::abs(change[k]) / unit(k) / (pace * pace));
     }
@@ -280,42 +178,25 @@ class Lineariser {
           rows.push_back(row);
           doubts.push_back(0);
         }
-    const auto J = motion_.constraints(motion_.q);
-    // The derivative of J v along each coordinate, J the rates of the constraints.
-    const auto rates = [&](const std::vector<double>& q) {
-      const auto there = motion_.constraints(q);
-      VectorXd result(static_cast<Index>(there.size()));
-      for (std::size_t i = 0; i < there.size(); ++i) {
-        double sum = 0;
-        for (std::size_t k = 0; k < motion_.v.size(); ++k) sum += there[i][k] * motion_.v[k];
-        result[static_cast<Index>(i)] = sum;
-      }
-      return result;
-    };
-    Matrix bias(static_cast<Index>(J.size()), n_), bias_doubt = bias;
-    if (!J.empty())
-      for (Index k = 0; k < n_; ++k) {
-        const Slope found = slope([&](double h) { return rates(displaced(k, h)); }, 2e-3);
-        bias.col(k) = found.value.cast<Real>() / unit(k);
-        bias_doubt.col(k) = found.doubt.cast<Real>() / unit(k);
-      }
-    const auto add = [&](const Vector& row, Real doubt) {
+    const auto add = [&](const Vector& row, const Vector& off) {
       const Vector scaled = row.cwiseProduct(scale);
-      const Real size = scaled.norm();
-      if (!(size > 0)) return;
+      const Real size = scaled.norm(), doubt = off.cwiseProduct(scale).norm();
+      // Of a constraint that binds nothing only rounding is left.
+      if (!(size > computed * doubt)) return;
       mark(coupled, scaled, 8 * epsilon + doubt / size);
       rows.push_back(scaled / size);
       doubts.push_back(doubt / size);
     };
-    for (std::size_t i = 0; i < J.size(); ++i) {
-      const auto at = static_cast<Index>(i);
-      const Vector coefficients = Eigen::Map<const VectorXd>(J[i].data(), n_).cast<Real>();
-      Vector row = Vector::Zero(2 * n_);
-      row.head(n_) = coefficients;
-      if (i < motion_.position_constraints) add(row, 0);
-      row.head(n_) = bias.row(at).transpose();
-      row.tail(n_) = coefficients;
-      add(row, bias_doubt.row(at).transpose().cwiseProduct(scale.head(n_)).norm());
+    const Matrix none = Matrix::Zero(slopes_.constraints.value.rows(), n_);
+    const auto both = [&](Index i, const Doubted& of_positions, const Doubted& of_velocities) {
+      Vector row(2 * n_), off(2 * n_);
+      row << of_positions.value.row(i).transpose(), of_velocities.value.row(i).transpose();
+      off << of_positions.doubt.row(i).transpose(), of_velocities.doubt.row(i).transpose();
+      add(row, off);
+    };
+    for (Index i = 0; i < slopes_.constraints.value.rows(); ++i) {
+      if (slopes_.binds_positions[static_cast<std::size_t>(i)]) both(i, slopes_.constraints, {none, none});
+      both(i, slopes_.rates_by_position, slopes_.constraints);
     }
     const auto count = static_cast<Index>(rows.size());
     DeviationRows all{Matrix(count, 2 * n_), Eigen::Map<const Vector>(doubts.data(), count)};
@@ -339,7 +220,7 @@ class Lineariser {
   std::vector<Vector> displacements(const Vector& scale) const {
     std::vector<Vector> all;
     for (const std::vector<double>& stated : motion_.symmetries) {
-      const Vector x = Eigen::Map<const VectorXd>(stated.data(), 2 * n_).cast<Real>().cwiseQuotient(scale);
+      const Vector x = Eigen::Map<const Eigen::VectorXd>(stated.data(), 2 * n_).cast<Real>().cwiseQuotient(scale);
       if (x.norm() > 0) all.push_back(x.normalized());
     }
     return all;
@@ -354,8 +235,8 @@ class Lineariser {
     }
   }
 
-  // A body takes part in a mode if one of its coordinates does, or one of a body that carries it.
-  bool moves(int body, const VectorXd& size) const {
+  // A body moves in a mode if a coordinate of it or of a body that it hangs on does.
+  bool moves(int body, const Eigen::VectorXd& size) const {
     for (int i = body; i != ground; i = tree_.body(i).parent)
       for (int k = tree_.body(i).v; k < tree_.body(i).v + velocity_size(tree_.body(i).joint); ++k)
         if (size[k] > 1e-7 || size[n_ + k] > 1e-7) return true;
@@ -364,6 +245,7 @@ class Lineariser {
 
   const SteadyMotion& motion_;
   const Model<double>& tree_;
+  AccelerationSlopes slopes_;
   Index n_;
 };
 

@@ -6,33 +6,27 @@
 #pragma once
 
 #include <complex>
-#include <functional>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
-#include "poinsot/engine/model/model.h"
+#include "poinsot/engine/dynamics/mechanism.h"
 
 namespace poinsot::solve {
 
 // The system near a steady motion. Deviations of coordinates are measured like velocities: for ball and free joints
 // on the body's own axes.
 struct SteadyMotion {
-  const Model<double>* tree = nullptr;
+  const Mechanism<double>* mechanism = nullptr;  // contacts move over its bodies: none is carried
   std::vector<double> q, v;
   std::vector<bool> held;  // for each velocity coordinate, whether its motion is given, so that it does not deviate
+  std::vector<std::optional<double>> given;  // the accelerations that do not follow from forces
   // For bodies on ball or free joints that spin: the twist of the spin on the body's axes, about its axis of
   // symmetry.
   std::vector<std::pair<int, SpatialMotion<double>>> spins;
   // Displacements after which the motion is the same (a turn about the vertical or of a body about its axis of
   // symmetry, a shift in the absence of gravity): deviations of the coordinates, followed by those of the velocities.
   std::vector<std::vector<double>> symmetries;
-  // The accelerations of the coordinates in any state nearby; nothing if they are not determined.
-  std::function<std::optional<std::vector<double>>(const std::vector<double>& q, const std::vector<double>& v)>
-      accelerations;
-  // The rows of the constraints on velocities, J, of which the first position_constraints also constrain positions.
-  std::function<std::vector<std::vector<double>>(const std::vector<double>& q)> constraints;
-  std::size_t position_constraints = 0;
   double length = 1, time = 1;  // natural sizes
 };
 
