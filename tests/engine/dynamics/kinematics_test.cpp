@@ -53,6 +53,12 @@ TEST(Kinematics, poses_and_velocities_agree_with_the_statement_read_anew) {
       const Eigen::Vector3d velocity = body.v + body.w.cross(body.R * testing::eigen(point));
       ASSERT_LT((testing::eigen(point_velocity(model, workspace, i, point)) - velocity).norm(),
                 1e-11 * (1.0 + velocity.norm()));
+      // A force has the same power as its wrench on the body's axes about the body's origin.
+      const Vector3<double> force = random.vector();
+      const SpatialForce<double> wrench = wrench_of_force(model, workspace, i, point, force);
+      const Eigen::Vector3d w_B = body.R.transpose() * body.w, v_B = body.R.transpose() * body.v;
+      const double power = testing::eigen(wrench.moment).dot(w_B) + testing::eigen(wrench.force).dot(v_B);
+      ASSERT_NEAR(power, testing::eigen(force).dot(velocity), 1e-11 * (1.0 + velocity.norm()));
       const Vector3<double> direction = random.direction();
       const Vector3<double> back =
           direction_on_body(model, workspace, i, direction_on_ground(model, workspace, i, direction));
