@@ -6,6 +6,7 @@
 
 #include "problem/answers/fact_check.h"
 #include "problem/claims/claim_letters.h"
+#include "problem/language/expression_walk.h"
 #include "problem/quantities/quantity_functions.h"
 
 namespace poinsot::problem {

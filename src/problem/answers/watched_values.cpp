@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "problem/language/expression_walk.h"
+
 namespace poinsot::problem {
 namespace {
 
@@ -13,17 +15,24 @@ class Watch {
   }
   std::vector<Expression> deciding;
 
-  void operator()(const Comparison& comparison) {
-    const bool identity = std::all_of(comparison.relations.begin(), comparison.relations.end(),
-                                      [](Relation relation) { return relation == Relation::equal; });
-    for (const Expression& operand : comparison.operands) {
-      if (!identity) deciding.push_back(operand);
-      look_at(operand);
-    }
+ private:
+  void look_at(const Expression& expression) {
+    const Call* call = expression.as<Call>();
+    if (call && is_motion_feature(*call)) return;
+    if (call) note(*call);
+    if (const Comparison* comparison = expression.as<Comparison>()) note(*comparison);
+    if (const Name* name = expression.as<Name>()) look_behind(*name);
+    const std::size_t before = deciding.size();
+    for_each_child(expression, [&](const Expression& part) { look_at(part); });
+    if (const At* at = expression.as<At>()) move_from(before, *at);
   }
-  void operator()(const Call& call) {
+  // What is compared decides, but for an identity.
+  void note(const Comparison& comparison) {
+    if (std::ranges::any_of(comparison.relations, [](Relation relation) { return relation != Relation::equal; }))
+      deciding.insert(deciding.end(), comparison.operands.begin(), comparison.operands.end());
+  }
+  void note(const Call& call) {
     const std::string_view f = call.function;
-    if (is_motion_feature(call)) return;
     if (f == "min" || f == "max") {
       for (const Argument& argument : call.arguments)
         if (const List* list = argument.value.as<List>())
@@ -39,38 +48,21 @@ class Watch {
       for (const Contact& contact : situation_.contacts)
         if (to_string(call.arguments.front().value) == contact.name)
           add("force(" + contact.name + " on " + contact.of + ")", call.arguments.front().value.mark());
-    for (const Argument& argument : call.arguments) look_at(argument.value);
   }
-  void operator()(const Name& name) {
+  void look_behind(const Name& name) {
     if (name.primes > 0 || ++depth_ > 200) return;
     for (const NamedExpression& item : situation_.define)
       if (item.name == name.name) look_at(item.value);
   }
-  void operator()(const Member& member) { look_at(member.object); }
-  void operator()(const Unary& unary) { look_at(unary.operand); }
-  void operator()(const Binary& binary) {
-    look_at(binary.left);
-    look_at(binary.right);
-  }
-  void operator()(const List& list) {
-    for (const Expression& item : list.items) look_at(item);
-  }
   // What is asked at another instant is decided by values at that instant.
-  void operator()(const At& at) {
-    const std::size_t before = deciding.size();
-    look_at(at.expression);
-    for (std::size_t k = before; k < deciding.size(); ++k) {
+  void move_from(std::size_t first, const At& at) {
+    for (std::size_t k = first; k < deciding.size(); ++k) {
       At moved = at;
       moved.expression = deciding[k];
       const Mark mark = deciding[k].mark();
-      deciding[k] = Expression{std::make_shared<const Node>(Node{std::move(moved), mark, deciding[k]->height + 1})};
+      deciding[k] = built(std::move(moved), mark);
     }
   }
-  template <class Other>
-  void operator()(const Other&) {}
-
- private:
-  void look_at(const Expression& expression) { std::visit(*this, expression->content); }
   void add(const std::string& text, const Mark& mark) {
     deciding.push_back(parse_expression(text, situation_.file, mark));
   }

@@ -7,6 +7,7 @@
 #include "problem/claims/claim_letters.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
 
 namespace poinsot::problem {
 

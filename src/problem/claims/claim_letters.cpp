@@ -6,6 +6,7 @@
 
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
 
 namespace poinsot::problem {
 namespace {
@@ -34,7 +35,7 @@ class AnyReplacer {
   }
   Expression letter(const std::string& name, const Dimension& dimension, const Mark& mark, bool either_sign) {
     situation_.letters.push_back({name, si_unit(dimension), mark, either_sign});
-    return {std::make_shared<const Node>(Node{Name{name, 0}, mark, 1})};
+    return built(Name{name}, mark);
   }
 
  private:
@@ -42,34 +43,14 @@ class AnyReplacer {
 };
 
 // Whether an expression takes a rate, also within names under define:.
-struct RateFinder {
-  const Situation& situation;
-  int depth = 0;
-  bool in(const Expression& expression) const {
-    return expression && depth < 100 && std::visit(RateFinder{situation, depth + 1}, expression->content);
-  }
-  bool in(const std::vector<Expression>& items) const {
-    return std::any_of(items.begin(), items.end(), [&](const Expression& item) { return in(item); });
-  }
-  bool operator()(const Name& name) const {
+bool takes_rate(const Situation& situation, const Expression& expression, int depth = 0) {
+  if (depth >= 100) return false;
+  if (const Call* call = expression.as<Call>(); call && call->function == "rate") return true;
+  if (const Name* name = expression.as<Name>())
     for (const NamedExpression& item : situation.define)
-      if (item.name == name.name) return name.primes > 0 || in(item.value);
-    return false;
-  }
-  bool operator()(const Member& member) const { return in(member.object); }
-  bool operator()(const Unary& unary) const { return in(unary.operand); }
-  bool operator()(const Binary& binary) const { return in(binary.left) || in(binary.right); }
-  bool operator()(const Call& call) const {
-    return call.function == "rate" || std::any_of(call.arguments.begin(), call.arguments.end(),
-                                                  [&](const Argument& argument) { return in(argument.value); });
-  }
-  bool operator()(const List& list) const { return in(list.items); }
-  bool operator()(const Comparison& comparison) const { return in(comparison.operands); }
-  template <class Other>
-  bool operator()(const Other&) const {
-    return false;
-  }
-};
+      if (item.name == name->name) return name->primes > 0 || takes_rate(situation, item.value, depth + 1);
+  return any_child(expression, [&](const Expression& child) { return takes_rate(situation, child, depth + 1); });
+}
 
 // Collects the functions that an expression calls, also within names under define:.
 void functions_behind(const Situation& situation, const Expression& expression, std::set<std::string>& functions,
@@ -118,7 +99,7 @@ Situation with_letters_for_any(const Situation& situation) {
       List center = *list;
       for (std::size_t k = 0; k < center.items.size() && k < 3; ++k)
         replacer.replace(center.items[k], "center" + of + "." + result.axes[k], dimensions::length, true);
-      body.center = Expression{std::make_shared<const Node>(Node{center, body.center->mark(), (*body.center)->height})};
+      body.center = built(std::move(center), body.center->mark());
     }
     if (body.inertia) replace_inertia(*body.inertia, of, replacer);
   }
@@ -127,9 +108,9 @@ Situation with_letters_for_any(const Situation& situation) {
     for (const std::string& axis : result.axes) {
       const std::string name = "gravity." + axis;
       result.letters.push_back({name, si_unit(dimensions::acceleration), {1, 1}, true});
-      gravity.items.push_back({std::make_shared<const Node>(Node{Name{name, 0}, {1, 1}, 1})});
+      gravity.items.push_back(built(Name{name}, {1, 1}));
     }
-    result.gravity = Expression{std::make_shared<const Node>(Node{gravity, {1, 1}, 2})};
+    result.gravity = built(std::move(gravity), {1, 1});
   }
   return result;
 }
@@ -137,7 +118,7 @@ Situation with_letters_for_any(const Situation& situation) {
 bool is_along_motion(const Situation& situation, const Claim& claim) {
   return std::any_of(claim.of.begin(), claim.of.end(), [&](const Expression& expression) {
     const Comparison* comparison = expression.as<Comparison>();
-    return comparison && RateFinder{situation}.in(comparison->operands) &&
+    return comparison && takes_rate(situation, expression) &&
            std::any_of(comparison->operands.begin(), comparison->operands.end(), is_literal_zero);
   });
 }

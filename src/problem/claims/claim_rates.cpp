@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "poinsot/engine/solve/instant/mechanism_state.h"
+#include "problem/language/expression_walk.h"
 
 namespace poinsot::problem {
 namespace {
@@ -53,8 +54,7 @@ void collect_addends(const Situation& situation, const Expression& expression, b
 }
 
 Expression rate_of(const Expression& expression) {
-  return {std::make_shared<const Node>(
-      Node{Call{"rate", {Argument{"", expression}}}, expression.mark(), expression->height + 1})};
+  return built(Call{"rate", {Argument{"", expression}}}, expression.mark());
 }
 
 bool add_up(const std::vector<SolvedClaim::Part>& parts, const Formula& whole) {

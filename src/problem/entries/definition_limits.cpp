@@ -5,6 +5,7 @@
 #include <set>
 
 #include "problem/entries/reader.h"
+#include "problem/language/expression_walk.h"
 
 namespace poinsot::problem {
 namespace {
@@ -46,35 +47,19 @@ class Measure {
     return known_[name] = extent;
   }
 
-  Extent of(const Expression& expression) { return expression ? std::visit(*this, expression->content) : Extent{}; }
-
-  Extent operator()(const Number&) { return {1, 0}; }
-  Extent operator()(const Name& name) { return of_name(name.name); }
-  Extent operator()(const Member& member) { return all({member.object}); }
-  Extent operator()(const Arrow& arrow) { return all({arrow.from, arrow.to}); }
-  Extent operator()(const Of& item) { return all({item.point, item.body}); }
-  Extent operator()(const Call& call) {
-    std::vector<Expression> arguments;
-    for (const Argument& argument : call.arguments) arguments.push_back(argument.value);
-    return all(arguments);
-  }
-  Extent operator()(const Unary& unary) { return all({unary.operand}); }
-  Extent operator()(const Binary& binary) { return all({binary.left, binary.right}); }
-  Extent operator()(const Comparison& comparison) { return all(comparison.operands); }
-  Extent operator()(const At& at) { return all({at.expression}); }
-  Extent operator()(const List& list) { return all(list.items); }
-  Extent operator()(const Range& range) { return all({range.from, range.to, range.step}); }
-
- private:
-  Extent all(const std::vector<Expression>& parts) {
-    Extent extent{1, 0};
-    for (const Expression& part : parts) {
+  Extent of(const Expression& expression) {
+    if (const Name* name = expression.as<Name>()) return of_name(name->name);
+    Extent extent;
+    if (expression) extent.size = 1;
+    for_each_child(expression, [&](const Expression& part) {
       const Extent one = of(part);
       extent.size += one.size;
       extent.depth = std::max(extent.depth, one.depth);
-    }
+    });
     return extent;
   }
+
+ private:
   [[noreturn]] void too_deep(const NamedExpression& item) {
     fail(situation_.file, item.mark,
          "'" + item.name + "' is defined through more than " + std::to_string(DefinitionLimits::depth) + " other names",

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <variant>
 
 #include "problem/language/expression.h"
+#include "problem/language/expression_walk.h"
 #include "problem/language/unit_table.h"
 #include "problem/language/units.h"
 
@@ -66,44 +66,6 @@ bool is_energy_text(const std::string& text) {
   return text.find('J') != std::string::npos || text == "ft*lb" || text == "in*lb" || text == "W*s" || text == "kW*h";
 }
 
-void note_all(const Expression& expression, UnitHabits& habits);
-
-struct Noting {
-  UnitHabits& habits;
-
-  void operator()(const Number& number) const {
-    if (number.has_unit) habits.note(number.unit);
-  }
-  void operator()(const Name&) const {}
-  void operator()(const Member& member) const { note_all(member.object, habits); }
-  void operator()(const Arrow& arrow) const { both(arrow.from, arrow.to); }
-  void operator()(const Of& of) const { both(of.point, of.body); }
-  void operator()(const Call& call) const {
-    for (const Argument& argument : call.arguments) note_all(argument.value, habits);
-  }
-  void operator()(const Unary& unary) const { note_all(unary.operand, habits); }
-  void operator()(const Binary& binary) const { both(binary.left, binary.right); }
-  void operator()(const Comparison& comparison) const {
-    for (const Expression& operand : comparison.operands) note_all(operand, habits);
-  }
-  void operator()(const At& at) const { note_all(at.expression, habits); }
-  void operator()(const List& list) const {
-    for (const Expression& item : list.items) note_all(item, habits);
-  }
-  void operator()(const Range& range) const {
-    both(range.from, range.to);
-    note_all(range.step, habits);
-  }
-  void both(const Expression& a, const Expression& b) const {
-    note_all(a, habits);
-    note_all(b, habits);
-  }
-};
-
-void note_all(const Expression& expression, UnitHabits& habits) {
-  if (expression) std::visit(Noting{habits}, expression->content);
-}
-
 }  // namespace
 
 Unit si_unit(const Dimension& dimension, bool as_energy) {
@@ -150,7 +112,10 @@ void UnitHabits::note(const Unit& unit) {
   }
 }
 
-void UnitHabits::note(const Expression& expression) { note_all(expression, *this); }
+void UnitHabits::note(const Expression& expression) {
+  if (const Number* number = expression.as<Number>(); number && number->has_unit) note(number->unit);
+  for_each_child(expression, [&](const Expression& part) { note(part); });
+}
 
 const Unit* UnitHabits::most_used(const Dimension& dimension, bool as_energy) const {
   const Use* best = nullptr;

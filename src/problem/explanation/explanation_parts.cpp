@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "problem/explanation/explanation_instant.h"
+#include "problem/language/expression_walk.h"
 #include "problem/machine/part_masses.h"
 
 namespace poinsot::problem {
@@ -32,7 +33,7 @@ std::vector<Part> legs_of(const Part& wire) {
     leg.name = from.as<Name>() && to.as<Name>() ? to_string(from) + to_string(to) : "piece " + std::to_string(k + 1);
     leg.shape.kind = "rod";
     const Expression& all = wire.shape.arguments.front().value;
-    leg.shape.arguments.front().value = {std::make_shared<const Node>(Node{List{{from, to}}, all.mark(), all->height})};
+    leg.shape.arguments.front().value = built(List{{from, to}}, all.mark());
   }
   return legs;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "problem/language/expression_walk.h"
+
 namespace poinsot::problem {
 namespace {
 
@@ -23,16 +25,7 @@ class Collector {
     if (const Call* call = expression.as<Call>()) return of_call(*call);
     if (const Name* name = expression.as<Name>()) return of_name(*name);
     if (const At* at = expression.as<At>()) return of_at(*at);
-    if (const Member* member = expression.as<Member>()) return walk(member->object);
-    if (const Unary* unary = expression.as<Unary>()) return walk(unary->operand);
-    if (const Binary* binary = expression.as<Binary>()) {
-      walk(binary->left);
-      walk(binary->right);
-    } else if (const List* list = expression.as<List>()) {
-      for (const Expression& item : list->items) walk(item);
-    } else if (const Comparison* comparison = expression.as<Comparison>()) {
-      for (const Expression& operand : comparison->operands) walk(operand);
-    }
+    for_each_child(expression, [&](const Expression& part) { walk(part); });
   }
 
   void of_at(const At& at) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "poinsot/engine/dynamics/momentum.h"
+#include "problem/language/expression_walk.h"
 
 namespace poinsot::problem {
 namespace {

@@ -11,6 +11,7 @@
 #include "problem/instant/linear_facts.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
+#include "problem/language/expression_walk.h"
 #include "problem/language/scalar_value.h"
 
 namespace poinsot::problem {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "problem/language/expression_walk.h"
 #include "problem/language/parser.h"
 
 namespace poinsot::problem {
@@ -26,13 +27,10 @@ Expression parse_entry(const Entry& entry, const std::string& file, bool list_it
     return parse_scalar(entry, file, list_item);
   }
   List list;
-  int height = 0;
-  for (const Entry& item : entry.items) {
-    list.items.push_back(parse_entry(item, file, true));
-    height = std::max(height, list.items.back()->height);
-  }
-  if (height >= ExpressionLimits::height) throw StatementError(file, entry.mark, "this list is nested too deep");
-  return {std::make_shared<const Node>(Node{std::move(list), entry.mark, height + 1})};
+  for (const Entry& item : entry.items) list.items.push_back(parse_entry(item, file, true));
+  if (height_below(list) >= ExpressionLimits::height)
+    throw StatementError(file, entry.mark, "this list is nested too deep");
+  return built(std::move(list), entry.mark);
 }
 
 }  // namespace

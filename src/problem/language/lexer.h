@@ -35,6 +35,11 @@ class ExpressionSource {
 
   std::string_view text() const { return entry_.text; }
   Mark place(std::size_t offset) const { return entry_.place(offset); }
+  // A token as the file writes it.
+  std::string written(const Token& token) const {
+    return std::string(text().substr(token.begin, token.end - token.begin));
+  }
+  std::string quoted(const Token& token) const { return "'" + written(token) + "'"; }
   [[noreturn]] void fail(std::size_t offset, std::string message, std::string hint = "") const {
     throw StatementError(file_, place(offset), std::move(message), std::move(hint));
   }

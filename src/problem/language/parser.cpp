@@ -3,45 +3,19 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "problem/language/expression.h"
+#include "problem/language/expression_walk.h"
 #include "problem/language/lexer.h"
+#include "problem/language/misread.h"
+#include "problem/language/token_reader.h"
 #include "problem/language/units.h"
 
 namespace poinsot::problem {
 namespace {
-
-struct CallForm {
-  std::string_view function;
-  std::string_view form;
-};
-// How functions of several arguments are written. This is shown to an author who separates them by commas.
-constexpr std::array call_forms{
-    CallForm{"cross", "cross(u with v)"},
-    CallForm{"dot", "dot(u with v)"},
-    CallForm{"atan2", "atan2(y to x)"},
-    CallForm{"angle", "angle(u to v)"},
-    CallForm{"acute_angle", "acute_angle(u to v)"},
-    CallForm{"component", "component(v along u)"},
-    CallForm{"min", "min(a with b)"},
-    CallForm{"max", "max(a with b)"},
-    CallForm{"distance", "distance(P to Q)"},
-    CallForm{"velocity", "velocity(A of plate relative to car)"},
-    CallForm{"acceleration", "acceleration(A of plate relative to car)"},
-    CallForm{"angular_velocity", "angular_velocity(disk relative to car)"},
-    CallForm{"angular_acceleration", "angular_acceleration(disk relative to car)"},
-    CallForm{"angular_momentum", "angular_momentum(disk about G)"},
-    CallForm{"kinetic_energy", "kinetic_energy(disk about G)"},
-    CallForm{"moment_of_inertia", "moment_of_inertia(disk about A->B)"},
-    CallForm{"force", "force(J on disk)"},
-    CallForm{"impulse", "impulse(J on disk)"},
-    CallForm{"couple", "couple(J on disk about P)"},
-    CallForm{"moment", "moment(J on disk about P)"},
-    CallForm{"spin_rate", "spin_rate(disk about y)"},
-};
-
-int height_of(const Expression& e) { return e ? e->height : 0; }
 
 class Parser {
  public:
@@ -52,35 +26,20 @@ class Parser {
     if (now().kind == Token::Kind::end)
       source_.fail(0, "an expression is missing", "write a number, a name or a formula");
     Expression expression = range();
-    if (now().kind != Token::Kind::end) fail_left_over(false);
+    if (now().kind != Token::Kind::end) fail_left_over(source_, tokens_, false);
     return expression;
   }
 
  private:
-  const Token& now() const { return tokens_[at_]; }
-  const Token& before() const { return tokens_[at_ == 0 ? 0 : at_ - 1]; }
-  bool accept(std::string_view sign) {
-    if (!now().is_sign(sign)) return false;
-    ++at_;
-    return true;
-  }
-  std::string quoted(const Token& token) const {
-    return "'" + std::string(source_.text().substr(token.begin, token.end - token.begin)) + "'";
-  }
+  const Token& now() const { return tokens_.now(); }
 
   template <class Content>
-  Expression make(Content content, std::size_t offset, std::initializer_list<const Expression*> children = {}) {
-    int height = 0;
-    for (const Expression* child : children) height = std::max(height, height_of(*child));
-    return made(std::move(content), offset, height);
-  }
-  template <class Content>
-  Expression made(Content content, std::size_t offset, int height_below) {
-    if (height_below >= ExpressionLimits::height) {
+  Expression make(Content content, std::size_t offset) {
+    if (height_below(content) >= ExpressionLimits::height) {
       source_.fail(offset, "this expression has too many terms in a row",
                    "name parts of it under 'given:' or 'define:' and use the names");
     }
-    return {std::make_shared<const Node>(Node{std::move(content), source_.place(offset), height_below + 1})};
+    return built(std::move(content), source_.place(offset));
   }
 
   // Counts how deep constructs stand within each other. The count goes down again when the object is destroyed.
@@ -105,14 +64,14 @@ class Parser {
     Expression from = comparison();
     if (!now().is_sign("..")) return from;
     const std::size_t mark = now().begin;
-    ++at_;
+    tokens_.step();
     Expression to = comparison();
     if (!now().is_preposition("by")) {
       source_.fail(now().begin, "the step of this range is missing", "write it as 0 s .. 2 s by 0.1 s");
     }
-    ++at_;
+    tokens_.step();
     Expression step = comparison();
-    return make(Range{from, to, step}, mark, {&from, &to, &step});
+    return make(Range{from, to, step}, mark);
   }
 
   Expression comparison() {
@@ -123,20 +82,18 @@ class Parser {
                                                                                      {"==", Relation::equal}}};
     Expression first = sum();
     Comparison chain{{first}, {}};
-    int height = height_of(first);
     std::size_t mark = 0;
     while (now().kind == Token::Kind::sign) {
       const auto found =
           std::find_if(relations.begin(), relations.end(), [&](const auto& r) { return now().text == r.first; });
       if (found == relations.end()) break;
       if (chain.relations.empty()) mark = now().begin;
-      ++at_;
+      tokens_.step();
       chain.relations.push_back(found->second);
       chain.operands.push_back(sum());
-      height = std::max(height, height_of(chain.operands.back()));
     }
     if (chain.relations.empty()) return first;
-    return made(std::move(chain), mark, height);
+    return make(std::move(chain), mark);
   }
 
   Expression sum() {
@@ -153,18 +110,18 @@ class Parser {
   template <class Operand>
   Expression binary(Expression left, const Operand& operand) {
     const Token& operation = now();
-    ++at_;
+    tokens_.step();
     Expression right = operand();
-    return make(Binary{operation.text[0], left, right}, operation.begin, {&left, &right});
+    return make(Binary{operation.text[0], left, right}, operation.begin);
   }
 
   Expression signed_operand() {
     if (!now().is_sign("+") && !now().is_sign("-")) return power();
     const Nesting nesting(*this);
     const Token& sign = now();
-    ++at_;
+    tokens_.step();
     Expression operand = signed_operand();
-    return make(Unary{sign.text[0], operand}, sign.begin, {&operand});
+    return make(Unary{sign.text[0], operand}, sign.begin);
   }
 
   Expression power() {
@@ -183,10 +140,10 @@ class Parser {
         source_.fail(mark, "'@' stands after a number, which is the same at every instant",
                      "put what is meant into parentheses, (x^2) @ start");
       }
-      ++at_;
+      tokens_.step();
       const std::size_t instant_mark = now().begin;
       std::string name = instant();
-      expression = make(At{expression, std::move(name), source_.place(instant_mark)}, mark, {&expression});
+      expression = make(At{expression, std::move(name), source_.place(instant_mark)}, mark);
     }
     return expression;
   }
@@ -198,7 +155,7 @@ class Parser {
         source_.fail(literal.begin, "the instant after '@' is no time",
                      "write a name, or a time with its unit: x @ 2 s");
       }
-      ++at_;
+      tokens_.step();
       return literal.text;
     }
     if (now().is_sign("-"))
@@ -207,10 +164,10 @@ class Parser {
       source_.fail(now().begin, "an instant is missing after '@'", "write its name or a time: x @ start, x @ 2 s");
     }
     std::string name = now().text;
-    ++at_;
-    while (now().is_sign(".") && tokens_[at_ + 1].kind == Token::Kind::name && tokens_[at_ + 1].primes == 0) {
-      name += '.' + tokens_[at_ + 1].text;
-      at_ += 2;
+    tokens_.step();
+    while (now().is_sign(".") && tokens_.next().kind == Token::Kind::name && tokens_.next().primes == 0) {
+      name += '.' + tokens_.next().text;
+      tokens_.step(2);
     }
     return name;
   }
@@ -222,9 +179,9 @@ class Parser {
     const std::size_t mark = now().begin;
     if (point.as<Number>())
       source_.fail(begin, "a number cannot ride on a body", "before 'of' stands a point, A of plate");
-    ++at_;
+    tokens_.step();
     Expression body = operand_of("of", "A of plate");
-    return make(Of{point, body}, mark, {&point, &body});
+    return make(Of{point, body}, mark);
   }
 
   Expression directed() {
@@ -233,7 +190,7 @@ class Parser {
     if (!now().is_sign("->")) return from;
     const std::size_t mark = now().begin;
     if (from.as<Number>()) source_.fail(begin, "an arrow begins at a number", "it goes from point to point, A->B");
-    ++at_;
+    tokens_.step();
     Expression to = operand_of("->", "A->B");
     if (now().is_sign("->")) {
       source_.fail(now().begin, "an arrow follows an arrow",
@@ -243,7 +200,7 @@ class Parser {
       source_.fail(now().begin, "'of' after an arrow can be read in two ways",
                    "put the arrow, or what is meant, into parentheses");
     }
-    return make(Arrow{from, to}, mark, {&from, &to});
+    return make(Arrow{from, to}, mark);
   }
 
   // Parses what stands after `->` or `of`: a name, a call or something in parentheses.
@@ -251,7 +208,7 @@ class Parser {
     const Token& token = now();
     if (token.kind == Token::Kind::literal ||
         (token.kind == Token::Kind::sign && !token.is_sign("(") && !token.is_sign("["))) {
-      source_.fail(token.begin, "after '" + std::string(word) + "' a name is expected, not " + quoted(token),
+      source_.fail(token.begin, "after '" + std::string(word) + "' a name is expected, not " + source_.quoted(token),
                    "write " + std::string(example));
     }
     return postfix();
@@ -261,7 +218,7 @@ class Parser {
     Expression expression = primary();
     while (now().is_sign(".")) {
       const std::size_t mark = now().begin;
-      ++at_;
+      tokens_.step();
       if (expression.as<Number>()) {
         source_.fail(mark, "a point stands after a number", "components are those of vectors, v.x");
       }
@@ -269,8 +226,8 @@ class Parser {
         source_.fail(now().begin, "a name is missing after '.'", "write a component or part of something, v.x");
       }
       std::string name = now().text;
-      ++at_;
-      expression = make(Member{expression, std::move(name)}, mark, {&expression});
+      tokens_.step();
+      expression = make(Member{expression, std::move(name)}, mark);
     }
     return expression;
   }
@@ -279,10 +236,10 @@ class Parser {
     const Token& token = now();
     switch (token.kind) {
       case Token::Kind::literal:
-        ++at_;
+        tokens_.step();
         return make(Number{token.value, token.unit, token.has_unit, token.text}, token.begin);
       case Token::Kind::name:
-        ++at_;
+        tokens_.step();
         if (now().is_sign("(") && token.primes == 0) return call(token);
         if (now().is_sign("(")) {
           source_.fail(token.begin, "a call has no primes",
@@ -297,13 +254,13 @@ class Parser {
       case Token::Kind::end:
         break;
     }
-    fail_missing();
+    fail_missing(source_, tokens_);
   }
 
   Expression parenthesised() {
     const Nesting nesting(*this);
     const Token& opening = now();
-    ++at_;
+    tokens_.step();
     Expression inside = range();
     close(opening, ")", "");
     return inside;
@@ -312,128 +269,46 @@ class Parser {
   Expression list() {
     const Nesting nesting(*this);
     const Token& opening = now();
-    ++at_;
+    tokens_.step();
     List list;
-    int height = 0;
     if (!now().is_sign("]")) {
       do {
         list.items.push_back(range());
-        height = std::max(height, height_of(list.items.back()));
-      } while (accept(","));
+      } while (tokens_.accept(","));
     }
     close(opening, "]", "");
-    return made(std::move(list), opening.begin, height);
+    return make(std::move(list), opening.begin);
   }
 
   Expression call(const Token& name) {
     const Nesting nesting(*this);
     const Token& opening = now();
-    ++at_;
+    tokens_.step();
     Call call{name.text, {}};
-    int height = 0;
     if (!now().is_sign(")")) {
       std::string preposition;
       while (true) {
         call.arguments.push_back({preposition, range()});
-        height = std::max(height, height_of(call.arguments.back().value));
         if (now().kind != Token::Kind::preposition) break;
         preposition = now().text;
         if (call.argument(preposition)) {
           source_.fail(now().begin, "'" + preposition + "' stands twice in '" + name.text + "(...)'",
                        "remove one of the two");
         }
-        ++at_;
+        tokens_.step();
       }
     }
     close(opening, ")", name.text);
-    return made(std::move(call), name.begin, height);
+    return make(std::move(call), name.begin);
   }
 
   void close(const Token& opening, std::string_view sign, const std::string& function) {
-    if (accept(sign)) return;
-    if (now().is_sign(",") && !function.empty()) fail_comma_in_call(function);
-    if (now().is_sign(",") && opening.is_sign("(")) {
-      source_.fail(now().begin, "a comma stands in parentheses", "a vector goes into brackets, [a, b, c]");
-    }
-    if (now().kind == Token::Kind::end || now().is_sign(")") || now().is_sign("]")) {
-      std::string hint = "add '" + std::string(sign) + "'";
-      if (list_item_ && opening.is_sign("(")) {
-        hint += function.empty() ? "; a comma ends the item of a list"
-                                 : "; a comma ends the item of a list, so " + form_of(function, "are joined by words");
-      }
-      source_.fail(opening.begin, "'" + opening.text + "' is never closed", hint);
-    }
-    fail_left_over(true);
-  }
-
-  static std::string form_of(const std::string& function, const char* otherwise) {
-    for (const CallForm& form : call_forms) {
-      if (form.function == function) return "write " + std::string(form.form);
-    }
-    return std::string("arguments ") + otherwise + ", as in cross(u with v)";
-  }
-
-  [[noreturn]] void fail_comma_in_call(const std::string& function) const {
-    source_.fail(now().begin, "a comma stands between the arguments of '" + function + "'",
-                 form_of(function, "are joined by prepositions"));
-  }
-
-  // Reports that no expression can begin with the present token.
-  [[noreturn]] void fail_missing() const {
-    const Token& token = now();
-    const std::string after = at_ == 0 ? "" : " after " + quoted(before());
-    if (token.kind == Token::Kind::end)
-      source_.fail(token.begin, "the expression ends too early: something is missing" + after);
-    if (token.is_sign("*") && at_ > 0 && before().is_sign("*")) {
-      source_.fail(before().begin, "'**' is no sign of the language", "write a power as x^2");
-    }
-    if (token.kind == Token::Kind::preposition) {
-      source_.fail(token.begin, "something is missing before " + quoted(token),
-                   quoted(token) + " is a word of the language and no name");
-    }
-    source_.fail(token.begin, "something is missing between " + (at_ == 0 ? "the beginning" : quoted(before())) +
-                                  " and " + quoted(token));
-  }
-
-  // Reports a token that does not continue the expression read before it.
-  [[noreturn]] void fail_left_over(bool in_call) const {
-    const Token& token = now();
-    const std::string here = quoted(token);
-    if (token.is_sign(")") || token.is_sign("]")) {
-      source_.fail(token.begin, here + " has no opening '" + (token.is_sign(")") ? "(" : "[") + "'",
-                   "remove it, or add the opening one");
-    }
-    if (token.is_sign(",")) {
-      source_.fail(token.begin, "a comma stands outside of a list",
-                   "a decimal is written with a point, 1.5; a vector goes into brackets, [a, b, c]");
-    }
-    if (token.kind == Token::Kind::preposition) {
-      source_.fail(token.begin, here + " cannot stand here",
-                   "it joins the arguments of a call, as in component(v along u)");
-    }
-    if (token.is_sign(".."))
-      source_.fail(token.begin, "a range cannot stand in a range", "write it as 0 s .. 2 s by 0.1 s");
-    if (in_call && token.kind == Token::Kind::name) {
-      static const std::vector<std::string> joining{"about", "along", "to", "with", "from", "of", "on", "by", "at"};
-      if (const std::string hint = did_you_mean(std::string(token.text), joining); !hint.empty())
-        source_.fail(token.begin, here + " is no word that joins the arguments of a call", hint);
-    }
-    const bool simple = before().kind != Token::Kind::sign && token.kind != Token::Kind::sign;
-    if (before().kind == Token::Kind::name && token.kind == Token::Kind::name && is_unit_name(token.text))
-      source_.fail(token.begin, here + " is a unit, which stands behind a number",
-                   "write '" + before().text + " * 1 " + token.text + "'");
-    const std::string repair = simple
-                                   ? std::string(source_.text().substr(before().begin, before().end - before().begin)) +
-                                         "*" + std::string(source_.text().substr(token.begin, token.end - token.begin))
-                                   : "a*b";
-    source_.fail(token.begin, "an operator is missing between " + quoted(before()) + " and " + here,
-                 "write '" + repair + "' to multiply");
+    if (!tokens_.accept(sign)) fail_unclosed(source_, tokens_, {opening, sign, function, list_item_});
   }
 
   const ExpressionSource& source_;
   bool list_item_;
-  std::vector<Token> tokens_;
-  std::size_t at_ = 0;
+  TokenReader tokens_;
   int depth_ = 0;
 };
 

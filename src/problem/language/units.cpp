@@ -134,7 +134,7 @@ class UnitReader {
       fail("'" + std::string(text_.substr(begin, at_ - begin)) + "' is not a unit", repair(""), begin);
     }
     if (inverse) numerator = -numerator;
-    const std::optional<Dimension> dimension = power(named->dimension, numerator, denominator);
+    const std::optional<Dimension> dimension = problem::power(named->dimension, numerator, denominator);
     if (!dimension)
       fail("this exponent is not possible for a unit", "exponents go by halves, thirds, quarters, sixths or twelfths",
            begin);

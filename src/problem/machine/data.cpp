@@ -9,6 +9,7 @@
 
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
+#include "problem/language/expression_walk.h"
 #include "problem/language/scalar_value.h"
 
 namespace poinsot::problem {
@@ -39,55 +40,7 @@ const Choice* find_choice(const Situation& situation, const std::string& name) {
   return found == situation.choose.end() ? nullptr : &*found;
 }
 
-Expression name_expression(const std::string& name, const Mark& mark) {
-  return {std::make_shared<const Node>(Node{Name{name}, mark})};
-}
-
-// Walks through an expression and collects the names or functions in it, where a set is given for them.
-struct NameCollector {
-  std::set<std::string>* names;
-  std::set<std::string>* functions;
-  bool into_at = true;
-  void walk(const Expression& expression) const {
-    if (expression) std::visit(*this, expression->content);
-  }
-  void operator()(const Number&) const {}
-  void operator()(const Name& name) const {
-    if (names) names->insert(name.name);
-  }
-  void operator()(const Member& member) const { walk(member.object); }
-  void operator()(const Arrow& arrow) const {
-    walk(arrow.from);
-    walk(arrow.to);
-  }
-  void operator()(const Of& of) const {
-    walk(of.point);
-    walk(of.body);
-  }
-  void operator()(const Call& call) const {
-    if (functions) functions->insert(call.function);
-    for (const Argument& argument : call.arguments) walk(argument.value);
-  }
-  void operator()(const Unary& unary) const { walk(unary.operand); }
-  void operator()(const Binary& binary) const {
-    walk(binary.left);
-    walk(binary.right);
-  }
-  void operator()(const Comparison& comparison) const {
-    for (const Expression& operand : comparison.operands) walk(operand);
-  }
-  void operator()(const At& at) const {
-    if (into_at) walk(at.expression);
-  }
-  void operator()(const List& list) const {
-    for (const Expression& item : list.items) walk(item);
-  }
-  void operator()(const Range& range) const {
-    walk(range.from);
-    walk(range.to);
-    walk(range.step);
-  }
-};
+Expression name_expression(const std::string& name, const Mark& mark) { return built(Name{name}, mark); }
 
 // The names in an expression, and those behind its data, points, directions and definitions.
 std::set<std::string> names_behind(const Situation& situation, const Expression& expression) {
@@ -106,14 +59,6 @@ std::set<std::string> names_behind(const Situation& situation, const Expression&
 }
 
 }  // namespace
-
-void collect_names(const Expression& expression, std::set<std::string>& names, bool into_at) {
-  NameCollector{&names, nullptr, into_at}.walk(expression);
-}
-
-void collect_functions(const Expression& expression, std::set<std::string>& functions, bool into_at) {
-  NameCollector{nullptr, &functions, into_at}.walk(expression);
-}
 
 bool depends_on_time(const Situation& situation, const Expression& expression) {
   return names_behind(situation, expression).contains("time");

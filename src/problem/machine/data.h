@@ -98,12 +98,6 @@ bool depends_on_time(const Situation& situation, const Expression& expression);
 // The letters on which an expression depends, possibly through data and points.
 std::set<std::string> letters_of(const Situation& situation, const Expression& expression);
 
-// Collects the names in an expression; those before an @ only if `into_at`.
-void collect_names(const Expression& expression, std::set<std::string>& names, bool into_at = true);
-
-// Collects the functions that an expression calls.
-void collect_functions(const Expression& expression, std::set<std::string>& functions, bool into_at = true);
-
 extern template class DataScope<double>;
 extern template class DataScope<Dual<1>>;
 extern template class DataScope<TimeJet>;

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <set>
-#include <variant>
 
 #include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
 
 namespace poinsot::problem {
 namespace {
@@ -21,25 +21,6 @@ constexpr double steps_of_looks = 8;   // samples in each step of the integratio
 constexpr double parts_of_pace = 100;  // length of a part, in times in which the motion changes noticeably
 constexpr double most_parts = 16;      // number of parts if the motion lasts a stated time
 constexpr const char* corner_functions[] = {"abs", "norm", "unit", "direction", "sqrt", "angle", "acute_angle"};
-
-template <class Visit>
-void for_each_part(const Expression& expression, Visit&& visit) {
-  if (const auto* member = expression.as<Member>()) visit(member->object);
-  if (const auto* arrow = expression.as<Arrow>()) {
-    visit(arrow->from);
-    visit(arrow->to);
-  }
-  if (const auto* of = expression.as<Of>()) visit(of->point);
-  if (const auto* call = expression.as<Call>())
-    for (const Argument& argument : call->arguments) visit(argument.value);
-  if (const auto* unary = expression.as<Unary>()) visit(unary->operand);
-  if (const auto* binary = expression.as<Binary>()) {
-    visit(binary->left);
-    visit(binary->right);
-  }
-  if (const auto* list = expression.as<List>())
-    for (const Expression& item : list->items) visit(item);
-}
 
 }  // namespace
 
@@ -81,7 +62,7 @@ void Driving::collect_corners(const Expression& expression, std::vector<std::str
         if (item.name == name->name) collect_corners(item.value, names);
     return;
   }
-  for_each_part(expression, [&](const Expression& part) { collect_corners(part, names); });
+  for_each_child(expression, [&](const Expression& part) { collect_corners(part, names); });
   const auto* call = expression.as<Call>();
   if (!call) return;
   if (call->function == "min" || call->function == "max") {

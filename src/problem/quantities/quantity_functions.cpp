@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
 
 namespace poinsot::problem {
 
@@ -134,6 +135,7 @@ const std::vector<FunctionForm>& quantity_functions() {
 
 namespace {
 
+// On what an expression depends, also through define:.
 struct LevelFinder {
   const Situation& situation;
   bool through_at = false;
@@ -141,39 +143,27 @@ struct LevelFinder {
   int depth = 0;
 
   Level of(const Expression& expression) const {
-    return expression ? std::visit(LevelFinder{situation, through_at, through_features, depth + 1}, expression->content)
-                      : Level::position;
+    // A quantity at another instant takes its forces from that instant.
+    if (!through_at && expression.as<At>()) return Level::position;
+    if (const Name* name = expression.as<Name>()) return of_name(*name);
+    Level level = Level::position;
+    if (const Call* call = expression.as<Call>()) {
+      if (is_motion_feature(*call) && !through_features) return Level::motion;
+      if (const QuantityFunction* function = find_quantity(call->function)) level = function->level;
+    }
+    const LevelFinder below{situation, through_at, through_features, depth + 1};
+    for_each_child(expression, [&](const Expression& child) { level = std::max(level, below.of(child)); });
+    return level;
   }
-  Level operator()(const Number&) const { return Level::position; }
-  Level operator()(const Name& name) const {
+
+  Level of_name(const Name& name) const {
     if (name.primes >= 2) return Level::force;
     // The rate of a defined quantity follows from accelerations.
+    const LevelFinder below{situation, through_at, through_features, depth + 1};
     if (depth < 200)
       for (const NamedExpression& item : situation.define)
-        if (item.name == name.name) return name.primes > 0 ? Level::force : of(item.value);
+        if (item.name == name.name) return name.primes > 0 ? Level::force : below.of(item.value);
     return name.primes > 0 ? Level::velocity : Level::position;
-  }
-  Level operator()(const Member& member) const { return of(member.object); }
-  Level operator()(const Arrow& arrow) const { return std::max(of(arrow.from), of(arrow.to)); }
-  Level operator()(const Of& item) const { return of(item.point); }
-  Level operator()(const Call& call) const {
-    if (is_motion_feature(call) && !through_features) return Level::motion;
-    Level level = Level::position;
-    if (const QuantityFunction* function = find_quantity(call.function)) level = function->level;
-    for (const Argument& argument : call.arguments) level = std::max(level, of(argument.value));
-    return level;
-  }
-  Level operator()(const Unary& unary) const { return of(unary.operand); }
-  Level operator()(const Binary& binary) const { return std::max(of(binary.left), of(binary.right)); }
-  Level operator()(const Comparison& comparison) const { return largest(comparison.operands); }
-  // A quantity at another instant takes its forces from that instant.
-  Level operator()(const At& at) const { return through_at ? of(at.expression) : Level::position; }
-  Level operator()(const List& list) const { return largest(list.items); }
-  Level operator()(const Range& range) const { return std::max({of(range.from), of(range.to), of(range.step)}); }
-  Level largest(const std::vector<Expression>& items) const {
-    Level level = Level::position;
-    for (const Expression& item : items) level = std::max(level, of(item));
-    return level;
   }
 };
 
@@ -200,7 +190,7 @@ bool asks_motion_feature(const Expression& expression) {
 
 Expression stability_of(Call call, const Expression& expression) {
   call.function = "stability";
-  return {std::make_shared<const Node>(Node{std::move(call), expression.mark(), expression->height})};
+  return built(std::move(call), expression.mark());
 }
 
 }  // namespace poinsot::problem

@@ -14,6 +14,7 @@
 #include "problem/course/course.h"
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
 #include "problem/unknowns/situated.h"
 
 namespace poinsot::problem {
@@ -195,33 +196,6 @@ class Sample {
         if (names.contains(name)) return true;
     return false;
   }
-
-  struct AtFinder {
-    const At* operator()(const At& at) const { return &at; }
-    const At* operator()(const Member& member) const { return first_at(member.object); }
-    const At* operator()(const Unary& unary) const { return first_at(unary.operand); }
-    const At* operator()(const Binary& binary) const {
-      const At* left = first_at(binary.left);
-      return left ? left : first_at(binary.right);
-    }
-    const At* operator()(const Call& call) const {
-      for (const Argument& argument : call.arguments)
-        if (const At* at = first_at(argument.value)) return at;
-      return nullptr;
-    }
-    const At* operator()(const List& list) const { return in(list.items); }
-    const At* operator()(const Comparison& comparison) const { return in(comparison.operands); }
-    template <class Other>
-    const At* operator()(const Other&) const {
-      return nullptr;
-    }
-    static const At* in(const std::vector<Expression>& items) {
-      for (const Expression& item : items)
-        if (const At* at = first_at(item)) return at;
-      return nullptr;
-    }
-  };
-  static const At* first_at(const Expression& expression) { return std::visit(AtFinder{}, expression->content); }
 
   const Statement& statement_;
   AllSettings settings_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
 #include "problem/unknowns/sample.h"
 
 namespace poinsot::problem {
@@ -27,9 +28,7 @@ class SituationsTakenOff {
         found_ = situation;
         return (*this)(at->expression);
       }
-    Node node = *expression;
-    std::visit([this](auto& content) { inside(content); }, node.content);
-    return {std::make_shared<const Node>(std::move(node))};
+    return transformed(expression, [this](const Expression& part) { return (*this)(part); });
   }
   const std::optional<std::size_t>& found() const { return found_; }
 
@@ -38,38 +37,6 @@ class SituationsTakenOff {
     for (std::size_t i = 0; i < statement_.situations.size(); ++i)
       if (statement_.situations[i].name == name) return i;
     return std::nullopt;
-  }
-
-  void inside(Number&) {}
-  void inside(Name&) {}
-  void inside(Member& member) { member.object = (*this)(member.object); }
-  void inside(Arrow& arrow) {
-    arrow.from = (*this)(arrow.from);
-    arrow.to = (*this)(arrow.to);
-  }
-  void inside(Of& of) {
-    of.point = (*this)(of.point);
-    of.body = (*this)(of.body);
-  }
-  void inside(Call& call) {
-    for (Argument& argument : call.arguments) argument.value = (*this)(argument.value);
-  }
-  void inside(Unary& unary) { unary.operand = (*this)(unary.operand); }
-  void inside(Binary& binary) {
-    binary.left = (*this)(binary.left);
-    binary.right = (*this)(binary.right);
-  }
-  void inside(Comparison& comparison) {
-    for (Expression& operand : comparison.operands) operand = (*this)(operand);
-  }
-  void inside(At& at) { at.expression = (*this)(at.expression); }
-  void inside(List& list) {
-    for (Expression& item : list.items) item = (*this)(item);
-  }
-  void inside(Range& range) {
-    range.from = (*this)(range.from);
-    range.to = (*this)(range.to);
-    range.step = (*this)(range.step);
   }
 
   const Statement& statement_;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
 #include "problem/unknowns/sample.h"
 
 namespace poinsot::problem {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "problem/language/expression_walk.h"
+
 namespace poinsot::problem {
 
 std::vector<std::size_t> UnknownSystem::situations() const {

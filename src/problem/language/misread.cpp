@@ -1,0 +1,117 @@
+#include "problem/language/misread.h"
+
+#include <array>
+#include <vector>
+
+#include "problem/language/diagnostic.h"
+#include "problem/language/units.h"
+
+namespace poinsot::problem {
+namespace {
+
+struct CallForm {
+  std::string_view function;
+  std::string_view form;
+};
+// How functions of several arguments are written. This is shown to an author who separates them by commas.
+constexpr std::array call_forms{
+    CallForm{"cross", "cross(u with v)"},
+    CallForm{"dot", "dot(u with v)"},
+    CallForm{"atan2", "atan2(y to x)"},
+    CallForm{"angle", "angle(u to v)"},
+    CallForm{"acute_angle", "acute_angle(u to v)"},
+    CallForm{"component", "component(v along u)"},
+    CallForm{"min", "min(a with b)"},
+    CallForm{"max", "max(a with b)"},
+    CallForm{"distance", "distance(P to Q)"},
+    CallForm{"velocity", "velocity(A of plate relative to car)"},
+    CallForm{"acceleration", "acceleration(A of plate relative to car)"},
+    CallForm{"angular_velocity", "angular_velocity(disk relative to car)"},
+    CallForm{"angular_acceleration", "angular_acceleration(disk relative to car)"},
+    CallForm{"angular_momentum", "angular_momentum(disk about G)"},
+    CallForm{"kinetic_energy", "kinetic_energy(disk about G)"},
+    CallForm{"moment_of_inertia", "moment_of_inertia(disk about A->B)"},
+    CallForm{"force", "force(J on disk)"},
+    CallForm{"impulse", "impulse(J on disk)"},
+    CallForm{"couple", "couple(J on disk about P)"},
+    CallForm{"moment", "moment(J on disk about P)"},
+    CallForm{"spin_rate", "spin_rate(disk about y)"},
+};
+
+std::string form_of(const std::string& function, const char* otherwise) {
+  for (const CallForm& form : call_forms) {
+    if (form.function == function) return "write " + std::string(form.form);
+  }
+  return std::string("arguments ") + otherwise + ", as in cross(u with v)";
+}
+
+}  // namespace
+
+void fail_unclosed(const ExpressionSource& source, const TokenReader& tokens, const OpenBracket& bracket) {
+  const Token& token = tokens.now();
+  const std::string& function = bracket.function;
+  if (token.is_sign(",") && !function.empty())
+    source.fail(token.begin, "a comma stands between the arguments of '" + function + "'",
+                form_of(function, "are joined by prepositions"));
+  if (token.is_sign(",") && bracket.opening.is_sign("("))
+    source.fail(token.begin, "a comma stands in parentheses", "a vector goes into brackets, [a, b, c]");
+  if (token.kind == Token::Kind::end || token.is_sign(")") || token.is_sign("]")) {
+    std::string hint = "add '" + std::string(bracket.closing) + "'";
+    if (bracket.list_item && bracket.opening.is_sign("(")) {
+      hint += function.empty() ? "; a comma ends the item of a list"
+                               : "; a comma ends the item of a list, so " + form_of(function, "are joined by words");
+    }
+    source.fail(bracket.opening.begin, "'" + bracket.opening.text + "' is never closed", hint);
+  }
+  fail_left_over(source, tokens, true);
+}
+
+void fail_missing(const ExpressionSource& source, const TokenReader& tokens) {
+  const Token& token = tokens.now();
+  const std::string after = tokens.at_beginning() ? "" : " after " + source.quoted(tokens.before());
+  if (token.kind == Token::Kind::end)
+    source.fail(token.begin, "the expression ends too early: something is missing" + after);
+  if (token.is_sign("*") && !tokens.at_beginning() && tokens.before().is_sign("*")) {
+    source.fail(tokens.before().begin, "'**' is no sign of the language", "write a power as x^2");
+  }
+  if (token.kind == Token::Kind::preposition) {
+    source.fail(token.begin, "something is missing before " + source.quoted(token),
+                source.quoted(token) + " is a word of the language and no name");
+  }
+  source.fail(token.begin, "something is missing between " +
+                               (tokens.at_beginning() ? "the beginning" : source.quoted(tokens.before())) + " and " +
+                               source.quoted(token));
+}
+
+void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, bool in_call) {
+  const Token& token = tokens.now();
+  const std::string here = source.quoted(token);
+  if (token.is_sign(")") || token.is_sign("]")) {
+    source.fail(token.begin, here + " has no opening '" + (token.is_sign(")") ? "(" : "[") + "'",
+                "remove it, or add the opening one");
+  }
+  if (token.is_sign(",")) {
+    source.fail(token.begin, "a comma stands outside of a list",
+                "a decimal is written with a point, 1.5; a vector goes into brackets, [a, b, c]");
+  }
+  if (token.kind == Token::Kind::preposition) {
+    source.fail(token.begin, here + " cannot stand here",
+                "it joins the arguments of a call, as in component(v along u)");
+  }
+  if (token.is_sign(".."))
+    source.fail(token.begin, "a range cannot stand in a range", "write it as 0 s .. 2 s by 0.1 s");
+  if (in_call && token.kind == Token::Kind::name) {
+    static const std::vector<std::string> joining{"about", "along", "to", "with", "from", "of", "on", "by", "at"};
+    if (const std::string hint = did_you_mean(std::string(token.text), joining); !hint.empty())
+      source.fail(token.begin, here + " is no word that joins the arguments of a call", hint);
+  }
+  const bool simple = tokens.before().kind != Token::Kind::sign && token.kind != Token::Kind::sign;
+  if (tokens.before().kind == Token::Kind::name && token.kind == Token::Kind::name && is_unit_name(token.text))
+    source.fail(token.begin, here + " is a unit, which stands behind a number",
+                "write '" + tokens.before().text + " * 1 " + token.text + "'");
+  const std::string repair = simple ? source.written(tokens.before()) + "*" + source.written(token) : "a*b";
+  source.fail(token.begin, "an operator is missing between " + source.quoted(tokens.before()) + " and " + here,
+              "write '" + repair + "' to multiply");
+}
+
+}  // namespace poinsot::problem
