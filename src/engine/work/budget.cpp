@@ -11,6 +11,7 @@ namespace {
 constexpr std::chrono::milliseconds between_looks{1};
 constexpr unsigned most_calls_let_go = 15;
 constexpr std::chrono::milliseconds between_tellings{100};
+constexpr std::chrono::milliseconds grace{25};
 
 }  // namespace
 
@@ -85,6 +86,8 @@ bool BudgetScope::tell(const Progress& progress) {
 BudgetRespite::BudgetRespite() : set_aside_(std::exchange(BudgetScope::innermost, nullptr)) {}
 
 BudgetRespite::~BudgetRespite() { BudgetScope::innermost = set_aside_; }
+
+BudgetGrace::BudgetGrace() : scope_(Budget().end_after(grace)) {}
 
 std::optional<BudgetEnd> how_budget_ended() {
   for (BudgetScope* scope = BudgetScope::innermost; scope; scope = scope->outer_)

@@ -59,36 +59,40 @@ Diagnostic without_value(const Statement& statement, const Ask& ask) {
 
 }  // namespace
 
+void add_ask_value(const Statement& statement, Sample& sample, const AllSettings& settings, const OpenChoice& choice,
+                   AskValues& values) {
+  const Ask& ask = statement.asks[values.values.size()];
+  if (ask.extremum) {
+    ExtremumFound found = ExtremumSearch(statement, ask, settings, choice).find();
+    values.values.emplace_back(std::nullopt);
+    if (found.value)
+      values.values.back() = WatchedValue{*found.value, {}};
+    else
+      values.no_extremum[ask.name] = found.reason;
+    if (!found.note.empty()) values.notes.push_back(ask.name + ": " + found.note);
+    if (found.sample) values.extremal.push_back(std::move(found.sample));
+    return;
+  }
+  try {
+    WatchedValue value = watched_value(statement, sample, ask);
+    if (!is_finite(value.answer)) throw UnansweredError(without_value(statement, ask));
+    values.values.emplace_back(std::move(value));
+  } catch (const UnansweredError& error) {
+    values.values.emplace_back(std::nullopt);
+    values.unanswered[ask.name] = error.diagnostics().front();
+  } catch (const StatementError&) {
+    std::optional<Diagnostic> open = fails_where_open(statement, sample, ask, settings);
+    if (!open) throw;
+    values.values.emplace_back(std::nullopt);
+    values.unanswered[ask.name] = *std::move(open);
+  }
+}
+
 AskValues ask_values(const Statement& statement, Sample& sample, const AllSettings& settings,
                      const OpenChoice& choice) {
-  AskValues result;
-  for (const Ask& ask : statement.asks) {
-    if (ask.extremum) {
-      ExtremumFound found = ExtremumSearch(statement, ask, settings, choice).find();
-      result.values.emplace_back(std::nullopt);
-      if (found.value)
-        result.values.back() = WatchedValue{*found.value, {}};
-      else
-        result.no_extremum[ask.name] = found.reason;
-      if (!found.note.empty()) result.notes.push_back(ask.name + ": " + found.note);
-      if (found.sample) result.extremal.push_back(std::move(found.sample));
-      continue;
-    }
-    try {
-      WatchedValue value = watched_value(statement, sample, ask);
-      if (!is_finite(value.answer)) throw UnansweredError(without_value(statement, ask));
-      result.values.emplace_back(std::move(value));
-    } catch (const UnansweredError& error) {
-      result.values.emplace_back(std::nullopt);
-      result.unanswered[ask.name] = error.diagnostics().front();
-    } catch (const StatementError&) {
-      std::optional<Diagnostic> open = fails_where_open(statement, sample, ask, settings);
-      if (!open) throw;
-      result.values.emplace_back(std::nullopt);
-      result.unanswered[ask.name] = *std::move(open);
-    }
-  }
-  return result;
+  AskValues values;
+  while (values.values.size() < statement.asks.size()) add_ask_value(statement, sample, settings, choice, values);
+  return values;
 }
 
 }  // namespace poinsot::problem

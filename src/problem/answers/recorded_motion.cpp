@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/answers/solve_statement.h"
 #include "problem/course/course.h"
 #include "problem/language/diagnostic.h"
@@ -162,7 +163,7 @@ RecordedMotion::RecordedMotion(Statement statement, const std::vector<std::pair<
     parts.columns.push_back({column.name, column.unit});
 
   // A recording may take any time, and its content must not depend on the time that has passed.
-  parts.motion->set_time_limit(std::numeric_limits<double>::infinity());
+  parts.motion->set_work_limit(unlimited_work);
   parts.block_rows = static_cast<std::uint64_t>(
       std::clamp(std::floor(block_paces * parts.motion->pace_time() / parts.every), 1.0, most_block_rows));
 }

@@ -1,7 +1,6 @@
 #include "problem/answers/solve_statement.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -9,6 +8,8 @@
 #include <random>
 #include <set>
 
+#include "poinsot/engine/work/budget.h"
+#include "poinsot/engine/work/work.h"
 #include "problem/answers/answer_checks.h"
 #include "problem/answers/ask_values.h"
 #include "problem/answers/determinacy.h"
@@ -20,6 +21,7 @@
 #include "problem/formulas/law_search.h"
 #include "problem/language/compare_values.h"
 #include "problem/language/diagnostic.h"
+#include "problem/quantities/describe.h"
 #include "problem/unknowns/sample.h"
 #include "problem/unknowns/unknown_search.h"
 
@@ -27,7 +29,7 @@ namespace poinsot::problem {
 namespace {
 
 constexpr int most_first_draws = 32;  // of letters, until unknowns have a solution
-constexpr double most_draw_seconds = 8;
+constexpr Work most_draw_work = 8'000'000'000;
 
 // Draws a value of a letter. Later draws reach farther from one unit, as `spread` grows.
 double draw(const Letter& letter, std::mt19937_64& random, int spread = 0) {
@@ -61,22 +63,36 @@ class StatementSolver {
         search_(statement, settings_),
         open_(open_letters(statement, settings_)) {}
 
+  // What the budget in force lets be found.
   SolvedStatement solve() {
     SolvedStatement result;
     result.open_letters = open_;
+    try {
+      add_solutions(result);
+    } catch (const BudgetEnded& ended) {
+      result.ended = ended.end;
+      if (result.solutions.empty()) result.solutions.push_back(all_unanswered(ended.end));
+    }
+    for (const Solution& solution : result.solutions)
+      for (const SolvedAsk& ask : solution.asks)
+        if (ask.ended) result.ended = ask.ended;
+    return result;
+  }
+
+ private:
+  void add_solutions(SolvedStatement& result) {
     if (search_.unknowns().empty()) {
       if (open_.empty()) hold_later_facts();
       result.solutions.push_back(solve_one(AllSettings(statement_.situations.size(), settings_)));
       if (!open_.empty()) add_formulas(result.solutions.back());
-      return result;
+      return;
     }
     // If letters are open, roots are sought at random values of them. Then it is seen which answers depend on which
     // letters.
     std::optional<StatementError> refusal;
     RootsFound found = roots_at_draw(search_, refusal);
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(most_draw_seconds);
-    while (!open_.empty() && !makes_sense(found) && ++first_draw_ < most_first_draws &&
-           std::chrono::steady_clock::now() < end) {
+    const WorkLimit limit(most_draw_work);
+    while (!open_.empty() && !makes_sense(found) && ++first_draw_ < most_first_draws && !limit.spent()) {
       UnknownSearch anew(statement_, settings_);
       found = roots_at_draw(anew, refusal);
     }
@@ -93,16 +109,41 @@ class StatementSolver {
       if (!found.open.empty()) mark_what_unknowns_leave_open(found, solution);
       result.solutions.push_back(std::move(solution));
     }
-    return result;
   }
 
- private:
   AnswersFound answers_found() { return {statement_, search_, base_, *sample_, asked_, natural_, *rounded_}; }
 
+  // Formulas that were not tried far off by the time the budget ends are none.
   void add_formulas(Solution& solution) {
-    const FormulaTask task{statement_, open_, exact_, settings_, search_.unknowns(), base_, *sample_, natural_};
-    hold_far_off(task, find_formulas(task, solution), solution);
-    tell_laws(statement_, solution);
+    if (!sample_) return;
+    const Solution without = solution;
+    try {
+      const FormulaTask task{statement_, open_, exact_, settings_, search_.unknowns(), base_, *sample_, natural_};
+      hold_far_off(task, find_formulas(task, solution), solution);
+      tell_laws(statement_, solution);
+    } catch (const BudgetEnded& ended) {
+      solution = without;
+      for (SolvedAsk& ask : solution.asks) {
+        if (ask.state != AskState::needs_letters) continue;
+        ask.no_formula = words_of(ended.end);
+        ask.ended = ended.end;
+      }
+    }
+  }
+
+  // What was not found by the end, or of which it is not known whether it is determined.
+  SolvedAsk unanswered(std::size_t i, BudgetEnd end) const {
+    SolvedAsk ask;
+    ask.state = AskState::undetermined;
+    ask.reason = words_of(end);
+    ask.ended = end;
+    ask.words = describe(statement_.asks[i], statement_.situations.front(), false);
+    return ask;
+  }
+  Solution all_unanswered(BudgetEnd end) const {
+    Solution solution;
+    for (std::size_t i = 0; i < statement_.asks.size(); ++i) solution.asks.push_back(unanswered(i, end));
+    return solution;
   }
 
   // Returns no roots if the statement makes no sense at the letters (as for an impossible body), and keeps the first
@@ -189,8 +230,11 @@ class StatementSolver {
         solution.unknowns.push_back({unknown.name, unknown.unit, root.front().at(unknown.name)});
       for (std::size_t i = 0; i < root.size(); ++i)
         if (search_.is_own(i, unknown.name))
-          solution.unknowns.push_back(
-              {unknown.name + " @ " + statement_.situations[i].name, unknown.unit, root[i].at(unknown.name)});
+          solution.unknowns.push_back({.name = unknown.name + " @ " + statement_.situations[i].name,
+                                       .unit = unknown.unit,
+                                       .value = root[i].at(unknown.name),
+                                       .own_name = unknown.name,
+                                       .situation = i});
     }
   }
 
@@ -208,9 +252,27 @@ class StatementSolver {
     sample_.reset();
     natural_.clear();
     asked_ = with_letters(nullptr);
-    rounded_.emplace(statement_, base_);
     Solution result;
+    try {
+      // What was found by the end of a budget is worth a little more time.
+      std::optional<BudgetGrace> grace;
+      if (asked_.ended) grace.emplace();
+      finish(result);
+    } catch (const BudgetEnded& ended) {
+      result = all_unanswered(asked_.ended.value_or(ended.end));
+    }
+    return result;
+  }
+
+  // The answers with all that is to be said of them.
+  void finish(Solution& result) {
+    rounded_.emplace(statement_, base_);
     for (std::size_t i = 0; i < statement_.asks.size(); ++i) {
+      if (asked_.was_not_reached(statement_.asks[i].name, i)) {
+        result.asks.push_back(unanswered(i, *asked_.ended));
+        natural_.push_back(1);
+        continue;
+      }
       FinishedAsk finished = finished_ask(statement_, i, asked_, *sample_, *rounded_);
       result.asks.push_back(std::move(finished.solved));
       natural_.push_back(finished.natural_size);
@@ -221,7 +283,6 @@ class StatementSolver {
     check_answers(statement_, *sample_, asked_.extremal, result);
     if (open_.empty()) add_notes(statement_, *sample_, result);
     result.notes.insert(result.notes.end(), asked_.notes.begin(), asked_.notes.end());
-    return result;
   }
 
   // Finds the letters that each answer depends on. If there are unknowns they depend on the letters, and solve()
@@ -266,7 +327,15 @@ class StatementSolver {
       }
       try {
         auto sample = std::make_unique<Sample>(statement_, settings, OpenChoice{});
-        AskValues values = ask_values(statement_, *sample, settings, OpenChoice{});
+        AskValues values;
+        try {
+          while (values.values.size() < statement_.asks.size())
+            add_ask_value(statement_, *sample, settings, OpenChoice{}, values);
+        } catch (const BudgetEnded& ended) {
+          if (only || values.values.empty()) throw;
+          values.ended = ended.end;
+          values.values.resize(statement_.asks.size());
+        }
         if (!only && !sample_) {
           sample_ = std::move(sample);
           base_ = settings;
@@ -336,15 +405,17 @@ Statement for_questions(const Statement& statement) {
   return result.situations.empty() ? statement : result;
 }
 
+std::size_t place_in(const Statement& statement, const std::string& situation) {
+  const auto found = std::ranges::find(statement.situations, situation, &Situation::name);
+  return static_cast<std::size_t>(found - statement.situations.begin());
+}
+
 // The settings of each situation with the unknowns of a root.
 AllSettings settings_of_root(const Statement& statement, const Settings& settings, const Solution& solution) {
   AllSettings all(statement.situations.size(), settings);
   for (const SolvedUnknown& unknown : solution.unknowns)
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const std::string own = " @ " + statement.situations[i].name;
-      const std::string name = unknown.name.substr(0, unknown.name.find(" @ "));
-      if (!unknown.formula && (unknown.name == name || unknown.name == name + own)) all[i][name] = unknown.value;
-    }
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!unknown.formula && unknown.is_of(i)) all[i][unknown.own_name] = unknown.value;
   return all;
 }
 
@@ -352,11 +423,8 @@ AllSettings settings_of_root(const Statement& statement, const Settings& setting
 std::vector<FormulaValues> formulas_of_root(const Statement& statement, const Solution& solution) {
   std::vector<FormulaValues> all(statement.situations.size());
   for (const SolvedUnknown& unknown : solution.unknowns)
-    for (std::size_t i = 0; i < all.size() && unknown.formula; ++i) {
-      const std::string name = unknown.name.substr(0, unknown.name.find(" @ "));
-      if (unknown.name == name || unknown.name == name + " @ " + statement.situations[i].name)
-        all[i][name] = *unknown.formula;
-    }
+    for (std::size_t i = 0; i < all.size() && unknown.formula; ++i)
+      if (unknown.is_of(i)) all[i][unknown.own_name] = *unknown.formula;
   return all;
 }
 
@@ -385,10 +453,16 @@ SolvedStatement solve_statement(const Statement& statement,
   } else {
     const Statement questions = for_questions(statement);
     solved = StatementSolver(questions, settings, exact).solve();
+    for (Solution& solution : solved.solutions)
+      for (SolvedUnknown& unknown : solution.unknowns)
+        if (unknown.situation) unknown.situation = place_in(statement, questions.situations[*unknown.situation].name);
   }
-  for (Solution& solution : solved.solutions)
+  for (Solution& solution : solved.solutions) {
     solution.claims = solve_claims(statement, settings_of_root(statement, settings, solution), exact,
                                    formulas_of_root(statement, solution), tell_claims);
+    for (const SolvedClaim& claim : solution.claims)
+      if (claim.ended) solved.ended = claim.ended;
+  }
   return solved;
 }
 

@@ -1,9 +1,9 @@
 #include "problem/claims/claim_numbers.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/claims/claim_letters.h"
 #include "problem/language/diagnostic.h"
 #include "problem/unknowns/sample.h"
@@ -11,7 +11,7 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr int most_seconds = 10;     // for the samples of a claim
+constexpr Work most_number_work = 10'000'000'000;  // of the samples of a claim
 constexpr int most_motions = 10;     // points from which a claim that is meant along the motion is followed in time
 constexpr int most_edge_points = 4;  // points from which letters are moved, one by one, to where the assumptions end
 constexpr int most_edge_steps = 6, most_edge_halvings = 10;
@@ -35,10 +35,10 @@ class NumberTrier {
         ground_(ground) {}
 
   NumberTrials run() {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(most_seconds);
+    const WorkLimit limit(most_number_work);
     const int most = ground_.letters().empty() ? most_points_without_letters : most_solved_points;
     ClaimFaults faults;
-    for (int attempt = 0; attempt < most && !found_.refuted && std::chrono::steady_clock::now() < end; ++attempt) {
+    for (int attempt = 0; attempt < most && !found_.refuted && !limit.spent(); ++attempt) {
       const Point point = draw_point(ground_.letters(), attempt);
       try {
         try_at(point, attempt);
@@ -48,8 +48,8 @@ class NumberTrier {
     }
     // A claim may fail only where its assumptions just hold.
     for (int attempt = 0, tried = 0; attempt < most && tried < most_edge_points && !found_.refuted; ++attempt) {
-      if (std::chrono::steady_clock::now() > end) break;
-      tried += try_at_edges(attempt, end);
+      if (limit.spent()) break;
+      tried += try_at_edges(attempt, limit);
     }
     // If the samples all failed before any assumption could be evaluated, the reason is not in the values, and it is
     // reported.
@@ -82,13 +82,13 @@ class NumberTrier {
 
   // Moves one letter at a time from a point that satisfies the assumptions to where they end, and tries the claim
   // there. Returns whether there was such a point.
-  bool try_at_edges(int attempt, std::chrono::steady_clock::time_point end) {
+  bool try_at_edges(int attempt, const WorkLimit& limit) {
     if (situation_.has_blow() || (claim_.assume.empty() && situation_.assume.empty())) return false;
     const Point from = draw_point(ground_.letters(), attempt);
     if (!is_assumed_at(from, attempt)) return false;
     for (const Letter& letter : ground_.letters())
       for (const double step : {0.5, 2.0}) {
-        if (found_.refuted || std::chrono::steady_clock::now() > end) return true;
+        if (found_.refuted || limit.spent()) return true;
         Point inside = from, outside = from;
         bool ends = false;
         for (int i = 0; i < most_edge_steps && !ends; ++i) {

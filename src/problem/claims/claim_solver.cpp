@@ -1,31 +1,28 @@
 #include "problem/claims/claim_solver.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <set>
 
 #include "poinsot/engine/math/formula/formula_decision.h"
+#include "poinsot/engine/work/work.h"
 #include "problem/claims/claim_letters.h"
 #include "problem/claims/claim_numbers.h"
 #include "problem/claims/claim_rates.h"
 #include "problem/claims/claim_steady.h"
 #include "problem/claims/claim_trials.h"
 #include "problem/formulas/formula_answers.h"
-#include "problem/formulas/formula_deadline.h"
 #include "problem/language/diagnostic.h"
 
 namespace poinsot::problem {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int most_points = 400;      // at which a claim without proof is tried
 constexpr int confirming_points = 2;  // at which numbers must confirm a proof
-constexpr int most_seconds = 10;      // for the samples of a claim
-constexpr int most_edge_points = 4;   // from which edges are looked for
-constexpr double most_telling_seconds = 1;
+constexpr Work most_sample_work = 10'000'000'000;
+constexpr int most_edge_points = 4;  // from which edges are looked for
+constexpr Work most_telling_work = 1'000'000'000;
 
 class ClaimSolver {
  public:
@@ -66,7 +63,7 @@ class ClaimSolver {
 
   // Finds the formulas of the claim and tries to prove it. Returns false if it has no formulas.
   bool find_formulas() {
-    const FormulaLimitScope limits({most_formula_terms, formula_deadline(most_formula_seconds)});
+    const FormulaLimitScope limits({most_formula_terms, most_formula_work});
     try {
       ClaimFormulas* formulas = ground_.formulas(is_along_motion(situation_, claim_));
       if (!formulas) return false;
@@ -174,10 +171,10 @@ class ClaimSolver {
   void decide_by_formulas() {
     int confirmed_points = 0, searched_edges = 0;
     bool possible = false;
-    const auto end = Clock::now() + std::chrono::seconds(most_seconds);
+    const WorkLimit limit(most_sample_work);
     // As long as this exists, a formula that vanishes at one point only is not taken for zero.
     const DecisionScope elsewhere;
-    for (int attempt = 0; attempt < most_points && Clock::now() < end; ++attempt) {
+    for (int attempt = 0; attempt < most_points && !limit.spent(); ++attempt) {
       const std::optional<ClaimTrials::Drawn> drawn = trials_->draw(attempt);
       if (!drawn) continue;
       const Outcome outcome = try_at(*drawn, confirmed_points, possible);
@@ -265,7 +262,7 @@ class ClaimSolver {
 
   // Collects what a reader needs to follow the proof.
   void tell_formulas() {
-    const FormulaLimitScope limits({most_formula_terms, formula_deadline(most_telling_seconds)});
+    const FormulaLimitScope limits({most_formula_terms, most_telling_work});
     const PlainPointScope decisions(ground_.base_point());
     const DecisionScope elsewhere;
     const WorkedCase* one = worked_->cases().size() == 1 ? &worked_->cases().front() : nullptr;

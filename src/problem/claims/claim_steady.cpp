@@ -6,7 +6,6 @@
 #include "problem/claims/claim_stability.h"
 #include "problem/claims/claim_trials.h"
 #include "problem/formulas/formula_answers.h"
-#include "problem/formulas/formula_deadline.h"
 
 namespace poinsot::problem {
 namespace {
@@ -40,7 +39,7 @@ bool proves_steady_stability(const Claim& claim, ClaimGround& ground, std::size_
   if (most_modes == 0 || situation.has_blow()) return false;
   for (const Frame& frame : situation.frames)
     if (frame.name == situation.steady->frame && !frame.rides_on.empty()) return false;
-  const FormulaLimitScope limits({most_formula_terms, formula_deadline(most_formula_seconds)});
+  const FormulaLimitScope limits({most_formula_terms, most_formula_work});
   try {
     ClaimFormulas* formulas = ground.formulas(false);
     if (!formulas) return false;

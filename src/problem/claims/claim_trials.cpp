@@ -4,16 +4,16 @@
 #include <cmath>
 
 #include "poinsot/engine/math/formula/formula_sign.h"
-#include "problem/formulas/formula_deadline.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::problem {
 namespace {
 
 constexpr std::size_t most_edge_terms = 60;
 constexpr std::size_t most_edge_letters = 3;  // letters that are moved to an edge, in turn
-constexpr double most_edge_seconds = 0.05;
+constexpr Work most_edge_work = 50'000'000;
 constexpr int most_exact_equalities = 8;  // of one claim, whose sides numbers cannot tell apart
-constexpr double most_exact_seconds = 0.2;
+constexpr Work most_exact_work = 200'000'000;
 constexpr std::size_t most_exact_terms = 20000;
 
 bool is_strict(Relation relation) { return relation == Relation::less || relation == Relation::greater; }
@@ -22,7 +22,7 @@ bool is_strict(Relation relation) { return relation == Relation::less || relatio
 std::optional<Formula> exactly(const Formula& difference, const ClaimTrials::Drawn& drawn) {
   std::map<std::string, Formula> numbers;
   for (const auto& [letter, value] : drawn.free) numbers[letter] = Formula(value);
-  const FormulaLimitScope limits({most_exact_terms, formula_deadline(most_exact_seconds)});
+  const FormulaLimitScope limits({most_exact_terms, most_exact_work});
   try {
     return poinsot::substituted(drawn.of->apply(difference), numbers);
   } catch (const std::domain_error&) {
@@ -133,7 +133,7 @@ Verdict ClaimTrials::verdict(const Drawn& drawn) {
 const std::vector<ClaimTrials::Edge>& ClaimTrials::edges() {
   if (edges_) return *edges_;
   edges_.emplace();
-  const FormulaLimitScope limits({most_edge_terms, formula_deadline(most_edge_seconds)});
+  const FormulaLimitScope limits({most_edge_terms, most_edge_work});
   // Both claims and assumptions have edges.
   std::vector<FormulaComparison> comparisons;
   for (const ClaimTerm& term : formulas_.terms()) comparisons.push_back(term.comparison);
@@ -167,7 +167,7 @@ std::vector<ClaimTrials::Drawn> ClaimTrials::at_edges(const Drawn& from, int att
   if (from.of->is_weak())
     for (const auto& [letter, value] : from.free)
       if (is_part(letter)) add(letter, 0);
-  const FormulaLimitScope limits({most_edge_terms, formula_deadline(most_edge_seconds)});
+  const FormulaLimitScope limits({most_edge_terms, most_edge_work});
   for (const Edge& edge : edges()) {
     if (edge.of != from.of) continue;
     const std::vector<std::string> letters = edge.factor.letters();

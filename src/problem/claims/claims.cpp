@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "poinsot/engine/work/budget.h"
 #include "problem/claims/claim_letters.h"
 #include "problem/claims/claim_solver.h"
 #include "problem/language/diagnostic.h"
@@ -82,11 +83,20 @@ std::vector<SolvedClaim> solve_claims(const Statement& statement, const std::vec
                              "', of which no formula was found: give values to the letters by --set";
       continue;
     }
-    ClaimGround& ground = grounds.try_emplace(k, situation, settings[k], exact, unknowns[k]).first->second;
-    solved.push_back(solve_claim(prepared, k, claim, ground, tell));
-    const SolvedClaim& last = solved.back();
-    if (last.state == AskState::found && (tell || (last.holds && !last.proved)))
-      decide_with_letter_for_gravity(prepared, k, claim, settings[k], exact, tell, solved.back());
+    SolvedClaim found;
+    try {
+      check_budget();
+      ClaimGround& ground = grounds.try_emplace(k, situation, settings[k], exact, unknowns[k]).first->second;
+      found = solve_claim(prepared, k, claim, ground, tell);
+      if (found.state == AskState::found && (tell || (found.holds && !found.proved)))
+        decide_with_letter_for_gravity(prepared, k, claim, settings[k], exact, tell, found);
+    } catch (const BudgetEnded& ended) {
+      found = {};
+      found.state = AskState::undetermined;
+      found.reason = words_of(ended.end);
+      found.ended = ended.end;
+    }
+    solved.push_back(std::move(found));
   }
   return solved;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "poinsot/engine/motion/integrator/trajectory.h"
+#include "poinsot/engine/work/work.h"
 #include "problem/course/motion_features.h"
 #include "problem/instant/instant.h"
 #include "problem/machine/driving.h"
@@ -83,8 +84,8 @@ class Course {
   // Forgets all of the motion except for a checkpoint, and goes on from there. What follows is then the same to the
   // last bit, whatever was asked before. What lies before the checkpoint can no longer be asked.
   void continue_from(const MotionCheckpoint& checkpoint);
-  // How long one integration may take, s of real time.
-  void set_time_limit(double seconds) { most_seconds_ = seconds; }
+  // How much work one integration may be.
+  void set_work_limit(Work most) { most_work_ = most; }
   // The tolerance for a step of the integration, relative to natural sizes. It must be set before the motion is
   // followed.
   void set_tolerance(double tolerance) { tolerance_ = tolerance; }
@@ -178,7 +179,7 @@ class Course {
   std::size_t open_impulses_ = 0;
   State<double> state_;  // the last one computed
   double pace_time_ = 1;
-  double most_seconds_ = 60;
+  Work most_work_ = 60'000'000'000;
   double values_until_ = 0, extremes_until_ = 0;
   double tolerance_ = 1e-12;  // for a step, relative to natural sizes
   std::vector<std::string> happenings_;

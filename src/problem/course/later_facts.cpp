@@ -20,7 +20,7 @@ std::vector<double> later_misfits(const Situation& situation, const Settings& se
   Course motion(situation, settings, choice);
   if (tolerance) motion.set_tolerance(*tolerance);
   // Trial values may lead to a motion that takes long to follow.
-  if (choice.trial) motion.set_time_limit(1);
+  if (choice.trial) motion.set_work_limit(1'000'000'000);
   for (const Instant& instant : situation.instants) {
     const bool later = is_later(situation, instant);
     if (later && instant.found_when) continue;

@@ -13,7 +13,7 @@ namespace poinsot::problem {
 void Course::follow_less_closely(Course& coarse) const {
   coarse.tolerance_ = 16 * tolerance_;
   coarse.looks_ = 2 * looks_ + 617;
-  coarse.most_seconds_ = most_seconds_;
+  coarse.most_work_ = most_work_;
 }
 
 double Course::extremes_error() {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "poinsot/engine/dynamics/action_forces.h"
+#include "poinsot/engine/work/work.h"
 #include "problem/language/diagnostic.h"
 
 namespace poinsot::problem {
@@ -295,11 +296,11 @@ void Course::Piece::check_winding(const Trajectory& way) const {
   }
 }
 
-IntegrationResult Course::Piece::follow(double end, double seconds) {
+IntegrationResult Course::Piece::follow(double end, Work most) {
   IntegrationOptions options;
   options.tolerance = motion_.tolerance_;
   options.most_steps = most_steps;
-  options.seconds = std::max(seconds, 0.0);
+  options.work = std::max<Work>(most, 1);
   options.largest_step = span_.largest_step;
   if (lone_) {
     IntegrationOptions fine = options;

@@ -10,6 +10,7 @@
 #include "poinsot/engine/motion/integrator/integrate.h"
 #include "poinsot/engine/motion/mechanism/lone_body.h"
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
+#include "poinsot/engine/work/work.h"
 #include "problem/course/course.h"
 #include "problem/course/lost_contact.h"
 #include "problem/instant/massless_turning.h"
@@ -33,8 +34,8 @@ class Course::Piece {
   // Adds the events at which cords and contacts give way or catch. Returns the action of one that would pull or push
   // the wrong way from the start and therefore does not act; nothing if there is none.
   std::optional<std::size_t> add_holds();
-  // seconds: of real time.
-  IntegrationResult follow(double end, double seconds);
+  // most: of work.
+  IntegrationResult follow(double end, Work most);
   // The cord or contact that gives way or catches at an event; nothing if the event ends the stage.
   std::optional<std::size_t> action_of(std::size_t event) const { return event_action_[event]; }
 

@@ -1,6 +1,5 @@
 // Follows a stage of a motion piece by piece.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -8,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/course/course.h"
 #include "problem/course/motion_piece.h"
 #include "problem/language/diagnostic.h"
@@ -56,9 +56,7 @@ void Course::run(std::size_t stage, double until) {
   // An event is sought in growing intervals, until it happens or the motion was followed long enough.
   double span = 20 * pace_time_;
   double target = now.end ? std::min(until, *now.end) : ending ? std::min(until, now.time + span) : until;
-  using Clock = std::chrono::steady_clock;
-  const auto begun = Clock::now();
-  const auto taken = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
+  const WorkLimit limit(most_work_);
   while (!now.done && now.time < target) {
     if (now.slips) throw_slip(now);
     const Driving::Span smooth = smooth_span(stage, target);
@@ -79,8 +77,7 @@ void Course::run(std::size_t stage, double until) {
     if (released) continue;
     if (const ContactLimit* limit = piece.beyond_surface()) comes_to_end(stage, *limit);
     piece.check_sides(nullptr);
-    const IntegrationResult result =
-        piece.follow(std::min(smooth.end, now.end.value_or(target)), most_seconds_ - taken());
+    const IntegrationResult result = piece.follow(std::min(smooth.end, now.end.value_or(target)), limit.left());
     piece.check_sides(&result.trajectory);
     piece.check_winding(result.trajectory);
     keep(stage, piece, result);

@@ -1,7 +1,6 @@
 #include "problem/equations/traced_machine.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -11,6 +10,7 @@
 #include "poinsot/engine/dynamics/convert_mechanism.h"
 #include "poinsot/engine/math/trace/traced_formula.h"
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
+#include "poinsot/engine/work/work.h"
 #include "problem/claims/claim_points.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/language/diagnostic.h"
@@ -20,7 +20,7 @@ namespace poinsot::problem {
 namespace {
 
 constexpr std::size_t most_terms = 5000;
-constexpr std::chrono::seconds longest{10}, longest_trying{1};
+constexpr Work most_work = 10'000'000'000, most_trying_work = 1'000'000'000;
 constexpr int most_points = 50;  // at which the situation is tried until it makes sense
 
 // A letter of the equations: a letter of the file, an unknown, or a datum that remains a letter.
@@ -146,9 +146,9 @@ MachineOf<Formula> possible_machine(const Situation& situation, const Names& nam
   // The time is always one of the parameters.
   if (names.parameters().size() == 1) return formula_machine(situation, names);
   std::optional<StatementError> refusal;
-  const auto end = std::chrono::steady_clock::now() + longest_trying;
+  const WorkLimit limit(most_trying_work);
   for (int attempt = 0; attempt <= most_points; ++attempt) {
-    if (attempt > 1 && std::chrono::steady_clock::now() > end) break;
+    if (attempt > 1 && limit.spent()) break;
     if (attempt > 0) decisions.emplace(names.likely_values(attempt));
     try {
       return formula_machine(situation, names);
@@ -292,7 +292,7 @@ class CoordinateNames {
 
 TracedMachine traced_machine(const Situation& situation, const EquationsOptions& options,
                              const std::string& third_array) {
-  const FormulaLimitScope limits({most_terms, std::chrono::steady_clock::now() + longest});
+  const FormulaLimitScope limits({most_terms, most_work});
   const Names names(situation, options);
   TracedMachine traced_machine;
   std::optional<PlainPointScope> decisions;

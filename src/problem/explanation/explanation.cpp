@@ -6,18 +6,18 @@
 #include <numbers>
 #include <random>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/explanation/explanation_claims.h"
 #include "problem/explanation/explanation_instant.h"
 #include "problem/explanation/explanation_model.h"
 #include "problem/explanation/explanation_motion.h"
 #include "problem/formulas/formula_answers.h"
-#include "problem/formulas/formula_deadline.h"
 
 namespace poinsot::problem {
 namespace {
 
-constexpr int most_draws = 40;           // of open letters, until the statement makes sense
-constexpr double formula_seconds = 1.5;  // for all formulas of one instant
+constexpr int most_draws = 40;                     // of open letters, until the statement makes sense
+constexpr Work most_instant_work = 1'500'000'000;  // for all formulas of one instant
 constexpr std::size_t formula_terms = 3000;
 
 // Whether a datum appears in formulas as a number, since it has a special value (0, 45 deg) or is a count (2).
@@ -173,11 +173,8 @@ class Explainer {
         if (!unknown.formula->is_number()) return false;
         value = Value<double>::of_number(value_at(unknown.formula->number, letters), unknown.unit.dimension);
       }
-      for (std::size_t i = 0; i < settings_.size(); ++i) {
-        const std::string own = " @ " + statement_.situations[i].name;
-        const std::string name = unknown.name.substr(0, unknown.name.find(" @ "));
-        if (unknown.name == name || unknown.name == name + own) settings_[i][name] = value;
-      }
+      for (std::size_t i = 0; i < settings_.size(); ++i)
+        if (unknown.is_of(i)) settings_[i][unknown.own_name] = value;
     }
     // If an unknown has no answer there are no numbers.
     for (std::size_t i = 0; i < settings_.size(); ++i)
@@ -204,7 +201,7 @@ class Explainer {
     LetterValues in_shown_units;
     for (const auto& [name, value] : point) in_shown_units[name] = value / tex.unit(values.at(name).dimension).factor;
     if (stated.habits.customary()) tex.set_letters(in_shown_units);
-    const FormulaLimitScope limits({formula_terms, formula_deadline(formula_seconds)});
+    const FormulaLimitScope limits({formula_terms, most_instant_work});
     const PlainPointScope decisions(point);
     std::unique_ptr<FormulaInstant> formulas;
     if (!home.time && !home.ending && home.instant <= (stated.has_blow() ? 1U : 0U)) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/formulas/formula_instant.h"
 #include "problem/unknowns/sample.h"
 
@@ -15,7 +16,7 @@ namespace poinsot::problem {
 
 // Bounds on the search for the formulas of one file.
 inline constexpr std::size_t most_formula_terms = 20000;
-inline constexpr double most_formula_seconds = 5;
+inline constexpr Work most_formula_work = 5'000'000'000;
 
 // Why `find` does not yield a formula, possibly because it takes too long; nothing if it yields one.
 template <class Find>

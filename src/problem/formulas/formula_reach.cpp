@@ -1,11 +1,11 @@
 #include "problem/formulas/formula_reach.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/language/compare_values.h"
 #include "problem/quantities/quantity_functions.h"
@@ -14,7 +14,7 @@ namespace poinsot::problem {
 namespace {
 
 constexpr std::size_t most_points = 24;
-constexpr double most_seconds = 0.4;
+constexpr Work most_far_work = 400'000'000;
 constexpr int most_condition_points = 200;  // at which a formula is looked at
 constexpr int most_confirmations = 3;       // of what it shows, by numbers
 constexpr double branch_tolerance = 1e-6;   // relative difference of answers from which they are on different branches
@@ -70,9 +70,9 @@ class FarSearch {
   void run() {
     LetterValues base;
     for (const Letter& letter : task_.open) base[letter.name] = task_.settings.front().at(letter.name).number;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(most_seconds);
+    const WorkLimit limit(most_far_work);
     for (const FarPoint& point : far_points(task_.open, base)) {
-      if (std::chrono::steady_clock::now() > end) break;
+      if (limit.spent()) break;
       const AllSettings settings = settings_at(point.letters);
       Sample sample(task_.statement, settings, OpenChoice{});
       for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
@@ -122,16 +122,16 @@ class FarSearch {
     }
   }
 
+  static const std::string& name_of(const SolvedInstant& instant, const SolvedInstant::OneSidedFault& fault) {
+    return instant.machine().mechanism.actions[fault.action].name;
+  }
+
   // Whether a cord or contact acts the wrong way at the instant. The solution then assumes that this does not happen.
   bool assume_physical(const SolvedInstant& instant, const Sample::Home& home, const LetterValues& letters) {
-    const std::vector<std::string> reasons = instant.unphysical();
-    for (const std::string& reason : reasons) {
-      // "the cord 'AB' would have to push: it goes slack"
-      const std::size_t begin = reason.find('\'') + 1;
-      const std::string name = reason.substr(begin, reason.find("' would") - begin);
-      assume(holding_words(name, reason.starts_with("the cord")), home, letters);
-    }
-    return !reasons.empty();
+    const std::vector<SolvedInstant::OneSidedFault> faults = instant.one_sided_faults();
+    for (const SolvedInstant::OneSidedFault& fault : faults)
+      assume(holding_words(name_of(instant, fault), fault.cord), home, letters);
+    return !faults.empty();
   }
 
   // Adds an assumption, and tells with the formula of the force where it is known not to hold.
@@ -169,9 +169,8 @@ class FarSearch {
         Sample sample(task_.statement, settings, OpenChoice{});
         SolvedInstant& instant = sample.instant(force.home);
         instant.solve_forces();
-        for (const std::string& reason : instant.unphysical())
-          if (reason.find("'" + force.action + "'") != std::string::npos)
-            return assume(force.assumption, force.home, letters);
+        for (const SolvedInstant::OneSidedFault& fault : instant.one_sided_faults())
+          if (name_of(instant, fault) == force.action) return assume(force.assumption, force.home, letters);
       } catch (const StatementError&) {
         // The statement makes no sense at this point.
       }

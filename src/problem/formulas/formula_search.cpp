@@ -5,7 +5,6 @@
 #include <random>
 #include <set>
 
-#include "problem/formulas/formula_deadline.h"
 #include "problem/formulas/formula_unknowns.h"
 #include "problem/formulas/law_search.h"
 #include "problem/unknowns/unknown_search.h"
@@ -97,7 +96,10 @@ class FormulaSearch {
     std::vector<SolvedUnknown> all;
     for_each_unknown([&](const Unknown& unknown, std::size_t situation, const std::string&) {
       SolvedUnknown solved{unknown.name, unknown.unit, task_.settings[situation].at(unknown.name)};
-      if (!is_common(task_.statement, unknown.name)) solved.name += " @ " + task_.statement.situations[situation].name;
+      if (!is_common(task_.statement, unknown.name)) {
+        solved.name += " @ " + task_.statement.situations[situation].name;
+        solved.situation = situation;
+      }
       solved.formula = in_letters(value_of(task_.statement, unknown, situation));
       all.push_back(std::move(solved));
     });
@@ -274,7 +276,7 @@ bool confirmed_by_particles(Sample& sample) {
 }
 
 std::vector<OneSidedForce> find_formulas(const FormulaTask& task, Solution& solution) {
-  const FormulaLimitScope limits({most_formula_terms, formula_deadline(most_formula_seconds)});
+  const FormulaLimitScope limits({most_formula_terms, most_formula_work});
   // Signs that are decided on the way are decided as at the numbers of the first solution.
   LetterValues point;
   for (const Letter& letter : task.open) point[letter.name] = task.settings.front().at(letter.name).number;

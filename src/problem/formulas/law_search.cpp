@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <map>
 #include <set>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/formulas/formula_answers.h"
-#include "problem/formulas/formula_deadline.h"
 #include "problem/formulas/scaling_law.h"
 #include "problem/instant/open_words.h"
 #include "problem/language/compare_values.h"
@@ -17,7 +16,7 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double most_seconds_each = 0.4;  // of the processor for a trial, of which there are some twenty
+constexpr Work most_work_each = 400'000'000;  // of a trial, of which there are some twenty
 constexpr std::size_t most_changes_each = 50;
 
 bool has_numbers(const Value<double>& value) {
@@ -115,7 +114,10 @@ class LawSearch {
     static_cast<void>(why_no_formula([&] {
       const ScalingLaw law = scaling_law(trials, solution_.asks.size() + k, letters);
       SolvedUnknown solved{unknown.name, unknown.unit, task_.settings[situation].at(unknown.name), law.formula};
-      if (!is_common(task_.statement, unknown.name)) solved.name += " @ " + task_.statement.situations[situation].name;
+      if (!is_common(task_.statement, unknown.name)) {
+        solved.name += " @ " + task_.statement.situations[situation].name;
+        solved.situation = situation;
+      }
       solved.formula_road = road_of(law);
       solution_.unknowns.push_back(std::move(solved));
     }));
@@ -123,7 +125,7 @@ class LawSearch {
 
   // The answers of the asks, followed by the unknowns.
   ScalingTrials::Answers answers_at(const LetterValues& letters) {
-    const std::clock_t begun = std::clock();
+    const WorkLimit limit(most_work_each);
     ScalingTrials::Answers answers(solution_.asks.size() + unknowns_.size());
     const std::optional<AllSettings> settings = settings_at(letters);
     if (!settings || !is_assumed(*settings))
@@ -143,8 +145,7 @@ class LawSearch {
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
       answers[solution_.asks.size() + k] = (*settings)[unknowns_[k].situation].at(unknowns_[k].unknown->name);
     if (!confirmed_by_particles(sample)) throw NoFormula("the check on particles does not confirm its numbers");
-    if (static_cast<double>(std::clock() - begun) > formula_slowdown * most_seconds_each * CLOCKS_PER_SEC)
-      throw NoFormula("it takes too long to find it at other values of the letters");
+    if (limit.spent()) throw NoFormula("it takes too long to find it at other values of the letters");
     return answers;
   }
 

@@ -131,8 +131,14 @@ class SolvedInstant {
   };
   std::vector<NonlinearMisfit> nonlinear_misfits(System system, const std::vector<double>& unknowns) const;
 
-  // Describes cords that would have to push and contacts that would have to pull. solve_forces() must be called
-  // before.
+  // A cord that would have to push or a contact that would have to pull.
+  struct OneSidedFault {
+    std::size_t action = 0;  // its place among the actions of the mechanism
+    bool cord = false;
+  };
+  // All of them. solve_forces() must be called before.
+  std::vector<OneSidedFault> one_sided_faults() const;
+  // Describes them: "the cord 'AB' would have to push: it goes slack".
   std::vector<std::string> unphysical() const;
 
   // The linearised equations near this motion, which must be steady. Errors are reported at the mark.

@@ -63,8 +63,8 @@ void SolvedInstant::solve_motion_equations(const std::vector<const Fact*>& nonli
   mechanism_state_->set_accelerations(std::vector<double>(unknowns_.begin(), unknowns_.begin() + n));
 }
 
-std::vector<std::string> SolvedInstant::unphysical() const {
-  std::vector<std::string> found;
+std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults() const {
+  std::vector<OneSidedFault> found;
   const Mechanism<double>& mechanism = machine_.mechanism;
   const std::size_t first = solve::force_unknowns(mechanism).accelerations;
   // A force is rounding if it is small beside all other forces on the body that it holds.
@@ -93,11 +93,19 @@ std::vector<std::string> SolvedInstant::unphysical() const {
         mass = std::min(mass, mechanism.tree.body(body).inertia.mass);
     const double rounding = 1e-13 * natural_unit(dimensions::force) * mass / scales_.mass;
     if (unknowns_[first + k] >= -std::max(1e-9 * beside, rounding)) continue;
-    found.push_back(action.kind == ActionKind::cord
-                        ? "the cord '" + action.name + "' would have to push: it goes slack"
-                        : "the contact '" + action.name + "' would have to pull: it is lost");
+    found.push_back({own, action.kind == ActionKind::cord});
   }
   return found;
+}
+
+std::vector<std::string> SolvedInstant::unphysical() const {
+  std::vector<std::string> words;
+  for (const OneSidedFault& fault : one_sided_faults()) {
+    const std::string& name = machine_.mechanism.actions[fault.action].name;
+    words.push_back(fault.cord ? "the cord '" + name + "' would have to push: it goes slack"
+                               : "the contact '" + name + "' would have to pull: it is lost");
+  }
+  return words;
 }
 
 }  // namespace poinsot::problem

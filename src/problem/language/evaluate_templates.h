@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/language/evaluate.h"
 #include "problem/language/evaluate_functions.h"
 #include "problem/language/evaluate_support.h"
@@ -284,6 +285,8 @@ struct Evaluation {
 
 template <class Scalar>
 Value<Scalar> Evaluator<Scalar>::operator()(const Expression& expression) const {
+  constexpr Work of_a_node = 100;
+  count_work(of_a_node);
   return std::visit(Evaluation<Scalar>{*this, scope_, expression->mark}, expression->content);
 }
 

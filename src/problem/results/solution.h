@@ -46,6 +46,13 @@ struct SolvedUnknown {
   Value<double> value;                               // SI
   std::optional<Value<poinsot::Formula>> formula{};  // if it depends on letters without value; then `value` is not set
   std::string formula_road{};                        // as for asks
+  // The name that the file gives it, and the place of the situation whose own it is; none if it is common to all. It is
+  // shown by `name`: "x @ second".
+  std::string own_name = name;
+  std::optional<std::size_t> situation{};
+
+  // Whether it is an unknown of the situation at this place in the statement.
+  bool is_of(std::size_t place) const { return !situation || *situation == place; }
 };
 
 // The verdict on a claim. A refuted claim is an answer too.

@@ -78,7 +78,7 @@ RootsFound UnknownSearch::find_chosen(const UnknownSystem& system, const AllSett
   for (std::size_t subset = 0; subset < (std::size_t{1} << choice.of.size()); ++subset) {
     const auto count = static_cast<std::size_t>(std::popcount(subset));
     if (choice.least_total ? count > most : count != static_cast<std::size_t>(choice.exactly)) continue;
-    if (seconds_left() <= 0) {
+    if (limit_.spent()) {
       ++left;
       continue;
     }

@@ -1,11 +1,11 @@
 #include "problem/unknowns/unknown_search.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/language/diagnostic.h"
 #include "problem/unknowns/unknown_blocks.h"
 #include "problem/unknowns/unknown_ranges.h"
@@ -14,10 +14,6 @@ namespace poinsot::problem {
 namespace {
 
 constexpr std::size_t most_roots = 64;
-
-double steady_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 // The root of the sum of the squared misfits of the equations.
 double misfit(UnknownEquations& equations, const std::vector<double>& x) {
@@ -94,9 +90,8 @@ void merge(RootsFound& all, const RootsFound& more) {
   if (more.alternative) all.alternative = more.alternative;
 }
 
-UnknownSearch::UnknownSearch(const Statement& statement, const Settings& settings, double seconds,
-                             std::function<double()> clock)
-    : statement_(statement), seconds_(seconds), clock_(clock ? std::move(clock) : steady_seconds) {
+UnknownSearch::UnknownSearch(const Statement& statement, const Settings& settings, Work most)
+    : statement_(statement), most_(most), limit_(most) {
   for (const auto& [name, value] : settings) known_.insert(name);
   for (const Situation& situation : statement.situations)
     for (const Unknown& unknown : situation.find)
@@ -111,7 +106,7 @@ UnknownEquations UnknownSearch::equations_of(const UnknownSystem& system, const 
 
 RootsFound UnknownSearch::find(const Settings& settings, const OpenChoice& choice) {
   choice_ = choice;
-  begun_ = clock_();
+  limit_ = WorkLimit(most_);
   RootsFound found;
   found.roots.push_back(AllSettings(statement_.situations.size(), settings));
   const auto search = [&](const UnknownSystem& system) {
@@ -206,9 +201,8 @@ RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained
   for (std::size_t k : equations.without_squares()) small += (small.empty() ? "" : ", ") + slots[k].unknown.name + "^2";
   if (!small.empty()) found.warnings.push_back("neglected, as stated: " + small);
 
-  solve::RootProblem problem = equations.problem();
-  problem.clock = clock_;
-  const solve::Roots result = solve::find_roots(problem, seconds_left());
+  const solve::RootProblem problem = equations.problem();
+  const solve::Roots result = solve::find_roots(problem, limit_.left());
   for (std::size_t k : result.open_unknowns) add_once(found.open, slots[k].unknown.name);
   std::set<std::string> sought;
   for (const Unknown& unknown : unknowns_) sought.insert(unknown.name);
@@ -272,7 +266,7 @@ std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solv
                               : "searched by polynomials, which leave parts of the ranges unresolved";
       break;
   }
-  if (seconds_left() <= 0) how += "; the time for it was over";
+  if (limit_.spent()) how += "; the time for it was over";
   if (result.search != solve::RootSearch::few_evaluations)
     if (const Balance balance = balance_of(equations); !balance.surplus.conditions.empty())
       how += "; " + surplus_in_words(balance.surplus);

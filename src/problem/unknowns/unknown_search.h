@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/unknowns/unknown_equations.h"
 
 namespace poinsot::problem {
@@ -21,12 +21,11 @@ struct RootsFound {
 
 class UnknownSearch {
  public:
-  static constexpr double most_seconds = 8;  // of one search, all its parts together
+  static constexpr Work most_work = 8'000'000'000;  // of one search, all its parts together
 
-  // statement must outlive the search; `settings` are values from outside the file, which are not sought. seconds: how
-  // long find() may take by the clock, which tells seconds since some time (the steady clock when left out).
-  UnknownSearch(const Statement& statement, const Settings& settings, double seconds = most_seconds,
-                std::function<double()> clock = {});
+  // statement must outlive the search; `settings` are values from outside the file, which are not sought. most: how
+  // much work find() may do.
+  UnknownSearch(const Statement& statement, const Settings& settings, Work most = most_work);
 
   const std::vector<Unknown>& unknowns() const { return unknowns_; }
   // Whether an unknown has one value for all situations.
@@ -65,15 +64,13 @@ class UnknownSearch {
   std::optional<StatementError> objection(const AllSettings& root) const;
   void leave_out_nonsense(RootsFound& found) const;
   UnknownEquations equations_of(const UnknownSystem& system, const AllSettings& settings) const;
-  double seconds_left() const { return std::max(0.0, seconds_ - (clock_() - begun_)); }
 
   const Statement& statement_;
   std::vector<Unknown> unknowns_;
   std::set<std::string> known_;  // those given from outside the file
   OpenChoice choice_;
-  double seconds_;
-  std::function<double()> clock_;
-  double begun_ = 0;  // in the time of the clock
+  Work most_;
+  WorkLimit limit_;  // of the present find()
 };
 
 // Adds the findings of another search except its roots.

@@ -107,6 +107,19 @@ TEST(Budget, a_respite_sets_it_aside) {
   EXPECT_TRUE(budget_ended());
 }
 
+TEST(Budget, a_grace_gives_a_little_time_after_the_end) {
+  const std::atomic<bool> flag = true;
+  const BudgetScope scope(Budget().end_when(&flag));
+  {
+    const BudgetGrace grace;
+    EXPECT_FALSE(budget_ended());
+    std::this_thread::sleep_for(milliseconds(40));
+    while (!budget_ended()) std::this_thread::sleep_for(milliseconds(1));
+    EXPECT_EQ(how_budget_ended(), BudgetEnd::deadline);
+  }
+  EXPECT_EQ(how_budget_ended(), BudgetEnd::interrupted);
+}
+
 // Calls every microsecond look at the clock seldom; when each call takes three milliseconds the deadline is still seen
 // within fifty.
 TEST(Budget, the_clock_is_looked_at_seldom_and_the_deadline_is_seen_in_time) {

@@ -101,6 +101,16 @@ class BudgetRespite {
   BudgetScope* const set_aside_;
 };
 
+// While it lives, this thread has a few hundredths of a second more, whatever has ended: to finish what was found.
+class BudgetGrace {
+ public:
+  BudgetGrace();
+
+ private:
+  BudgetRespite respite_;
+  BudgetScope scope_;
+};
+
 // Takes some nanoseconds, so that it may be called every microsecond. It should be called every three milliseconds at
 // least, by which the end is seen within 50.
 std::optional<BudgetEnd> how_budget_ended();

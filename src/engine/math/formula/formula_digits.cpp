@@ -11,6 +11,8 @@ namespace poinsot {
 namespace symbolic {
 namespace {
 
+constexpr double of_a_word = 10;  // of 64 bits, in a product
+
 // sqrt where the argument may be a ball around zero.
 Ball root_of(const Ball& x, slong precision) {
   Ball result;
@@ -84,6 +86,8 @@ BallOfLetter at_values(const LetterValues& values) {
 }  // namespace
 
 Ball ball_of(const Generators& generators, const Polynomial& polynomial, const BallOfLetter& letters, slong precision) {
+  count_formula_work(of_a_word * static_cast<double>(polynomial.length() * (1 + generators.size()) *
+                                                     static_cast<std::size_t>(1 + precision / 64)));
   std::vector<std::vector<Ball>> powers(generators.size());
   const std::vector<bool> used = polynomial.used();
   for (std::size_t v = 0; v < generators.size(); ++v) {

@@ -165,6 +165,7 @@ std::optional<Polynomial> divisor_of_coefficients(const Polynomial& a, const Pol
 
 Polynomial common_divisor(const Polynomial& a, const Polynomial& b) {
   check_limits(std::max(a.length(), b.length()));
+  count_formula_work(200 * static_cast<double>(a.length() + b.length()));
   if (auto plain = plain_divisor(a, b)) return std::move(*plain);
   if (a.length() > 1 && b.length() > 1)
     if (auto divisor = divisor_of_coefficients(a, b)) return std::move(*divisor);

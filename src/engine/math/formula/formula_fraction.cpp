@@ -71,6 +71,7 @@ Formula finished(GeneratorList generators, Polynomial numerator, Polynomial deno
                  bool coprime) {
   if (numerator.is_zero()) return {};
   check_limits(std::max(numerator.length(), denominator.length()));
+  count_formula_work(20 * static_cast<double>(numerator.length() + denominator.length()));
   if (!coprime && !denominator.is_one()) {
     const Polynomial common = common_divisor(numerator, denominator);
     numerator = divided_exactly(numerator, common);

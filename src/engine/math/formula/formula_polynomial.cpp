@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include "poinsot/engine/math/formula/formula.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot {
 namespace {
 
-thread_local FormulaLimits limits;
-// Small operations since the clock was looked at: a look takes longer than one of them.
-thread_local unsigned small_operations = 0;
+thread_local std::size_t most_terms = FormulaLimits().terms;
+thread_local WorkLimit formula_work(unlimited_work);
 
 // FLINT keeps pools of memory for each thread, which a thread that ends has to give back.
 struct PoolKeeper {
@@ -25,25 +25,28 @@ struct PoolKeeper {
 
 }  // namespace
 
-FormulaLimitScope::FormulaLimitScope(const FormulaLimits& inner) : outer_(limits) {
-  limits = inner;
-  small_operations = 0;
+FormulaLimitScope::FormulaLimitScope(const FormulaLimits& inner)
+    : outer_terms_(std::exchange(most_terms, inner.terms)),
+      outer_work_(std::exchange(formula_work, WorkLimit(inner.work))) {}
+FormulaLimitScope::~FormulaLimitScope() {
+  most_terms = outer_terms_;
+  formula_work = outer_work_;
 }
-FormulaLimitScope::~FormulaLimitScope() { limits = outer_; }
 
 namespace symbolic {
 
 void check_limits(std::size_t terms) {
-  if (terms > limits.terms) {
-    throw FormulaTooLarge("a formula would have more than " + std::to_string(limits.terms) +
+  if (terms > most_terms) {
+    throw FormulaTooLarge("a formula would have more than " + std::to_string(most_terms) +
                           " terms; give some of the letters values");
   }
-  constexpr std::size_t small = 16;        // terms
-  constexpr unsigned looked_at_each = 16;  // of small operations
-  if (!limits.deadline || (terms < small && small_operations++ % looked_at_each != 0)) return;
-  if (std::chrono::steady_clock::now() > *limits.deadline) {
+  if (formula_work.spent())
     throw FormulaTooLarge("the time allowed for formulas has passed; give some of the letters values");
-  }
+}
+
+void count_formula_work(double operations) {
+  constexpr double of_any = 300;
+  count_work(static_cast<Work>(of_any + operations));
 }
 
 std::string Integer::text() const {
@@ -181,6 +184,7 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   Polynomial c(static_cast<std::size_t>(fmpz_mpoly_ctx_nvars(a.ring_)));
   // What two large factors make is estimated first, lest the product itself take too long.
   if (a.length() > 1 && b.length() > 1) check_limits(a.length() * b.length() / 200);
+  count_formula_work(20 * static_cast<double>(a.length()) * static_cast<double>(b.length()));
   fmpz_mpoly_mul(c.terms_, a.terms_, b.terms_, a.ring_);
   check_limits(c.length());
   return c;
@@ -216,6 +220,7 @@ Polynomial power(const Polynomial& a, int exponent) {
 
 Factors factored(const Polynomial& a) {
   check_limits(a.length());
+  count_formula_work(2000 * static_cast<double>(a.length()));
   const auto clear = [&a](fmpz_mpoly_factor_struct* f) {
     fmpz_mpoly_factor_clear(f, a.ring());
     delete f;

@@ -110,5 +110,7 @@ Factors factored(const Polynomial& a);
 
 // Throws FormulaTooLarge if so many terms are too many or the deadline has passed.
 void check_limits(std::size_t terms);
+// For an operation that takes so many multiplications of terms.
+void count_formula_work(double operations);
 
 }  // namespace poinsot::symbolic

@@ -1,7 +1,6 @@
 #include "poinsot/engine/motion/integrator/integrate.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -11,10 +10,13 @@
 #include "engine/motion/integrator/integration_arguments.h"
 #include "engine/motion/integrator/methods.h"
 #include "engine/motion/integrator/packed_collocation.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot {
 
 namespace {
+
+constexpr Work of_a_step = 50;  // for each number of the state, beside the accelerations
 
 // One integration from a start to an end.
 class Run {
@@ -221,8 +223,7 @@ std::optional<Ending> Run::one_step() {
 }
 
 IntegrationResult Run::go(std::span<const double> q, std::span<const double> v) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point begun = Clock::now();
+  const WorkLimit limit(options_.work);
   y_.assign(q.begin(), q.end());
   y_.insert(y_.end(), v.begin(), v.end());
   y_sample_ = y_;
@@ -253,9 +254,8 @@ IntegrationResult Run::go(std::span<const double> q, std::span<const double> v) 
     }
     if (ending) break;
     if (result_.statistics.steps >= options_.most_steps) ending = Ending::step_limit;
-    if (std::isfinite(options_.seconds) &&
-        std::chrono::duration<double>(Clock::now() - begun).count() > options_.seconds)
-      ending = Ending::time_limit;
+    count_work(of_a_step * static_cast<Work>(right_side_.size()));
+    if (limit.spent()) ending = Ending::work_limit;
   }
   if (method_) result_.statistics.rejected += method_->rejected();
   result_.ending = *ending;
@@ -363,7 +363,7 @@ std::string describe(const IntegrationResult& result) {
     case Ending::step_limit:
       return "the limit of " + std::to_string(result.statistics.steps) + " steps ended the integration" + at +
              ": let it last shorter, or raise the limit or the tolerance";
-    case Ending::time_limit:
+    case Ending::work_limit:
       return "the limit of computing time ended the integration" + at;
     case Ending::step_too_small:
       return "the steps became too small" + at +

@@ -48,7 +48,7 @@ void check_arguments(const MotionEquations& equations, double start, std::span<c
   require(options.tolerance > 0.0 && options.tolerance < 1.0, "the tolerance must lie between 0 and 1");
   require(options.first_step >= 0.0 && options.largest_step >= 0.0 && options.fixed_step >= 0.0,
           "steps must not be negative");
-  require(options.most_steps > 0 && options.seconds > 0.0, "the limits must be positive");
+  require(options.most_steps > 0 && options.work > 0, "the limits must be positive");
   require(std::ranges::all_of(events, [](const Event& event) { return event.value && event.size > 0.0; }),
           "an event needs a value and a positive size");
 }

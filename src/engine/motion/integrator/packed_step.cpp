@@ -5,12 +5,15 @@
 #include <limits>
 #include <memory>
 
+#include "poinsot/engine/work/work.h"
+
 namespace poinsot {
 
 namespace {
 
 namespace gauss = gauss_legendre_8;
 constexpr int stages = gauss::stages;
+constexpr Work of_eight_rates = 250;  // of one number of the state
 using Stages = StageTable::Stages;
 using Lanes = Stages::Lanes;
 
@@ -178,6 +181,7 @@ void PackedStep::find_position_rates(double t, double h) {
 
 void PackedStep::find_accelerations(double t, double h) {
   ++rounds_;
+  count_work(of_eight_rates * static_cast<Work>(n_));
   equations_.accelerations_at_eight(instants(t, h), at_stages_.rows(0, nq_), at_stages_.rows(nq_, n_ - nq_),
                                     rates_.rows(nq_, n_ - nq_));
 }

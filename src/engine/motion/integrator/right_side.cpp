@@ -4,10 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "poinsot/engine/work/work.h"
+
 namespace poinsot {
+
+namespace {
+
+constexpr Work of_a_number = 100;  // of the state, for its rate
+
+}  // namespace
 
 bool RightSide::operator()(double t, std::span<const double> y, std::span<double> rate) {
   ++evaluations_;
+  count_work(of_a_number * static_cast<Work>(size()));
   const std::size_t nq = position_count();
   if (equations_.position_rate) {
     equations_.position_rate(t, y.first(nq), y.subspan(nq), rate.first(nq));

@@ -6,6 +6,7 @@
 #include "poinsot/engine/dynamics/action_forces.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "poinsot/engine/math/formula/formula.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
 
@@ -32,6 +33,8 @@ void MechanismStateOf<Scalar>::set_velocities(const std::vector<Scalar>& v) {
 
 template <class Scalar>
 void MechanismStateOf<Scalar>::set_accelerations(const std::vector<Scalar>& a) {
+  constexpr Work of_a_freedom = 300;
+  count_work(of_a_freedom * (1 + a.size()));
   accelerations_ = a;
   update_accelerations<Scalar>(mechanism_.tree, workspace_, state_, accelerations_);
 }

@@ -10,6 +10,7 @@
 #include "poinsot/engine/math/algebra/dual.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "poinsot/engine/solve/linear/linear_system.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
 
@@ -78,6 +79,9 @@ AssembledSystem<Scalar>::AssembledSystem(const LinearSystemOf<Scalar>& system) {
       rounding.row(i).setConstant(std::max(1e-14 * A.row(i).cwiseAbs().maxCoeff(), 1e-15));
   A = (A.array().abs() <= rounding.array()).select(0, A);
 }
+
+// What the factors of a matrix with m rows and n columns take, with its scaling.
+inline Work work_of_factors(Work m, Work n) { return m * n * (50 + 2 * std::min(m, n)); }
 
 // Scales rows and columns until the largest entry of each is near one (Ruiz 2001). Zero rows and columns are left
 // alone.

@@ -1,6 +1,7 @@
 #include "engine/solve/linear/assembled_system.h"
 #include "engine/solve/linear/held_elimination.h"
 #include "poinsot/engine/solve/linear/linear_system.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
 
@@ -38,6 +39,7 @@ std::optional<LinearRemainderOf<Scalar>> LinearElimination::remainder(const Line
   const AssembledSystem<Scalar> assembled(system);
   if (!assembled.bad.empty() || assembled.A.cols() != parts.column.size()) return std::nullopt;
   const Eigen::MatrixXd A = parts.row.asDiagonal() * assembled.A * parts.column.asDiagonal();
+  count_work(work_of_factors(static_cast<Work>(A.rows()), static_cast<Work>(A.cols())));
   const auto left =
       remainder_of(parts.pivots, A, parts.row.cwiseProduct(assembled.b), parts.row.cwiseProduct(assembled.b_size));
   if (!left) return std::nullopt;

@@ -8,6 +8,7 @@
 #include "engine/solve/linear/decompositions.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "poinsot/engine/math/formula/formula.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
 namespace {
@@ -163,6 +164,7 @@ LinearFactors::LinearFactors(const LinearSystemOf<Scalar>& system) : parts_(std:
   Eigen::VectorXd& b = assembled.b;
   const Eigen::VectorXd &rows = assembled.row, &columns = assembled.column;
   const Eigen::Index m = A.rows(), n = A.cols();
+  count_work(work_of_factors(static_cast<Work>(m), static_cast<Work>(n)));
   LinearSolution& solution = parts.solution;
   solution.value.assign(system.unknowns(), 0.0);
   // An equation whose numbers have overflowed is reported as one that does not hold.

@@ -20,7 +20,7 @@ constexpr int most_zooms = 8;
 constexpr double least_box = 1e-11;  // half width as a part of the whole range, below which a box is not divided
 // where values are within this many errors of zero, a new polynomial would gain little
 constexpr double noise_limited = 1e5;
-constexpr double most_time = 0.5;  // part of the allowed time for this search
+constexpr double most_work = 0.5;  // part of the allowed work for this search
 constexpr int most_vain_polishes = 5;
 constexpr double reach_of_line = 1e6, reach_of_plane = 1e4;
 
@@ -79,7 +79,7 @@ class Search {
     begin_ = function_.evaluations();
     boxes_.push_back({whole_, 0, 0});
     while (!boxes_.empty() && !along_curve_) {
-      if (function_.evaluations() > most_evaluations_ || function_.time_spent() > most_time || hopeless()) {
+      if (function_.evaluations() > most_evaluations_ || function_.limit().part_spent() > most_work || hopeless()) {
         for (const Box& box : boxes_) leave(box.piece, "the equations are too rough for polynomials");
         break;
       }

@@ -22,7 +22,7 @@ struct Place {
 
 std::optional<Place> place_at(RootFunction& function, double u) {
   const auto sample = function.at(VectorXd::Constant(1, u));
-  if (!sample || function.out_of_time()) return std::nullopt;
+  if (!sample || function.limit().spent()) return std::nullopt;
   return Place{u, *sample};
 }
 
@@ -83,7 +83,7 @@ std::vector<VectorXd> starts_from_few_evaluations(RootFunction& function) {
   list.insert(list.begin(), middle_of_ranges(function.problem()));
   std::vector<std::pair<double, VectorXd>> valued;
   for (const VectorXd& u : list) {
-    if (function.out_of_time()) break;
+    if (function.limit().spent()) break;
     if (const auto sample = function.at(u)) valued.emplace_back(sample->values.norm(), u);
   }
   std::stable_sort(valued.begin(), valued.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

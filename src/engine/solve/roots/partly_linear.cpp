@@ -7,6 +7,7 @@
 #include "engine/solve/linear/held_elimination.h"
 #include "engine/solve/roots/linear_roots.h"
 #include "engine/solve/roots/scattered_starts.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
 namespace {
@@ -32,7 +33,7 @@ class Structure {
     places.insert(places.begin(), middle_of_ranges(function_.problem()));
     for (const VectorXd& u : places) {
       if (seen < 2 && look_at(u)) ++seen;
-      if (function_.out_of_time()) return false;
+      if (function_.limit().spent()) return false;
     }
     return seen == 2;
   }
@@ -200,7 +201,7 @@ class Elimination {
 
 }  // namespace
 
-std::optional<PartlyLinearRoots> partly_linear_roots(RootFunction& function, double seconds) {
+std::optional<PartlyLinearRoots> partly_linear_roots(RootFunction& function, Work most) {
   constexpr Index most_unknowns = 10, most_left = 2;
   if (function.unknowns() > most_unknowns) return std::nullopt;
   Structure structure(function);
@@ -211,7 +212,6 @@ std::optional<PartlyLinearRoots> partly_linear_roots(RootFunction& function, dou
   Elimination elimination(function, std::move(linear));
   if (!elimination.hold()) return std::nullopt;
   RootProblem reduced;
-  reduced.clock = function.problem().clock;
   for (const Index k : elimination.others()) {
     RootRange range = function.problem().ranges[static_cast<std::size_t>(k)];
     range.lower /= range.scale;
@@ -224,7 +224,7 @@ std::optional<PartlyLinearRoots> partly_linear_roots(RootFunction& function, dou
     if (!rest) return std::nullopt;
     return RootEquations{{rest->values.begin(), rest->values.end()}, rest->size, {}, 0};
   };
-  const Roots roots = find_roots(reduced, seconds);
+  const Roots roots = find_roots(reduced, most);
   if (roots.open) return std::nullopt;
   PartlyLinearRoots result;
   result.complete = roots.search == RootSearch::certified || roots.search == RootSearch::linear;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/solve/roots/root_function.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
 
@@ -17,7 +18,7 @@ struct PartlyLinearRoots {
 
 // If all unknowns but one or two enter linearly for fixed values of these, they are eliminated by Cramer's rule,
 // which leaves a search for one or two unknowns. Returns nothing where the equations are not of this kind or leave
-// the roots open. seconds: as for find_roots.
-std::optional<PartlyLinearRoots> partly_linear_roots(RootFunction& function, double seconds);
+// the roots open. most: as for find_roots.
+std::optional<PartlyLinearRoots> partly_linear_roots(RootFunction& function, Work most);
 
 }  // namespace poinsot::solve

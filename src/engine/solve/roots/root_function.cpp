@@ -1,10 +1,11 @@
 #include "engine/solve/roots/root_function.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
 
@@ -20,19 +21,11 @@ VectorXd vector_of(const std::vector<double>& v) {
 
 }  // namespace
 
-RootFunction::RootFunction(const RootProblem& problem, double seconds)
+RootFunction::RootFunction(const RootProblem& problem, Work most)
     : problem_(problem),
       unknowns_(static_cast<Index>(problem.ranges.size())),
-      begin_(now()),
-      end_(begin_ + seconds),
+      limit_(most),
       best_misfit_(std::numeric_limits<double>::infinity()) {}
-
-double RootFunction::now() const {
-  if (problem_.clock) return problem_.clock();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double RootFunction::time_spent() const { return (now() - begin_) / std::max(1e-9, end_ - begin_); }
 
 std::vector<double> RootFunction::unscaled(const VectorXd& u) const {
   std::vector<double> x(problem_.ranges.size());
@@ -40,8 +33,14 @@ std::vector<double> RootFunction::unscaled(const VectorXd& u) const {
   return x;
 }
 
-std::optional<RootSample> RootFunction::keep(const VectorXd& u, const std::optional<RootEquations>& equations) {
+void RootFunction::note_evaluation() {
+  constexpr Work beside_the_equations = 500;
   ++evaluations_;
+  count_work(beside_the_equations);
+}
+
+std::optional<RootSample> RootFunction::keep(const VectorXd& u, const std::optional<RootEquations>& equations) {
+  note_evaluation();
   if (!equations || !std::isfinite(equations->size)) return std::nullopt;
   RootSample sample{vector_of(equations->values), equations->size};
   if (!sample.values.allFinite()) return std::nullopt;
@@ -66,7 +65,7 @@ std::optional<RootSample> RootFunction::smooth_at(const VectorXd& u) {
   if (!problem_.smooth) return at(u);
   const auto equations = problem_.smooth(unscaled(u));
   if (!equations || !equations->values.empty()) return keep(u, equations);
-  ++evaluations_;
+  note_evaluation();
   RootSample sample{vector_of(equations->smooth), equations->smooth_size};
   if (!sample.values.allFinite() || !std::isfinite(sample.size)) return std::nullopt;
   if (inside(u)) unjudged_.emplace_back(sample.values.norm() / std::max(sample.size, 1e-300), u);
@@ -78,7 +77,7 @@ const VectorXd& RootFunction::best() {
   auto places = std::exchange(unjudged_, {});
   std::ranges::sort(places, {}, &std::pair<double, VectorXd>::first);
   for (std::size_t i = 0; i < std::min(most, places.size()); ++i) {
-    if (best_.size() && out_of_time()) break;
+    if (best_.size() && limit_.spent()) break;
     at(places[i].second);
   }
   return best_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "poinsot/engine/solve/roots/roots.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
 
@@ -25,7 +26,7 @@ struct RootSample {
 class RootFunction {
  public:
   // The problem must outlive the function.
-  RootFunction(const RootProblem& problem, double seconds);
+  RootFunction(const RootProblem& problem, Work most);
 
   const RootProblem& problem() const { return problem_; }
   Eigen::Index unknowns() const { return unknowns_; }
@@ -51,18 +52,15 @@ class RootFunction {
   const Eigen::VectorXd& best();
   double best_misfit() const { return best_misfit_; }  // the misfit at that place; infinite when there is none
 
-  bool out_of_time() const { return now() > end_; }
-  double seconds_left() const { return end_ - now(); }
-  // The part of the allowed time that is spent, from 0 to 1.
-  double time_spent() const;
+  const WorkLimit& limit() const { return limit_; }
 
  private:
-  double now() const;  // s
+  void note_evaluation();
   std::optional<RootSample> keep(const Eigen::VectorXd& u, const std::optional<RootEquations>& equations);
 
   const RootProblem& problem_;
   Eigen::Index unknowns_;
-  double begin_, end_;  // s
+  WorkLimit limit_;
   std::size_t evaluations_ = 0;
   // The places in the ranges at which only the smooth equations are known, with their misfit over their size.
   std::vector<std::pair<double, Eigen::VectorXd>> unjudged_;

@@ -75,7 +75,7 @@ std::optional<PolishedRoot> polish(RootFunction& function, const VectorXd& start
   const double first = std::max(r->values.norm(), 1e-300);
   double lambda = 1e-3;
   int creeping = 0;
-  for (int iteration = 0; iteration < 60 && !function.out_of_time(); ++iteration) {
+  for (int iteration = 0; iteration < 60 && !function.limit().spent(); ++iteration) {
     const auto J = function.slopes(u, *r);
     if (!J) return std::nullopt;
     const MatrixXd A = J->transpose() * *J;

@@ -12,6 +12,7 @@
 #include "engine/solve/roots/root_function.h"
 #include "engine/solve/roots/root_polish.h"
 #include "engine/solve/roots/scattered_starts.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
 namespace {
@@ -20,7 +21,7 @@ using Eigen::VectorXd;
 
 class RootFinder {
  public:
-  RootFinder(const RootProblem& problem, double seconds) : function_(problem, seconds), seconds_(seconds) {}
+  RootFinder(const RootProblem& problem, Work most) : function_(problem, most) {}
 
   Roots find() {
     Roots roots;
@@ -58,7 +59,7 @@ class RootFinder {
     std::vector<VectorXd> starts = starts_on_grid(function_);
     starts.insert(starts.begin(), chebyshev.places.begin(), chebyshev.places.end());
     for (const VectorXd& start : starts) {
-      if (function_.out_of_time() || roots.open) break;
+      if (function_.limit().spent() || roots.open) break;
       from_start(start, roots);
     }
   }
@@ -66,7 +67,7 @@ class RootFinder {
   // For more unknowns, all but one or two of which enter linearly. Returns whether this settles the search; if
   // nothing was found, a search from many starts must confirm it.
   bool by_elimination(Roots& roots) {
-    const auto found = partly_linear_roots(function_, 0.25 * function_.seconds_left());
+    const auto found = partly_linear_roots(function_, function_.limit().left() / 4);
     if (!found) return false;
     bool complete = found->complete && function_.valued();
     for (const VectorXd& place : found->places) {
@@ -107,7 +108,7 @@ class RootFinder {
   void look_for_other_families(Roots& roots) {
     constexpr std::size_t starts = 10;
     for (const VectorXd& start : starts_at_random(function_.problem(), starts)) {
-      if (function_.out_of_time() || roots.open_unknowns.size() == function_.problem().ranges.size()) return;
+      if (function_.limit().spent() || roots.open_unknowns.size() == function_.problem().ranges.size()) return;
       const auto root = polish(function_, start);
       if (!root || !root->zero || !function_.inside(root->u)) continue;
       const auto family = family_through(function_, *root);
@@ -127,12 +128,12 @@ class RootFinder {
   void from_few_evaluations(Roots& roots) {
     roots.search = RootSearch::few_evaluations;
     for (const PolishedRoot& place : rough_roots()) {
-      if (function_.out_of_time() || roots.open) return;
+      if (function_.limit().spent() || roots.open) return;
       from_rough(place, roots);
     }
     if (!found_.roots().empty()) return;
     for (const VectorXd& start : starts_from_few_evaluations(function_)) {
-      if (function_.out_of_time() || roots.open) break;
+      if (function_.limit().spent() || roots.open) break;
       from_start(start, roots);
     }
   }
@@ -142,14 +143,14 @@ class RootFinder {
   void from_random_starts(Roots& roots) {
     constexpr int enough = 12;
     constexpr std::size_t most_used = 24, most_in_vain = 120;
-    constexpr double most_time_in_vain = 0.6;
+    constexpr double most_work_in_vain = 0.6;
     std::optional<VectorXd> only;
     int led_there = 0;
     for (const VectorXd& start : promising_starts()) {
       const bool found = !found_.roots().empty();
-      if (function_.out_of_time() || led_there >= enough || roots.open) break;
+      if (function_.limit().spent() || led_there >= enough || roots.open) break;
       if (roots.starts >= (found ? most_used : most_in_vain)) break;
-      if (!found && roots.starts >= most_used && function_.time_spent() > most_time_in_vain) break;
+      if (!found && roots.starts >= most_used && function_.limit().part_spent() > most_work_in_vain) break;
       const auto root = from_start(start, roots);
       if (!root || !function_.inside(root->u)) continue;
       if (!only) only = root->u;
@@ -164,10 +165,10 @@ class RootFinder {
   // the others.
   std::vector<VectorXd> promising_starts() {
     constexpr std::size_t places = 160;
-    constexpr double most_time = 0.2;
+    constexpr double most_work = 0.2;
     const std::vector<VectorXd> list = starts_at_random(function_.problem(), places);
     std::vector<std::pair<double, std::size_t>> by_misfit;
-    for (std::size_t i = 0; i < list.size() && function_.time_spent() < most_time; ++i)
+    for (std::size_t i = 0; i < list.size() && function_.limit().part_spent() < most_work; ++i)
       if (const auto sample = function_.smooth_at(list[i]))
         by_misfit.emplace_back(sample->values.norm() / std::max(sample->size, 1e-300), i);
     std::sort(by_misfit.begin(), by_misfit.end());
@@ -193,9 +194,9 @@ class RootFinder {
     problem.equations = std::exchange(problem.rough, nullptr);
     problem.slopes = nullptr;
     problem.smooth = nullptr;
-    RootFunction rough(problem, seconds_ * (1 - function_.time_spent()));
+    RootFunction rough(problem, function_.limit().left());
     for (const VectorXd& start : starts_from_few_evaluations(rough)) {
-      if (rough.out_of_time()) break;
+      if (rough.limit().spent()) break;
       auto root = polish(rough, start, enough);
       if (!root || root->values.norm() > near_zero * root->size) continue;
       const bool known = std::any_of(found.begin(), found.end(), [&](const PolishedRoot& other) {
@@ -239,12 +240,11 @@ class RootFinder {
 
   // Where nothing was found: the smallest misfit, which tells how close the equations come.
   double smallest_misfit() {
-    if (function_.best().size() && !function_.out_of_time()) polish(function_, VectorXd(function_.best()));
+    if (function_.best().size() && !function_.limit().spent()) polish(function_, VectorXd(function_.best()));
     return function_.best_misfit();
   }
 
   RootFunction function_;
-  double seconds_;
   std::size_t rough_evaluations_ = 0;
   RootList found_;
 };
@@ -254,7 +254,7 @@ class RootFinder {
 std::optional<RootProblem> widened(const RootProblem& problem) {
   constexpr double noticed = 1e-6, near = 1e3, far = 1e18;
   RootProblem wider = problem;
-  RootFunction function(problem, 1);
+  RootFunction function(problem, unlimited_work);
   const VectorXd u = middle_of_ranges(problem);
   const auto here = function.at(u);
   if (!here) return std::nullopt;
@@ -279,13 +279,13 @@ std::optional<RootProblem> widened(const RootProblem& problem) {
 
 }  // namespace
 
-Roots find_roots(const RootProblem& problem, double seconds) {
-  const RootFunction time(problem, seconds);
-  Roots roots = RootFinder(problem, seconds).find();
-  if (!roots.points.empty() || problem.costly || time.out_of_time()) return roots;
+Roots find_roots(const RootProblem& problem, Work most) {
+  const WorkLimit limit(most);
+  Roots roots = RootFinder(problem, most).find();
+  if (!roots.points.empty() || problem.costly || limit.spent()) return roots;
   // The unknowns may have an effect only at values that are far larger than their natural sizes.
   if (const auto wider = widened(problem))
-    if (Roots far = RootFinder(*wider, time.seconds_left()).find(); !far.points.empty()) return far;
+    if (Roots far = RootFinder(*wider, limit.left()).find(); !far.points.empty()) return far;
   return roots;
 }
 

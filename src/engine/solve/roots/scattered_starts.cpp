@@ -35,7 +35,7 @@ std::vector<VectorXd> starts_on_grid(RootFunction& function) {
       VectorXd u(function.unknowns());
       u[0] = at_part(ranges[0], (i + 0.5) / count);
       if (ranges.size() == 2) u[1] = at_part(ranges[1], (j + 0.5) / count);
-      const auto sample = function.out_of_time() ? std::nullopt : function.smooth_at(u);
+      const auto sample = function.limit().spent() ? std::nullopt : function.smooth_at(u);
       grid.push_back(u);
       misfit.push_back(sample ? sample->values.norm() : std::numeric_limits<double>::infinity());
     }

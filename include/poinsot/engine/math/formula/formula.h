@@ -13,7 +13,6 @@
 // Values are immutable and shared: copies are cheap, and several threads may read the same formula.
 #pragma once
 
-#include <chrono>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +26,7 @@
 
 #include "poinsot/engine/math/algebra/scalar.h"
 #include "poinsot/engine/math/algebra/sine_cosine.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot {
 
@@ -37,17 +37,16 @@ struct Fraction;
 // What is known of a letter. The square root of m^2 is m for a positive m, and sqrt(m^2) for a real one.
 enum class Sign { positive, real };
 
-// Thrown when a formula would have more terms than FormulaLimits allows, or when its deadline has passed.
+// Thrown when a formula would have more terms than FormulaLimits allows, or when the work allowed is done.
 class FormulaTooLarge : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// Limits for all formulas that this thread makes. The deadline is checked between operations, and an operation on
-// `terms` terms takes at most some seconds.
+// Limits for all formulas that this thread makes. The work is looked at between operations.
 struct FormulaLimits {
-  std::size_t terms = 20000;  // of a numerator or denominator
-  std::optional<std::chrono::steady_clock::time_point> deadline{};
+  std::size_t terms = 20000;   // of a numerator or denominator
+  Work work = unlimited_work;  // of all kinds, while the limits hold
 };
 
 // As long as this object exists, other limits apply to this thread.
@@ -59,7 +58,8 @@ class FormulaLimitScope {
   FormulaLimitScope& operator=(const FormulaLimitScope&) = delete;
 
  private:
-  FormulaLimits outer_;
+  std::size_t outer_terms_;
+  WorkLimit outer_work_;
 };
 
 class Formula {

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "poinsot/engine/motion/integrator/event.h"
 #include "poinsot/engine/motion/integrator/motion_equations.h"
 #include "poinsot/engine/motion/integrator/trajectory.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot {
 
@@ -34,7 +34,7 @@ enum class Ending {
   terminal_event,
   interrupted,      // the observer asked for it
   step_limit,       // most_steps was reached
-  time_limit,       // `seconds` were used up
+  work_limit,       // `work` was done
   step_too_small,   // a singularity, a discontinuity, or a tolerance below rounding
   not_finite,       // the equations give no finite accelerations at `time`
   stiff,            // an explicit method would need steps far below what accuracy asks
@@ -54,8 +54,8 @@ struct IntegrationOptions {
   // start and over some steps from there.
   double fixed_step = 0.0;
   std::int64_t most_steps = 10'000'000;
-  double seconds = std::numeric_limits<double>::infinity();  // of real time
-  bool store = true;                                         // whether to keep the steps in the trajectory
+  Work work = unlimited_work;
+  bool store = true;            // whether to keep the steps in the trajectory
   bool watch_drift = true;      // whether to report it for the conserved quantities, at each step
   bool estimate_error = false;  // whether to integrate a second time with another tolerance and compare
   // Called after each step with the step, which gives the state within it; returning false ends the integration.

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/engine/work/work.h"
+
 namespace poinsot::solve {
 
 struct RootRange {
@@ -50,8 +52,6 @@ struct RootProblem {
   bool costly = false;  // whether an evaluation takes long, as when a motion is followed; then there are few
   // Optional, for such problems: a faster evaluation with an error of about 1e-7, by which roots are located first.
   std::function<std::optional<RootEquations>(const std::vector<double>&)> rough = {};
-  // Seconds since some time, by which a search ends; the steady clock when left out.
-  std::function<double()> clock = {};
 };
 
 enum class RootSearch {
@@ -82,7 +82,8 @@ struct Roots {
 };
 
 // The equations count as zero if their misfit is below 1e-9 of the sizes of their terms. Roots that are closer than
-// rounding can tell are one. The search ends after `seconds`.
-Roots find_roots(const RootProblem& problem, double seconds = 8);
+// rounding can tell are one. The search ends when `most` work is done: that
+// of the equations, as far as they count it, and a little for each evaluation.
+Roots find_roots(const RootProblem& problem, Work most = 8'000'000'000);
 
 }  // namespace poinsot::solve
