@@ -58,7 +58,11 @@ Document solved_document(const problem::Statement& stated, const Settings& sets,
   document.title = stated.title;
   try {
     const problem::SolvedStatement solved = problem::solve_statement(stated, sets, explain);
-    document = document::document_of(stated, solved);
+    {
+      // What was found is put down, also after the end.
+      const BudgetRespite respite;
+      document = document::document_of(stated, solved);
+    }
     for (std::size_t i = 0; explain && i < document.solutions.size(); ++i)
       document.solutions[i].explanation =
           std::make_shared<const problem::Explanation>(problem::explain(stated, sets, solved, i));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "poinsot/engine/work/work.h"
+
 namespace poinsot {
 namespace {
 
@@ -11,7 +13,7 @@ namespace {
 constexpr std::chrono::milliseconds between_looks{1};
 constexpr unsigned most_calls_let_go = 15;
 constexpr std::chrono::milliseconds between_tellings{100};
-constexpr std::chrono::milliseconds grace{25};
+constexpr std::chrono::milliseconds grace{25};  // an operation is taken for a nanosecond
 
 }  // namespace
 
@@ -87,7 +89,11 @@ BudgetRespite::BudgetRespite() : set_aside_(std::exchange(BudgetScope::innermost
 
 BudgetRespite::~BudgetRespite() { BudgetScope::innermost = set_aside_; }
 
-BudgetGrace::BudgetGrace() : scope_(Budget().end_after(grace)) {}
+// Of counted work, so that what is finished in it does not depend on the machine.
+BudgetGrace::BudgetGrace()
+    : scope_(Budget()
+                 .by_clock([] { return Budget::Clock::time_point{} + std::chrono::nanoseconds(work_done()); })
+                 .end_after(grace)) {}
 
 std::optional<BudgetEnd> how_budget_ended() {
   for (BudgetScope* scope = BudgetScope::innermost; scope; scope = scope->outer_)

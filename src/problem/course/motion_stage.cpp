@@ -56,7 +56,7 @@ void Course::run(std::size_t stage, double until) {
   // An event is sought in growing intervals, until it happens or the motion was followed long enough.
   double span = 20 * pace_time_;
   double target = now.end ? std::min(until, *now.end) : ending ? std::min(until, now.time + span) : until;
-  const WorkLimit limit(most_work_);
+  const WorkLimit work(most_work_);
   while (!now.done && now.time < target) {
     if (now.slips) throw_slip(now);
     const Driving::Span smooth = smooth_span(stage, target);
@@ -77,7 +77,7 @@ void Course::run(std::size_t stage, double until) {
     if (released) continue;
     if (const ContactLimit* limit = piece.beyond_surface()) comes_to_end(stage, *limit);
     piece.check_sides(nullptr);
-    const IntegrationResult result = piece.follow(std::min(smooth.end, now.end.value_or(target)), limit.left());
+    const IntegrationResult result = piece.follow(std::min(smooth.end, now.end.value_or(target)), work.left());
     piece.check_sides(&result.trajectory);
     piece.check_winding(result.trajectory);
     keep(stage, piece, result);

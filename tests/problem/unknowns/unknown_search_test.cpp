@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
@@ -199,22 +200,21 @@ TEST(UnknownSearch, AHopelessSystemEndsWithWhatWasTried) {
   EXPECT_NE(message.find("no values of"), std::string::npos) << message;
 }
 
-// By a clock that goes a hundredth of a second whenever it is looked at.
-TEST(UnknownSearch, ASearchEndsWhenItsTimeIsOverAndSaysSo) {
-  for (const double seconds : {0.2, 0.5}) {
+TEST(UnknownSearch, ASearchEndsWhenItsWorkIsDoneAndSaysSo) {
+  for (const Work most : {1'000'000, 4'000'000}) {
     const Statement statement = read_statement(hopeless, "test.yaml");
-    double now = 100;
-    UnknownSearch search(statement, {}, seconds, [&now] { return now += 0.01; });
+    const Work begin = work_done();
+    UnknownSearch search(statement, {}, most);
     const RootsFound found = search.find({});
     EXPECT_TRUE(found.roots.empty());
-    EXPECT_LT(now, 100.1 + 1.25 * seconds) << "ends soon after its time";
+    EXPECT_LT(work_done() - begin, 2 * most + 2'000'000) << "ends soon after its work";
     ASSERT_FALSE(found.warnings.empty());
     EXPECT_NE(found.warnings.back().find("searched from "), std::string::npos) << found.warnings.back();
     EXPECT_NE(found.warnings.back().find("the time for it was over"), std::string::npos) << found.warnings.back();
   }
 }
 
-// The time is that of a whole search: choices that come too late are counted.
+// The work is that of a whole search: choices that come too late are counted.
 TEST(UnknownSearch, ChoicesThatWereNotTriedInTimeAreCounted) {
   const Statement statement = read_statement(R"(title: jets, too many to try in no time
 find: {t1: s, t2: s, t3: s, t4: s}
@@ -233,8 +233,7 @@ instants:
 ask: {which: fired}
 )",
                                              "test.yaml");
-  double now = 0;
-  UnknownSearch search(statement, {}, 1.0, [&now] { return now += 0.3; });
+  UnknownSearch search(statement, {}, 300'000);
   std::string said;
   for (const std::string& warning : search.find({}).warnings) said += warning + "\n";
   EXPECT_NE(said.find("test.yaml:11:10: the time was over when "), std::string::npos) << said;

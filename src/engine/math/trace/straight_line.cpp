@@ -8,6 +8,7 @@
 
 #include "engine/math/trace/trace_nodes.h"
 #include "engine/math/trace/trace_resubstitution.h"
+#include "poinsot/engine/work/budget.h"
 
 namespace poinsot {
 namespace {
@@ -110,6 +111,7 @@ class FactoredTrace {
   static Traced sum(std::vector<Term> terms) {
     Traced total;
     while (terms.size() > 1) {
+      check_budget();
       std::vector<std::pair<std::uint32_t, std::size_t>> counts;
       for (const Term& term : terms) {
         std::vector<std::uint32_t> own;

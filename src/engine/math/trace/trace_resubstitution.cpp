@@ -7,6 +7,7 @@
 #include "engine/math/trace/pair_table.h"
 #include "engine/math/trace/trace_recipe.h"
 #include "poinsot/engine/math/trace/straight_line.h"
+#include "poinsot/engine/work/budget.h"
 
 namespace poinsot {
 namespace {
@@ -74,6 +75,7 @@ class Search {
     };
     std::vector<Saving> savings;
     for (std::size_t k = 0; k < base_.size(); ++k) {
+      check_budget();
       const Index x = base_[k];
       if (!is_operation(nodes_[x].operation)) continue;
       const int own = cone_of(x);
@@ -147,6 +149,7 @@ class Search {
     }
     if (own < 4 || !deep) return;
     for (const std::size_t i : free_) {
+      check_budget();
       if (looked_up_ > most_looked_up) return;
       const Traced a(base_[i], false);
       const Field less = wanted - values_[i], more = wanted + values_[i];
@@ -169,7 +172,8 @@ class Search {
         pairs_of(quotients_[j] + values_[i], then_product(-a));
       }
     }
-    for (std::size_t i = 0; i < free_.size(); ++i)
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      check_budget();
       for (std::size_t j = i; j < free_.size(); ++j) {
         if (looked_up_ > most_looked_up) return;
         const Pair other{true, Traced(base_[free_[i]], false), Traced(base_[free_[j]], false)};
@@ -184,6 +188,7 @@ class Search {
           visit({Form::pairs_sum, pair, {}, {}, other, negative, true});
         });
       }
+    }
   }
 
   // At both points of the field; and at the sample, where roots may have taken another sign.

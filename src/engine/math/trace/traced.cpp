@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/math/trace/trace_nodes.h"
+#include "poinsot/engine/work/budget.h"
 
 namespace poinsot {
 
@@ -104,6 +105,7 @@ struct TraceAccess {
   // Another residue than it has stands for a number that is there already with this one, or minus it, but takes another
   // value at the sample: equal residues are one number, and opposite ones add up to zero.
   static Traced add(Trace::Node node) {
+    check_budget();
     Trace::State& t = trace();
     const auto id = static_cast<std::uint32_t>(t.nodes.size());
     if (!t.known.try_emplace(node.residue.hash_up_to_sign(), id).second) {

@@ -9,6 +9,7 @@
 #include "engine/math/formula/random_formulas.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "poinsot/engine/math/formula/formula_text.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot {
 namespace {
@@ -344,25 +345,31 @@ TEST(Formula, StopsAtItsBounds) {
   };
   EXPECT_THROW(explode(), FormulaTooLarge);
   {
-    const FormulaLimitScope scope({.terms = 3, .deadline = {}});
+    const FormulaLimitScope scope({.terms = 3});
     EXPECT_THROW(read("(m + r + L + x)*(a + b)"), FormulaTooLarge);
     EXPECT_EQ(read("(m + r)*1").terms(), 3u);
   }
   {
-    const FormulaLimitScope scope({.terms = 100, .deadline = std::chrono::steady_clock::now()});
+    const FormulaLimitScope scope({.terms = 100, .work = 0});
     EXPECT_THROW(read("m*(m + r)"), FormulaTooLarge);
   }
-  // In whatever step the time is over, also with the factors at hand, one of them a prime of more than a word.
+  // In whatever step the work is done, also with the factors at hand, one of them a prime of more than a word.
   const Formula number = read("36*618970019642690137449562111"), m = read("m");
   for (int steps = 1; steps < 16; ++steps) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(4);
-    const FormulaLimitScope scope({.terms = 100, .deadline = deadline});
+    const FormulaLimitScope scope({.terms = 100, .work = 1'000'000});
     const auto late = [&] {
       for (int i = 0; i < steps; ++i) static_cast<void>(m * m);
-      std::this_thread::sleep_until(deadline + std::chrono::milliseconds(1));
-      for (int i = 0; i < 16; ++i) static_cast<void>(sqrt(number));
+      count_work(1'000'000);
+      static_cast<void>(sqrt(number) * m);
     };
     EXPECT_THROW(late(), FormulaTooLarge);
+  }
+  // The limits around a scope hold again after it.
+  {
+    const FormulaLimitScope outer({.terms = 100, .work = 1'000'000});
+    { const FormulaLimitScope inner({.terms = 100, .work = unlimited_work}); }
+    count_work(1'000'000);
+    EXPECT_THROW(read("m*(m + r)"), FormulaTooLarge);
   }
   EXPECT_EQ(read("(m + r)*(m - r)"), read("m^2 - r^2"));
   EXPECT_THROW(read("sin(1000*a)*cos(a)"), FormulaTooLarge);

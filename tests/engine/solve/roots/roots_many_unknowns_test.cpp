@@ -5,6 +5,7 @@
 
 #include "engine/solve/roots/roots_problems.h"
 #include "poinsot/engine/solve/roots/roots.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
 namespace {
@@ -93,19 +94,20 @@ TEST(RootsOfManyUnknowns, RangesEndWhereTheEquationsDo) {
   EXPECT_NEAR(roots.points[0][3], 0.5 / 0.6, 1e-10);
 }
 
-// By a clock that goes on whenever it is looked at: the search ends, with the best place that it met.
-TEST(RootsOfManyUnknowns, ASearchEndsWhenItsTimeIsOver) {
-  RootProblem problem = of_three([](double x, double y, double z) {
+// The search ends, with the best place that it met.
+TEST(RootsOfManyUnknowns, ASearchEndsWhenItsWorkIsDone) {
+  constexpr Work of_an_evaluation = 1'000'000;
+  const RootProblem problem = of_three([](double x, double y, double z) {
+    count_work(of_an_evaluation);
     return std::vector{x * x + y * y + z * z + 1, x * y * z - 3, std::sin(x) + y * y + 2};
   });
-  double now = 50;
-  problem.clock = [&now] { return now += 0.02; };
-  for (const double seconds : {0.2, 1.0, 3.0}) {
-    const double begin = now;
-    const Roots roots = find_roots(problem, seconds);
+  for (const std::size_t evaluations : {40, 200, 600}) {
+    const Work begin = work_done();
+    const Roots roots = find_roots(problem, evaluations * of_an_evaluation);
     EXPECT_TRUE(roots.points.empty());
     EXPECT_EQ(roots.search, RootSearch::many_starts);
-    EXPECT_LT(now - begin, 1.25 * seconds + 0.2);
+    EXPECT_LT(roots.evaluations, evaluations + evaluations / 4 + 40);
+    EXPECT_EQ(work_done() - begin, roots.evaluations * (of_an_evaluation + 500));
     EXPECT_EQ(roots.best.size(), 3U);
     EXPECT_GT(roots.best_misfit, 0.5);
   }
