@@ -51,6 +51,27 @@ class StatementError : public std::exception {
   std::string text_;
 };
 
+// Thrown if a file that a problem file names cannot be had. what() says why, as a sentence goes on behind the name of
+// the file: "the file does not exist".
+class FileError : public std::runtime_error {
+ public:
+  explicit FileError(const std::string& message, std::string hint = "")
+      : std::runtime_error(message), hint_(std::move(hint)) {}
+  const std::string& hint() const { return hint_; }  // what the author can do; may be empty
+
+ private:
+  std::string hint_;
+};
+
+// The source of the files that a problem file names: its meshes.
+class FileProvider {
+ public:
+  virtual ~FileProvider() = default;
+  // The bytes of a file, by the name that the problem file gives it. The name is text that somebody wrote: a provider
+  // that looks it up on a disk has to keep it from leading out of the folder that is meant. Throws FileError.
+  virtual std::string bytes(const std::string& name) const = 0;
+};
+
 // Values from outside the file with their units: {"m", "3 kg"}. A letter or a datum gets this value, and an unknown
 // becomes a datum. For a name given twice the later value counts.
 using Settings = std::vector<std::pair<std::string, std::string>>;
@@ -162,10 +183,14 @@ struct Recording {
 // result remains valid without the problem.
 class Problem {
  public:
-  // Reads and checks the text of a problem file. `name` is used in messages and in the document, and its folder holds
-  // the meshes. Throws StatementError.
+  // Reads and checks the text of a problem file. `name` is used in messages and in the document. The files that the
+  // text names are read here, each once, and never again: no disk is touched, and `files` need not outlive the call.
+  // Throws StatementError, also if the provider throws FileError.
+  static Problem from_text(std::string_view text, const std::string& name, const FileProvider& files);
+  // The same with files from the disk: those in the folder of the file `name` or below it, and no others.
   static Problem from_text(std::string_view text, const std::string& name);
-  // Reads and checks a file; "-" is standard input. Throws StatementError, also if there is no such file.
+  // Reads and checks a file; "-" is standard input, with files from the present folder. Throws StatementError, also if
+  // there is no such file.
   static Problem from_file(const std::string& path);
 
   Problem(const Problem&);
@@ -212,6 +237,8 @@ class Problem {
  private:
   struct Parts;
   explicit Problem(std::shared_ptr<const Parts> parts);
+  // Without a provider files come from the disk.
+  static Problem read(std::string_view text, const std::string& name, const FileProvider* files);
   std::shared_ptr<const Parts> parts_;  // empty in a problem that was moved from
 };
 

@@ -13,6 +13,7 @@
 #include "poinsot/rendering.h"
 #include "problem/answers/solve_statement.h"
 #include "problem/entries/keys.h"
+#include "problem/entries/named_files.h"
 #include "problem/entries/statement.h"
 #include "problem/equations/equations.h"
 #include "problem/explanation/explanation.h"
@@ -129,15 +130,30 @@ Problem& Problem::operator=(const Problem&) = default;
 Problem& Problem::operator=(Problem&&) noexcept = default;
 Problem::~Problem() = default;
 
-Problem Problem::from_text(std::string_view text, const std::string& name) {
+Problem Problem::read(std::string_view text, const std::string& name, const FileProvider* files) {
+  problem::ReadNamedFile read = problem::files_beside(name);
+  if (files != nullptr)
+    read = [files](const std::string& named) {
+      try {
+        return files->bytes(named);
+      } catch (const FileError& error) {
+        throw problem::FileRefused(error.what(), error.hint());
+      }
+    };
   auto parts = std::make_shared<Parts>();
-  parts->statement = with_public_errors([&] { return problem::read_statement(text, name); });
+  parts->statement = with_public_errors([&] { return problem::read_statement(text, name, read); });
   parts->text = text;
   for (const problem::Situation& one : parts->statement.situations) parts->situations.push_back(stated_situation(one));
   for (const problem::Ask& ask : parts->statement.asks) parts->questions.push_back({ask.name, ask.text});
   for (const problem::Claim& claim : parts->statement.claims) parts->claims.push_back({claim.name, claim.text});
   return Problem(std::move(parts));
 }
+
+Problem Problem::from_text(std::string_view text, const std::string& name, const FileProvider& files) {
+  return read(text, name, &files);
+}
+
+Problem Problem::from_text(std::string_view text, const std::string& name) { return read(text, name, nullptr); }
 
 Problem Problem::from_file(const std::string& path) {
   return from_text(with_public_errors([&] { return problem::read_file(path); }), path);

@@ -8,12 +8,14 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "document/data_file.h"
 #include "document/file_output.h"
 #include "document/journal.h"
 #include "document/recording_records.h"
 #include "problem/answers/recorded_motion.h"
+#include "problem/entries/read_meshes.h"
 
 namespace poinsot::document {
 namespace {
@@ -40,6 +42,21 @@ void check_output(const std::string& output) {
     refuse("cannot record to " + output + ": there is no folder " + folder.string());
 }
 
+// The meshes of a statement, each file once, in the order of the statement.
+std::vector<RecordingHead::Mesh> meshes_of(const problem::Statement& stated) {
+  std::vector<RecordingHead::Mesh> meshes;
+  std::set<std::string> known;
+  for (const problem::Situation& situation : stated.situations)
+    for (const problem::Body& body : situation.bodies)
+      for (const std::vector<problem::Part>* parts : {&body.parts, &body.added})
+        for (const problem::Part& part : *parts) {
+          if (!part.shape.mesh || !known.insert(part.shape.file).second) continue;
+          const std::string& bytes = *part.shape.mesh->bytes;
+          meshes.push_back({fs::path(part.shape.file).filename().string(), bytes.size(), crc64(bytes)});
+        }
+  return meshes;
+}
+
 RecordingHead head_for(const problem::Statement& stated, const std::string& text, const RecordedMotion& motion,
                        const RecordOptions& options) {
   RecordingHead head;
@@ -52,14 +69,7 @@ RecordingHead head_for(const problem::Statement& stated, const std::string& text
     return last;
   }();
   head.sets.assign(sets.begin(), sets.end());
-  for (const std::string& path : mesh_paths(stated)) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!file) refuse("cannot read the mesh " + path);
-    std::string bytes;
-    char part[65'536];
-    while (const std::size_t count = std::fread(part, 1, sizeof part, file.get())) bytes.append(part, count);
-    head.meshes.push_back({fs::path(path).filename().string(), bytes.size(), crc64(bytes)});
-  }
+  head.meshes = meshes_of(stated);
   head.every = motion.every();
   head.rows = motion.rows();
   head.block_rows = motion.block_rows();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include "poinsot/engine/work/work.h"
@@ -232,20 +231,6 @@ RecordedBlock RecordedMotion::block(std::uint64_t first_row, const RecordedState
     block.next = {next.state.time, next.state.stage, next.stage_start, next.state.q, next.state.v, next.state.acting};
     return block;
   });
-}
-
-std::vector<std::string> mesh_paths(const Statement& statement) {
-  namespace fs = std::filesystem;
-  const fs::path folder = statement.file == "-" ? fs::path() : fs::path(statement.file).parent_path();
-  std::vector<std::string> paths;
-  for (const Situation& situation : statement.situations)
-    for (const Body& body : situation.bodies)
-      for (const std::vector<Part>* parts : {&body.parts, &body.added})
-        for (const Part& part : *parts) {
-          const std::string path = (folder / part.shape.file).string();
-          if (!part.shape.file.empty() && std::ranges::find(paths, path) == paths.end()) paths.push_back(path);
-        }
-  return paths;
 }
 
 }  // namespace poinsot::problem

@@ -79,7 +79,4 @@ class RecordedMotion {
   std::unique_ptr<Parts> parts_;
 };
 
-// The paths of all meshes of a statement, each once, in the order of the file.
-std::vector<std::string> mesh_paths(const Statement& statement);
-
 }  // namespace poinsot::problem

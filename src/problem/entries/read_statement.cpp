@@ -10,6 +10,7 @@
 #include "problem/entries/read_bodies.h"
 #include "problem/entries/read_claims.h"
 #include "problem/entries/read_joints.h"
+#include "problem/entries/read_meshes.h"
 #include "problem/entries/read_record.h"
 #include "problem/entries/reader.h"
 #include "problem/entries/statement.h"
@@ -365,7 +366,7 @@ Entry laid_over(const Entry& base, const Entry& overlay) {
 
 }  // namespace
 
-Statement read_statement(std::string_view text, const std::string& file) {
+Statement read_statement(std::string_view text, const std::string& file, const ReadNamedFile& read) {
   const Entry root = read_tree(text, file);
   const Members members(root, file, {"problem"});
   Statement statement;
@@ -417,7 +418,12 @@ Statement read_statement(std::string_view text, const std::string& file) {
   }
   check_misspelt_coordinates(root, statement);
   check_unused_unknowns(root, statement);
+  read_meshes(statement, read);
   return statement;
+}
+
+Statement read_statement(std::string_view text, const std::string& file) {
+  return read_statement(text, file, files_beside(file));
 }
 
 }  // namespace poinsot::problem

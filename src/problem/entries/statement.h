@@ -4,11 +4,13 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "problem/entries/named_files.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression.h"
 #include "problem/language/tree.h"
@@ -38,6 +40,8 @@ struct Letter {
   bool either_sign = false;  // whether it was stated as signed; otherwise it is positive, unless it is an angle
 };
 
+struct MeshSolid;  // in read_meshes.h
+
 // A uniform shape. Its kind is the key in the language, its arguments are what stands below that key; a shape given
 // by a list of points (`rod: [A, B]`) has the single argument "points".
 struct Shape {
@@ -45,6 +49,7 @@ struct Shape {
   std::vector<NamedExpression> arguments;
   std::string file;  // the file of a mesh; mesh_unit is the unit of its coordinates
   Unit mesh_unit;
+  std::shared_ptr<const MeshSolid> mesh;  // what that file holds
   Mark mark;
 };
 
@@ -365,8 +370,11 @@ struct Statement {
   std::string file, title;
 };
 
-// Reads the text of a problem file. `file` is named in messages, and its folder holds the meshes. Throws
-// StatementError for malformed, too large or too deep text, unknown or duplicate keys, and malformed expressions.
+// Reads the text of a problem file, which messages call `file`, and by `read` the meshes that it names, each file once.
+// Throws StatementError for malformed, too large or too deep text, unknown or duplicate keys, malformed expressions,
+// and meshes that cannot be had or hold no solid.
+Statement read_statement(std::string_view text, const std::string& file, const ReadNamedFile& read);
+// Reads the meshes as files_beside(file).
 Statement read_statement(std::string_view text, const std::string& file);
 
 }  // namespace poinsot::problem

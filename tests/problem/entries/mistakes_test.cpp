@@ -353,7 +353,7 @@ bodies: {disk: {mesh: {file: ../wheel.stl, unit: m}, mass: 3 kg}}
 joints: {shaft: {revolute: y, at: O, to: disk, rate: 2 rad/s}}
 ask: {a: angular_momentum(disk about O)}
 )",
-       "test.yaml:3:23: error: the mesh '../wheel.stl' does not lie in the folder of the problem file (copy it there "
+       "test.yaml:3:23: error: mesh '../wheel.stl': it does not lie in the folder of the problem file (copy it there "
        "and name it without a path)",
        {}},
       {"MeshMissing",
