@@ -61,6 +61,14 @@ void report_unanswered(const std::string& file, const Document& document, bool i
   }
 }
 
+// The answers, or those that were found before the interrupt key was pressed. While the file is read, which may be
+// standard input, the key ends the program.
+Document found_until_interrupted(const Problem& problem, const SolveArguments& arguments) {
+  const InterruptCatcher catcher;
+  const poinsot::Budget budget = poinsot::Budget().end_when(&interrupt_flag());
+  return arguments.explain ? problem.explain(arguments.sets, budget) : problem.solve(arguments.sets, budget);
+}
+
 // The files, and for each folder every `*.yaml` below it in the order of their names.
 std::vector<std::string> problem_files(const std::vector<std::string>& paths) {
   namespace fs = std::filesystem;
@@ -84,7 +92,9 @@ std::vector<std::string> problem_files(const std::vector<std::string>& paths) {
 // error of the caller.
 std::vector<std::string> failures_of(const std::string& file) {
   try {
-    return Problem::from_file(file).check();
+    const Problem problem = Problem::from_file(file);
+    const InterruptCatcher catcher;
+    return problem.check(poinsot::Budget().end_when(&interrupt_flag()));
   } catch (const poinsot::StatementError& error) {
     if (!std::filesystem::exists(file)) throw;
     return {error.what()};
@@ -100,7 +110,7 @@ int solve(const SolveArguments& arguments) {
   for (const std::string& file : arguments.files) {
     try {
       const Problem problem = Problem::from_file(file);
-      const Document document = arguments.explain ? problem.explain(arguments.sets) : problem.solve(arguments.sets);
+      const Document document = found_until_interrupted(problem, arguments);
       std::string text;
       if (arguments.json) {
         text = to_json(document) + "\n";
@@ -114,6 +124,10 @@ int solve(const SolveArguments& arguments) {
       if (!answered) code = std::max(code, exit_unanswered);
       if (!write_answer(text)) return code;
       if (!answered) report_unanswered(file, document, arguments.json);
+      if (interrupted()) {
+        write_message("poinsot: interrupted");
+        return exit_interrupted;
+      }
     } catch (const poinsot::StatementError& error) {
       write_message(error.what());
       code = std::max(code, exit_wrong_input);
@@ -131,7 +145,12 @@ int check(const std::vector<std::string>& paths) {
   std::string text;
   std::size_t passed = 0, failed = 0;
   for (const std::string& file : problem_files(paths)) {
-    const std::vector<std::string> failures = failures_of(file);
+    std::vector<std::string> failures;
+    try {
+      failures = failures_of(file);
+    } catch (const poinsot::BudgetEnded&) {
+      break;
+    }
     if (failures.empty()) {
       ++passed;
       continue;
@@ -146,9 +165,12 @@ int check(const std::vector<std::string>& paths) {
     text += line + "\n";
   }
   text += fmt::format("{} passed, {} failed\n", passed, failed);
-  const int code = failed == 0 && passed > 0 ? exit_answered : exit_unanswered;
   static_cast<void>(write_answer(text));
-  return code;
+  if (interrupted()) {
+    write_message("poinsot: interrupted");
+    return exit_interrupted;
+  }
+  return failed == 0 && passed > 0 ? exit_answered : exit_unanswered;
 }
 
 int schema(bool of_answer) {

@@ -53,6 +53,11 @@ auto chosen(const Table& table, const std::string& option, const std::string& wo
                               hint.empty() ? "" : " (" + hint + ")"));
 }
 
+std::string equations_until_interrupted(const poinsot::Problem& problem, const poinsot::EquationsOptions& options) {
+  const InterruptCatcher catcher;
+  return problem.equations(options, poinsot::Budget().end_when(&interrupt_flag()));
+}
+
 bool write_file(const std::string& path, const std::string& text) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), &std::fclose);
   return file && std::fwrite(text.data(), 1, text.size(), file.get()) == text.size() && std::fflush(file.get()) == 0;
@@ -79,7 +84,8 @@ int equations(const EquationsArguments& arguments) {
   options.sets = arguments.sets;
   options.letters = arguments.letters;
   try {
-    const std::string text = poinsot::Problem::from_file(arguments.file).equations(options);
+    const poinsot::Problem problem = poinsot::Problem::from_file(arguments.file);
+    const std::string text = equations_until_interrupted(problem, options);
     if (arguments.output.empty()) {
       static_cast<void>(write_answer(text));
     } else if (!write_file(arguments.output, text)) {
@@ -87,6 +93,9 @@ int equations(const EquationsArguments& arguments) {
       return exit_internal;
     }
     return exit_answered;
+  } catch (const poinsot::BudgetEnded&) {
+    write_message("poinsot: interrupted");
+    return exit_interrupted;
   } catch (const poinsot::NoEquations& error) {
     write_message(fmt::format("{}: no equations of motion: {}", arguments.file, error.what()));
     return exit_unanswered;

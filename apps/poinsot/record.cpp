@@ -76,7 +76,8 @@ int record(const RecordArguments& arguments) {
   ProgressLine line;
   poinsot::RecordOptions options;
   options.sets = arguments.sets;
-  options.begun = catch_interrupts;
+  std::optional<InterruptCatcher> catcher;
+  options.begun = [&] { catcher.emplace(InterruptCatcher::Signals::all); };
   options.interrupted = interrupted;
   options.progress = [&](const RecordingProgress& progress) { line.show(progress); };
   try {

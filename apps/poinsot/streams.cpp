@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -22,11 +23,21 @@ extern "C" void on_interrupt(int /*signal*/) {
   _exit(exit_interrupted);
 }
 
-volatile std::sig_atomic_t interrupts = 0;
+std::atomic<bool> interrupt_noted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set no other");
 
 extern "C" void note_interrupt(int signal) {
-  if (interrupts != 0) on_interrupt(signal);
-  interrupts = 1;
+  if (interrupt_noted.exchange(true)) on_interrupt(signal);
+}
+
+// A signal that the caller of the program has set to be ignored stays ignored.
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction before {};
+  if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) return;
+  struct sigaction now {};
+  now.sa_handler = handler;
+  now.sa_flags = SA_RESTART;
+  sigaction(signal, &now, nullptr);
 }
 
 // Writes everything; the error number if that fails.
@@ -58,21 +69,24 @@ void prepare_streams() {
   }
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  if (std::signal(SIGINT, on_interrupt) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
+  handle(SIGINT, on_interrupt);
 }
 
-void catch_interrupts() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction before {};
-    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
-    struct sigaction noted {};
-    noted.sa_handler = note_interrupt;
-    noted.sa_flags = SA_RESTART;
-    sigaction(signal, &noted, nullptr);
-  }
+InterruptCatcher::InterruptCatcher(Signals signals) : signals_(signals) {
+  handle(SIGINT, note_interrupt);
+  if (signals_ == Signals::interrupt) return;
+  handle(SIGTERM, note_interrupt);
+  handle(SIGHUP, note_interrupt);
 }
 
-bool interrupted() { return interrupts != 0; }
+InterruptCatcher::~InterruptCatcher() {
+  handle(SIGINT, on_interrupt);
+  if (signals_ == Signals::interrupt) return;
+  handle(SIGTERM, SIG_DFL);
+  handle(SIGHUP, SIG_DFL);
+}
+
+const std::atomic<bool>& interrupt_flag() { return interrupt_noted; }
 
 bool write_answer(std::string_view text) {
   const int error = write_all(STDOUT_FILENO, text);

@@ -1,6 +1,7 @@
 // The program's standard streams and the interrupt key.
 #pragma once
 
+#include <atomic>
 #include <stdexcept>
 #include <string_view>
 
@@ -14,9 +15,22 @@ struct OutputError : std::runtime_error {
 // interrupt key ends the program with exit code 130, unless the caller has set it to be ignored.
 void prepare_streams();
 
-// From here on the interrupt key and requests to end do not end the program but are noted, the first time.
-void catch_interrupts();
-bool interrupted();
+// While it lives, the interrupt key does not end the program but sets interrupt_flag(), the first time; the second time
+// it ends the program. Requests to end (SIGTERM, SIGHUP) do the same where they are to be caught as well.
+class InterruptCatcher {
+ public:
+  enum class Signals { interrupt, all };
+  explicit InterruptCatcher(Signals signals = Signals::interrupt);
+  ~InterruptCatcher();
+  InterruptCatcher(const InterruptCatcher&) = delete;
+  InterruptCatcher& operator=(const InterruptCatcher&) = delete;
+
+ private:
+  Signals signals_;
+};
+// Once it is set it stays so.
+const std::atomic<bool>& interrupt_flag();
+inline bool interrupted() { return interrupt_flag(); }
 
 // Writes all of the text to standard output before it returns. False if its reader has gone away, so that nothing more
 // is wanted; OutputError if the text cannot be written for another reason.

@@ -6,6 +6,7 @@
 
 #include "document/check.h"
 #include "document/statement_document.h"
+#include "poinsot/engine/work/budget.h"
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::document {
@@ -73,6 +74,7 @@ std::vector<std::string> own_shortfalls(const problem::Statement& stated) {
   std::set<std::string> covered;
   for (const problem::ExpectedCase& one : stated.expected) {
     const problem::SolvedStatement solved = problem::solve_statement(stated, one.sets);
+    if (solved.ended) throw BudgetEnded{*solved.ended};
     const Document document = document_of(stated, solved);
     const problem::Settings settings = problem::read_settings(stated, one.sets);
     std::vector<Expectation> expectations;

@@ -9,7 +9,7 @@
 namespace poinsot::document {
 
 // Describes each discrepancy in one line; empty if all agrees. Throws problem::StatementError as solve_statement
-// does.
+// does, and BudgetEnded if the budget in force ends first.
 std::vector<std::string> own_shortfalls(const problem::Statement& stated);
 
 }  // namespace poinsot::document

@@ -11,6 +11,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 import jsonschema
@@ -18,6 +19,24 @@ import jsonschema
 PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
 GOLDEN = SOURCE / "tests" / "document" / "golden"
 EXAMPLES = sorted((SOURCE / "examples" / "textbook").glob("*.yaml"))
+
+
+# Two rods that swing for hours: following them takes minutes.
+LONG_MOTION = """title: A long motion
+points: {O: [0, 0, 0], P: [1 m, 0, 0], Q: [2 m, 0, 0]}
+bodies: {one: {rod: [O, P], mass: 2 kg}, two: {rod: [P, Q], mass: 1 kg}}
+joints: {pin: {revolute: z, at: O, to: one, angle: a}, knee: {revolute: z, at: P, from: one, to: two, angle: b}}
+gravity: -y
+instants: {start: {a: 10 deg, a': 0, b: 40 deg, b': 0}}
+ask: {m: mass(one), x: {table: {t: time, a: a}, over: {time: 0 s .. 200000 s by 1000 s}}}
+"""
+LONG_EXPECT = "expect: {m: {value: 2, unit: kg}, x: {columns: {t: [0], a: [0]}}}\n"
+
+
+def processor_seconds(process):
+    """What the process has used of the processor until now."""
+    fields = pathlib.Path(f"/proc/{process}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def run(*arguments, **options):
@@ -135,6 +154,32 @@ class Streams(unittest.TestCase):
             process.send_signal(signal.SIGINT)
             self.assertEqual(process.stderr.read(), b"\npoinsot: interrupted\n")
             self.assertEqual(process.wait(timeout=60), 130)
+
+    def interrupted(self, *arguments, text):
+        """Exit code and streams of a program that is interrupted while it works at a file with the text."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "long.yaml"
+            file.write_text(text, encoding="utf-8")
+            with subprocess.Popen([PROGRAM, *arguments, str(file)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True) as process:
+                # The key is to come when the file has been read, which takes milliseconds, and before the answer is
+                # found, which takes minutes.
+                while processor_seconds(process.pid) < 0.3:
+                    self.assertIsNone(process.poll(), "the program ended before it was interrupted")
+                    time.sleep(0.01)
+                process.send_signal(signal.SIGINT)
+                answer, messages = process.communicate(timeout=60)
+                return process.returncode, answer, messages
+
+    def test_interrupted_work_shows_what_was_found(self):
+        code, answer, messages = self.interrupted("solve", text=LONG_MOTION)
+        self.assertEqual(code, 130)
+        self.assertTrue(answer.startswith("A long motion"), answer)
+        self.assertTrue(messages.endswith("poinsot: interrupted\n"), messages)
+        code, answer, messages = self.interrupted("solve", "--json", text=LONG_MOTION)
+        self.assertEqual((code, json.loads(answer)["ended"]), (130, "interrupted"))
+        code, answer, messages = self.interrupted("check", text=LONG_MOTION + LONG_EXPECT)
+        self.assertEqual((code, answer, messages), (130, "0 passed, 0 failed\n", "poinsot: interrupted\n"))
 
 
 class Documents(unittest.TestCase):
