@@ -8,6 +8,8 @@
 #include "problem/language/exact_numbers.h"
 #include "problem/machine/mesh_shape.h"
 #include "problem/machine/shape_arguments.h"
+#include "problem/machine/shape_row.h"
+#include "problem/machine/shape_surfaces.h"
 
 namespace poinsot::problem {
 namespace {
@@ -114,201 +116,223 @@ std::pair<Vector3<Scalar>, Vector3<Scalar>> ends_of(const ShapeArguments<Scalar>
   return {a.place("center") - half, a.place("center") + half};
 }
 
+// Each row: closed form and particles, what else than round and straight surfaces it touches with, these surfaces.
 template <class Scalar>
-using Builder = ShapeValues<Scalar> (*)(const ShapeArguments<Scalar>&);
-
-template <class Scalar>
-const std::map<std::string, Builder<Scalar>>& builders() {
-  static const std::map<std::string, Builder<Scalar>> table{
+const std::map<std::string, ShapeRow<Scalar>>& rows() {
+  static const std::map<std::string, ShapeRow<Scalar>> table{
       {"particle",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto P = a.place("points");
-         a.check(shape_faults::particle(a.owner(), plain(P)));
-         return a.values(Extent::point, shapes::particle(P), [&] { return particles::particle(plain(P)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto P = a.place("points");
+          a.check(shape_faults::particle(a.owner(), plain(P)));
+          return a.values(Extent::point, shapes::particle(P), [&] { return particles::particle(plain(P)); });
+        },
+        OtherSurface::corners, nullptr, surfaces::particle<Scalar>}},
       {"rod",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto P = a.places("points", 2);
-         a.check(shape_faults::rod(a.owner(), plain(P[0]), plain(P[1])));
-         return a.values(Extent::length, shapes::rod(P[0], P[1]),
-                         [&] { return particles::rod(plain(P[0]), plain(P[1])); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto P = a.places("points", 2);
+          a.check(shape_faults::rod(a.owner(), plain(P[0]), plain(P[1])));
+          return a.values(Extent::length, shapes::rod(P[0], P[1]),
+                          [&] { return particles::rod(plain(P[0]), plain(P[1])); });
+        },
+        OtherSurface::corners, nullptr, surfaces::points<Scalar>}},
       {"wire",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto P = a.places("points");
-         a.check(shape_faults::polyline(a.owner(), plain(P)));
-         return a.values(Extent::length, shapes::polyline(P), [&] { return particles::polyline(plain(P)); });
-       }},
-      {"arc", arc<Scalar>},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto P = a.places("points");
+          a.check(shape_faults::polyline(a.owner(), plain(P)));
+          return a.values(Extent::length, shapes::polyline(P), [&] { return particles::polyline(plain(P)); });
+        },
+        OtherSurface::corners, nullptr, surfaces::wire<Scalar>}},
+      {"arc", {arc<Scalar>, OtherSurface::corners, surfaces::arc<Scalar>}},
       {"ring",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto c = a.place("center"), n = a.direction("normal");
-         const auto r = a.length("radius");
-         a.check(shape_faults::ring(a.owner(), plain(c), plain(n), plain(r)));
-         return a.values(Extent::length, shapes::ring(c, n, r),
-                         [&] { return particles::ring(plain(c), plain(n), plain(r)); });
-       }},
-      {"rectangle", rectangle<Scalar>},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto c = a.place("center"), n = a.direction("normal");
+          const auto r = a.length("radius");
+          a.check(shape_faults::ring(a.owner(), plain(c), plain(n), plain(r)));
+          return a.values(Extent::length, shapes::ring(c, n, r),
+                          [&] { return particles::ring(plain(c), plain(n), plain(r)); });
+        },
+        OtherSurface::none, surfaces::circle<Scalar>}},
+      {"rectangle", {rectangle<Scalar>, OtherSurface::corners, nullptr, surfaces::rectangle<Scalar>}},
       {"triangle",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto P = a.places("points", 3);
-         a.check(shape_faults::triangle(a.owner(), plain(P[0]), plain(P[1]), plain(P[2])));
-         return a.values(Extent::area, shapes::triangle(P[0], P[1], P[2]),
-                         [&] { return particles::polygon(plain(P)); });
-       }},
-      {"polygon", polygon<Scalar>},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto P = a.places("points", 3);
+          a.check(shape_faults::triangle(a.owner(), plain(P[0]), plain(P[1]), plain(P[2])));
+          return a.values(Extent::area, shapes::triangle(P[0], P[1], P[2]),
+                          [&] { return particles::polygon(plain(P)); });
+        },
+        OtherSurface::corners, nullptr, surfaces::points<Scalar>}},
+      {"polygon", {polygon<Scalar>, OtherSurface::corners, nullptr, surfaces::points<Scalar>}},
       {"semicircle",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto P = a.places("diameter", 2);
-         const auto toward = a.toward("toward", Scalar(0.5) * (P[0] + P[1]));
-         a.check(shape_faults::semicircle(a.owner(), plain(P[0]), plain(P[1]), plain(toward)));
-         return a.values(Extent::area, shapes::semicircle(P[0], P[1], toward),
-                         [&] { return particles::semicircle(plain(P[0]), plain(P[1]), plain(toward)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto P = a.places("diameter", 2);
+          const auto toward = a.toward("toward", Scalar(0.5) * (P[0] + P[1]));
+          a.check(shape_faults::semicircle(a.owner(), plain(P[0]), plain(P[1]), plain(toward)));
+          return a.values(Extent::area, shapes::semicircle(P[0], P[1], toward),
+                          [&] { return particles::semicircle(plain(P[0]), plain(P[1]), plain(toward)); });
+        },
+        OtherSurface::corners, surfaces::arc<Scalar>, surfaces::semicircle<Scalar>}},
       {"disk",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto c = a.place("center"), n = a.direction("normal");
-         const auto r = a.length("radius");
-         a.check(shape_faults::disk(a.owner(), plain(c), plain(n), plain(r)));
-         return a.values(Extent::area, shapes::disk(c, n, r),
-                         [&] { return particles::disk(plain(c), plain(n), plain(r)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto c = a.place("center"), n = a.direction("normal");
+          const auto r = a.length("radius");
+          a.check(shape_faults::disk(a.owner(), plain(c), plain(n), plain(r)));
+          return a.values(Extent::area, shapes::disk(c, n, r),
+                          [&] { return particles::disk(plain(c), plain(n), plain(r)); });
+        },
+        OtherSurface::none, surfaces::circle<Scalar>}},
       {"annulus",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto c = a.place("center"), n = a.direction("normal");
-         const auto r = a.length("radius"), inner = a.length("inner_radius");
-         a.check(shape_faults::annulus(a.owner(), plain(c), plain(n), plain(r), plain(inner)));
-         return a.values(Extent::area, shapes::annulus(c, n, r, inner),
-                         [&] { return particles::annulus(plain(c), plain(n), plain(r), plain(inner)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto c = a.place("center"), n = a.direction("normal");
+          const auto r = a.length("radius"), inner = a.length("inner_radius");
+          a.check(shape_faults::annulus(a.owner(), plain(c), plain(n), plain(r), plain(inner)));
+          return a.values(Extent::area, shapes::annulus(c, n, r, inner),
+                          [&] { return particles::annulus(plain(c), plain(n), plain(r), plain(inner)); });
+        },
+        OtherSurface::none, surfaces::circle<Scalar>}},
       {"sector",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto c = a.place("center"), n = a.direction("normal"), middle = a.toward("middle", c);
-         const auto r = a.length("radius"), angle = a.angle("angle");
-         if (std::abs(plain(dot(n, middle))) > shape_faults::default_tolerance)
-           a.refuse("middle does not lie across the normal");
-         a.check(shape_faults::sector(a.owner(), plain(c), plain(n), plain(r), plain(middle), plain(angle)));
-         return a.values(Extent::area, shapes::sector(c, n, r, middle, angle),
-                         [&] { return particles::sector(plain(c), plain(n), plain(r), plain(middle), plain(angle)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto c = a.place("center"), n = a.direction("normal"), middle = a.toward("middle", c);
+          const auto r = a.length("radius"), angle = a.angle("angle");
+          if (std::abs(plain(dot(n, middle))) > shape_faults::default_tolerance)
+            a.refuse("middle does not lie across the normal");
+          a.check(shape_faults::sector(a.owner(), plain(c), plain(n), plain(r), plain(middle), plain(angle)));
+          return a.values(Extent::area, shapes::sector(c, n, r, middle, angle),
+                          [&] { return particles::sector(plain(c), plain(n), plain(r), plain(middle), plain(angle)); });
+        },
+        OtherSurface::corners, surfaces::arc<Scalar>, surfaces::sector<Scalar>}},
       {"box_shell",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto c = a.places("corners", 2);
-         a.check(shape_faults::box_shell_between(a.owner(), plain(c[0]), plain(c[1])));
-         return a.values(Extent::area, shapes::box_shell_between(c[0], c[1]),
-                         [&] { return particles::box_shell_between(plain(c[0]), plain(c[1])); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto c = a.places("corners", 2);
+          a.check(shape_faults::box_shell_between(a.owner(), plain(c[0]), plain(c[1])));
+          return a.values(Extent::area, shapes::box_shell_between(c[0], c[1]),
+                          [&] { return particles::box_shell_between(plain(c[0]), plain(c[1])); });
+        },
+        OtherSurface::corners, nullptr, surfaces::box<Scalar>}},
       {"sphere_shell",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto c = a.place("center");
-         const auto r = a.length("radius");
-         a.check(shape_faults::sphere_shell(a.owner(), plain(c), plain(r)));
-         return a.values(Extent::area, shapes::sphere_shell(c, r),
-                         [&] { return particles::sphere_shell(plain(c), plain(r)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto c = a.place("center");
+          const auto r = a.length("radius");
+          a.check(shape_faults::sphere_shell(a.owner(), plain(c), plain(r)));
+          return a.values(Extent::area, shapes::sphere_shell(c, r),
+                          [&] { return particles::sphere_shell(plain(c), plain(r)); });
+        },
+        OtherSurface::none, surfaces::sphere<Scalar>}},
       {"hemisphere_shell",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto c = a.place("center"), toward = a.toward("toward", c);
-         const auto r = a.length("radius");
-         a.check(shape_faults::hemisphere_shell(a.owner(), plain(c), plain(toward), plain(r)));
-         return a.values(Extent::area, shapes::hemisphere_shell(c, toward, r),
-                         [&] { return particles::hemisphere_shell(plain(c), plain(toward), plain(r)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto c = a.place("center"), toward = a.toward("toward", c);
+          const auto r = a.length("radius");
+          a.check(shape_faults::hemisphere_shell(a.owner(), plain(c), plain(toward), plain(r)));
+          return a.values(Extent::area, shapes::hemisphere_shell(c, toward, r),
+                          [&] { return particles::hemisphere_shell(plain(c), plain(toward), plain(r)); });
+        },
+        OtherSurface::none, surfaces::hemisphere<Scalar>}},
       {"cylinder_shell",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto [A, B] = ends_of(a);
-         const auto r = a.length("radius");
-         a.check(shape_faults::cylinder_shell(a.owner(), plain(A), plain(B), plain(r)));
-         return a.values(Extent::area, shapes::cylinder_shell(A, B, r),
-                         [&, &A = A, &B = B] { return particles::cylinder_shell(plain(A), plain(B), plain(r)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto [A, B] = ends_of(a);
+          const auto r = a.length("radius");
+          a.check(shape_faults::cylinder_shell(a.owner(), plain(A), plain(B), plain(r)));
+          return a.values(Extent::area, shapes::cylinder_shell(A, B, r),
+                          [&, &A = A, &B = B] { return particles::cylinder_shell(plain(A), plain(B), plain(r)); });
+        },
+        OtherSurface::none, surfaces::cylinder<Scalar>}},
       {"closed_cylinder_shell",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto [A, B] = ends_of(a);
-         const auto r = a.length("radius");
-         a.check(shape_faults::closed_cylinder_shell(a.owner(), plain(A), plain(B), plain(r)));
-         return a.values(Extent::area, shapes::closed_cylinder_shell(A, B, r), [&, &A = A, &B = B] {
-           return particles::closed_cylinder_shell(plain(A), plain(B), plain(r));
-         });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto [A, B] = ends_of(a);
+          const auto r = a.length("radius");
+          a.check(shape_faults::closed_cylinder_shell(a.owner(), plain(A), plain(B), plain(r)));
+          return a.values(Extent::area, shapes::closed_cylinder_shell(A, B, r), [&, &A = A, &B = B] {
+            return particles::closed_cylinder_shell(plain(A), plain(B), plain(r));
+          });
+        },
+        OtherSurface::none, surfaces::cylinder<Scalar>}},
       {"cone_shell",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto apex = a.place("apex"), base = a.place("base");
-         const auto r = a.length("radius");
-         a.check(shape_faults::cone_shell(a.owner(), plain(apex), plain(base), plain(r)));
-         return a.values(Extent::area, shapes::cone_shell(apex, base, r),
-                         [&] { return particles::cone_shell(plain(apex), plain(base), plain(r)); });
-       }},
-      {"box", box<Scalar>},
-      {"cube", cube<Scalar>},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto apex = a.place("apex"), base = a.place("base");
+          const auto r = a.length("radius");
+          a.check(shape_faults::cone_shell(a.owner(), plain(apex), plain(base), plain(r)));
+          return a.values(Extent::area, shapes::cone_shell(apex, base, r),
+                          [&] { return particles::cone_shell(plain(apex), plain(base), plain(r)); });
+        },
+        OtherSurface::none, surfaces::cone<Scalar>}},
+      {"box", {box<Scalar>, OtherSurface::corners, nullptr, surfaces::box<Scalar>}},
+      {"cube", {cube<Scalar>, OtherSurface::corners, nullptr, surfaces::cube<Scalar>}},
       {"sphere",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto c = a.place("center");
-         const auto r = a.length("radius");
-         a.check(shape_faults::sphere(a.owner(), plain(c), plain(r)));
-         return a.values(Extent::volume, shapes::sphere(c, r), [&] { return particles::sphere(plain(c), plain(r)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto c = a.place("center");
+          const auto r = a.length("radius");
+          a.check(shape_faults::sphere(a.owner(), plain(c), plain(r)));
+          return a.values(Extent::volume, shapes::sphere(c, r), [&] { return particles::sphere(plain(c), plain(r)); });
+        },
+        OtherSurface::none, surfaces::sphere<Scalar>}},
       {"hemisphere",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto c = a.place("center"), toward = a.toward("toward", c);
-         const auto r = a.length("radius");
-         a.check(shape_faults::hemisphere(a.owner(), plain(c), plain(toward), plain(r)));
-         return a.values(Extent::volume, shapes::hemisphere(c, toward, r),
-                         [&] { return particles::hemisphere(plain(c), plain(toward), plain(r)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto c = a.place("center"), toward = a.toward("toward", c);
+          const auto r = a.length("radius");
+          a.check(shape_faults::hemisphere(a.owner(), plain(c), plain(toward), plain(r)));
+          return a.values(Extent::volume, shapes::hemisphere(c, toward, r),
+                          [&] { return particles::hemisphere(plain(c), plain(toward), plain(r)); });
+        },
+        OtherSurface::none, surfaces::hemisphere<Scalar>}},
       {"cylinder",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto [A, B] = ends_of(a);
-         const auto r = a.length("radius");
-         a.check(shape_faults::cylinder(a.owner(), plain(A), plain(B), plain(r)));
-         return a.values(Extent::volume, shapes::cylinder(A, B, r),
-                         [&, &A = A, &B = B] { return particles::cylinder(plain(A), plain(B), plain(r)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto [A, B] = ends_of(a);
+          const auto r = a.length("radius");
+          a.check(shape_faults::cylinder(a.owner(), plain(A), plain(B), plain(r)));
+          return a.values(Extent::volume, shapes::cylinder(A, B, r),
+                          [&, &A = A, &B = B] { return particles::cylinder(plain(A), plain(B), plain(r)); });
+        },
+        OtherSurface::none, surfaces::cylinder<Scalar>}},
       {"tube",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto [A, B] = ends_of(a);
-         const auto r = a.length("radius"), inner = a.length("inner_radius");
-         a.check(shape_faults::tube(a.owner(), plain(A), plain(B), plain(r), plain(inner)));
-         return a.values(Extent::volume, shapes::tube(A, B, r, inner),
-                         [&, &A = A, &B = B] { return particles::tube(plain(A), plain(B), plain(r), plain(inner)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto [A, B] = ends_of(a);
+          const auto r = a.length("radius"), inner = a.length("inner_radius");
+          a.check(shape_faults::tube(a.owner(), plain(A), plain(B), plain(r), plain(inner)));
+          return a.values(Extent::volume, shapes::tube(A, B, r, inner),
+                          [&, &A = A, &B = B] { return particles::tube(plain(A), plain(B), plain(r), plain(inner)); });
+        },
+        OtherSurface::none, surfaces::cylinder<Scalar>}},
       {"cone",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto apex = a.place("apex"), base = a.place("base");
-         const auto r = a.length("radius");
-         a.check(shape_faults::cone(a.owner(), plain(apex), plain(base), plain(r)));
-         return a.values(Extent::volume, shapes::cone(apex, base, r),
-                         [&] { return particles::cone(plain(apex), plain(base), plain(r)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto apex = a.place("apex"), base = a.place("base");
+          const auto r = a.length("radius");
+          a.check(shape_faults::cone(a.owner(), plain(apex), plain(base), plain(r)));
+          return a.values(Extent::volume, shapes::cone(apex, base, r),
+                          [&] { return particles::cone(plain(apex), plain(base), plain(r)); });
+        },
+        OtherSurface::none, surfaces::cone<Scalar>}},
       {"frustum",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto A = a.place("base"), B = a.place("top");
-         const auto r_A = a.length("base_radius"), r_B = a.length("top_radius");
-         a.check(shape_faults::frustum(a.owner(), plain(A), plain(r_A), plain(B), plain(r_B)));
-         return a.values(Extent::volume, shapes::frustum(A, r_A, B, r_B),
-                         [&] { return particles::frustum(plain(A), plain(r_A), plain(B), plain(r_B)); });
-       }},
-      {"ellipsoid", ellipsoid<Scalar>},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto A = a.place("base"), B = a.place("top");
+          const auto r_A = a.length("base_radius"), r_B = a.length("top_radius");
+          a.check(shape_faults::frustum(a.owner(), plain(A), plain(r_A), plain(B), plain(r_B)));
+          return a.values(Extent::volume, shapes::frustum(A, r_A, B, r_B),
+                          [&] { return particles::frustum(plain(A), plain(r_A), plain(B), plain(r_B)); });
+        },
+        OtherSurface::none, surfaces::frustum<Scalar>}},
+      {"ellipsoid", {ellipsoid<Scalar>, OtherSurface::curved}},
       {"torus",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto c = a.place("center"), n = a.direction("normal");
-         const auto r = a.length("radius"), section = a.length("tube_radius");
-         a.check(shape_faults::torus(a.owner(), plain(c), plain(n), plain(r), plain(section)));
-         return a.values(Extent::volume, shapes::torus(c, n, r, section),
-                         [&] { return particles::torus(plain(c), plain(n), plain(r), plain(section)); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto c = a.place("center"), n = a.direction("normal");
+          const auto r = a.length("radius"), section = a.length("tube_radius");
+          a.check(shape_faults::torus(a.owner(), plain(c), plain(n), plain(r), plain(section)));
+          return a.values(Extent::volume, shapes::torus(c, n, r, section),
+                          [&] { return particles::torus(plain(c), plain(n), plain(r), plain(section)); });
+        },
+        OtherSurface::curved}},
       {"tetrahedron",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto P = a.places("points", 4);
-         a.check(shape_faults::tetrahedron(a.owner(), plain(P[0]), plain(P[1]), plain(P[2]), plain(P[3])));
-         return a.values(Extent::volume, shapes::tetrahedron(P[0], P[1], P[2], P[3]),
-                         [&] { return particles::tetrahedron(plain(P[0]), plain(P[1]), plain(P[2]), plain(P[3])); });
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto P = a.places("points", 4);
+          a.check(shape_faults::tetrahedron(a.owner(), plain(P[0]), plain(P[1]), plain(P[2]), plain(P[3])));
+          return a.values(Extent::volume, shapes::tetrahedron(P[0], P[1], P[2], P[3]),
+                          [&] { return particles::tetrahedron(plain(P[0]), plain(P[1]), plain(P[2]), plain(P[3])); });
+        },
+        OtherSurface::corners, nullptr, surfaces::tetrahedron<Scalar>}},
       {"mesh",
-       [](const ShapeArguments<Scalar>& a) {
-         const auto at = a.has("at") ? a.place("at") : Vector3<Scalar>::zero();
-         return mesh_shape(a, at);
-       }},
+       {[](const ShapeArguments<Scalar>& a) {
+          const auto at = a.has("at") ? a.place("at") : Vector3<Scalar>::zero();
+          return mesh_shape(a, at);
+        },
+        OtherSurface::curved}},
   };
   return table;
 }
@@ -322,10 +346,15 @@ const Expression& shape_argument(const Shape& shape, const std::string& name, co
 }
 
 template <class Scalar>
+const ShapeRow<Scalar>& shape_row(const std::string& kind) {
+  return rows<Scalar>().at(kind);
+}
+
+template <class Scalar>
 ShapeValues<Scalar> shape_values(const Shape& shape, DataScope<Scalar>& data, const std::string& owner,
                                  bool particles) {
   const ShapeArguments<Scalar> arguments(shape, data, owner, particles);
-  const ShapeValues<Scalar> values = builders<Scalar>().at(shape.kind)(arguments);
+  const ShapeValues<Scalar> values = shape_row<Scalar>(shape.kind).values(arguments);
   const double measure = plain(values.properties.measure);
   const SymmetricMatrix3<double> I = plain(values.properties.inertia_center);
   if (values.extent != Extent::point && !(measure > 0))
@@ -335,6 +364,9 @@ ShapeValues<Scalar> shape_values(const Shape& shape, DataScope<Scalar>& data, co
   return values;
 }
 
+template const ShapeRow<double>& shape_row(const std::string&);
+template const ShapeRow<Dual<1>>& shape_row(const std::string&);
+template const ShapeRow<Formula>& shape_row(const std::string&);
 template ShapeValues<double> shape_values(const Shape&, DataScope<double>&, const std::string&, bool);
 template ShapeValues<Dual<1>> shape_values(const Shape&, DataScope<Dual<1>>&, const std::string&, bool);
 template ShapeValues<Formula> shape_values(const Shape&, DataScope<Formula>&, const std::string&, bool);

@@ -1,0 +1,65 @@
+// The table of shapes: every shape of the language has a row, and its round surface is where the shape says it is.
+#include "problem/machine/shape_row.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "problem/entries/keys.h"
+
+namespace poinsot::problem {
+namespace {
+
+using Vector = Vector3<double>;
+
+TEST(ShapeRow, EveryShapeOfTheLanguageHasOne) {
+  std::vector<std::string> kinds = keys_of("shape");
+  kinds.push_back("closed_cylinder_shell");
+  for (const std::string& kind : kinds) {
+    const ShapeRow<double>& row = shape_row<double>(kind);
+    EXPECT_NE(row.values, nullptr) << kind;
+    // What has no corners and is curved in no unknown way must have a surface on which it rolls.
+    EXPECT_TRUE(row.other != OtherSurface::none || row.round) << kind;
+    EXPECT_FALSE(row.other == OtherSurface::none && row.sides) << kind;
+  }
+}
+
+RollingSurface<double> touched(const RoundSurface<double>& surface, const Vector& p_OC, const Vector& n) {
+  const auto found = std::visit([&](const auto& round) { return round.touched_at(p_OC, n); }, surface);
+  EXPECT_TRUE(found);
+  return found.value_or(RollingSurface<double>{});
+}
+
+TEST(RoundSurface, GapIsTheDistanceFromTheSurface) {
+  const Vector C{1, 2, 3}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  EXPECT_NEAR(touched(SphereSurface<double>{C, 2}, C + 2.5 * x, x).gap, 0.5, 1e-15);
+  EXPECT_NEAR(touched(CircleSurface<double>{C, z, 2}, C + 2.0 * y + 0.3 * z, y).gap, 0.3, 1e-15);
+  EXPECT_NEAR(touched(HemisphereSurface<double>{C, z, 2}, C - 0.5 * z + 2.0 * x, x).gap, 0.5, 1e-15);
+  const RollingSurface<double> middle = touched(FrustumSurface<double>{C, 1, C + 4.0 * z, 3}, C + 2.0 * z + 2.0 * x, x);
+  EXPECT_NEAR(middle.radius, 2, 1e-15);
+  EXPECT_NEAR(middle.gap, 0, 1e-15);
+  EXPECT_NEAR(norm(middle.center - (C + 2.0 * z)), 0, 1e-15);
+}
+
+TEST(RoundSurface, RimOfAHemisphereIsACircleUnlessTheNormalIsThatOfTheSphere) {
+  const Vector C{0, 0, 0}, x{1, 0, 0}, z{0, 0, 1};
+  const HemisphereSurface<double> half{C, z, 2};
+  EXPECT_EQ(norm(touched(half, 2.0 * x, x).axis), 0);
+  EXPECT_EQ(norm(touched(half, 2.0 * x, z).axis), 1);
+}
+
+TEST(RoundSurface, ArcEndsAtItsHalfAngle) {
+  const Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  const ArcSurface<double> quarter{{0, 0, 0}, z, 1, x, 0.8};
+  EXPECT_TRUE(quarter.touched_at(std::cos(0.7) * x + std::sin(0.7) * y, x));
+  EXPECT_FALSE(quarter.touched_at(std::cos(0.9) * x + std::sin(0.9) * y, x));
+  const Vector end = std::cos(0.8) * x + std::sin(0.8) * y;
+  EXPECT_TRUE(quarter.touched_at(end, end));
+  EXPECT_FALSE(quarter.touched_at(end, x));
+}
+
+}  // namespace
+}  // namespace poinsot::problem
