@@ -110,7 +110,9 @@ TEST(ForceLaw, PowerIsWhatTheStoreGivesAndWhatIsNotStored) {
       const double unstored = law.unstored_power(mechanism.tree, workspace, action.on, action.from);
       EXPECT_NEAR(power, given + unstored, 1e-6 * (1 + std::abs(power)));
       EXPECT_EQ(law.stores(), given != 0);
-      if (!law.feeds()) EXPECT_LE(unstored, 0);
+      if (!law.feeds()) {
+        EXPECT_LE(unstored, 0);
+      }
       EXPECT_EQ(law.feeds() || law.drains(), unstored != 0);
       ++tried;
     });

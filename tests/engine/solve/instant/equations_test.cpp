@@ -112,7 +112,7 @@ struct Trial {
       conditions.push_back(std::move(condition));
     }
   }
-  MechanismState state() const {
+  MechanismState mechanism_state() const {
     MechanismState now(mechanism);
     now.set_positions(state.q);
     now.set_velocities(state.v);
@@ -512,11 +512,11 @@ TEST(Equations, ASmallBodyBesideALargeOne) {
     const Model<double> tree = testing::built(stated);
     Mechanism<double> mechanism = mechanism_of(stated, tree);
     mechanism.drives[1].effort = 4 * I;
-    MechanismState state(mechanism);
+    MechanismState placed(mechanism);
     const State<double> state{{0.2, 0.4}, {1.5, -2}};
-    state.set_positions(state.q);
-    state.set_velocities(state.v);
-    const LinearSolution solution = motion_equations(state, natural_scales(mechanism), {}).solve();
+    placed.set_positions(state.q);
+    placed.set_velocities(state.v);
+    const LinearSolution solution = motion_equations(placed, natural_scales(mechanism), {}).solve();
     EXPECT_TRUE(solution.conflict.empty()) << size;
     EXPECT_TRUE(solution.open.empty()) << size;
     std::vector<double> acceleration(2), force{0, 4 * I};
