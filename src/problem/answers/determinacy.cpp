@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "problem/instant/open_words.h"
-#include "problem/language/compare_values.h"
 #include "problem/language/diagnostic.h"
+#include "problem/results/compare_values.h"
 #include "problem/unknowns/extremum.h"
 
 namespace poinsot::problem {
@@ -274,7 +274,9 @@ class Variation {
   void tell_fixed_components() {
     for (std::size_t i = 0; i < fixed_.size(); ++i) {
       const Ask& ask = found_.statement.asks[i];
-      if (result_.asks[i].state != AskState::undetermined || found_.asked.unanswered.contains(ask.name)) continue;
+      if (result_.asks[i].state != AskState::undetermined || result_.asks[i].ended ||
+          found_.asked.unanswered.contains(ask.name))
+        continue;
       std::vector<std::string> names;
       for (std::size_t k = 0; k < 3; ++k)
         if (fixed_[i][k]) names.push_back("." + found_.sample.situation_at(ask).axes[k]);

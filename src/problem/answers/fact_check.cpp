@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problem/language/compare_values.h"
+#include "problem/results/compare_values.h"
 
 namespace poinsot::problem {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "problem/instant/asked_size.h"
-#include "problem/language/compare_values.h"
 #include "problem/language/diagnostic.h"
 #include "problem/quantities/describe.h"
+#include "problem/results/compare_values.h"
 
 namespace poinsot::problem {
 namespace {

@@ -4,7 +4,7 @@
 #include <cfenv>
 #include <cmath>
 
-#include "problem/language/compare_values.h"
+#include "problem/results/compare_values.h"
 
 namespace poinsot::problem {
 namespace {

@@ -19,9 +19,9 @@
 #include "problem/formulas/formula_reach.h"
 #include "problem/formulas/formula_search.h"
 #include "problem/formulas/law_search.h"
-#include "problem/language/compare_values.h"
 #include "problem/language/diagnostic.h"
 #include "problem/quantities/describe.h"
+#include "problem/results/compare_values.h"
 #include "problem/unknowns/sample.h"
 #include "problem/unknowns/unknown_search.h"
 

@@ -76,6 +76,13 @@ std::vector<SolvedClaim> solve_claims(const Statement& statement, const std::vec
   for (const Claim& claim : prepared.claims) {
     const std::size_t k = situation_of_claim(prepared, claim);
     const Situation& situation = prepared.situations[k];
+    if (const std::optional<BudgetEnd> end = how_budget_ended()) {
+      solved.emplace_back();
+      solved.back().state = AskState::undetermined;
+      solved.back().reason = words_of(*end);
+      solved.back().ended = *end;
+      continue;
+    }
     if (const std::string* unknown = without_value(situation, settings[k], unknowns[k])) {
       solved.emplace_back();
       solved.back().state = AskState::undetermined;

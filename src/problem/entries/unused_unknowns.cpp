@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "problem/entries/entry_words.h"
 #include "problem/entries/reader.h"
-#include "problem/language/entry_words.h"
 
 namespace poinsot::problem {
 namespace {

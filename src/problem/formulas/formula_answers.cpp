@@ -6,7 +6,7 @@
 
 #include "poinsot/engine/solve/instant/equations.h"
 #include "problem/formulas/formula_unknowns.h"
-#include "problem/language/compare_values.h"
+#include "problem/results/compare_values.h"
 
 namespace poinsot::problem {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "poinsot/engine/work/work.h"
 #include "problem/formulas/formula_answers.h"
-#include "problem/language/compare_values.h"
 #include "problem/quantities/quantity_functions.h"
+#include "problem/results/compare_values.h"
 
 namespace poinsot::problem {
 namespace {

@@ -9,7 +9,7 @@
 #include "problem/formulas/formula_answers.h"
 #include "problem/formulas/scaling_law.h"
 #include "problem/instant/open_words.h"
-#include "problem/language/compare_values.h"
+#include "problem/results/compare_values.h"
 #include "problem/unknowns/extremum.h"
 #include "problem/unknowns/unknown_search.h"
 

@@ -7,7 +7,7 @@
 #include "poinsot/engine/math/formula/formula_text.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/formulas/law_shape.h"
-#include "problem/language/compare_values.h"
+#include "problem/results/compare_values.h"
 
 namespace poinsot::problem {
 namespace {

@@ -120,7 +120,8 @@ bool is_plain(const Statement& statement) {
 TEST(FormulaAnswers, OfTheManualsExamplesAreTheirNumbers) {
   Tally tally;
   for (const FencedBlock& block : fenced_blocks("docs/language.md")) {
-    if (block.kind != "yaml") continue;
+    // The mesh of one example is no file of this project.
+    if (block.kind != "yaml" || block.text.find("mesh: ") != std::string::npos) continue;
     const std::string name = "docs/language.md:" + std::to_string(block.line);
     const Statement statement = read_statement(block.text, name);
     if (is_plain(statement)) expect_formulas_agree(statement, name, tally);

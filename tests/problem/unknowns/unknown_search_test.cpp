@@ -201,7 +201,7 @@ TEST(UnknownSearch, AHopelessSystemEndsWithWhatWasTried) {
 }
 
 TEST(UnknownSearch, ASearchEndsWhenItsWorkIsDoneAndSaysSo) {
-  for (const Work most : {1'000'000, 4'000'000}) {
+  for (const Work most : {8'000'000, 30'000'000}) {
     const Statement statement = read_statement(hopeless, "test.yaml");
     const Work begin = work_done();
     UnknownSearch search(statement, {}, most);

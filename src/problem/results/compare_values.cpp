@@ -1,4 +1,4 @@
-#include "problem/language/compare_values.h"
+#include "problem/results/compare_values.h"
 
 #include <algorithm>
 #include <cmath>

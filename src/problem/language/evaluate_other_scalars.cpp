@@ -1,8 +1,16 @@
-// Evaluates expressions to formulas, and to formulas with derivatives by a velocity or by the time.
+// Evaluates expressions to functions of time, to formulas, and to formulas with derivatives by a velocity or by the time.
 #include "problem/language/evaluate_templates.h"
 #include "problem/language/time_jet.h"
 
 namespace poinsot::problem {
+
+template class Evaluator<Dual<1, Dual<1>>>;
+template class Scope<Dual<1, Dual<1>>>;
+template Value<Dual<1, Dual<1>>> evaluate(const Expression&, Scope<Dual<1, Dual<1>>>&, const std::string&);
+template class Evaluator<Dual<1, Dual<1, Dual<1>>>>;
+template class Scope<Dual<1, Dual<1, Dual<1>>>>;
+template Value<Dual<1, Dual<1, Dual<1>>>> evaluate(const Expression&, Scope<Dual<1, Dual<1, Dual<1>>>>&,
+                                                   const std::string&);
 
 template class Evaluator<Formula>;
 template class Scope<Formula>;
