@@ -11,7 +11,7 @@ int main() {
   // A particle of 2 kg at 3 m from the axis: 18 kg m^2.
   const poinsot::Problem problem = poinsot::Problem::from_text(
       "title: A particle\ngiven: {m: 1 kg, r: 3 m}\nbodies: {p: {particle: [r, 0, 0], mass: m}}\n"
-      "ask: {I: moment_of_inertia(p about z at [0, 0, 0])}\n",
+      "ask: {I: 'moment_of_inertia(p about z at [0, 0, 0])'}\n",
       "particle.yaml");
   const poinsot::Document document = problem.solve({{"m", "2 kg"}});
   std::fputs(poinsot::to_terminal(document).c_str(), stdout);
