@@ -32,8 +32,8 @@ class DormandPrince853 final : public StepMethod {
   double stage_sum(std::size_t i) const;
   double estimated_error(double h) const;
   bool seems_stiff(double h);
-  double* stage(int s) { return &k_[static_cast<std::size_t>(s) * n_]; }
-  const double* stage(int s) const { return &k_[static_cast<std::size_t>(s) * n_]; }
+  double* stage(int s) { return k_.data() + static_cast<std::size_t>(s) * n_; }
+  const double* stage(int s) const { return k_.data() + static_cast<std::size_t>(s) * n_; }
 
   RightSide& right_side_;
   const ErrorScale& scale_;
