@@ -43,19 +43,21 @@ function(poinsot_library name)
   add_library(poinsot_${name} STATIC ${sources})
   add_library(poinsot::${name} ALIAS poinsot_${name})
   set_target_properties(poinsot_${name} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX
-                                                   UNITY_BUILD ${POINSOT_UNITY} UNITY_BUILD_MODE GROUP)
+                                                   UNITY_BUILD ${POINSOT_UNITY} UNITY_BUILD_MODE GROUP
+                                                   UNITY_BUILD_CODE_BEFORE_INCLUDE
+                                                   "// NOLINTNEXTLINE(bugprone-suspicious-include)")
   target_compile_features(poinsot_${name} PUBLIC cxx_std_20)
   target_include_directories(poinsot_${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
                                                     "$<INSTALL_INTERFACE:include>"
                                              PRIVATE "${PROJECT_SOURCE_DIR}/src")
-  target_compile_definitions(poinsot_${name} PRIVATE POINSOT_VERSION="${PROJECT_VERSION}")
   poinsot_compile_options(poinsot_${name})
 endfunction()
 
 # poinsot_test(ROOM FOLDER): one test program from FOLDER/**/*_test.cpp below tests/, each test case known to ctest.
 function(poinsot_test room folder)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*_test.cpp")
+  poinsot_sources(sources "${CMAKE_CURRENT_SOURCE_DIR}/${folder}" "*_test.cpp")
   add_executable(test_${room} ${sources})
+  set_target_properties(test_${room} PROPERTIES UNITY_BUILD ${POINSOT_UNITY} UNITY_BUILD_MODE GROUP)
   target_link_libraries(test_${room} PRIVATE poinsot::problem GTest::gtest_main Eigen3::Eigen fmt::fmt
                                              nlohmann_json::nlohmann_json)
   target_include_directories(test_${room} PRIVATE "${PROJECT_SOURCE_DIR}/tests" "${PROJECT_SOURCE_DIR}/src")

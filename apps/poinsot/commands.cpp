@@ -12,6 +12,7 @@
 #include "poinsot/document.h"
 #include "poinsot/problem.h"
 #include "poinsot/rendering.h"
+#include "progress_line.h"
 #include "streams.h"
 
 namespace {
@@ -65,7 +66,8 @@ void report_unanswered(const std::string& file, const Document& document, bool i
 // standard input, the key ends the program.
 Document found_until_interrupted(const Problem& problem, const SolveArguments& arguments) {
   const InterruptCatcher catcher;
-  const poinsot::Budget budget = poinsot::Budget().end_when(&interrupt_flag());
+  ProgressLine line;
+  const poinsot::Budget budget = line.budget();
   return arguments.explain ? problem.explain(arguments.sets, budget) : problem.solve(arguments.sets, budget);
 }
 
@@ -94,7 +96,8 @@ std::vector<std::string> failures_of(const std::string& file) {
   try {
     const Problem problem = Problem::from_file(file);
     const InterruptCatcher catcher;
-    return problem.check(poinsot::Budget().end_when(&interrupt_flag()));
+    ProgressLine line;
+    return problem.check(line.budget());
   } catch (const poinsot::StatementError& error) {
     if (!std::filesystem::exists(file)) throw;
     return {error.what()};

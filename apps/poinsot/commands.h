@@ -23,6 +23,7 @@ int check(const std::vector<std::string>& paths);
 
 struct RecordArguments {
   std::string file, output;
+  bool force = false;  // replace a file that is there
   poinsot::Settings sets;
 };
 
@@ -31,6 +32,7 @@ int record(const RecordArguments& arguments);
 
 struct EquationsArguments {
   std::string file, output;  // no output: the standard one
+  bool force = false;        // replace a file that is there
   std::string form = "text", function = "equations", situation;
   std::vector<std::string> of, letters;
   poinsot::Settings sets;

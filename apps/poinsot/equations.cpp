@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "exit_codes.h"
 #include "poinsot/problem.h"
 #include "poinsot/rendering.h"
+#include "progress_line.h"
 #include "streams.h"
 
 namespace {
@@ -55,12 +57,25 @@ auto chosen(const Table& table, const std::string& option, const std::string& wo
 
 std::string equations_until_interrupted(const poinsot::Problem& problem, const poinsot::EquationsOptions& options) {
   const InterruptCatcher catcher;
-  return problem.equations(options, poinsot::Budget().end_when(&interrupt_flag()));
+  ProgressLine line;
+  return problem.equations(options, line.budget());
 }
 
 bool write_file(const std::string& path, const std::string& text) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), &std::fclose);
   return file && std::fwrite(text.data(), 1, text.size(), file.get()) == text.size() && std::fflush(file.get()) == 0;
+}
+
+// Why the output may not be written; nothing if it may.
+std::string not_to_be_written(const EquationsArguments& arguments) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (arguments.output.empty() || !fs::exists(arguments.output, error)) return "";
+  if (fs::equivalent(arguments.file, arguments.output, error))
+    return fmt::format("cannot write {}: it is the problem file", arguments.output);
+  // A device such as /dev/stdout loses nothing.
+  if (arguments.force || !fs::is_regular_file(arguments.output, error)) return "";
+  return fmt::format("{} is there already and is not overwritten: add --force, or name another file", arguments.output);
 }
 
 }  // namespace
@@ -77,6 +92,10 @@ int equations(const EquationsArguments& arguments) {
       throw WordError(fmt::format("--name: '{}' cannot be the name of a function", arguments.function));
   } catch (const WordError& error) {
     write_message(fmt::format("poinsot: {}\nTry 'poinsot equations --help'.", error.what()));
+    return exit_wrong_input;
+  }
+  if (const std::string reason = not_to_be_written(arguments); !reason.empty()) {
+    write_message("poinsot: " + reason);
     return exit_wrong_input;
   }
   options.function = arguments.function;

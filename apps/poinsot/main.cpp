@@ -97,6 +97,8 @@ int run(int argument_count, const char* const* arguments) {
                    "The table: NAME.csv or NAME.h5; NAME.csv.journal beside it keeps what has been recorded")
       ->required()
       ->type_name("OUTPUT");
+  record_command->add_flag("--force", record_arguments.force,
+                           "Replace the table if it is there and no recording of this program wrote it");
   add_sets(*record_command, record_settings);
 
   EquationsArguments equations_arguments;
@@ -120,6 +122,7 @@ int run(int argument_count, const char* const* arguments) {
       ->type_name("NAME")
       ->allow_extra_args(false);
   equations_command->add_option("-o,--output", equations_arguments.output, "A file in place of standard output");
+  equations_command->add_flag("--force", equations_arguments.force, "Replace the output file if it is there");
   add_sets(*equations_command, equations_settings);
 
   bool of_answer = false;

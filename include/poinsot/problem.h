@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -149,22 +148,10 @@ class RecordingError : public std::runtime_error {
   Fault fault_;
 };
 
-// The part of a recording that is safely on the disk.
-struct RecordingProgress {
-  std::uint64_t rows = 0;
-  std::optional<std::uint64_t> of;  // at most; nothing if only an event ends the motion
-  std::uint64_t resumed_at = 0;     // the number of rows from earlier runs
-  double time = 0;                  // of the last row, s
-};
-
 struct RecordOptions {
   Settings sets{};
-  // Called before the first block. From then on the recording can be interrupted.
-  std::function<void()> begun{};
-  // Called before every block; the recording ends here if it returns true.
-  std::function<bool()> interrupted{};
-  // Called at the beginning, and then at most ten times a second.
-  std::function<void(const RecordingProgress&)> progress{};
+  // Whether a data file is replaced that is there without the journal of a recording beside it.
+  bool replace = false;
 };
 
 struct Recording {
@@ -172,7 +159,7 @@ struct Recording {
   std::uint64_t rows = 0;
   std::size_t columns = 0;
   double end = 0;                  // time of the last row, s
-  bool complete = false;           // false if it was interrupted
+  bool complete = false;           // false if the budget ended first
   std::uint64_t resumed_at = 0;    // the number of rows that the journal had before
   std::uint64_t torn_bytes = 0;    // the size of an incomplete record of an earlier run, which was cut off
   std::vector<std::string> notes;  // events during the motion
@@ -223,10 +210,12 @@ class Problem {
   //
   // During the run the recording is an append-only journal beside the data file, OUTPUT.journal. If a run stops at
   // any time, the same call continues from its journal, with the same bits as if it had never stopped. After a
-  // failure the data file has the rows before it and is marked as incomplete. A journal is written by one call at a
-  // time, and a second call is refused. Throws StatementError if the file or a setting is wrong, and RecordingError
-  // for everything else.
-  Recording record(const std::string& output, const RecordOptions& options) const;
+  // failure, or where the budget ends, the data file has the rows before it and is marked as incomplete; to write them
+  // takes its time also after the end. Progress counts the rows that are safely on the disk. A journal is written by
+  // one call at a time, and a second call is refused. Throws StatementError if the file or a setting is wrong,
+  // BudgetEnded, which is no std::exception, if the budget ends before the first row, and RecordingError for everything
+  // else.
+  Recording record(const std::string& output, const RecordOptions& options = {}, const Budget& budget = {}) const;
 
   // The equations of motion as formulas or code, in SI units. They hold for all positions and velocities of the
   // coordinates; what the file states of an instant is not used. Letters and unknowns remain letters, data become

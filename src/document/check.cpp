@@ -16,20 +16,45 @@ namespace {
 
 using List = std::vector<Datum>;
 
-constexpr double scale_of_zero = 1e-3;  // SI
-constexpr int digits = 9;               // in messages: finer than common tolerances
+constexpr int digits = 9;  // in messages: finer than common tolerances
+// The size of an expected zero, SI, where nothing else in its unit is larger than what was found in its place: a
+// thousandth of what people state in such units. With the usual relative tolerance a zero is one below 1e-9.
+constexpr double scale_of_zero = 1e-3;
 
 std::string text_of(const Datum& datum) { return datum_text(datum, "", digits); }
+
+const Datum& si_of(const Answer& answer) { return answer.si.empty() ? answer.value : answer.si; }
 
 double magnitude(const Datum& datum) {
   const auto* number = std::get_if<double>(&datum.content);
   return number == nullptr ? 0 : std::abs(*number);
 }
 
+double largest_magnitude(const Datum& datum) {
+  double largest = magnitude(datum);
+  if (const auto* list = std::get_if<List>(&datum.content))
+    for (const Datum& item : *list) largest = std::max(largest, largest_magnitude(item));
+  return largest;
+}
+
+// Of the answers in this unit, SI.
+double largest_in_unit(const Solution& solution, const std::string& unit) {
+  double largest = 0;
+  for (const Answer& answer : solution.answers) {
+    if (answer.unit == unit) largest = std::max(largest, largest_magnitude(si_of(answer)));
+    for (const Column& column : answer.columns)
+      for (const double number : column.si)
+        if (column.unit == unit) largest = std::max(largest, std::abs(number));
+  }
+  return largest;
+}
+
 // Describes the first place at which a datum differs from the expected one.
 class Comparison {
  public:
-  explicit Comparison(const Expectation& expectation) : expectation_(expectation) {}
+  // solution: that of the answer, in which other answers show how large such a quantity is.
+  Comparison(const Expectation& expectation, const Solution& solution, std::string unit)
+      : expectation_(expectation), solution_(solution), unit_(std::move(unit)) {}
 
   std::optional<std::string> difference(const Datum& found, const Datum& expected) const {
     if (const auto* list = std::get_if<List>(&expected.content)) {
@@ -40,7 +65,7 @@ class Comparison {
     if (const auto* number = std::get_if<double>(&expected.content)) {
       const auto* found_number = std::get_if<double>(&found.content);
       if (found_number == nullptr) return fmt::format("{}, expected the number {}", text_of(found), text_of(expected));
-      const double tolerance = tolerance_at(std::abs(*number));
+      const double tolerance = tolerance_at(std::abs(*number), std::abs(*found_number), unit_);
       if (within(*found_number, *number, tolerance)) return std::nullopt;
       return fmt::format("{}, expected {}{}", text_of(found), text_of(expected),
                          distance(*found_number, *number, tolerance));
@@ -59,9 +84,10 @@ class Comparison {
       if (column.si.size() != expected.size()) {
         return fmt::format("column {} has {} rows, expected {}", column.name, column.si.size(), expected.size());
       }
-      double largest = 0;
+      double largest = 0, found_largest = 0;
       for (double number : expected) largest = std::max(largest, std::abs(number));
-      const double tolerance = tolerance_at(largest);
+      for (double number : column.si) found_largest = std::max(found_largest, std::abs(number));
+      const double tolerance = tolerance_at(largest, found_largest, column.unit);
       for (std::size_t row = 0; row < expected.size(); ++row) {
         if (within(column.si[row], expected[row], tolerance)) continue;
         return fmt::format("column {}, row {}: {}, expected {}{}", column.name, row + 1,
@@ -73,8 +99,11 @@ class Comparison {
   }
 
  private:
-  double tolerance_at(double largest) const {
-    return expectation_.relative_tolerance * (largest > 0 ? largest : scale_of_zero) + expectation_.absolute_tolerance;
+  // largest, found: of what is expected and of what was found.
+  double tolerance_at(double largest, double found, const std::string& unit) const {
+    const double others = largest > 0 ? 0 : largest_in_unit(solution_, unit);
+    const double scale = largest > 0 ? largest : others > found ? others : scale_of_zero;
+    return expectation_.relative_tolerance * scale + expectation_.absolute_tolerance;
   }
 
   // Returns false for NaN.
@@ -107,7 +136,7 @@ class Comparison {
     }
     double largest = 0;
     for (const Datum& item : expected_list) largest = std::max(largest, magnitude(item));
-    const double tolerance = tolerance_at(largest);
+    const double tolerance = tolerance_at(largest, largest_magnitude(found), unit_);
     for (std::size_t i = 0; i < expected_list.size(); ++i) {
       const auto* number = std::get_if<double>(&expected_list[i].content);
       const auto* found_number = std::get_if<double>(&found_list[i].content);
@@ -132,6 +161,8 @@ class Comparison {
   }
 
   const Expectation& expectation_;
+  const Solution& solution_;
+  std::string unit_;
 };
 
 const Answer* find_answer(const Solution& solution, const std::string& name) {
@@ -155,11 +186,10 @@ std::optional<std::string> missing(const Answer* answer) {
   return std::nullopt;
 }
 
-const Datum& si_of(const Answer& answer) { return answer.si.empty() ? answer.value : answer.si; }
-
-std::optional<std::string> answer_shortfall(const Answer* answer, const Expectation& expectation) {
+std::optional<std::string> answer_shortfall(const Solution& solution, const Expectation& expectation) {
+  const Answer* answer = find_answer(solution, expectation.part);
   if (std::optional<std::string> why = missing(answer)) return why;
-  const Comparison comparison(expectation);
+  const Comparison comparison(expectation, solution, answer->unit);
   if (!expectation.columns.empty()) return comparison.table_difference(answer->columns);
   if (!answer->columns.empty()) return fmt::format("a table, expected {}", text_of(expectation.si));
   // A single name may be given as such or as a list of one.
@@ -190,8 +220,10 @@ std::optional<std::string> root_shortfall(const Document& document, const Expect
   if (roots.size() != expected_roots->size()) {
     return fmt::format("roots {}, expected {}", text_of(Datum{roots}), text_of(expected));
   }
+  const Solution& first = document.solutions.front();
+  const Comparison comparison(expectation, first, find_answer(first, expectation.part)->unit);
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    if (const auto why = Comparison(expectation).difference(roots[i], (*expected_roots)[i])) return "root " + *why;
+    if (const auto why = comparison.difference(roots[i], (*expected_roots)[i])) return "root " + *why;
   }
   return std::nullopt;
 }
@@ -207,7 +239,7 @@ std::vector<std::string> shortfalls(const Document& document, const std::vector<
       continue;
     }
     for (std::size_t i = 0; i < document.solutions.size(); ++i) {
-      const auto why = answer_shortfall(find_answer(document.solutions[i], expectation.part), expectation);
+      const auto why = answer_shortfall(document.solutions[i], expectation);
       if (!why) continue;
       const std::string where = document.solutions.size() > 1 ? fmt::format(" (solution {})", i + 1) : "";
       lines.push_back(fmt::format("{}{}: {}", expectation.part, where, *why));

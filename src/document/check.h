@@ -18,7 +18,8 @@ struct Expectation {
   std::vector<std::vector<double>> columns;  // of a table, in SI base units
 
   // A number may be off by relative_tolerance times the larger of its own magnitude and the largest magnitude in its
-  // list, row or column, plus absolute_tolerance (SI). Where all that is expected is zero, the scale is 1e-3 in SI.
+  // list, row or column, plus absolute_tolerance (SI). Where all that is expected is zero, the scale is the
+  // largest answer in the same unit.
   double relative_tolerance = 1e-6;
   double absolute_tolerance = 0;
 

@@ -58,6 +58,11 @@ std::vector<std::string> matrix_lines(const std::vector<std::vector<double>>& ro
   return lines;
 }
 
+bool only_texts(const List& items) {
+  return std::ranges::all_of(items,
+                             [](const Datum& item) { return std::holds_alternative<std::string>(item.content); });
+}
+
 std::string text_without_unit(const Datum& datum, int digits, bool vector) {
   if (const auto* number = std::get_if<double>(&datum.content)) return rounded(*number, digits);
   if (const auto* truth = std::get_if<bool>(&datum.content)) return *truth ? "true" : "false";
@@ -71,10 +76,6 @@ std::string text_without_unit(const Datum& datum, int digits, bool vector) {
     return fmt::format("[{}]", fmt::join(texts, ", "));
   }
   std::vector<std::string> texts;
-  const auto only_texts = [](const List& items) {
-    return std::ranges::all_of(items,
-                               [](const Datum& item) { return std::holds_alternative<std::string>(item.content); });
-  };
   for (const Datum& item : *list) {
     const auto* row = std::get_if<List>(&item.content);
     const std::string text = text_without_unit(item, digits, vector);
@@ -120,6 +121,13 @@ std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit
   if (lines.empty()) lines.push_back(text_without_unit(datum, digits, vector));
   if (!unit.empty()) lines.back() += " " + unit;
   return lines;
+}
+
+bool has_brackets(const Datum& datum, bool vector) {
+  const auto* list = std::get_if<List>(&datum.content);
+  if (list == nullptr || list->empty()) return false;
+  if (numbers_of(datum)) return !vector || list->size() != 3;
+  return !only_texts(*list);
 }
 
 std::string datum_text(const Datum& datum, const std::string& unit, int digits) {

@@ -14,6 +14,8 @@ std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit
 
 // The same on a single line, with the rows of a matrix one after the other; three numbers are a vector.
 std::string datum_text(const Datum& datum, const std::string& unit, int digits);
+// Whether that text is a list in brackets, as the rows of a matrix are. vector: whether three numbers are a vector.
+bool has_brackets(const Datum& datum, bool vector = true);
 
 // The assumptions of a solution. Those that have a condition are followed by its formula: "the cord 'c' stays taut: F
 // - g*m > 0".

@@ -19,12 +19,23 @@ bool contains(const std::array<CodePointRange, n>& ranges, std::uint32_t code_po
       ranges, [=](const CodePointRange& range) { return range.first <= code_point && code_point <= range.last; });
 }
 
-// Control characters (C0 and C1), and the embeddings, overrides and isolates of bidirectional text.
-constexpr std::array<CodePointRange, 4> unprintable{{{0x0, 0x1F}, {0x7F, 0x9F}, {0x202A, 0x202E}, {0x2066, 0x2069}}};
+// Control characters (C0 and C1), what is invisible, by which two names that look alike differ (soft hyphen, zero
+// width, invisible operators, tags), and the marks, embeddings, overrides and isolates of bidirectional text.
+constexpr std::array<CodePointRange, 11> unprintable{{{0x0, 0x1F},
+                                                      {0x7F, 0x9F},
+                                                      {0xAD, 0xAD},
+                                                      {0x61C, 0x61C},
+                                                      {0x180E, 0x180E},
+                                                      {0x200B, 0x200F},
+                                                      {0x2028, 0x202E},
+                                                      {0x2060, 0x206F},
+                                                      {0xFEFF, 0xFEFF},
+                                                      {0xFFF9, 0xFFFB},
+                                                      {0xE0000, 0xE007F}}};
 
-// Combining marks, joiners and variation selectors.
-constexpr std::array<CodePointRange, 6> zero_width{
-    {{0x300, 0x36F}, {0x1AB0, 0x1AFF}, {0x200B, 0x200F}, {0x20D0, 0x20FF}, {0xFE00, 0xFE0F}, {0xFE20, 0xFE2F}}};
+// Combining marks and variation selectors.
+constexpr std::array<CodePointRange, 5> zero_width{
+    {{0x300, 0x36F}, {0x1AB0, 0x1AFF}, {0x20D0, 0x20FF}, {0xFE00, 0xFE0F}, {0xFE20, 0xFE2F}}};
 
 // East Asian Wide and Fullwidth, and pictographs.
 constexpr std::array<CodePointRange, 12> double_width{{{0x1100, 0x115F},

@@ -47,6 +47,26 @@ std::string printable_lines(std::string_view text) {
   return result;
 }
 
+// A text that somebody wrote, on one line, without a meaning to Markdown, HTML or TeX.
+std::string markdown_text(std::string_view text) {
+  std::string result;
+  const std::string line = printable(text);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    // Addresses become links by themselves: http://, www. and those of mail.
+    const bool address =
+        line.compare(i, 3, "://") == 0 || (line[i] == '.' && i >= 3 && line.compare(i - 3, 3, "www") == 0);
+    if (address || std::string_view("\\`*_[]<>#$|&~@").find(line[i]) != std::string_view::npos) result += '\\';
+    result += line[i];
+  }
+  return result;
+}
+
+// The same as code, for text that is part of the language.
+std::string markdown_code(std::string_view text) {
+  const std::string line = printable(text);
+  return line.find('`') == std::string::npos ? "`" + line + "`" : "`` " + line + " ``";
+}
+
 std::string answer_value(const Answer& answer) {
   switch (answer.state) {
     case AnswerState::found:
@@ -54,7 +74,8 @@ std::string answer_value(const Answer& answer) {
     case AnswerState::needs_letters:
       if (!answer.formula.empty()) {
         const std::string formula = datum_text(answer.formula, "", significant_digits);
-        return answer.component_names.empty() || formula.starts_with("[") ? "`" + formula + "`" : "`(" + formula + ")`";
+        return answer.component_names.empty() || has_brackets(answer.formula) ? "`" + formula + "`"
+                                                                              : "`(" + formula + ")`";
       }
       return fmt::format("needs values for {}", fmt::join(answer.letters, ", "));
     case AnswerState::undetermined:
@@ -80,9 +101,10 @@ std::string answers_section(const Solution& solution) {
                                                     : datum_text(unknown.value, unknown.unit, significant_digits))) +
         "\n";
   for (const Answer& answer : solution.answers)
-    text += printable(fmt::format("* *{}*, {}: {}", answer.name, answer.words.empty() ? answer.ask : answer.words,
-                                  answer_value(answer))) +
-            "\n";
+    text +=
+        printable(fmt::format("* *{}*, {}: {}", answer.name,
+                              answer.words.empty() ? markdown_code(answer.ask) : answer.words, answer_value(answer))) +
+        "\n";
   if (!solution.assumptions.empty())
     text += fmt::format("\nwhere {}\n", fmt::join(assumptions_in_words(solution), ", "));
   for (const std::string& note : solution.notes) text += "\n" + printable(note) + "\n";
@@ -106,7 +128,7 @@ namespace poinsot {
 std::string to_markdown(const Document& document, std::size_t index) {
   require_values(document);
   const Solution& solution = document.solutions.at(index);
-  std::string text = "# " + printable(document.title.empty() ? document.file : document.title) + "\n";
+  std::string text = "# " + document::markdown_text(document.title.empty() ? document.file : document.title) + "\n";
   if (document.solutions.size() > 1)
     text += fmt::format("\nSolution {} of {}.\n", index + 1, document.solutions.size());
   if (solution.explanation)
@@ -122,7 +144,7 @@ std::string to_markdown(const Document& document) {
   std::string text;
   for (std::size_t i = 0; i < document.solutions.size(); ++i) text += (i == 0 ? "" : "\n") + to_markdown(document, i);
   if (document.solutions.empty()) {
-    text = "# " + printable(document.title) + "\n\nThere is no solution.\n";
+    text = "# " + document::markdown_text(document.title) + "\n\nThere is no solution.\n";
   }
   for (const std::string& warning : document.warnings) text += "\nWarning: " + printable(warning) + "\n";
   return text;

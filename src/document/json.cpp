@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "document/program_version.h"
 #include "poinsot/rendering.h"
 
 namespace poinsot::document {
@@ -125,7 +126,7 @@ std::string to_json(const Document& document) {
   require_values(document);
   document::Json solutions = document::Json::array();
   for (std::size_t i = 0; i < document.solutions.size(); ++i) solutions.push_back(document::solution_json(document, i));
-  document::Json json{{"poinsot", POINSOT_VERSION},
+  document::Json json{{"poinsot", document::program_version()},
                       {"file", document.file},
                       {"title", document.title},
                       {"solutions", solutions},

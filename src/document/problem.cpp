@@ -12,11 +12,11 @@
 #include "poinsot/engine/work/budget.h"
 #include "poinsot/rendering.h"
 #include "problem/answers/solve_statement.h"
-#include "problem/entries/keys.h"
 #include "problem/entries/named_files.h"
 #include "problem/entries/statement.h"
 #include "problem/equations/equations.h"
 #include "problem/explanation/explanation.h"
+#include "problem/keys/keys.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/tree.h"
 
@@ -180,7 +180,8 @@ std::vector<std::string> Problem::check(const Budget& budget) const {
   return with_public_errors([&] { return document::own_shortfalls(parts_->statement); });
 }
 
-Recording Problem::record(const std::string& output, const RecordOptions& options) const {
+Recording Problem::record(const std::string& output, const RecordOptions& options, const Budget& budget) const {
+  const BudgetScope scope(budget);
   return with_public_errors([&] { return document::record_motion(parts_->statement, parts_->text, output, options); });
 }
 

@@ -13,7 +13,9 @@
 #include "document/data_file.h"
 #include "document/file_output.h"
 #include "document/journal.h"
+#include "document/program_version.h"
 #include "document/recording_records.h"
+#include "poinsot/engine/work/budget.h"
 #include "problem/answers/recorded_motion.h"
 #include "problem/entries/read_meshes.h"
 
@@ -32,7 +34,7 @@ constexpr std::size_t numbers_at_once = 65'536;  // written to the data file
 
 bool is_hdf5(const std::string& output) { return output.ends_with(".h5") || output.ends_with(".hdf5"); }
 
-void check_output(const std::string& output) {
+void check_output(const std::string& output, bool replace) {
   if (!output.ends_with(".csv") && !is_hdf5(output))
     refuse("cannot record to '" + output + "': its name ends in neither .csv nor .h5, which tells the format");
   std::error_code error;
@@ -40,6 +42,12 @@ void check_output(const std::string& output) {
   const fs::path folder = fs::path(output).parent_path();
   if (!folder.empty() && !fs::is_directory(folder, error))
     refuse("cannot record to " + output + ": there is no folder " + folder.string());
+  const std::string journal = output + ".journal";
+  const bool has_journal = fs::is_regular_file(journal, error) && fs::file_size(journal, error) > 0;
+  if (!replace && !has_journal && fs::is_regular_file(output, error))
+    refuse(output +
+           " is not overwritten: without a journal beside it, it is no recording of this program; move it "
+           "away, record to another file, or add --force");
 }
 
 // The meshes of a statement, each file once, in the order of the statement.
@@ -58,14 +66,14 @@ std::vector<RecordingHead::Mesh> meshes_of(const problem::Statement& stated) {
 }
 
 RecordingHead head_for(const problem::Statement& stated, const std::string& text, const RecordedMotion& motion,
-                       const RecordOptions& options) {
+                       const Settings& settings) {
   RecordingHead head;
-  head.program = "poinsot " POINSOT_VERSION;
+  head.program = fmt::format("poinsot {}", program_version());
   head.title = stated.title;
   head.problem = text;
   const std::map<std::string, std::string> sets = [&] {
     std::map<std::string, std::string> last;
-    for (const auto& [name, value] : options.sets) last[name] = value;
+    for (const auto& [name, value] : settings) last[name] = value;
     return last;
   }();
   head.sets.assign(sets.begin(), sets.end());
@@ -81,12 +89,8 @@ RecordingHead head_for(const problem::Statement& stated, const std::string& text
 // One recording from its start, or from where its journal stops, to its end.
 class Recorder {
  public:
-  Recorder(RecordingHead head, RecordedMotion motion, const std::string& output, const RecordOptions& options)
-      : head_(std::move(head)),
-        motion_(std::move(motion)),
-        options_(options),
-        journal_(output + ".journal"),
-        next_(motion_.start()) {
+  Recorder(RecordingHead head, RecordedMotion motion, const std::string& output)
+      : head_(std::move(head)), motion_(std::move(motion)), journal_(output + ".journal"), next_(motion_.start()) {
     result_.data = output;
     result_.journal = journal_.path();
     result_.columns = head_.columns.size();
@@ -95,13 +99,14 @@ class Recorder {
   }
 
   Recording go() {
-    if (options_.begun) options_.begun();
     report();
     try {
-      while (next_ && !(options_.interrupted && options_.interrupted())) record_block();
+      record_blocks();
       sync();
+      report();
     } catch (...) {
       // What there is can be had all the same; what went wrong is told, whatever becomes of that.
+      const BudgetRespite respite;
       try {
         write_data();
       } catch (const std::exception&) {
@@ -109,6 +114,7 @@ class Recorder {
       throw;
     }
     result_.complete = !next_;
+    const BudgetRespite respite;
     write_data();
     return result_;
   }
@@ -132,9 +138,12 @@ class Recorder {
     } else {
       refuse(journal_.path() + " is not overwritten: it is no journal of a recording" + advice);
     }
-    journal_.read([&](std::string_view bytes) { count(damage_told(bytes)); });
+    journal_.read([&](std::string_view bytes) {
+      check_budget();
+      count(damage_told(bytes));
+    });
     result_.torn_bytes = journal_.cut_torn_end();
-    result_.resumed_at = result_.rows;
+    safe_rows_ = result_.resumed_at = result_.rows;
   }
 
   std::string other(const std::string& head) const {
@@ -167,6 +176,17 @@ class Recorder {
     next_ = block.next;
   }
 
+  // Until the end of the motion or of the budget; then a block that was begun is left out.
+  void record_blocks() {
+    try {
+      while (next_) {
+        check_budget();
+        record_block();
+      }
+    } catch (const BudgetEnded&) {
+    }
+  }
+
   void record_block() {
     const RecordingBlock record{result_.rows, motion_.block(result_.rows, *next_)};
     check_size(result_.rows + record.block.values.size() / result_.columns);
@@ -177,19 +197,21 @@ class Recorder {
     }
     count(record);
     if (Clock::now() - synced_ >= between_syncs) sync();
+    report();
   }
 
   // What is reported is on the disk.
   void sync() {
     journal_.sync();
     synced_ = Clock::now();
-    report();
+    safe_rows_ = result_.rows;
   }
 
   void report() const {
-    if (!options_.progress) return;
-    const std::uint64_t last = std::max<std::uint64_t>(result_.rows, 1) - 1;
-    options_.progress({result_.rows, head_.rows, result_.resumed_at, head_.every * static_cast<double>(last)});
+    std::optional<double> part;
+    if (head_.rows)
+      part = static_cast<double>(safe_rows_) / static_cast<double>(std::max<std::uint64_t>(*head_.rows, 1));
+    progress_.tell(part, safe_rows_);
   }
 
   void write_data() {
@@ -219,23 +241,24 @@ class Recorder {
 
   RecordingHead head_;
   RecordedMotion motion_;
-  const RecordOptions& options_;
   Journal journal_;
   std::optional<problem::RecordedState> next_;  // none once the journal holds all
   problem::RecordedChecks checks_;
   Clock::time_point synced_ = Clock::now();
+  std::uint64_t safe_rows_ = 0;  // on the disk
   Recording result_;
+  const ProgressTeller progress_{"recording"};
 };
 
 }  // namespace
 
 Recording record_motion(const problem::Statement& stated, const std::string& text, const std::string& output,
                         const RecordOptions& options) {
-  check_output(output);
+  check_output(output, options.replace);
   try {
     RecordedMotion motion(stated, options.sets);
-    RecordingHead head = head_for(stated, text, motion, options);
-    return Recorder(std::move(head), std::move(motion), output, options).go();
+    RecordingHead head = head_for(stated, text, motion, options.sets);
+    return Recorder(std::move(head), std::move(motion), output).go();
   } catch (const problem::UnansweredRecord& unanswered) {
     throw RecordingError(RecordingError::Fault::problem, unanswered.what());
   }

@@ -14,8 +14,9 @@
 
 namespace poinsot::document {
 
-// Records the motion of a statement to `output`, as Problem::record says. text: what the statement was read from.
-// Throws problem::StatementError where the file or a set is wrong, RecordingError else.
+// Records the motion of a statement to `output`, as Problem::record says, as far as the budget in force lasts. text:
+// what the statement was read from. Throws problem::StatementError where the file or a set is wrong, RecordingError
+// else.
 Recording record_motion(const problem::Statement& stated, const std::string& text, const std::string& output,
                         const RecordOptions& options);
 

@@ -24,7 +24,7 @@ struct RecordingHead {
     double factor = 1;  // one of the unit, in SI
     bool operator==(const Column&) const = default;
   };
-  std::string program;  // "poinsot 0.1.0"
+  std::string program;  // "poinsot 0.2.0"
   std::string title;
   std::string problem;  // the text of the file
   std::vector<std::pair<std::string, std::string>> sets;

@@ -162,7 +162,7 @@ class TerminalText {
     if (!answer.component_names.empty() && std::holds_alternative<std::vector<Datum>>(answer.formula.content)) {
       const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
       // A vector gets parentheses; the rows of a matrix have brackets.
-      if (lines.size() == 1 && !lines.front().starts_with("[")) lines.front() = "(" + lines.front() + ")";
+      if (lines.size() == 1 && !has_brackets(answer.formula, false)) lines.front() = "(" + lines.front() + ")";
       lines.back() += "  " + painted(Role::faint, axes);
     }
     return lines;

@@ -141,6 +141,28 @@ class Refusals(unittest.TestCase):
                 "joints: {wall: {weld: [0, 0, 0], to: ball}}\nask: {m: mass(ball)}\n"
         self.assert_refused(1, "nothing in it can move", text=fixed)
 
+    def test_nothing_is_overwritten_unless_forced(self):
+        with tempfile.TemporaryDirectory() as folder:
+            problem, other = pathlib.Path(folder, "p.yaml"), pathlib.Path(folder, "p.py")
+            problem.write_text(PENDULUM, encoding="utf-8")
+            other.write_text("mine = 1\n", encoding="utf-8")
+
+            def write(output, *more):
+                return subprocess.run([PROGRAM, "equations", problem, "-o", output, *more], stdout=subprocess.PIPE,
+                                      stderr=subprocess.PIPE, text=True, timeout=120, check=False)
+            for more in [(), ("--force",)]:
+                result = write(problem, *more)
+                self.assertEqual((result.returncode, result.stderr),
+                                 (2, f"poinsot: cannot write {problem}: it is the problem file\n"))
+                self.assertEqual(problem.read_text(encoding="utf-8"), PENDULUM)
+            result = write(other)
+            self.assertEqual((result.returncode, result.stderr),
+                             (2, f"poinsot: {other} is there already and is not overwritten: add --force, or name "
+                                 "another file\n"))
+            self.assertEqual(other.read_text(encoding="utf-8"), "mine = 1\n")
+            self.assertEqual(write(other, "--force").returncode, 0)
+            self.assertNotIn("mine", other.read_text(encoding="utf-8"))
+
     def test_output_that_cannot_be_written(self):
         self.assert_refused(3, "cannot write /nowhere/x.c", "-o", "/nowhere/x.c")
 

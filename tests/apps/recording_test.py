@@ -149,7 +149,7 @@ class Streams(Folder):
         self.assertEqual(result.stdout, f"{self.folder}/a.csv: 1001 rows of 4 columns, to 1 s\n")
 
     def test_progress_with_time_left_on_a_terminal(self):
-        file = self.problem("100 s")
+        file = self.problem("1000 s")
         ours, theirs = pty.openpty()
         with subprocess.Popen([PROGRAM, "record", file, "-o", self.folder / "a.csv"], stdin=subprocess.DEVNULL,
                               stdout=subprocess.DEVNULL, stderr=theirs) as process:
@@ -167,8 +167,7 @@ class Streams(Folder):
             os.close(ours)
             self.assertEqual(process.wait(timeout=60), 0)
         text = shown.decode()
-        self.assertRegex(text, r"\r +\d+ %  \d+ rows, to [0-9.]+ s  \d+ s left")
-        self.assertRegex(text, r"\r100 %  100001 rows, to 100 s")
+        self.assertRegex(text, r"\r +\d+ %  recording  \d+ s left")
         self.assertNotIn("\n", text)
         self.assertTrue(text.endswith(" \r"))
 
@@ -227,6 +226,16 @@ class Refusals(Folder):
         self.refused(2, f"poinsot: {journal} is not overwritten: it is no journal of a recording: move it away, or "
                         "record to another file\n", file, "-o", self.folder / "a.csv")
         self.assertEqual(journal.read_text(encoding="utf-8"), "dear diary\n")
+
+    def test_table_of_another_is_kept_unless_forced(self):
+        file, table = self.problem("1 s"), self.folder / "a.csv"
+        table.write_text("dear diary\n", encoding="utf-8")
+        self.refused(2, f"poinsot: {table} is not overwritten: without a journal beside it, it is no recording of this "
+                        "program; move it away, record to another file, or add --force\n", file, "-o", table)
+        self.assertEqual(table.read_text(encoding="utf-8"), "dear diary\n")
+        self.assertFalse((self.folder / "a.csv.journal").exists())
+        self.assertEqual(run("record", file, "-o", table, "--force").returncode, 0)
+        self.assertTrue(table.read_text(encoding="utf-8").startswith("t [s]"))
 
     def test_two_runs_at_once(self):
         file = self.problem("100000 s")

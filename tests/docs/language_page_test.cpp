@@ -17,7 +17,7 @@
 #include "poinsot/problem.h"
 #include "poinsot/rendering.h"
 #include "problem/answers/solve_statement.h"
-#include "problem/entries/keys.h"
+#include "problem/keys/keys.h"
 #include "problem/language/evaluate.h"
 #include "problem/language/failure.h"
 #include "problem/language/tree.h"
@@ -25,7 +25,7 @@
 #include "problem/quantities/quantities.h"
 
 namespace poinsot {
-namespace {
+namespace language_page_test {
 
 namespace fs = std::filesystem;
 using problem::Entry;
@@ -37,7 +37,7 @@ constexpr const char* language_page = "docs/language.md";
 // A folder with the files that the pages hold, for as long as the tests run.
 class Folder {
  public:
-  Folder() : path_(fs::path(testing::TempDir()) / ("poinsot-docs-" + std::to_string(getpid()))) {
+  Folder() : path_(fs::path(::testing::TempDir()) / ("poinsot-docs-" + std::to_string(getpid()))) {
     fs::create_directories(path_);
   }
   ~Folder() { fs::remove_all(path_); }
@@ -216,5 +216,5 @@ TEST(LanguagePage, ShowsReasonsOfTheProgram) {
   }
 }
 
-}  // namespace
+}  // namespace language_page_test
 }  // namespace poinsot

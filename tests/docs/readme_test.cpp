@@ -19,7 +19,7 @@
 #include "poinsot/rendering.h"
 
 namespace poinsot {
-namespace {
+namespace readme_test {
 
 std::vector<std::string> blocks_of(const std::string& kind) {
   std::vector<std::string> texts;
@@ -40,7 +40,7 @@ TEST(Readme, ShowsWhatTheProgramPrints) {
   ASSERT_EQ(transcripts.size(), problems.size());
   for (std::size_t i = 0; i < problems.size(); ++i) {
     const std::filesystem::path file =
-        std::filesystem::path(testing::TempDir()) / ("poinsot-readme-" + std::to_string(getpid()) + ".yaml");
+        std::filesystem::path(::testing::TempDir()) / ("poinsot-readme-" + std::to_string(getpid()) + ".yaml");
     std::ofstream(file) << problems[i];
     Document document = Problem::from_file(file.string()).solve();
     std::filesystem::remove(file);
@@ -65,7 +65,7 @@ std::string own_lines(const std::string& subject) {
 
 TEST(Readme, HasLinesOfCppThatDoWhatTheySay) {
   const std::string text = blocks_of("yaml").at(0);
-  testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStdout();
   // The README's lines of problems.
   const Problem problem = Problem::from_text(text, "askew.yaml");
   const Document document = problem.solve({{"n", "3000 rpm"}}, Budget().end_after(std::chrono::seconds(10)));
@@ -74,7 +74,7 @@ TEST(Readme, HasLinesOfCppThatDoWhatTheySay) {
     std::cout << answer.name << " in " << answer.unit << "\n";
   // Until here.
   std::cout.flush();
-  const std::string shown = testing::internal::GetCapturedStdout();
+  const std::string shown = ::testing::internal::GetCapturedStdout();
   EXPECT_TRUE(shown.starts_with("Disk mounted askew on a shaft  (askew.yaml)\n")) << shown;
   EXPECT_TRUE(shown.ends_with("\nH in kg*m^2/s\nT in J\nA in N\nB in N\n")) << shown;
   // Reactions grow with the square of the rate, from those that the README shows at 1200 rpm.
@@ -125,5 +125,5 @@ TEST(Pages, NameFilesThatExist) {
   EXPECT_GT(count, 30);
 }
 
-}  // namespace
+}  // namespace readme_test
 }  // namespace poinsot

@@ -5,7 +5,7 @@
 #include <random>
 
 namespace poinsot::document {
-namespace {
+namespace display_text_test {
 
 constexpr const char* replacement = "\xEF\xBF\xBD";
 
@@ -37,6 +37,11 @@ TEST(Printable, takes_power_from_control_characters) {
   EXPECT_EQ(printable("\u202E"), replacement);
 }
 
+TEST(Printable, shows_what_is_invisible) {
+  for (const char* hidden : {"\u00AD", "\u061C", "\u200B", "\u200F", "\u2060", "\u2066", "\uFEFF", "\U000E0041"})
+    EXPECT_EQ(printable(std::string("m") + hidden + "ass"), std::string("m") + replacement + "ass");
+}
+
 TEST(Printable, replaces_what_is_no_utf8) {
   for (const char* bad : {"\x80", "\xC0\xAF", "\xE0\x80\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xF5", "\xCE"}) {
     const std::string text = printable(bad);
@@ -58,5 +63,5 @@ TEST(Printable, of_random_bytes_is_printable_and_of_the_same_width_when_printed_
   }
 }
 
-}  // namespace
+}  // namespace display_text_test
 }  // namespace poinsot::document

@@ -8,7 +8,7 @@
 #include "poinsot/rendering.h"
 
 namespace poinsot::document {
-namespace {
+namespace document_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -65,5 +65,5 @@ TEST(RequireValues, is_asked_by_every_rendering) {
   EXPECT_THROW(to_terminal(document), std::domain_error);
 }
 
-}  // namespace
+}  // namespace document_test
 }  // namespace poinsot::document

@@ -20,7 +20,7 @@
 #include "problem/entries/statement.h"
 
 namespace poinsot::document {
-namespace {
+namespace explanation_test {
 
 namespace fs = std::filesystem;
 
@@ -202,6 +202,17 @@ void expect_answers_at_the_end() {
 }
 
 // One test, so that the problems are solved once.
+// What somebody wrote is text, whatever it means to Markdown, HTML or TeX.
+TEST(Explanation, ATitleHasNoMarkup) {
+  const Problem problem = Problem::from_text(
+      "title: 'A *top* <b>of</b> [0.5](http://a.org) $m$ `x`'\nbodies: {b: {particle: [0, 0, 0], mass: 2 kg}}\nask: "
+      "{a: mass(b)}\n",
+      "t.yaml");
+  const std::string markdown = to_markdown(problem.explain());
+  EXPECT_TRUE(markdown.starts_with("# A \\*top\\* \\<b\\>of\\</b\\> \\[0.5\\](http\\://a.org) \\$m\\$ \\`x\\`\n"))
+      << markdown.substr(0, 120);
+}
+
 TEST(Explanation, OfEveryTextbookProblem) {
   expect_none_empty();
   expect_equal_sides();
@@ -316,5 +327,5 @@ claim:
     EXPECT_NE(text.find(piece), std::string::npos) << piece << "\n" << text;
 }
 
-}  // namespace
+}  // namespace explanation_test
 }  // namespace poinsot::document

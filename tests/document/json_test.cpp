@@ -8,7 +8,7 @@
 #include "poinsot/rendering.h"
 
 namespace poinsot::document {
-namespace {
+namespace json_test {
 
 using nlohmann::json;
 
@@ -82,5 +82,5 @@ TEST(AnswerJson, si_of_an_answer_without_unit_is_its_value) {
   EXPECT_EQ(document.at("solutions").at(0).at("answers").at("a").at("si"), json({"B", "C"}));
 }
 
-}  // namespace
+}  // namespace json_test
 }  // namespace poinsot::document

@@ -1,16 +1,20 @@
 // A caller that does not wait: deadlines and flags end a long call within some milliseconds, and the document says so.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <thread>
 
+#include "poinsot/engine/work/work.h"
 #include "poinsot/problem.h"
 #include "poinsot/rendering.h"
 
 namespace poinsot::document {
-namespace {
+namespace problem_budget_test {
 
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
@@ -74,6 +78,64 @@ TEST(ProblemBudget, OtherCallsSayThatTheyWereEnded) {
   EXPECT_THROW(problem.equations({}, Budget().end_when(&cancel)), BudgetEnded);
 }
 
+// The same in counted work, an operation taken for a nanosecond, so that the result is the same on every machine: what
+// is told of files that take long, wherever the end comes, is at most what fifty milliseconds can do.
+TEST(ProblemBudget, TheEndIsSeenWithinFiftyMillisecondsOfWork) {
+  constexpr Work allowed = 50'000'000;
+  const auto by_work = [] { return Clock::time_point{} + std::chrono::nanoseconds(work_done()); };
+  int ended = 0;
+  for (const char* const name : {"textbook/18.122", "published/turntable", "benchmarks/A05"}) {
+    const Problem problem = Problem::from_file(POINSOT_SOURCE_DIR "/examples/" + std::string(name) + ".yaml");
+    const Work begin = work_done();
+    const Document whole = problem.solve();
+    const Work full = work_done() - begin;
+    EXPECT_FALSE(whole.ended);
+    EXPECT_GT(full, 2 * allowed) << name << " takes too little to show anything";
+    for (const double part : {0.13, 0.62}) {
+      const Work deadline = work_done() + static_cast<Work>(part * static_cast<double>(full));
+      const Document document = problem.solve(
+          {}, Budget().by_clock(by_work).end_at(Clock::time_point{} + std::chrono::nanoseconds(deadline)));
+      ended += document.ended == BudgetEnd::deadline;
+      EXPECT_LE(work_done(), deadline + allowed) << name << " at " << part;
+    }
+  }
+  EXPECT_EQ(ended, 6);
+}
+
+// What a mesh of many triangles takes is counted, and a caller ends it while it is read, weighed and checked.
+TEST(ProblemBudget, AMeshOfManyTrianglesIsEnded) {
+  // A ring of n by n squares.
+  class Ring : public FileProvider {
+   public:
+    std::string bytes(const std::string& /*name*/) const override {
+      constexpr int n = 120;
+      std::string text;
+      for (int i = 0; i < n * n; ++i) {
+        const double u = 2 * std::numbers::pi * (i / n) / n, v = 2 * std::numbers::pi * (i % n) / n;
+        text +=
+            fmt::format("v {} {} {}\n", (3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u), std::sin(v));
+      }
+      const auto corner = [](int i, int j) { return i % n * n + j % n + 1; };
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+          text +=
+              fmt::format("f {} {} {} {}\n", corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1));
+      return text;
+    }
+  };
+  const std::string text =
+      "title: A ring\nbodies: {ring: {mesh: {file: ring.obj, unit: m}, density: 1000 kg/m^3}}\nask: {m: mass(ring)}\n";
+  const Work begin = work_done();
+  const Problem problem = Problem::from_text(text, "ring.yaml", Ring());
+  const Work read = work_done() - begin;
+  EXPECT_GT(read, 4'000'000U);
+  EXPECT_FALSE(problem.solve().ended);
+  EXPECT_GT(work_done() - begin, read + 4'000'000U);
+  const auto by_work = [] { return Clock::time_point{} + std::chrono::nanoseconds(work_done()); };
+  const BudgetScope scope(Budget().by_clock(by_work).end_after(std::chrono::nanoseconds(read / 2)));
+  EXPECT_THROW(Problem::from_text(text, "ring.yaml", Ring()), BudgetEnded);
+}
+
 TEST(ProblemBudget, EnoughOfItChangesNothing) {
   const Problem problem = Problem::from_text(
       "title: A particle\nbodies: {p: {particle: [3 m, 0, 0], mass: 2 kg}}\n"
@@ -84,5 +146,5 @@ TEST(ProblemBudget, EnoughOfItChangesNothing) {
   EXPECT_EQ(to_json(document), to_json(problem.explain()));
 }
 
-}  // namespace
+}  // namespace problem_budget_test
 }  // namespace poinsot::document

@@ -9,7 +9,7 @@
 #include "poinsot/rendering.h"
 
 namespace poinsot::document {
-namespace {
+namespace problem_files_test {
 
 // Files in memory, which are counted as they are read.
 class InMemory : public FileProvider {
@@ -95,5 +95,5 @@ TEST(ProblemFiles, ThatCannotBeHadAreErrorsAtTheirPlace) {
   EXPECT_EQ(files.reads, (std::map<std::string, int>{{"junk.stl", 1}, {"no.stl", 1}, {"open.obj", 1}}));
 }
 
-}  // namespace
+}  // namespace problem_files_test
 }  // namespace poinsot::document

@@ -10,7 +10,7 @@
 #include "poinsot/rendering.h"
 
 namespace poinsot::document {
-namespace {
+namespace problem_test {
 
 namespace fs = std::filesystem;
 
@@ -215,5 +215,5 @@ TEST_F(ProblemFile, CopiesAreTheSameProblem) {
   EXPECT_EQ(to_json(copy.solve()), to_json(Problem::from_text(disk, "disk.yaml").solve()));
 }
 
-}  // namespace
+}  // namespace problem_test
 }  // namespace poinsot::document

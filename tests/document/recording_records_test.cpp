@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 namespace poinsot::document {
-namespace {
+namespace recording_records_test {
 
 RecordingHead some_head() {
   RecordingHead head;
@@ -88,5 +88,5 @@ TEST(RecordingRecords, HashIsOfTheProblemItsSettingsAndItsMeshesOnly) {
   EXPECT_NE(problem_hash(other), hash);
 }
 
-}  // namespace
+}  // namespace recording_records_test
 }  // namespace poinsot::document

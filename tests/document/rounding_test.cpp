@@ -7,7 +7,7 @@
 #include <random>
 
 namespace poinsot::document {
-namespace {
+namespace rounding_test {
 
 using Texts = std::vector<std::string>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -82,5 +82,5 @@ TEST(RoundedResidual, has_one_digit) {
   EXPECT_EQ(rounded_residual(infinity), "not formed");
 }
 
-}  // namespace
+}  // namespace rounding_test
 }  // namespace poinsot::document

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <clocale>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <locale>
 #include <string>
@@ -15,7 +17,7 @@
 #include "poinsot/rendering.h"
 
 namespace poinsot {
-namespace {
+namespace same_anywhere_test {
 
 namespace fs = std::filesystem;
 
@@ -70,6 +72,43 @@ TEST(SameAnywhere, the_locale_of_streams_does_not_matter) {
   EXPECT_EQ(there, plain);
 }
 
+// Sets a locale of the C library in which the decimal sign is a comma: an installed one, or one that is made here of
+// the sources that most systems have. Returns "" if there is neither.
+std::string set_locale_with_commas() {
+  const std::vector<std::string> names{"de_DE.UTF-8", "de_DE.utf8",  "fr_FR.UTF-8",
+                                       "fr_FR.utf8",  "nl_NL.UTF-8", "de_DE"};
+  const auto set_one = [&]() -> std::string {
+    for (const std::string& name : names)
+      if (std::setlocale(LC_ALL, name.c_str()) != nullptr && std::string(std::localeconv()->decimal_point) == ",")
+        return name;
+    return "";
+  };
+  if (const std::string installed = set_one(); !installed.empty()) return installed;
+  const fs::path folder = fs::path(testing::TempDir()) / "poinsot_locales";
+  fs::create_directories(folder);
+  const std::string make = "localedef -i de_DE -f UTF-8 '" + (folder / "de_DE.UTF-8").string() + "' 2>/dev/null";
+  if (std::system(make.c_str()) != 0 || setenv("LOCPATH", folder.c_str(), 1) != 0) return "";
+  return set_one();
+}
+
+TEST(SameAnywhere, the_locale_of_the_c_library_does_not_matter) {
+  const std::vector<std::string>& plain = plain_documents();
+  const Document one = Problem::from_file(problems().front()).explain();
+  const std::string worked = to_markdown(one), shown = to_terminal(one);
+  const std::string name = set_locale_with_commas();
+  if (name.empty()) GTEST_SKIP() << "no locale with a decimal comma is installed, and localedef cannot make one";
+  char text[20];
+  std::snprintf(text, sizeof text, "%.1f", 0.5);
+  const std::vector<std::string> there = documents();
+  const Document again = Problem::from_file(problems().front()).explain();
+  const std::string worked_there = to_markdown(again), shown_there = to_terminal(again);
+  std::setlocale(LC_ALL, "C");
+  EXPECT_STREQ(text, "0,5") << name;
+  EXPECT_EQ(there, plain);
+  EXPECT_EQ(worked_there, worked);
+  EXPECT_EQ(shown_there, shown);
+}
+
 TEST(SameAnywhere, threads_do_not_matter) {
   const std::vector<std::string>& plain = plain_documents();
   std::vector<std::vector<std::string>> found(4);
@@ -82,5 +121,5 @@ TEST(SameAnywhere, threads_do_not_matter) {
 // What was solved before in this process leaves nothing behind.
 TEST(SameAnywhere, what_was_solved_before_does_not_matter) { EXPECT_EQ(documents(), plain_documents()); }
 
-}  // namespace
+}  // namespace same_anywhere_test
 }  // namespace poinsot

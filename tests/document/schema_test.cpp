@@ -7,7 +7,7 @@
 #include "poinsot/rendering.h"
 
 namespace poinsot::document {
-namespace {
+namespace schema_test {
 
 TEST(AnswerSchema, is_json_that_ends_in_a_newline) {
   EXPECT_EQ(answer_schema().back(), '\n');
@@ -28,5 +28,5 @@ TEST(AnswerSchema, references_and_definitions_agree) {
   EXPECT_EQ(referred, defined);
 }
 
-}  // namespace
+}  // namespace schema_test
 }  // namespace poinsot::document

@@ -4,7 +4,7 @@
 #include "poinsot/rendering.h"
 
 namespace poinsot::document {
-namespace {
+namespace terminal_test {
 
 TEST(Terminal, every_kind_of_answer_is_as_in_the_golden_text) {
   EXPECT_EQ(to_terminal(every_kind()), golden("every_kind.txt"));
@@ -100,5 +100,5 @@ TEST(Terminal, data_by_their_kind) {
   EXPECT_EQ(shown(list({Datum{1.0}, Datum{std::string("A")}})), "[1, A]");
 }
 
-}  // namespace
+}  // namespace terminal_test
 }  // namespace poinsot::document

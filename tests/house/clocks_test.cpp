@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace poinsot {
-namespace {
+namespace clocks_test {
 
 namespace fs = std::filesystem;
 
@@ -57,5 +57,5 @@ TEST(Clocks, one_is_noticed) {
     EXPECT_FALSE(reads_a_clock(line)) << line;
 }
 
-}  // namespace
+}  // namespace clocks_test
 }  // namespace poinsot

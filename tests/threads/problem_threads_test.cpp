@@ -14,7 +14,7 @@
 #include "poinsot/rendering.h"
 
 namespace poinsot {
-namespace {
+namespace problem_threads_test {
 
 constexpr std::size_t threads_at_once = 8;
 
@@ -113,5 +113,5 @@ TEST(Threads, solve_one_problem_at_once) {
   }
 }
 
-}  // namespace
+}  // namespace problem_threads_test
 }  // namespace poinsot

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -59,22 +60,40 @@ struct Edge {
   bool forward;  // runs from low to high
 };
 
-void find_edge_faults(const TriangleMesh<double>& mesh, const std::string& name, std::vector<MeshFault>& faults) {
-  std::vector<Edge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = t[i];
-      const std::uint32_t to = t[(i + 1) % 3];
-      edges.push_back({std::min(from, to), std::max(from, to), from < to});
+// By the lower vertex, then by the higher one. Counting the edges of each lower vertex tells where they belong; those
+// of one vertex are few.
+std::vector<Edge> sorted_edges(const TriangleMesh<double>& mesh) {
+  const auto for_each_edge = [&](const auto& visit) {
+    for (const auto& t : mesh.triangles) {
+      count_work(work_of_triangle);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t from = t[i];
+        const std::uint32_t to = t[(i + 1) % 3];
+        visit(Edge{std::min(from, to), std::max(from, to), from < to});
+      }
     }
+  };
+  std::vector<std::size_t> next(mesh.vertices.size() + 1);  // where the next edge of a vertex goes
+  for_each_edge([&](const Edge& edge) { ++next[edge.low + 1]; });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<Edge> edges(3 * mesh.triangles.size());
+  for_each_edge([&](const Edge& edge) { edges[next[edge.low]++] = edge; });
+  for (std::size_t vertex = 0, begin = 0; vertex < mesh.vertices.size(); begin = next[vertex++]) {
+    count_work(work_of_triangle);
+    std::sort(edges.begin() + static_cast<std::ptrdiff_t>(begin),
+              edges.begin() + static_cast<std::ptrdiff_t>(next[vertex]),
+              [](const Edge& a, const Edge& b) { return a.high < b.high; });
   }
-  std::sort(edges.begin(), edges.end(),
-            [](const Edge& a, const Edge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+  return edges;
+}
+
+void find_edge_faults(const TriangleMesh<double>& mesh, const std::string& name, std::vector<MeshFault>& faults) {
+  const std::vector<Edge> edges = sorted_edges(mesh);
 
   Tally open(MeshRule::closed_surface);
   Tally turned(MeshRule::consistent_orientation);
   for (std::size_t begin = 0; begin < edges.size();) {
+    count_work(work_of_triangle);
     std::size_t end = begin;
     std::size_t forward = 0;
     while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high) {
@@ -154,6 +173,7 @@ std::vector<MeshFault> find_faults(const TriangleMesh<double>& mesh, const std::
   Tally degenerate(MeshRule::proper_triangles);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
+    count_work(work_of_triangle);
     if (!is_proper(mesh, t)) {
       degenerate.add([&] {
         return fmt::format("triangle {} with the corners {}, {}, {}", i, coordinates(mesh.vertices[t[0]]),

@@ -38,12 +38,14 @@ Surfaces surfaces_of(const TriangleMesh<double>& mesh) {
     return i;
   };
   for (const auto& t : mesh.triangles) {
+    count_work(work_of_triangle);
     parent[root(t[1])] = root(t[0]);
     parent[root(t[2])] = root(t[0]);
   }
   Surfaces surfaces;
   std::vector<std::size_t> number(mesh.vertices.size(), mesh.vertices.size());
   for (const auto& t : mesh.triangles) {
+    count_work(work_of_triangle);
     std::size_t& own = number[root(t[0])];
     if (own == mesh.vertices.size()) own = surfaces.count++;
     surfaces.of_triangle.push_back(own);
@@ -68,6 +70,7 @@ std::optional<MeshFault> find_nesting_fault(const TriangleMesh<double>& mesh, co
   std::vector<std::vector<std::size_t>> triangles(surfaces.count);
   std::vector<double> volume(surfaces.count, 0);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    count_work(work_of_triangle);
     const std::size_t own = surfaces.of_triangle[i];
     triangles[own].push_back(i);
     const Vector& apex = mesh.vertices[mesh.triangles[triangles[own].front()][0]];
@@ -91,6 +94,7 @@ std::optional<MeshFault> find_nesting_fault(const TriangleMesh<double>& mesh, co
         double around = 0;  // how often the other surfaces go around the point
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
           if (surfaces.of_triangle[i] == own) continue;
+          count_work(work_of_triangle);
           const auto& t = mesh.triangles[i];
           around += winding(p, mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
         }

@@ -21,6 +21,7 @@ class Reader {
 
   MeshReadResult read() {
     for (; !scanner_.at_end(); scanner_.skip_line()) {
+      count_work(work_of_triangle);
       if (!statement()) return *failure_;
     }
     return {std::move(mesh_), {}};
@@ -69,6 +70,7 @@ class Reader {
       if (corners == 0) first = index;
       if (corners >= 2) {
         if (mesh_.triangles.size() >= limits_.triangles) return fail(too_many_triangles(limits_));
+        count_work(work_of_triangle);
         mesh_.triangles.push_back({first, last, index});
       }
       last = index;

@@ -16,16 +16,20 @@ ShapeCheck& half_circle(ShapeCheck& check, const Point& A, const Point& B, const
   return check.distinct("end A", A, "end B", B).across("the direction 'toward'", toward, "the diameter", B - A);
 }
 
-ShapeCheck& round_bar(ShapeCheck& check, const Point& A, const Point& B, double radius) {
-  return check.distinct("end A", A, "end B", B).positive("the radius", radius);
+Fault dome(ShapeCheck check, const Point& center, const Point& axis, double radius) {
+  return check.point("the center", center).direction("the axis", axis).positive("the radius", radius).result();
+}
+
+Fault round_bar(ShapeCheck check, const Point& A, const Point& B, double radius) {
+  return check.distinct("end A", A, "end B", B).positive("the radius", radius).result();
 }
 
 ShapeCheck& conical(ShapeCheck& check, const Point& apex, const Point& base_center, double radius) {
   return check.distinct("the apex", apex, "the center of the base", base_center).positive("the radius", radius);
 }
 
-ShapeCheck& three_edges(ShapeCheck& check, const Point& center, const Point& a, const Point& b, const Point& c,
-                        std::string_view what, double tolerance) {
+Fault three_edges(ShapeCheck check, const Point& center, const Point& a, const Point& b, const Point& c,
+                  std::string_view what, double tolerance) {
   const std::string first = fmt::format("{} a", what);
   const std::string second = fmt::format("{} b", what);
   const std::string third = fmt::format("{} c", what);
@@ -35,11 +39,12 @@ ShapeCheck& three_edges(ShapeCheck& check, const Point& center, const Point& a, 
       .edge(third, c)
       .perpendicular(first, a, second, b, tolerance)
       .perpendicular(second, b, third, c, tolerance)
-      .perpendicular(third, c, first, a, tolerance);
+      .perpendicular(third, c, first, a, tolerance)
+      .result();
 }
 
-ShapeCheck& between_corners(ShapeCheck& check, const Point& corner, const Point& opposite, const Matrix3<double>& axes,
-                            double tolerance) {
+Fault between_corners(ShapeCheck check, const Point& corner, const Point& opposite, const Matrix3<double>& axes,
+                      double tolerance) {
   check.point("the corner", corner).point("the opposite corner", opposite);
   constexpr std::array<const char*, 3> names{"axis x", "axis y", "axis z"};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -60,7 +65,7 @@ ShapeCheck& between_corners(ShapeCheck& check, const Point& corner, const Point&
                   "zero",
                   text(corner), text(opposite), names[i]);
   }
-  return check;
+  return check.result();
 }
 
 ShapeCheck& two_radii(ShapeCheck& check, double outer_radius, double inner_radius) {
@@ -176,14 +181,12 @@ Fault sector(std::string_view name, const Point& center, const Point& normal, do
 
 Fault box_shell(std::string_view name, const Point& center, const Point& edge_a, const Point& edge_b,
                 const Point& edge_c, double tolerance) {
-  ShapeCheck check("box of sheets", name);
-  return three_edges(check, center, edge_a, edge_b, edge_c, "edge", tolerance).result();
+  return three_edges(ShapeCheck("box of sheets", name), center, edge_a, edge_b, edge_c, "edge", tolerance);
 }
 
 Fault box_shell_between(std::string_view name, const Point& corner, const Point& opposite, const Matrix3<double>& axes,
                         double tolerance) {
-  ShapeCheck check("box of sheets", name);
-  return between_corners(check, corner, opposite, axes, tolerance).result();
+  return between_corners(ShapeCheck("box of sheets", name), corner, opposite, axes, tolerance);
 }
 
 Fault sphere_shell(std::string_view name, const Point& center, double radius) {
@@ -191,21 +194,15 @@ Fault sphere_shell(std::string_view name, const Point& center, double radius) {
 }
 
 Fault hemisphere_shell(std::string_view name, const Point& center, const Point& axis, double radius) {
-  return ShapeCheck("hemispherical shell", name)
-      .point("the center", center)
-      .direction("the axis", axis)
-      .positive("the radius", radius)
-      .result();
+  return dome(ShapeCheck("hemispherical shell", name), center, axis, radius);
 }
 
 Fault cylinder_shell(std::string_view name, const Point& A, const Point& B, double radius) {
-  ShapeCheck check("cylindrical shell", name);
-  return round_bar(check, A, B, radius).result();
+  return round_bar(ShapeCheck("cylindrical shell", name), A, B, radius);
 }
 
 Fault closed_cylinder_shell(std::string_view name, const Point& A, const Point& B, double radius) {
-  ShapeCheck check("closed cylindrical shell", name);
-  return round_bar(check, A, B, radius).result();
+  return round_bar(ShapeCheck("closed cylindrical shell", name), A, B, radius);
 }
 
 Fault cone_shell(std::string_view name, const Point& apex, const Point& base_center, double radius) {
@@ -215,14 +212,12 @@ Fault cone_shell(std::string_view name, const Point& apex, const Point& base_cen
 
 Fault box(std::string_view name, const Point& center, const Point& edge_a, const Point& edge_b, const Point& edge_c,
           double tolerance) {
-  ShapeCheck check("box", name);
-  return three_edges(check, center, edge_a, edge_b, edge_c, "edge", tolerance).result();
+  return three_edges(ShapeCheck("box", name), center, edge_a, edge_b, edge_c, "edge", tolerance);
 }
 
 Fault box_between(std::string_view name, const Point& corner, const Point& opposite, const Matrix3<double>& axes,
                   double tolerance) {
-  ShapeCheck check("box", name);
-  return between_corners(check, corner, opposite, axes, tolerance).result();
+  return between_corners(ShapeCheck("box", name), corner, opposite, axes, tolerance);
 }
 
 Fault cube(std::string_view name, const Point& center, double edge) {
@@ -238,16 +233,11 @@ Fault sphere(std::string_view name, const Point& center, double radius) {
 }
 
 Fault hemisphere(std::string_view name, const Point& center, const Point& axis, double radius) {
-  return ShapeCheck("hemisphere", name)
-      .point("the center", center)
-      .direction("the axis", axis)
-      .positive("the radius", radius)
-      .result();
+  return dome(ShapeCheck("hemisphere", name), center, axis, radius);
 }
 
 Fault cylinder(std::string_view name, const Point& A, const Point& B, double radius) {
-  ShapeCheck check("cylinder", name);
-  return round_bar(check, A, B, radius).result();
+  return round_bar(ShapeCheck("cylinder", name), A, B, radius);
 }
 
 Fault tube(std::string_view name, const Point& A, const Point& B, double outer_radius, double inner_radius) {
@@ -272,8 +262,8 @@ Fault frustum(std::string_view name, const Point& A, double radius_A, const Poin
 
 Fault ellipsoid(std::string_view name, const Point& center, const Point& semi_axis_a, const Point& semi_axis_b,
                 const Point& semi_axis_c, double tolerance) {
-  ShapeCheck check("ellipsoid", name);
-  return three_edges(check, center, semi_axis_a, semi_axis_b, semi_axis_c, "semi-axis", tolerance).result();
+  return three_edges(ShapeCheck("ellipsoid", name), center, semi_axis_a, semi_axis_b, semi_axis_c, "semi-axis",
+                     tolerance);
 }
 
 Fault torus(std::string_view name, const Point& center, const Point& axis, double ring_radius, double section_radius) {

@@ -75,6 +75,7 @@ MeshReadResult read_binary(std::string_view bytes, const std::string& name, cons
   mesh.triangles.reserve(count);
   VertexPool pool(mesh);
   for (std::size_t i = 0; i < count; ++i) {
+    count_work(work_of_triangle);
     std::array<std::uint32_t, 3> corners{};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t at = count_end + record_bytes * i + 12 * (k + 1);
@@ -131,6 +132,7 @@ class TextReader {
     }
   }
   bool facet() {
+    count_work(5 * work_of_triangle);
     if (mesh_.triangles.size() >= limits_.triangles) return fail(too_many_triangles(limits_));
     // The normal is not needed, and some writers leave it undefined.
     Vector3<double> normal;

@@ -105,9 +105,20 @@ void check_budget() {
   if (const std::optional<BudgetEnd> end = how_budget_ended()) throw BudgetEnded{*end};
 }
 
-void tell_progress(const Progress& progress) {
+thread_local const ProgressTeller* ProgressTeller::outermost = nullptr;
+
+ProgressTeller::ProgressTeller(std::string_view doing) : doing_(doing) {
+  if (!outermost) outermost = this;
+}
+
+ProgressTeller::~ProgressTeller() {
+  if (outermost == this) outermost = nullptr;
+}
+
+void ProgressTeller::tell(std::optional<double> part, std::size_t count) const {
+  if (outermost != this) return;
   for (BudgetScope* scope = BudgetScope::innermost; scope; scope = scope->outer_)
-    if (scope->tell(progress)) return;
+    if (scope->tell({doing_, part, count})) return;
 }
 
 }  // namespace poinsot

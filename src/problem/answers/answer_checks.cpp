@@ -7,13 +7,17 @@
 #include "problem/answers/fact_check.h"
 #include "problem/claims/claim_letters.h"
 #include "problem/language/expression_walk.h"
+#include "problem/language/words.h"
 #include "problem/quantities/quantity_functions.h"
 
 namespace poinsot::problem {
 namespace {
 
-constexpr double check_tolerance = 1e-8;  // relative misfit allowed in the check with particles
-constexpr double seen_error = 5e-7;       // errors beyond this show in the six digits of an answer
+constexpr double check_tolerance = 1e-8;              // relative misfit allowed in the check with particles
+constexpr const char* stability_check = "stability";  // its name in the document
+constexpr double stability_tolerance =
+    1e-6;                            // of the pace: differences leave some 1e-8 in the slopes of the second road
+constexpr double seen_error = 5e-7;  // errors beyond this show in the six digits of an answer
 // Relative misfit allowed for a fact; where unknowns make it hold, rounding is larger.
 constexpr double fact_tolerance = 1e-6;
 // Relative error allowed for a motion; the measured error is some sixteen times the actual one.
@@ -41,22 +45,32 @@ bool names_unknown(const Situation& situation, const Expression& expression) {
                      [&](const Unknown& unknown) { return names.contains(unknown.name); });
 }
 
+// Whether a question looks at the motion near a steady one.
+bool asks_stability(const Ask& ask) {
+  std::set<std::string> functions;
+  for (const Expression& expression : ask.of) collect_functions(expression, functions, true);
+  if (ask.extremum)
+    for (const Expression& expression : ask.extremum->conditions) collect_functions(expression, functions, true);
+  return std::ranges::any_of(std::initializer_list<const char*>{"stable", "stability", "growth_rate", "frequencies"},
+                             [&](const char* name) { return functions.contains(name); });
+}
+
+// Whether it is said of an instant, unasked, that its motion is stable.
+bool tells_of_stability(const Situation& situation, const Sample::Home& home) {
+  return situation.steady && !home.time && home.instant == 0;
+}
+
 std::string stability_words(const solve::Linearisation& near) {
-  char text[60];
   switch (solve::stability(near)) {
     case solve::Stability::unstable:
-      std::snprintf(text, sizeof text, "unstable: a disturbance grows as exp(%.4g t/s)", solve::growth_rate(near));
-      return text;
+      return "unstable: a disturbance grows as exp(" + with_digits(solve::growth_rate(near), 4) + " t/s)";
     case solve::Stability::undecided:
       return "neither stable nor unstable by the linearised equations, which do not decide it";
     case solve::Stability::stable:
       break;
   }
   std::string words;
-  for (double frequency : solve::frequencies(near)) {
-    std::snprintf(text, sizeof text, "%.4g", frequency);
-    words += (words.empty() ? "" : ", ") + std::string(text);
-  }
+  for (double frequency : solve::frequencies(near)) words += (words.empty() ? "" : ", ") + with_digits(frequency, 4);
   return words.empty() ? "stable" : "stable: disturbed, it swings at " + words + " rad/s";
 }
 
@@ -66,9 +80,7 @@ std::string words_of(const MotionError& error, const Situation& situation) {
   const auto add = [&](double size, const Dimension& dimension) {
     if (size <= 0) return;
     const Unit unit = situation.habits.unit_for(dimension);
-    char text[40];
-    std::snprintf(text, sizeof text, "%.1g ", size / unit.factor);
-    words += (words.empty() ? "" : " and ") + (text + unit.text);
+    words += (words.empty() ? "" : " and ") + with_digits(size / unit.factor, 1) + " " + unit.text;
   };
   add(error.angle, dimensions::angle);
   add(error.length, dimensions::length);
@@ -126,6 +138,13 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
   // The check covers some instants of each motion.
   for (const auto& [situation, motion] : sample.motions())
     for (const double part : {0.31, 0.67, 1.0}) sample.instant_at(situation, part * motion->reached()).solve_forces();
+  // What the notes say of steady motions is checked too.
+  for (const auto& [home, instant] : sample.instants())
+    if (tells_of_stability(statement.situations[home.situation], home)) try {
+        instant->linearisation(statement.situations[home.situation].steady->mark);
+      } catch (const StatementError&) {
+        // Nothing is said of it then.
+      }
   std::vector<SolvedInstant*> instants;
   for (const auto& [key, instant] : sample.instants()) instants.push_back(instant.get());
   for (const std::unique_ptr<Sample>& other : extremal)
@@ -142,6 +161,7 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
     if (instant->forces_solved()) keep("newton_euler", residual.newton_euler);
     if (instant->after_blow()) keep("impulse", residuals.impulse);
     if (residuals.constraints) keep("constraints", *residuals.constraints);
+    if (residuals.stability) keep(stability_check, *residuals.stability);
   }
   if (const std::optional<double> facts = largest_fact_misfit(statement, sample)) result.checks["facts"] = *facts;
   for (const auto& [situation, motion] : sample.motions())
@@ -170,37 +190,58 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
   }
   for (const auto& [name, residual] : result.checks) {
     const bool of_motion = name == "motion_error";
-    if (residual <= (of_motion ? motion_tolerance : name == "facts" ? fact_tolerance : check_tolerance)) continue;
-    for (SolvedAsk& ask : result.asks) {
-      if (ask.state != AskState::found) continue;
+    const bool of_stability = name == stability_check;
+    if (residual <= (of_motion         ? motion_tolerance
+                     : name == "facts" ? fact_tolerance
+                     : of_stability    ? stability_tolerance
+                                       : check_tolerance))
+      continue;
+    for (std::size_t i = 0; i < result.asks.size(); ++i) {
+      SolvedAsk& ask = result.asks[i];
+      if (ask.state != AskState::found || (of_stability && !asks_stability(statement.asks[i]))) continue;
       ask.state = AskState::refused;
       if (of_motion) {
-        char text[120];
-        std::snprintf(text, sizeof text,
-                      "the motion is so sensitive that it may be off by %.1g of its size: let it last shorter",
-                      residual);
-        ask.reason = text;
+        ask.reason = "the motion is so sensitive that it may be off by " + with_digits(residual, 1) +
+                     " of its size: let it last shorter";
         continue;
       }
       if (name == "facts") {
         ask.reason = "what is stated does not hold in what was found";
         continue;
       }
-      char size[40];
-      std::snprintf(size, sizeof size, "%.2g", residual);
-      ask.reason = name == "constraints"
-                       ? "what joints, contacts and cords hold together comes apart in it, by " + std::string(size) +
-                             " of its size"
-                       : "the independent check with particles does not confirm it (" + name + " off by " + size + ")";
+      const std::string size = with_digits(residual, 2);
+      ask.reason =
+          name == "constraints"
+              ? "what joints, contacts and cords hold together comes apart in it, by " + size + " of its size"
+          : of_stability
+              ? "the motion of its bodies, each by itself, does not confirm it (rates off by " + size + " of the pace)"
+              : "the independent check with particles does not confirm it (" + name + " off by " + size + ")";
     }
   }
 }
 
 void add_notes(const Statement& statement, const Sample& sample, Solution& result) {
+  const bool asks_frequencies = std::ranges::any_of(statement.asks, [](const Ask& ask) {
+    std::set<std::string> functions;
+    for (const Expression& expression : ask.of) collect_functions(expression, functions, true);
+    return functions.contains("frequencies");
+  });
   for (const auto& [home, instant] : sample.instants()) {
     const Situation& situation = statement.situations[home.situation];
-    if (!situation.steady || home.time || home.instant > 0) continue;
+    if (home.time || home.instant > 0) continue;
+    if (const auto misfit = result.checks.find(stability_check);
+        misfit != result.checks.end() && misfit->second > stability_tolerance)
+      continue;
+    // Of rest that is asked for frequencies only, it is said if the motion does not stay near it.
+    if (!situation.steady && !asks_frequencies) continue;
     try {
+      if (!situation.steady) {
+        const solve::Linearisation& near = instant->linearisation({1, 1});
+        if (solve::stability(near) == solve::Stability::unstable)
+          result.notes.push_back("rest" + (situation.name.empty() ? "" : " @ " + situation.name) + " is " +
+                                 stability_words(near));
+        continue;
+      }
       result.notes.push_back("the steady motion" + (situation.name.empty() ? "" : " @ " + situation.name) + " is " +
                              stability_words(instant->linearisation(situation.steady->mark)));
     } catch (const StatementError&) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "problem/instant/open_words.h"
+#include "problem/unknowns/asked_value.h"
 #include "problem/unknowns/extremum.h"
 
 namespace poinsot::problem {
@@ -17,7 +18,7 @@ std::optional<Diagnostic> fails_where_open(const Statement& statement, Sample& s
   const auto has_value = [&](std::size_t direction) {
     try {
       Sample moved(statement, settings, {.seed = 16, .velocities = true, .direction = direction});
-      moved.value(ask);
+      asked_value(moved, ask);
       return true;
     } catch (const StatementError&) {
       return false;

@@ -8,6 +8,7 @@
 
 #include "problem/instant/open_words.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/extremum.h"
 
@@ -32,7 +33,7 @@ class Variation {
       for (const auto& [home, instant] : sample->instants()) any = any || instant->uses_any();
     if (any) vary({.seed = 11, .any = true}, [reason = reason_of_any()](const Ask&) { return reason; });
     if (gravity)
-      vary({.seed = 12, .gravity = true}, [](const Ask&) {
+      vary({.seed = 12, .gravity = size_of_gravity()}, [](const Ask&) {
         return std::string("it depends on gravity, of which nothing is said: write gravity: -y or gravity: none");
       });
     // Each open direction is varied by itself, so that only what changes an answer is named.
@@ -68,6 +69,7 @@ class Variation {
 
  private:
   static constexpr std::size_t most_directions = 60;
+  static constexpr double tiny = 1e-300;  // in place of a size of zero
 
   std::string reason_of_any() const {
     std::vector<std::string> bodies;
@@ -75,13 +77,22 @@ class Variation {
       if (body.inertia && body.inertia->rest_any && body.inertia->mark == body.mark)
         bodies.push_back("'" + body.name + "'");
     const std::string reason = "it depends on a value that is given as `any`";
-    return bodies.empty() ? reason
-                          : reason + ", or on the inertia of " + listed(bodies, "and") + ", which is not stated";
+    return bodies.empty() ? reason : reason + ", or on the inertia of " + listed(bodies) + ", which is not stated";
+  }
+
+  // Gravity of which nothing is said is varied by what the machine itself is accelerated with, or else its effect would
+  // drown in the rounding of the rest. Where nothing moves or pushes any gravity is seen: that of the earth serves.
+  double size_of_gravity() const {
+    constexpr double on_earth = 10;  // m/s^2
+    double size = 0;
+    for (const auto& [home, instant] : found_.sample.instants())
+      size = std::max(size, instant->natural_size(dimensions::acceleration));
+    return size > 0 ? size : on_earth;
   }
 
   // The settings with the unknowns found anew, if they may depend on the choice; nothing if no solution is found.
   std::optional<AllSettings> settings_for(const OpenChoice& choice) {
-    if (found_.search.unknowns().empty() || !(choice.any || choice.gravity || choice.velocities))
+    if (found_.search.unknowns().empty() || !(choice.any || choice.gravity > 0 || choice.velocities))
       return found_.settings;
     if (found_.search.still_holds(found_.settings, choice)) return found_.settings;
     Settings known = found_.settings.front();
@@ -91,7 +102,8 @@ class Variation {
       double sum = 0;
       for (std::size_t i = 0; i < root.size(); ++i)
         for (const Unknown& unknown : found_.search.unknowns())
-          if (const auto moved = distance_of(unknown, root[i], i)) sum += *moved / unknown.unit.factor;
+          if (const auto moved = distance_of(unknown, root[i], i); moved && *moved > 0)
+            sum += *moved / std::max(size_of_unknown(unknown, i), tiny);
       return sum;
     };
     const auto nearest =
@@ -113,10 +125,22 @@ class Variation {
       for (std::size_t i = 0; i < settings.size(); ++i) {
         const std::optional<double> moved = distance_of(unknown, settings[i], i);
         if (!moved) continue;
-        const Value<double>& base = found_.settings[i].at(unknown.name);
-        const double size = std::max({std::abs(base.number), norm(base.vector), 1e-6 * unknown.unit.factor});
-        if (*moved > refound_tolerance * size) moved_unknowns_.insert(unknown.name);
+        if (*moved > refound_tolerance * size_of_unknown(unknown, i)) moved_unknowns_.insert(unknown.name);
       }
+  }
+  // The size of an unknown in the solution, which must have it. One that is next to nothing beside the others of its
+  // kind, or beside what is natural to the machine, is found to a part of these.
+  double size_of_unknown(const Unknown& unknown, std::size_t situation) const {
+    constexpr double next_to_nothing = 1e-6;
+    const auto& base = std::as_const(found_.settings[situation]);
+    double beside = 0;
+    for (const auto& [home, instant] : found_.sample.instants())
+      beside = std::max(beside, instant->natural_size(unknown.unit.dimension));
+    for (const Unknown& other : found_.search.unknowns())
+      if (const auto value = base.find(other.name);
+          value != base.end() && same_kind(other.unit.dimension, unknown.unit.dimension))
+        beside = std::max(beside, size_of(value->second));
+    return std::max(size_of(base.at(unknown.name)), next_to_nothing * beside);
   }
 
   Values varied(const OpenChoice& choice) {
@@ -129,7 +153,7 @@ class Variation {
     Values values;
     for (std::size_t i = 0; i < asks.size(); ++i) {
       // Open forces have no influence on anything but forces.
-      if (choice.forces && !choice.any && !choice.gravity && !choice.velocities && !rests_on_forces(asks[i])) {
+      if (choice.forces && !choice.any && choice.gravity == 0 && !choice.velocities && !rests_on_forces(asks[i])) {
         values.push_back(base[i]);
         continue;
       }
@@ -241,7 +265,7 @@ class Variation {
   void vary_together(bool any, bool gravity, bool velocities, bool forces) {
     const Values other = varied({.seed = 15,
                                  .any = any,
-                                 .gravity = gravity,
+                                 .gravity = gravity ? size_of_gravity() : 0,
                                  .velocities = velocities,
                                  .forces = forces,
                                  .direction = OpenChoice::every});
@@ -254,7 +278,7 @@ class Variation {
       if (result_.asks[i].state != AskState::found) continue;
       if (!(velocities ? differs_by_velocities(i, other[i]) : differs(found_, i, other[i]))) continue;
       result_.asks[i].state = AskState::undetermined;
-      result_.asks[i].reason = "it depends on several things that are left open: " + listed(open, "and");
+      result_.asks[i].reason = "it depends on several things that are left open: " + listed(open);
       fixed_[i] = {false, false, false};
     }
   }
@@ -282,7 +306,7 @@ class Variation {
         if (fixed_[i][k]) names.push_back("." + found_.sample.situation_at(ask).axes[k]);
       if (names.empty()) continue;
       const bool several = names.size() > 1;
-      result_.asks[i].reason += "; its component" + std::string(several ? "s " : " ") + listed(names, "and") +
+      result_.asks[i].reason += "; its component" + std::string(several ? "s " : " ") + listed(names) +
                                 (several ? " are" : " is") + " fixed: ask for " + (several ? "them" : "it");
     }
   }

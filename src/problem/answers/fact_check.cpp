@@ -52,12 +52,10 @@ class FactCheck {
   Value<double> at(const Expression& expression) { return instant_.raw(expression, std::nullopt, elsewhere_); }
 
   void compare(double found, double stated, double size, const Dimension& dimension) {
-    // A quantity of something at rest has no size of its own, and is compared with the natural unit.
-    constexpr double at_rest = 1e-6;
-    double beside = std::max({size, std::abs(found), std::abs(stated), instant_.natural_size(dimension),
-                              at_rest * natural_unit(instant_.scales(), dimension)});
+    double beside = std::max({size, std::abs(found), std::abs(stated), instant_.natural_size(dimension)});
     if (before_) beside = std::max(beside, before_->natural_size(dimension));
-    const double misfit = std::abs(found - stated) / beside;
+    // Where nothing moves, weighs or pushes, rates are zero without rounding.
+    const double misfit = found == stated ? 0 : std::abs(found - stated) / beside;
     largest = std::max(largest.value_or(0), misfit);
   }
 
@@ -80,7 +78,7 @@ std::optional<double> largest_fact_misfit(const Statement& statement, Sample& sa
     if (home.instant > 0 && !after_blow) continue;
     const SolvedInstant* before = after_blow ? &sample.instant({home.situation, 0, std::nullopt}) : nullptr;
     FactCheck check(situation, *instant, before, [&sample](const At& past, const Mark& mark) {
-      return sample.instant(sample.resolve(past.instant, mark)).raw(past.expression, std::nullopt, nullptr);
+      return sample.instant(sample.resolve(past, mark)).raw(past.expression, std::nullopt, nullptr);
     });
     if (after_blow) {
       for (const Instant& one : situation.instants)

@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problem/instant/asked_size.h"
+#include "problem/answers/asked_size.h"
 #include "problem/language/diagnostic.h"
+#include "problem/quantities/asks_model.h"
 #include "problem/quantities/describe.h"
 #include "problem/results/compare_values.h"
 
 namespace poinsot::problem {
 namespace {
-
-bool asks_energy(const Expression& expression) {
-  const std::string text = to_string(expression);
-  return text.find("energy(") != std::string::npos;
-}
 
 const Unit* unknown_unit(const Situation& situation, const std::string& name) {
   for (const Unknown& unknown : situation.find)

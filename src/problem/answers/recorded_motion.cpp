@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "poinsot/engine/work/budget.h"
 #include "poinsot/engine/work/work.h"
 #include "problem/answers/solve_statement.h"
 #include "problem/course/course.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
+#include "problem/language/words.h"
 #include "problem/machine/data.h"
 
 namespace poinsot::problem {
@@ -29,11 +32,7 @@ auto answered(Function&& function) {
   }
 }
 
-std::string in_seconds(double time) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g s", time);
-  return text;
-}
+std::string in_seconds(double time) { return with_digits(time, 17) + " s"; }
 
 const Record& record_of(const Statement& statement) {
   if (!statement.record)
@@ -60,11 +59,13 @@ SolvedStatement solve_at(const Statement& statement, const std::vector<std::pair
   ask.table->units = record.units;
   ask.table->over = "time";
   ask.table->over_mark = record.mark;
-  std::string list;
-  for (double time : times) list += (list.empty() ? "[" : ", ") + in_seconds(time);
-  ask.table->values = parse_expression(list + "]", statement.file, record.mark);
+  List values;
+  for (const double time : times)
+    values.items.push_back(built(Number{time, si_unit(dimensions::time), true, in_seconds(time)}, record.mark));
+  ask.table->values = built(std::move(values), record.mark);
   trial.asks = {std::move(ask)};
   SolvedStatement solved = solve_statement(trial, sets);
+  check_budget();  // What the end of a budget left open is not without an answer.
   const auto unanswered = [&](const std::string& why) {
     throw UnansweredRecord(statement.file + ": what is to be recorded has no answer: " + why);
   };
@@ -135,12 +136,12 @@ RecordedMotion::RecordedMotion(Statement statement, const std::vector<std::pair<
   const Statement& stated = parts.statement;
   record_of(stated);
   parts.settings = read_settings(stated, sets);
-  std::string letters;
+  std::vector<std::string> letters;
   for (const Letter& letter : parts.situation().letters)
-    if (!parts.settings.contains(letter.name)) letters += (letters.empty() ? "" : ", ") + letter.name;
+    if (!parts.settings.contains(letter.name)) letters.push_back(letter.name);
   if (!letters.empty())
-    throw UnansweredRecord(stated.file + ": what is to be recorded needs values for " + letters + ": --set '" +
-                           letters.substr(0, letters.find(',')) + "=...'");
+    throw UnansweredRecord(stated.file + ": what is to be recorded needs values for " + joined(letters) + ": --set '" +
+                           letters.front() + "=...'");
   if (!parts.situation().find.empty() || !parts.situation().choose.empty()) {
     const SolvedStatement solved = solve_at(stated, sets, {0});
     for (const SolvedUnknown& unknown : solved.solutions.front().unknowns)
@@ -199,7 +200,7 @@ RecordedChecks RecordedMotion::Parts::check(double time) {
   const double largest = std::max({checks.momentum, checks.energy, checks.newton_euler, checks.energy_drift, apart});
   if (!(largest <= recording_tolerance))
     throw UnansweredRecord(statement.file + ": the independent check does not confirm the motion at " +
-                           in_seconds(time) + ": off by " + std::to_string(largest));
+                           in_seconds(time) + ": off by " + with_digits(largest, 2));
   return checks;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "problem/results/compare_values.h"
+#include "problem/unknowns/asked_value.h"
 
 namespace poinsot::problem {
 namespace {
@@ -41,6 +42,7 @@ void for_each_number(Value<double>& value, const std::vector<const Value<double>
   }
   for (std::size_t k = 0; k < value.items.size(); ++k) {
     std::vector<const Value<double>*> items;
+    items.reserve(others.size());
     for (const Value<double>* other : others) items.push_back(&other->items[k]);
     for_each_number(value.items[k], items, visit);
   }
@@ -69,7 +71,7 @@ const std::vector<Value<double>>& RoundedValues::of(const Ask& ask) {
     const RoundingScope scope(direction);
     try {
       Sample sample(statement_, settings_, OpenChoice{});
-      entry->second.push_back(sample.value(ask));
+      entry->second.push_back(asked_value(sample, ask));
     } catch (const StatementError&) {
       // Rounded this way the ask has no value. Rounded the other way it may have one.
     }

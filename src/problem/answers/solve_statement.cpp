@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <random>
@@ -16,10 +15,12 @@
 #include "problem/answers/finished_ask.h"
 #include "problem/answers/rounded_values.h"
 #include "problem/claims/claims.h"
+#include "problem/entries/drawn_letters.h"
 #include "problem/formulas/formula_reach.h"
 #include "problem/formulas/formula_search.h"
 #include "problem/formulas/law_search.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
 #include "problem/quantities/describe.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/sample.h"
@@ -30,16 +31,6 @@ namespace {
 
 constexpr int most_first_draws = 32;  // of letters, until unknowns have a solution
 constexpr Work most_draw_work = 8'000'000'000;
-
-// Draws a value of a letter. Later draws reach farther from one unit, as `spread` grows.
-double draw(const Letter& letter, std::mt19937_64& random, int spread = 0) {
-  // Values stay within four decades.
-  const double reach = std::min(0.7 + 0.4 * spread, 9.2);
-  if (spread > 0 && letter.unit.dimension != dimensions::angle)
-    return letter.unit.factor * std::exp(reach * std::uniform_real_distribution<double>(-1, 1)(random));
-  if (letter.unit.dimension == dimensions::angle) return std::uniform_real_distribution<double>(0.2, 1.2)(random);
-  return letter.unit.factor * std::uniform_real_distribution<double>(0.5, 2)(random);
-}
 
 // The letters without value.
 std::vector<Letter> open_letters(const Statement& statement, const Settings& settings) {
@@ -164,9 +155,8 @@ class StatementSolver {
     std::string values;
     const Settings drawn = settings_with_letters();
     for (const Letter& letter : open_) {
-      char text[60];
-      std::snprintf(text, sizeof text, "%.4g", drawn.at(letter.name).number / letter.unit.factor);
-      values += (values.empty() ? "" : ", ") + letter.name + " = " + text +
+      values += (values.empty() ? "" : ", ") + letter.name + " = " +
+                with_digits(drawn.at(letter.name).number / letter.unit.factor, 4) +
                 (letter.unit.text.empty() ? "" : " " + letter.unit.text);
     }
     for (std::string& warning : warnings)
@@ -190,8 +180,8 @@ class StatementSolver {
     const std::vector<double> natural = natural_;
     const Solution other = found.alternative ? solve_one(*found.alternative) : Solution{};
     natural_ = natural;
-    std::string names;
-    for (const std::string& name : found.open) names += (names.empty() ? "'" : ", '") + name + "'";
+    std::vector<std::string> names;
+    for (const OpenUnknown& open : found.open) add_once(names, "'" + open.name + "'");
     for (std::size_t i = 0; i < solution.asks.size(); ++i) {
       SolvedAsk& ask = solution.asks[i];
       // A dependence on something else that is open may come from the unknowns alone.
@@ -200,10 +190,12 @@ class StatementSolver {
                                     same_answer_tolerance(answers_found(), i, ask.value, other.asks[i].value)))
         continue;
       ask.state = AskState::undetermined;
-      ask.reason = "the conditions leave " + names + " open: one more fact is needed";
+      ask.reason = "the conditions leave " + joined(names) + " open: one more fact is needed";
     }
     std::erase_if(solution.unknowns, [&](const SolvedUnknown& unknown) {
-      return std::find(found.open.begin(), found.open.end(), unknown.name) != found.open.end();
+      return std::ranges::any_of(found.open, [&](const OpenUnknown& open) {
+        return open.name == unknown.own_name && (!open.situation || open.situation == unknown.situation);
+      });
     });
   }
 
@@ -242,7 +234,8 @@ class StatementSolver {
     Settings settings = settings_;
     std::mt19937_64 random(1000 + static_cast<std::uint64_t>(first_draw_));
     for (const Letter& letter : open_)
-      settings[letter.name] = Value<double>::of_number(draw(letter, random, first_draw_), letter.unit.dimension);
+      settings[letter.name] =
+          Value<double>::of_number(drawn_letter(letter, random, first_draw_), letter.unit.dimension);
     return settings;
   }
 
@@ -320,7 +313,7 @@ class StatementSolver {
       AllSettings settings = base_;
       std::mt19937_64 random(1000 + static_cast<std::uint64_t>(first_draw_ + attempt) + (only ? 500 : 0));
       for (const Letter& letter : open_) {
-        const double value = draw(letter, random, first_draw_);
+        const double value = drawn_letter(letter, random, first_draw_);
         // A root belongs to the values of the letters at which it was found.
         if (!search_.unknowns().empty() || (only && *only != letter.name)) continue;
         for (Settings& one : settings) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
@@ -399,7 +392,7 @@ Statement for_questions(const Statement& statement) {
     return claimed && !situation.name.empty() &&
            std::none_of(statement.asks.begin(), statement.asks.end(), [&](const Ask& ask) {
              return ask.table || ask.when || (ask.extremum && ask.extremum->situation == situation.name) ||
-                    ask.text.find("@ " + situation.name) != std::string::npos;
+                    names_situation(ask, situation.name);
            });
   });
   return result.situations.empty() ? statement : result;

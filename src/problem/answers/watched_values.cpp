@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "problem/language/expression_walk.h"
+#include "problem/unknowns/asked_value.h"
 
 namespace poinsot::problem {
 namespace {
@@ -40,14 +41,20 @@ class Watch {
         else
           deciding.push_back(argument.value);
     }
-    if (f == "stable" || f == "stability") add_of(call, {"growth_rate(", "frequencies("});
-    if (f == "precession_sense" || f == "polhode" || f == "axis_stability")
-      add_of(call, {"angular_velocity(", "principal_moments("});
-    if (f == "taut") add_of(call, {"tension("});
-    if (f == "touching" && !call.arguments.empty())
+    if (call.arguments.size() != 1) return;
+    const Expression& of = call.arguments.front().value;
+    if (f == "stable" || f == "stability") {
+      add("growth_rate", {{"", of}});
+      add("frequencies", {{"", of}});
+    }
+    if (f == "precession_sense" || f == "polhode" || f == "axis_stability") {
+      add("angular_velocity", {{"", of}});
+      add("principal_moments", {{"", of}, {"about", called("center", {{"", of}}, of.mark())}});
+    }
+    if (f == "taut") add("tension", {{"", of}});
+    if (const Name* name = of.as<Name>(); name && f == "touching")
       for (const Contact& contact : situation_.contacts)
-        if (to_string(call.arguments.front().value) == contact.name)
-          add("force(" + contact.name + " on " + contact.of + ")", call.arguments.front().value.mark());
+        if (name->name == contact.name) add("force", {{"", of}, {"on", built(Name{contact.of}, of.mark())}});
   }
   void look_behind(const Name& name) {
     if (name.primes > 0 || ++depth_ > 200) return;
@@ -63,17 +70,12 @@ class Watch {
       deciding[k] = built(std::move(moved), mark);
     }
   }
-  void add(const std::string& text, const Mark& mark) {
-    deciding.push_back(parse_expression(text, situation_.file, mark));
+  static Expression called(const char* function, std::vector<Argument> arguments, const Mark& mark) {
+    return built(Call{function, std::move(arguments)}, mark);
   }
-  void add_of(const Call& call, std::initializer_list<const char*> functions) {
-    if (call.arguments.size() != 1) return;
-    const Expression& of = call.arguments.front().value;
-    for (const std::string function : functions) {
-      const std::string rest =
-          function == "principal_moments(" ? " about center(" + to_string(of) + "))" : std::string(")");
-      add(function + to_string(of) + rest, of.mark());
-    }
+  void add(const char* function, std::vector<Argument> arguments) {
+    const Mark mark = arguments.front().value.mark();
+    deciding.push_back(called(function, std::move(arguments), mark));
   }
 
   const Situation& situation_;
@@ -83,7 +85,7 @@ class Watch {
 }  // namespace
 
 WatchedValue watched_value(const Statement& statement, Sample& sample, const Ask& ask) {
-  WatchedValue result{sample.value(ask), {}};
+  WatchedValue result{asked_value(sample, ask), {}};
   const Watch watch(statement.situations.front(), ask);
   for (const Expression& expression : watch.deciding) {
     Ask one;
@@ -91,7 +93,7 @@ WatchedValue watched_value(const Statement& statement, Sample& sample, const Ask
     one.axes = ask.axes;
     one.mark = ask.mark;
     try {
-      result.deciding.push_back(sample.value(one));
+      result.deciding.push_back(asked_value(sample, one));
     } catch (const StatementError&) {
       // The expression has no value here, which itself may decide the answer.
       result.deciding.push_back(Value<double>::of_text("none"));

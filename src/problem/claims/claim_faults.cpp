@@ -1,7 +1,8 @@
 #include "problem/claims/claim_faults.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {
@@ -12,9 +13,8 @@ std::string at_values(const std::vector<Letter>& letters, const Point& point) {
   for (const Letter& letter : letters) {
     const auto value = point.find(letter.name);
     if (value == point.end()) continue;
-    char text[40];
-    std::snprintf(text, sizeof text, "%.4g", value->second / letter.unit.factor);
-    words += (words.empty() ? ", as at " : ", ") + letter.name + " = " + text +
+    words += (words.empty() ? ", as at " : ", ") + letter.name + " = " +
+             with_digits(value->second / letter.unit.factor, 4) +
              (letter.unit.text.empty() ? "" : " " + letter.unit.text);
   }
   return words;

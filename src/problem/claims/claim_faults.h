@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "problem/claims/claim_points.h"
+#include "problem/entries/drawn_letters.h"
 #include "problem/language/diagnostic.h"
 
 namespace poinsot::problem {

@@ -106,7 +106,7 @@ std::optional<Verdict> ClaimGround::verdict_at(const Claim& claim, const ClaimFo
   try {
     const Settings settings = with_letters(point);
     MotionState state;
-    if (const auto time = point.find("time"); time != point.end()) state.time = time->second;
+    if (point.contains("time")) state.time = point.at("time");
     for (const Formula& q : formulas.positions()) state.q.push_back(value_at(q, point));
     for (const Formula& v : formulas.velocities()) state.v.push_back(value_at(v, point));
     OpenChoice choice;

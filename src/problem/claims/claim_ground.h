@@ -10,8 +10,8 @@
 
 #include "problem/claims/claim_faults.h"
 #include "problem/claims/claim_instant.h"
-#include "problem/claims/claim_points.h"
 #include "problem/claims/claim_verdict.h"
+#include "problem/entries/drawn_letters.h"
 
 namespace poinsot::problem {
 

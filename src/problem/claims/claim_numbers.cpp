@@ -13,7 +13,7 @@ namespace {
 
 constexpr Work most_number_work = 10'000'000'000;  // of the samples of a claim
 constexpr int most_motions = 10;     // points from which a claim that is meant along the motion is followed in time
-constexpr int most_edge_points = 4;  // points from which letters are moved, one by one, to where the assumptions end
+constexpr int most_edge_starts = 4;  // points from which letters are moved, one by one, to where the assumptions end
 constexpr int most_edge_steps = 6, most_edge_halvings = 10;
 // Without letters only what the statement leaves open can vary.
 constexpr int most_points_without_letters = 10;
@@ -47,7 +47,7 @@ class NumberTrier {
       }
     }
     // A claim may fail only where its assumptions just hold.
-    for (int attempt = 0, tried = 0; attempt < most && tried < most_edge_points && !found_.refuted; ++attempt) {
+    for (int attempt = 0, tried = 0; attempt < most && tried < most_edge_starts && !found_.refuted; ++attempt) {
       if (limit.spent()) break;
       tried += try_at_edges(attempt, limit);
     }
@@ -153,8 +153,10 @@ class NumberTrier {
     AllSettings all(statement_.situations.size(), settings);
     Sample sample(statement_, all, choice);
     Verdict verdict;
-    for (const double time : {0.3, 0.8}) {
+    const double pace = sample.instant_at(situation_index_, 0).pace();
+    for (const double part : {0.3, 0.8}) {  // of the time in which the motion changes noticeably
       verdict = {};
+      const double time = pace > 0 ? part / pace : part;
       for (const Expression& expression : claim_.of)
         judge_numbers(verdict, situation_, sample.instant_at(situation_index_, time), nullptr, expression, claim_.axes);
       if (!verdict.holds) break;

@@ -14,6 +14,7 @@
 #include "problem/claims/claim_trials.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/language/diagnostic.h"
+#include "problem/quantities/asks_model.h"
 
 namespace poinsot::problem {
 namespace {
@@ -131,6 +132,17 @@ class ClaimSolver {
                        });
   }
 
+  // Whether the numbers have the sides with which formulas refute the claim, to a small part of their difference.
+  static bool found_alike(const Verdict& numbers, const Verdict& formulas) {
+    constexpr double same = 1e-6;
+    if (!numbers.holds || formulas.holds || !formulas.sides) return false;
+    const auto [left, right] = *formulas.sides;
+    const double apart = same * std::abs(left - right);
+    return std::ranges::any_of(numbers.alike, [&](const auto& sides) {
+      return std::abs(sides.first - left) <= apart && std::abs(sides.second - right) <= apart;
+    });
+  }
+
   enum class Outcome { skipped, holds, decided };
 
   Outcome try_at(const ClaimTrials::Drawn& drawn, int& confirmed_points, bool& possible) {
@@ -152,6 +164,8 @@ class ClaimSolver {
       verdict = *numbers;
     } else if (verdict.difference && numbers->holds) {
       // Rounding hides from the numbers what the exact formulas tell.
+    } else if (found_alike(*numbers, verdict)) {
+      // The numbers have the same two sides, which count as equal beside forces that have no part in them.
     } else if (numbers->close ? !verdict.close : numbers->holds != verdict.holds) {
       if (numbers->close) return Outcome::skipped;
       undetermined("formulas and numbers do not agree on it");
@@ -256,8 +270,8 @@ class ClaimSolver {
     std::set<std::string> known(result_.assumptions.begin(), result_.assumptions.end());
     for (const auto& [name, value] : ground_.unknowns())
       for (std::size_t k = 0; k < (value.is_vector() ? 3U : 1U); ++k)
-        for (const std::string& one : (value.is_vector() ? value.vector[k] : value.number).assumptions())
-          if (one.ends_with(">= 0") && known.insert(one).second) result_.assumptions.push_back(one);
+        for (const std::string& one : (value.is_vector() ? value.vector[k] : value.number).root_assumptions())
+          if (known.insert(one).second) result_.assumptions.push_back(one);
   }
 
   // Collects what a reader needs to follow the proof.
@@ -270,12 +284,15 @@ class ClaimSolver {
     std::map<std::string, Formula> parts;
     for (std::size_t k = 0; one && k < one->letters().size(); ++k)
       parts[one->letters()[k]] = Formula::letter("p" + std::to_string(k + 1), poinsot::Sign::positive);
+    // Beside a letter p of the author they would be misread.
     for (std::size_t k = 0; one && k < letters_.size(); ++k)
-      if (parts.contains("part 1") && letters_[k].name.starts_with("p")) one = nullptr;
+      if (!parts.empty() && letters_[k].name.front() == 'p') one = nullptr;
     try {
       if (one)
         for (const auto& [letter, value] : one->values())
           result_.assumed.emplace_back(letter, poinsot::substituted(value, parts));
+      if (one)
+        for (const auto& [name, part] : parts) result_.positive_parts.push_back(part.letters().front());
       for (const ClaimTerm& term : formulas_->terms()) {
         const FormulaComparison& comparison = term.comparison;
         SolvedClaim::Comparison told{comparison.left, comparison.right, std::string(symbol(comparison.relation)),

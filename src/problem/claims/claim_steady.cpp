@@ -6,6 +6,7 @@
 #include "problem/claims/claim_stability.h"
 #include "problem/claims/claim_trials.h"
 #include "problem/formulas/formula_answers.h"
+#include "problem/instant/massless_turning.h"
 
 namespace poinsot::problem {
 namespace {
@@ -14,13 +15,15 @@ namespace {
 std::optional<SteadyFormulas> steady_formulas(const ClaimFormulas& formulas, ClaimGround& ground,
                                               std::size_t most_modes) {
   const MachineOf<Formula>& machine = formulas.instant().machine();
-  SteadyFormulas motion{machine,
-                        formulas.positions(),
-                        formulas.velocities(),
-                        machine.index.at(ground.situation().steady->frame),
-                        still_coordinates(ground.base().machine()),
-                        0};
+  SteadyFormulas motion{
+      machine, formulas.positions(), formulas.velocities(), machine.index.at(ground.situation().steady->frame), {}, 0};
   for (const auto& rate : machine.accelerations) motion.held.push_back(rate.velocity);
+  // What moves no mass is left out where it is a coordinate by itself.
+  const Machine& base = ground.base().machine();
+  for (const solve::UnseenMotion& unseen : unseen_motions(base.mechanism, base.q, motion.held)) {
+    if (std::ranges::count(unseen.along, 0.0) + 1 < std::ssize(unseen.along)) return std::nullopt;
+    motion.held.push_back(unseen.coordinate);
+  }
   std::sort(motion.held.begin(), motion.held.end());
   motion.held.erase(std::unique(motion.held.begin(), motion.held.end()), motion.held.end());
   // Twice as many eigenvalues as free velocities exist. Those that are not among the modes belong to displacements

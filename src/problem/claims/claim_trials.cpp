@@ -182,7 +182,11 @@ std::vector<ClaimTrials::Drawn> ClaimTrials::at_edges(const Drawn& from, int att
         const Formula start = poinsot::substituted(line, {{letter, Formula(0)}});
         if (!start.is_number()) continue;
         const double root = plain(-start / slope);
-        for (const double place : {root, root * (1 + 1e-6) + 1e-9, root * (1 - 1e-6) - 1e-9})
+        // Just beside the edge: near enough for what fails only there, and far enough that the digits of a formula show
+        // on which side it is. An edge at zero is left by a part of the value from which the letter comes.
+        constexpr double beside = 1e-6, beside_zero = 1e-9;
+        const double step = beside * std::abs(root) + beside_zero * std::abs(from.free.at(letter));
+        for (const double place : {root, root + step, root - step})
           if (!is_part(letter) || place > 0) add(letter, place);
       } catch (const std::domain_error&) {
       } catch (const FormulaTooLarge&) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "problem/claims/claim_instant.h"
-#include "problem/claims/claim_points.h"
 #include "problem/claims/claim_verdict.h"
+#include "problem/entries/drawn_letters.h"
 
 namespace poinsot::problem {
 

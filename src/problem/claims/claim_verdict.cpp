@@ -18,6 +18,7 @@ constexpr double equal_tolerance = 1e-9;  // relative difference up to which two
 void Verdict::judge(double left, double right, Relation relation, double natural, const Dimension& of) {
   const double size = std::max({std::abs(left), std::abs(right), natural});
   const bool equal = std::abs(left - right) <= equal_tolerance * size;
+  if (equal && left != right) alike.emplace_back(left, right);
   bool holds_here = false;
   switch (relation) {
     case Relation::equal:

@@ -3,8 +3,9 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
-#include "problem/claims/claim_points.h"
+#include "problem/entries/drawn_letters.h"
 #include "problem/instant/instant.h"
 
 namespace poinsot::problem {
@@ -16,6 +17,8 @@ struct Verdict {
   std::optional<std::pair<double, double>> sides;  // of the comparison that does not hold
   std::optional<double> difference;  // the difference of the sides, if it was decided exactly and rounding hides it
   Dimension dimension;
+  // The sides that counted as equal though they are not the same numbers.
+  std::vector<std::pair<double, double>> alike;
 
   // Adds one comparison of numbers. natural: the natural size of the sides.
   void judge(double left, double right, Relation relation, double natural, const Dimension& of);

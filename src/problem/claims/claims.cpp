@@ -73,7 +73,9 @@ std::vector<SolvedClaim> solve_claims(const Statement& statement, const std::vec
   for (Situation& situation : prepared.situations) situation = with_letters_for_any(situation);
   std::map<std::size_t, ClaimGround> grounds;
   std::vector<SolvedClaim> solved;
+  const ProgressTeller progress("deciding the claims");
   for (const Claim& claim : prepared.claims) {
+    progress.tell(static_cast<double>(solved.size()) / static_cast<double>(prepared.claims.size()), solved.size());
     const std::size_t k = situation_of_claim(prepared, claim);
     const Situation& situation = prepared.situations[k];
     if (const std::optional<BudgetEnd> end = how_budget_ended()) {

@@ -1,15 +1,24 @@
 #include "problem/course/course.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "poinsot/engine/dynamics/action_forces.h"
 #include "poinsot/engine/motion/mechanism/lone_body.h"
+#include "poinsot/engine/solve/instant/equations.h"
 #include "problem/entries/absorbed_particles.h"
 #include "problem/instant/massless_turning.h"
 #include "problem/language/diagnostic.h"
 
 namespace poinsot::problem {
+namespace {
+
+// The push that makes a motion leave an unstable equilibrium, in radians or natural lengths: far above the error with
+// which the motion is followed, 1e-12 a step, and so small that its square is not seen in eleven digits.
+constexpr double nudge = 1e-7;
+
+}  // namespace
 
 Course::Course(const Situation& situation, const Settings& settings, const OpenChoice& choice)
     : stated_(situation),
@@ -49,7 +58,6 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
           if (!c.name.empty()) names.push_back(c.name);
         fail(situation.file, mark, "'" + name + "' is no coordinate", did_you_mean(name, names));
       }
-      constexpr double nudge = 1e-7;
       state.q[static_cast<std::size_t>(coordinate->position)] +=
           nudge * (coordinate->turning ? 1 : start_->natural_size(dimensions::length));
     }
@@ -103,13 +111,35 @@ double Course::reached() const {
   return time;
 }
 
-bool Course::followed_enough(double until) const {
+bool Course::followed_by_many_steps(double until) const {
   constexpr std::size_t enough = 100'000;  // steps
   std::size_t steps = 0;
   for (const StageRun& stage : stages_)
     for (const Trajectory& piece : stage.pieces)
       if (!piece.empty() && piece.start_time() < until) steps += piece.step_count();
-  return (steps >= enough && until >= reached()) || until > 1e6 * pace_time_;
+  return steps >= enough && until >= reached();
+}
+
+bool Course::followed_enough(double until) const {
+  constexpr double longest = 1e6;  // in pace times
+  return followed_by_many_steps(until) || until > longest * pace_time_;
+}
+
+double Course::turning_time(double until) {
+  // Slower than this part of the pace moves only what was at rest and nudged; ten times the nudge.
+  constexpr double at_rest = 10 * nudge;
+  constexpr std::size_t looks = 64;
+  const Mechanism<double>& mechanism = start_->machine().mechanism;
+  const std::vector<double> times = nodes(0, until);
+  double fastest = 0;
+  for (std::size_t i = 0; i < times.size(); i += 1 + times.size() / looks) {
+    const MotionState there = at(times[i]);
+    for (std::size_t k = 0; k < there.v.size(); ++k)
+      fastest = std::max(
+          fastest, std::abs(there.v[k]) /
+                       (solve::coordinate_turns(mechanism.tree, static_cast<int>(k)) ? 1 : start_->scales().length));
+  }
+  return fastest * pace_time_ > at_rest ? std::max(pace_time_, 1 / fastest) : pace_time_;
 }
 
 void Course::begin(std::size_t stage) {

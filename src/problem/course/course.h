@@ -10,6 +10,7 @@
 
 #include "poinsot/engine/motion/integrator/trajectory.h"
 #include "poinsot/engine/work/work.h"
+#include "problem/course/followed_motion.h"
 #include "problem/course/motion_features.h"
 #include "problem/instant/instant.h"
 #include "problem/machine/driving.h"
@@ -38,12 +39,12 @@ struct MotionError {
 // A number as a function of time along the motion.
 using NumberInTime = std::function<double(double time)>;
 
-class Course {
+class Course : public FollowedMotion {
  public:
   // Situation and settings must outlive the motion. Throws StatementError if the state at the start is not
   // determined.
   Course(const Situation& situation, const Settings& settings, const OpenChoice& choice);
-  ~Course();
+  ~Course() override;
 
   // The situation that moves: after a blow, particles that stay are parts of their bodies.
   const Situation& situation() const { return situation_; }
@@ -52,7 +53,7 @@ class Course {
   double stage_start(std::size_t stage);
   std::optional<double> stage_end(std::size_t stage);
   // The end of the last stage, if it has one.
-  std::optional<double> end() { return stage_end(stages_.size() - 1); }
+  std::optional<double> end() override { return stage_end(stages_.size() - 1); }
 
   MotionState at(double time);
   // The state at the end of a stage, which still belongs to it.
@@ -66,6 +67,8 @@ class Course {
 
   // The value of a question about the whole motion: an extreme or a period (see motion_features.h).
   Value<double> feature(const Call& call, const std::optional<Expression>& axes, const Mark& mark);
+  // The values of all such questions in these expressions, also in names under define:.
+  MotionFeatureValues features_in(const std::vector<Expression>& expressions, const std::optional<Expression>& axes);
   // The times between `from` and `to` at which a comparison begins to hold. Without `to` only the first one is
   // sought, for as long as the motion needs.
   std::vector<double> times(const Expression& comparison, const std::optional<Expression>& axes, double from,
@@ -93,8 +96,8 @@ class Course {
   SolvedInstant& instant_at(double time);
 
   // Whether the last stage has dampers and nothing that drives it.
-  bool dissipates() const;
-  bool has_springs() const;
+  bool dissipates() const override;
+  bool has_springs() const override;
 
   // Velocities that are open at the start and move no mass, so that they are taken as zero: for each open direction
   // the names of its coordinates. Then the number of directions that the impulses of a blow leave open.
@@ -104,13 +107,18 @@ class Course {
   // The steps of the integration up to a time; within each the motion is smooth. For a closed form they are intervals
   // in which the motion changes noticeably. After most_nodes of them only the last one is added.
   static constexpr std::size_t most_nodes = 500'000;
-  std::vector<double> nodes(double from, double to);
+  std::vector<double> nodes(double from, double to) override;
   // The time to which the motion was followed, s.
-  double reached() const;
+  double reached() const override;
   // A time in which the motion changes noticeably, s.
-  double pace_time() const { return pace_time_; }
-  // Whether an endless motion is not followed beyond a time.
-  bool followed_enough(double until) const;
+  double pace_time() const override { return pace_time_; }
+  // Whether an endless motion is not followed beyond a time: for the number of its steps, or also for its length.
+  bool followed_by_many_steps(double until) const override;
+  bool followed_enough(double until) const override;
+  // The time in which the coordinates change noticeably at the largest rate that they have had so far, s: longer than
+  // the pace time where a load sets the pace that moves nothing, as the weight of a balanced gyroscope. The pace time
+  // where nothing moves.
+  double turning_time(double until) override;
 
   // Events of the motion, such as cords that went slack and contacts that were lost, and remarks on how extremes were
   // found.
@@ -155,7 +163,7 @@ class Course {
   void begin(std::size_t stage);
   void run(std::size_t stage, double until);
   Driving::Span smooth_span(std::size_t stage, double until);
-  void keep(std::size_t stage, Piece& piece, const IntegrationResult& result);
+  void keep(std::size_t stage, Piece& piece, IntegrationResult& result);
   void change_holds(std::size_t stage, std::size_t action, Piece& piece);
   [[noreturn]] void slips(std::size_t stage, std::size_t action);
   [[noreturn]] void comes_to_end(std::size_t stage, const ContactLimit& limit);
@@ -192,6 +200,7 @@ class Course {
   };
   std::vector<AskedExtreme> asked_extremes_;
   std::set<std::string> methods_;
+  bool in_closed_form_ = true;                     // whether all that was followed so far is known in closed form
   std::vector<std::unique_ptr<Driving>> driving_;  // for each stage that was followed, if it depends on the time
   std::size_t looks_ = 1000;                       // samples of loads and given motions in a part of the motion
 };

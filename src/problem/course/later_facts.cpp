@@ -47,18 +47,17 @@ double Course::time_of_instant(const Instant& instant) {
     }
   }
   if (instant.found_when) return times(*instant.found_when, std::nullopt, 0, std::nullopt).front();
-  return start_->data_number(parse_expression(instant.name, situation_.file, instant.mark), dimensions::time);
+  if (!instant.when)
+    fail(situation_.file, instant.mark, "'" + instant.name + "' is no time", "write a time such as 2 s");
+  return start_->data_number(instant.when, dimensions::time);
 }
 
 std::vector<double> Course::fact_misfits(double time, const std::vector<const Fact*>& facts) {
-  const MotionState state = at(time);
-  probe_->move_to(state);
-  // Extremes and periods move the probe, so that facts are evaluated at another instant.
-  SolvedInstant here(situation_, settings_, state, choice_);
-  here.set_motion([this](const Call& call, const std::optional<Expression>& axes, const Mark& mark) {
-    return feature(call, axes, mark);
-  });
-  return here.fact_misfits(facts);
+  std::vector<Expression> sides;
+  for (const Fact* fact : facts) sides.insert(sides.end(), {fact->quantity, fact->value});
+  const MotionFeatureValues features = features_in(sides, std::nullopt);
+  probe_->move_to(at(time));
+  return probe_->fact_misfits(facts, features);
 }
 
 }  // namespace poinsot::problem

@@ -33,14 +33,12 @@ double Course::extremes_error() {
 }
 
 std::optional<MotionError> Course::error(double until) {
-  const bool known = std::all_of(methods_.begin(), methods_.end(),
-                                 [](const std::string& method) { return method.starts_with("closed form"); });
   // The time at which a motion departs after a push is as arbitrary as the push.
   const bool nudged = std::any_of(situation_.instants.begin(), situation_.instants.end(),
                                   [](const Instant& instant) { return !instant.nudged.empty(); });
   if (nudged) return std::nullopt;
   MotionError error;
-  if (known) {
+  if (in_closed_form_) {
     // A closed form has only the rounding of its rates, which grows with time.
     constexpr double noticed = 1e-9;
     error.angle = error.relative = std::numeric_limits<double>::epsilon() * until / pace_time_;

@@ -8,7 +8,9 @@
 
 #include "poinsot/engine/dynamics/action_forces.h"
 #include "poinsot/engine/work/work.h"
+#include "problem/instant/open_words.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {
@@ -82,8 +84,8 @@ void Course::Piece::set_up_dynamics() {
   for (const OpenCoordinate& open : dynamics_->open_coordinates(now_.q)) {
     const std::string& name = machine_.mechanism.coordinate_names[static_cast<std::size_t>(open.coordinate)];
     fail(motion_.situation_.file, motion_.mark_of(stage_),
-         motion_.words_of(stage_) + " is not determined: nothing fixes " + (name.starts_with("the ") ? "" : "the ") +
-             name + (open.without_inertia ? ", which moves no mass" : ""),
+         motion_.words_of(stage_) + " is not determined: nothing fixes " + with_article(name) +
+             (open.without_inertia ? ", which moves no mass" : ""),
          "say what drives it, give it mass, or hold it");
   }
 }
@@ -286,7 +288,7 @@ void Course::Piece::check_winding(const Trajectory& way) const {
         const std::string& name = mechanism.actions[static_cast<std::size_t>(mechanism.torsions[j].action)].name;
         const auto spring = std::ranges::find(motion_.situation_.springs, name, &Spring::name);
         throw UnansweredError(motion_.situation_.file, spring->mark,
-                              "the torsional spring '" + name + "' is wound by half a turn at " + std::to_string(time) +
+                              "the torsional spring '" + name + "' is wound by half a turn at " + with_digits(time, 6) +
                                   " s: farther its angle is not followed",
                               "ask for earlier times, or state the spring at a joint that turns about this axis: "
                               "there whole turns count");

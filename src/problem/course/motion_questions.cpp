@@ -1,7 +1,6 @@
 // Questions about a motion: numbers along it, extremes, periods and the times of events.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "problem/course/course.h"
 #include "problem/course/motion_features.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
 #include "problem/quantities/state_scope.h"
 
 namespace poinsot::problem {
@@ -98,8 +98,9 @@ std::vector<double> Course::nodes(double from, double to) {
         // The steps of a closed form may be long.
         const double span = step.end - step.start, natural = step.flow ? step.flow->natural_time() : INFINITY;
         const double parts = std::max(1.0, std::ceil(span / natural * (1 - 1e-9)));
-        for (double part = std::max(0.0, std::floor((from - step.start) / span * parts)); part < parts; ++part) {
-          const double time = step.start + span * (part / parts);
+        const double first = std::max(0.0, std::floor((from - step.start) / span * parts));
+        for (std::size_t part = 0; first + static_cast<double>(part) < parts; ++part) {
+          const double time = step.start + span * ((first + static_cast<double>(part)) / parts);
           if (time >= to || nodes.size() > most_nodes) break;
           if (time > nodes.back()) nodes.push_back(time);
         }
@@ -124,16 +125,22 @@ Value<double> Course::feature(const Call& call, const std::optional<Expression>&
   return Value<double>::of_number(found.value, kind);
 }
 
+MotionFeatureValues Course::features_in(const std::vector<Expression>& expressions,
+                                        const std::optional<Expression>& axes) {
+  MotionFeatureValues values;
+  for (const Expression& expression : expressions)
+    for (const auto& [call, mark] : motion_features_in(situation_, expression))
+      if (!values.contains(call)) values.emplace(call, feature(*call, axes, mark));
+  return values;
+}
+
 void Course::tell_how(const ExtremeFound& found, const Call& call) {
   const std::string words = call.function + "(" + to_string(call.arguments.front().value) + ")";
-  char text[60];
   std::string note;
   if (found.settled > 0) {
-    std::snprintf(text, sizeof text, " was told from %.4g s", found.settled);
-    note = words + text + " of a motion that does not repeat";
+    note = words + " was told from " + with_digits(found.settled, 4) + " s of a motion that does not repeat";
   } else if (const std::optional<double> last = end(); last && found.time > 0 && found.time >= *last * (1 - 1e-12)) {
-    std::snprintf(text, sizeof text, ", at %.4g s", *last);
-    note = words + " is at the end of the motion" + text;
+    note = words + " is at the end of the motion, at " + with_digits(*last, 4) + " s";
   }
   if (!note.empty() && std::ranges::find(happenings_, note) == happenings_.end()) happenings_.push_back(note);
 }
@@ -149,9 +156,9 @@ std::vector<double> Course::times(const Expression& condition, const std::option
     const Call* call = comparison->operands[side].as<Call>();
     const Expression& other = comparison->operands[1 - side];
     if (!call || (call->function != "min" && call->function != "max") || call->arguments.size() != 1) continue;
-    if (to_string(call->arguments[0].value) != to_string(other)) continue;
+    if (!same_tree(call->arguments[0].value, other)) continue;
     const MotionFeatures features(*this, with_rate(other, axes), to_string(other), situation_.file, condition.mark());
-    const std::vector<double> found = features.times_of_extreme(call->function == "max", from, to);
+    std::vector<double> found = features.times_of_extreme(call->function == "max", from, to);
     values_until_ = std::max(values_until_, features.latest());
     return found;
   }
@@ -165,7 +172,7 @@ std::vector<double> Course::times(const Expression& condition, const std::option
   const int sense = relation == Relation::less || relation == Relation::less_equal         ? -1
                     : relation == Relation::greater || relation == Relation::greater_equal ? 1
                                                                                            : 0;
-  const std::vector<double> found = features.zeros(from, to, sense);
+  std::vector<double> found = features.zeros(from, to, sense);
   values_until_ = std::max(values_until_, features.latest());
   return found;
 }
@@ -188,11 +195,12 @@ double Course::time_of(const Expression& quantity, double value, const Mark& mar
     if (least > value || most < value) {
       const bool turning = same_kind(dimension(quantity, std::nullopt), dimensions::angle);
       const double unit = turning ? std::numbers::pi / 180 : 1;
-      char text[200];
-      std::snprintf(text, sizeof text, "'%s' does not come to %.6g %s up to %.4g s: it runs from %.6g to %.6g %s",
-                    to_string(quantity).c_str(), value / unit, turning ? "deg" : "m", reached(), least / unit,
-                    most / unit, turning ? "deg" : "m");
-      throw UnansweredError(situation_.file, mark, text, "let the table run over what is reached");
+      const std::string name = turning ? " deg" : " m";
+      throw UnansweredError(situation_.file, mark,
+                            "'" + to_string(quantity) + "' does not come to " + with_digits(value / unit, 6) + name +
+                                " up to " + with_digits(reached(), 4) + " s: it runs from " +
+                                with_digits(least / unit, 6) + " to " + with_digits(most / unit, 6) + name,
+                            "let the table run over what is reached");
     }
     throw;
   }

@@ -1,7 +1,6 @@
 // Follows a stage of a motion piece by piece.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include "problem/course/course.h"
 #include "problem/course/motion_piece.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
 #include "problem/machine/gimbal_lock.h"
 
 namespace poinsot::problem {
@@ -19,12 +19,11 @@ namespace {
 // A pose in words: "crank at 180 deg, joint 'B' at 0 deg".
 std::string pose_in_words(const std::vector<NamedCoordinate>& coordinates, const IntegrationResult& result) {
   constexpr double degree = std::numbers::pi / 180;
-  char number[40];
   std::string words;
   for (const NamedCoordinate& c : coordinates) {
     const double value = result.q[static_cast<std::size_t>(c.position)];
-    std::snprintf(number, sizeof number, c.turning ? " at %.4g deg" : " at %.4g m", c.turning ? value / degree : value);
-    words += (words.empty() ? "" : ", ") + (c.name.empty() ? "joint '" + c.joint + "'" : c.name) + number;
+    words += (words.empty() ? "" : ", ") + (c.name.empty() ? "joint '" + c.joint + "'" : c.name) + " at " +
+             (c.turning ? with_digits(value / degree, 4) + " deg" : with_digits(value, 4) + " m");
   }
   return words;
 }
@@ -77,7 +76,7 @@ void Course::run(std::size_t stage, double until) {
     if (released) continue;
     if (const ContactLimit* limit = piece.beyond_surface()) comes_to_end(stage, *limit);
     piece.check_sides(nullptr);
-    const IntegrationResult result = piece.follow(std::min(smooth.end, now.end.value_or(target)), work.left());
+    IntegrationResult result = piece.follow(std::min(smooth.end, now.end.value_or(target)), work.left());
     piece.check_sides(&result.trajectory);
     piece.check_winding(result.trajectory);
     keep(stage, piece, result);
@@ -97,39 +96,40 @@ void Course::run(std::size_t stage, double until) {
     }
   }
   if (!now.done && ending && until > target) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.4g s", now.time - now.start);
-    throw UnansweredError(situation_.file, ending->mark(),
-                          "what ends " + words_of(stage) + " has not happened after " + text,
-                          "check the condition, or write lasts:");
+    throw UnansweredError(
+        situation_.file, ending->mark(),
+        "what ends " + words_of(stage) + " has not happened after " + with_digits(now.time - now.start, 4) + " s",
+        "check the condition, or write lasts:");
   }
 }
 
-// Adds what an integration has reached to the stage. Throws UnansweredError if it did not reach its end.
-void Course::keep(std::size_t stage, Piece& piece, const IntegrationResult& result) {
+// Adds what an integration has reached to the stage, and takes the trajectory out of it. Throws UnansweredError if it
+// did not reach its end.
+void Course::keep(std::size_t stage, Piece& piece, IntegrationResult& result) {
   methods_.insert(result.method);
+  in_closed_form_ = in_closed_form_ && result.closed_form;
   constexpr double nearly = 1e-3;
   if (!result.complete())
     if (const auto lock = gimbal_lock(piece.machine(), result.q, nearly))
       throw UnansweredError(situation_.file, mark_of(stage),
-                            words_of(stage) + " comes at " + std::to_string(result.time) + " s to a pose in which " +
+                            words_of(stage) + " comes at " + with_digits(result.time, 6) + " s to a pose in which " +
                                 *lock + ", and is followed no farther",
                             beside_gimbal_lock);
   const std::string steps = ": that took " + std::to_string(Piece::most_steps) + " steps";
-  if (result.ending == Ending::step_limit && result.method.starts_with("closed form"))
+  if (result.ending == Ending::step_limit && result.closed_form)
     throw UnansweredError(situation_.file, mark_of(stage),
                           "how often the angles go round is counted turn by turn, in " + words_of(stage) +
-                              " no farther than to " + std::to_string(result.time) + " s" + steps,
+                              " no farther than to " + with_digits(result.time, 6) + " s" + steps,
                           "ask for earlier times, or leave the angles of the joint out and ask for places, velocities "
                           "and directions");
   if (result.ending == Ending::step_limit)
     throw UnansweredError(
         situation_.file, mark_of(stage),
-        words_of(stage) + " moves too much to be followed farther than " + std::to_string(result.time) + " s" + steps,
+        words_of(stage) + " moves too much to be followed farther than " + with_digits(result.time, 6) + " s" + steps,
         "ask for earlier times");
   if (result.ending == Ending::singular_pose)
     throw UnansweredError(situation_.file, mark_of(stage),
-                          words_of(stage) + " comes at " + std::to_string(result.time) +
+                          words_of(stage) + " comes at " + with_digits(result.time, 6) +
                               " s to a pose from which it can go on in more than one way, or in none: " +
                               pose_in_words(piece.machine().coordinates, result),
                           "ask for earlier times, or draw the mechanism without this pose on its way");
@@ -141,7 +141,7 @@ void Course::keep(std::size_t stage, Piece& piece, const IntegrationResult& resu
     energy_drift_ = std::max(energy_drift_.value_or(0), size > 0 ? result.drift[0].largest / size : 0);
   }
   StageRun& now = stages_[stage];
-  now.pieces.push_back(result.trajectory);
+  now.pieces.push_back(std::move(result.trajectory));
   now.acting.push_back(piece.acting());
   now.q = result.q;
   now.v = result.v;
@@ -157,8 +157,7 @@ void Course::change_holds(std::size_t stage, std::size_t action, Piece& piece) {
   probe_->move_to({now.time, stage, now.q, now.v, std::vector<bool>(acting.size(), true)});
   const Action& named = probe_->machine().mechanism.actions[action];
   const bool cord = named.kind == ActionKind::cord;
-  char time[40];
-  std::snprintf(time, sizeof time, " at %.6g s", now.time);
+  const std::string time = " at " + with_digits(now.time, 6) + " s";
   acting[action] = !acting[action];
   const std::string change =
       acting[action] ? (cord ? "goes taut" : "touches again") : (cord ? "goes slack" : "is lost");
@@ -174,20 +173,16 @@ void Course::slips(std::size_t stage, std::size_t action) {
   StageRun& run = stages_[stage];
   const std::string& name = start_->machine().mechanism.actions[action].name;
   const auto contact = std::ranges::find(situation_.contacts, name, &Contact::name);
-  char time[40];
-  std::snprintf(time, sizeof time, " at %.6g s", run.time);
   run.slips = Slip{contact == situation_.contacts.end() ? mark_of(stage) : contact->mark,
-                   "the contact '" + name + "' presses no more" + time +
-                       ", where the motion still needs its friction: it slips before, and how is not stated"};
+                   "the contact '" + name + "' presses no more at " + with_digits(run.time, 6) +
+                       " s, where the motion still needs its friction: it slips before, and how is not stated"};
   throw_slip(run);
 }
 
 // Neither is it known how a body continues beyond the end of its round surface.
 void Course::comes_to_end(std::size_t stage, const ContactLimit& limit) {
   StageRun& run = stages_[stage];
-  char time[40];
-  std::snprintf(time, sizeof time, "from %.6g s on ", run.time);
-  run.slips = Slip{limit.mark, time + words_of_end(limit)};
+  run.slips = Slip{limit.mark, "from " + with_digits(run.time, 6) + " s on " + words_of_end(limit)};
   throw_slip(run);
 }
 

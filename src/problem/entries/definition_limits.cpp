@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "problem/entries/reader.h"
+#include "problem/keys/reader.h"
 #include "problem/language/expression_walk.h"
 
 namespace poinsot::problem {

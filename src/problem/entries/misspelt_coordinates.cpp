@@ -1,12 +1,11 @@
-#include "problem/entries/misspelt_coordinates.h"
-
 #include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "problem/entries/entry_words.h"
-#include "problem/entries/reader.h"
+#include "problem/entries/name_checks.h"
+#include "problem/keys/entry_words.h"
+#include "problem/keys/reader.h"
 
 namespace poinsot::problem {
 namespace {

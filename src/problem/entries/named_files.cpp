@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 fs::path path_within(const fs::path& folder, const std::string& name) {
   const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder);
-  const fs::path path = fs::weakly_canonical(root / name);
+  fs::path path = fs::weakly_canonical(root / name);
   const bool inside = std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
   if (!inside || fs::path(name).is_absolute())
     throw FileRefused("it does not lie in the folder of the problem file", "copy it there and name it without a path");

@@ -1,21 +1,37 @@
 #include "problem/entries/read_actions.h"
 
-#include "problem/entries/reader.h"
+#include "problem/keys/reader.h"
 
 namespace poinsot::problem {
 namespace {
 
-std::string name_of(const Members& members, std::string_view key, const char* otherwise) {
-  return members.find(key) ? members.text(key) : otherwise;
+// What stands below a key that names it.
+template <class Thing>
+Thing begun(const Key& name) {
+  Thing thing;
+  thing.name = name.text;
+  thing.mark = name.mark;
+  return thing;
+}
+
+// The body that a key names, and where it does.
+void take_body(const Members& members, std::string_view key, std::string_view example, const std::string& file,
+               std::string& name, Mark& mark) {
+  name = scalar_text(members.require(key, example), file, "the name of a body");
+  mark = members.mark_of(key);
+}
+
+// The body or frame that a key names; the ground if it is left out.
+void take_holder(const Members& members, std::string_view key, std::string& name, Mark& mark) {
+  name = members.find(key) ? members.text(key) : "ground";
+  mark = members.mark_of(key);
 }
 
 }  // namespace
 
 Frame read_frame(const Key& name, const Entry& entry, const std::string& file) {
   const Members members(entry, file, {"frame"});
-  Frame frame;
-  frame.name = name.text;
-  frame.mark = name.mark;
+  auto frame = begun<Frame>(name);
   frame.origin = members.expression("origin");
   frame.velocity = members.expression("velocity");
   frame.acceleration = members.expression("acceleration");
@@ -44,13 +60,9 @@ Frame read_frame(const Key& name, const Entry& entry, const std::string& file) {
 
 Contact read_contact(const Key& name, const Entry& entry, const std::string& file) {
   const Members members(entry, file, {"contact"});
-  Contact contact;
-  contact.name = name.text;
-  contact.mark = name.mark;
-  contact.of = scalar_text(members.require("of", "of: disk"), file, "the name of a body");
-  contact.of_mark = members.mark_of("of");
-  contact.against = name_of(members, "against", "ground");
-  contact.against_mark = members.mark_of("against");
+  auto contact = begun<Contact>(name);
+  take_body(members, "of", "of: disk", file, contact.of, contact.of_mark);
+  take_holder(members, "against", contact.against, contact.against_mark);
   contact.at = members.require_expression("at", "at: C");
   contact.normal = members.require_expression("normal", "normal: +y");
   contact.no_slip = members.boolean("no_slip").value_or(false);
@@ -60,9 +72,7 @@ Contact read_contact(const Key& name, const Entry& entry, const std::string& fil
 
 Cord read_cord(const Key& name, const Entry& entry, const std::string& file) {
   const Members members(entry, file, {"cord"});
-  Cord cord;
-  cord.name = name.text;
-  cord.mark = name.mark;
+  auto cord = begun<Cord>(name);
   if (members.find("holds")) {
     for (const char* key : {"to", "end", "from"})
       if (members.find(key))
@@ -74,83 +84,19 @@ Cord read_cord(const Key& name, const Entry& entry, const std::string& file) {
     cord.end = members.require_expression("at", "at: A");
     cord.direction = members.require_expression("pulls", "pulls: +y");
   } else {
-    cord.from = name_of(members, "from", "ground");
-    cord.to = scalar_text(members.require("to", "to: rod"), file, "the name of a body");
-    cord.from_mark = members.mark_of("from");
-    cord.to_mark = members.mark_of("to");
+    take_holder(members, "from", cord.from, cord.from_mark);
+    take_body(members, "to", "to: rod", file, cord.to, cord.to_mark);
     cord.at = members.require_expression("at", "at: C");
     cord.end = members.require_expression("end", "end: B");
   }
   return cord;
 }
 
-Spring read_spring(const Key& name, const Entry& entry, const std::string& file) {
-  const Members members(entry, file, {"spring"});
-  Spring spring;
-  spring.name = name.text;
-  spring.mark = name.mark;
-  spring.from = name_of(members, "from", "ground");
-  spring.to = scalar_text(members.require("to", "to: yoke"), file, "the name of a body");
-  spring.from_mark = members.mark_of("from");
-  spring.to_mark = members.mark_of("to");
-  spring.about = members.expression("about");
-  for (const char* key : {"at", "end", "free_length", "tension"})
-    if (spring.about && members.find(key))
-      fail(file, members.mark_of(key), "a torsional spring has no '" + std::string(key) + "'",
-           "it has from, to, about, stiffness, free_angle and damping");
-  if (!spring.about && members.find("free_angle"))
-    fail(file, members.mark_of("free_angle"), "a spring between two points has no 'free_angle'",
-         "write free_length:, or about: with the axis of a torsional spring");
-  if (!spring.about) {
-    spring.at = members.require_expression("at", "at: C");
-    spring.end = members.require_expression("end", "end: A");
-  }
-  spring.stiffness = members.expression("stiffness");
-  spring.free_length = members.expression("free_length");
-  spring.free_angle = members.expression("free_angle");
-  spring.tension = members.expression("tension");
-  spring.damping = members.expression("damping");
-  if (!spring.stiffness && !spring.damping)
-    fail(file, name.mark, "spring '" + name.text + "' has neither stiffness nor damping");
-  if (spring.free_angle && !spring.stiffness)
-    fail(file, members.mark_of("free_angle"), "spring '" + name.text + "' has a free angle but no stiffness");
-  if (!spring.about && spring.stiffness && spring.free_length.has_value() == spring.tension.has_value())
-    fail(file, name.mark, "spring '" + name.text + "' needs its free_length or its tension as drawn, one of them");
-  return spring;
-}
-
-Load read_load(const Key& name, const Entry& entry, const std::string& file) {
-  const Members members(entry, file, {"load"});
-  Load load;
-  load.name = name.text;
-  load.mark = name.mark;
-  load.force = members.expression("force");
-  load.couple = members.expression("couple");
-  if (load.force.has_value() == load.couple.has_value())
-    fail(file, name.mark, "load '" + name.text + "' needs a force or a couple, one of them");
-  for (const auto& [key, owner] : {std::pair{"along", "couple"}, std::pair{"about", "force"}})
-    if (members.find(key) && members.find(owner))
-      fail(file, members.mark_of(key), std::string("a ") + owner + " has no '" + key + "'",
-           load.force ? "a force acts along a direction" : "a couple acts about an axis");
-  load.direction = load.force ? members.expression("along") : members.expression("about");
-  load.at = members.expression("at");
-  if (load.couple && load.at) fail(file, members.mark_of("at"), "a couple has no point", "remove at:");
-  load.body = scalar_text(members.require("body", "body: shaft"), file, "the name of a body");
-  load.body_mark = members.mark_of("body");
-  load.axes = name_of(members, "axes", "ground");
-  load.axes_mark = members.mark_of("axes");
-  return load;
-}
-
 Impulse read_impulse(const Key& name, const Entry& entry, const std::string& file) {
   const Members members(entry, file, {"impulse"});
-  Impulse impulse;
-  impulse.name = name.text;
-  impulse.mark = name.mark;
-  impulse.body = scalar_text(members.require("body", "body: plate"), file, "the name of a body");
-  impulse.body_mark = members.mark_of("body");
-  impulse.axes = name_of(members, "axes", "ground");
-  impulse.axes_mark = members.mark_of("axes");
+  auto impulse = begun<Impulse>(name);
+  take_body(members, "body", "body: plate", file, impulse.body, impulse.body_mark);
+  take_holder(members, "axes", impulse.axes, impulse.axes_mark);
   impulse.value = members.expression("value");
   impulse.force = members.expression("force");
   impulse.couple = members.expression("couple");
@@ -170,13 +116,9 @@ Impulse read_impulse(const Key& name, const Entry& entry, const std::string& fil
 
 Impact read_impact(const Key& name, const Entry& entry, const std::string& file) {
   const Members members(entry, file, {"impact"});
-  Impact impact;
-  impact.name = name.text;
-  impact.mark = name.mark;
-  impact.of = scalar_text(members.require("of", "of: plate"), file, "the name of a body");
-  impact.of_mark = members.mark_of("of");
-  impact.against = name_of(members, "against", "ground");
-  impact.against_mark = members.mark_of("against");
+  auto impact = begun<Impact>(name);
+  take_body(members, "of", "of: plate", file, impact.of, impact.of_mark);
+  take_holder(members, "against", impact.against, impact.against_mark);
   impact.at = members.require_expression("at", "at: B");
   impact.pushes = members.require_expression("pushes", "pushes: +z");
   impact.restitution = members.expression("restitution");
@@ -185,17 +127,13 @@ Impact read_impact(const Key& name, const Entry& entry, const std::string& file)
 
 Strike read_strike(const Key& name, const Entry& entry, const std::string& file) {
   const Members members(entry, file, {"strike"});
-  Strike strike;
-  strike.name = name.text;
-  strike.mark = name.mark;
+  auto strike = begun<Strike>(name);
   strike.amount.mass = members.expression("mass");
   strike.amount.weight = members.expression("weight");
   if (strike.amount.mass.has_value() == strike.amount.weight.has_value())
     fail(file, name.mark, "strike '" + name.text + "' needs the mass or the weight of its particle");
-  strike.hits = scalar_text(members.require("hits", "hits: satellite"), file, "the name of a body");
-  strike.hits_mark = members.mark_of("hits");
-  strike.relative_to = name_of(members, "relative_to", "ground");
-  strike.relative_to_mark = members.mark_of("relative_to");
+  take_body(members, "hits", "hits: satellite", file, strike.hits, strike.hits_mark);
+  take_holder(members, "relative_to", strike.relative_to, strike.relative_to_mark);
   strike.at = members.require_expression("at", "at: C");
   strike.velocity = members.require_expression("velocity", "velocity: [0, 0, 2000 m/s]");
   strike.stays = members.boolean("stays").value_or(false);

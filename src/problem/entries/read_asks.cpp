@@ -1,8 +1,9 @@
 #include "problem/entries/read_asks.h"
 
 #include <algorithm>
+#include <charconv>
 
-#include "problem/entries/reader.h"
+#include "problem/keys/reader.h"
 
 namespace poinsot::problem {
 namespace {
@@ -55,6 +56,7 @@ Table read_table(const Members& members, const std::string& file) {
          "write over: {time: 0 s .. 2 s by 0.2 s}");
   table.over = over.members.front().first.text;
   table.over_mark = over.members.front().first.mark;
+  if (is_name(table.over)) table.over_value = parse_expression(table.over, file, table.over_mark);
   table.values = parse_expression(over.members.front().second, file);
   if (!table.values.as<Range>() && !table.values.as<List>())
     fail(file, over.members.front().second.mark, "a table runs over a range or a list of values",
@@ -149,14 +151,10 @@ namespace {
 
 double read_number(const Entry& entry, const std::string& file) {
   const std::string& text = scalar_text(entry, file, "a number");
-  std::size_t used = 0;
   double number = 0;
-  try {
-    number = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  if (used != text.size() || used == 0 || !(number >= 0) || number > 1e300)
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number);
+  if (read.ec != std::errc() || read.ptr != end || !(number >= 0) || number > 1e300)
     fail(file, entry.mark, "'" + text + "' is not a tolerance", "write a number such as 1e-6");
   return number;
 }

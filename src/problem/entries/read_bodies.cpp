@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "problem/entries/keys.h"
-#include "problem/entries/reader.h"
+#include "problem/keys/keys.h"
+#include "problem/keys/reader.h"
 
 namespace poinsot::problem {
 namespace {

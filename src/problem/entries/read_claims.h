@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "problem/entries/reader.h"
 #include "problem/entries/statement.h"
+#include "problem/keys/reader.h"
 
 namespace poinsot::problem {
 

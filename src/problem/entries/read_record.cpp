@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "problem/entries/reader.h"
+#include "problem/keys/reader.h"
 
 namespace poinsot::problem {
 namespace {

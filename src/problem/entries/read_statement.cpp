@@ -1,36 +1,26 @@
 // Turns the tree of entries into a checked statement.
 #include <algorithm>
-#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "problem/entries/definition_limits.h"
-#include "problem/entries/keys.h"
-#include "problem/entries/misspelt_coordinates.h"
+#include "problem/entries/name_checks.h"
 #include "problem/entries/read_actions.h"
 #include "problem/entries/read_asks.h"
 #include "problem/entries/read_bodies.h"
+#include "problem/entries/read_choices.h"
 #include "problem/entries/read_claims.h"
+#include "problem/entries/read_instants.h"
 #include "problem/entries/read_joints.h"
 #include "problem/entries/read_meshes.h"
 #include "problem/entries/read_record.h"
-#include "problem/entries/reader.h"
 #include "problem/entries/statement.h"
-#include "problem/entries/unused_unknowns.h"
+#include "problem/keys/keys.h"
+#include "problem/keys/reader.h"
 
 namespace poinsot::problem {
 namespace {
-
-using Named = std::vector<std::pair<Key, Entry>>;
-
-// The members of a map whose keys are names of the author's choice; none if the key is absent.
-const Named& named(const Members& members, std::string_view key, const std::string& file) {
-  static const Named none;
-  const Entry* entry = members.find(key);
-  if (!entry || entry->kind == Entry::Kind::null) return none;
-  if (entry->kind != Entry::Kind::map)
-    fail(file, entry->mark, "expected names under '" + std::string(key) + "'",
-         "write " + std::string(key) + ": {NAME: ...}");
-  return entry->members;
-}
 
 std::vector<NamedExpression> named_expressions(const Members& members, std::string_view key, const std::string& file) {
   std::vector<NamedExpression> items;
@@ -39,149 +29,6 @@ std::vector<NamedExpression> named_expressions(const Members& members, std::stri
     items.push_back({name.text, parse_expression(value, file), name.mark});
   }
   return items;
-}
-
-Instant read_instant(const Key& name, const Entry& entry, const std::string& file) {
-  Instant instant;
-  instant.name = name.text;
-  instant.mark = name.mark;
-  if (entry.kind == Entry::Kind::scalar && entry.text == "rest") {
-    instant.rest = true;
-    return instant;
-  }
-  if (entry.kind != Entry::Kind::map)
-    fail(file, entry.mark, "an instant is `rest` or a map of facts",
-         "write now: {angular_velocity(disk): [w1, any, any]}");
-  for (const auto& [key, value] : entry.members) {
-    if (key.text == "first_time") {
-      instant.found_when = parse_expression(value, file);
-      continue;
-    }
-    if (key.text == "nudged") {
-      if (value.kind == Entry::Kind::list)
-        for (const Entry& item : value.items)
-          instant.nudged.emplace_back(scalar_text(item, file, "the name of a coordinate"), item.mark);
-      else
-        instant.nudged.emplace_back(scalar_text(value, file, "the name of a coordinate"), value.mark);
-      continue;
-    }
-    if (key.text == "rest") {
-      instant.rest = true;
-      continue;
-    }
-    Entry quantity;
-    quantity.kind = Entry::Kind::scalar;
-    quantity.text = key.text;
-    quantity.mark = key.mark;
-    instant.facts.push_back({parse_expression(quantity, file), parse_expression(value, file), key.mark});
-  }
-  if (instant.found_when && (instant.rest || !instant.facts.empty() || !instant.nudged.empty()))
-    fail(file, name.mark, "the instant '" + name.text + "' is found by its condition: nothing else is stated of it",
-         "state facts at the start");
-  return instant;
-}
-
-Steady read_steady(const Entry& entry, const std::string& file) {
-  const Members members(entry, file, {"steady"});
-  Steady steady;
-  steady.mark = entry.mark;
-  steady.frame = scalar_text(members.require("frame", "frame: figure"), file, "the name of a frame or body");
-  steady.frame_mark = members.mark_of("frame");
-  for (const auto& [name, value] : named(members, "spins", file)) {
-    const Members spin(value, file, {"spin"});
-    steady.spins.push_back({name.text, spin.require_expression("about", "about: A->B"),
-                            spin.require_expression("rate", "rate: psidot"), name.mark});
-  }
-  return steady;
-}
-
-Stage read_stage(const Key& name, const Entry& entry, const std::string& file) {
-  const Members members(entry, file, {"stage"});
-  Stage stage;
-  stage.name = name.text;
-  stage.mark = name.mark;
-  stage.lasts = members.expression("lasts");
-  stage.until = members.expression("until");
-  if (stage.lasts && stage.until)
-    fail(file, members.mark_of("until"), "stage '" + name.text + "' ends after a time or by an event, not both",
-         "remove lasts: or until:");
-  if (const Entry* loads = members.find("loads")) {
-    if (loads->kind != Entry::Kind::list) fail(file, loads->mark, "expected a list of loads", "write loads: [drive]");
-    stage.loads.emplace();
-    for (const Entry& item : loads->items) stage.loads->push_back(scalar_text(item, file, "the name of a load"));
-  }
-  return stage;
-}
-
-// Checks that every name of a body or frame in the situation is one, and suggests near names.
-void check_holders(const Situation& situation) {
-  std::vector<std::string> bodies, holders{"ground"};
-  for (const Body& body : situation.bodies) bodies.push_back(body.name);
-  holders.insert(holders.end(), bodies.begin(), bodies.end());
-  for (const Frame& frame : situation.frames) {
-    if (std::find(bodies.begin(), bodies.end(), frame.name) != bodies.end())
-      fail(situation.file, frame.mark, "'" + frame.name + "' is both a body and a frame", "rename one of them");
-    holders.push_back(frame.name);
-  }
-  const auto check = [&](const std::string& name, Mark mark, const std::vector<std::string>& known, const char* what) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) return;
-    const std::string near = nearest(name, known);
-    std::string all;
-    for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
-    fail(situation.file, mark, "there is no " + std::string(what) + " '" + name + "'",
-         !near.empty() ? "did you mean '" + near + "'?"
-         : all.empty() ? "the problem has none"
-                       : "known: " + all);
-  };
-  for (const Frame& frame : situation.frames)
-    if (!frame.rides_on.empty()) check(frame.rides_on, frame.rides_on_mark, bodies, "body");
-  if (situation.steady) {
-    check(situation.steady->frame, situation.steady->frame_mark, holders, "body or frame");
-    for (const Spin& spin : situation.steady->spins) check(spin.body, spin.mark, bodies, "body");
-  }
-  for (const Joint& joint : situation.joints) {
-    check(joint.from, joint.from_mark, holders, "body or frame");
-    if (joint.to == "ground")
-      fail(situation.file, joint.to_mark, "joint '" + joint.name + "' holds the ground",
-           "the ground holds and is not held: write it under from:");
-    check(joint.to, joint.to_mark, bodies, "body");
-    if (joint.from == joint.to)
-      fail(situation.file, joint.mark, "joint '" + joint.name + "' joins '" + joint.to + "' to itself");
-  }
-  for (const Contact& contact : situation.contacts) {
-    check(contact.of, contact.of_mark, bodies, "body");
-    check(contact.against, contact.against_mark, holders, "body or frame");
-  }
-  for (const Cord& cord : situation.cords) {
-    check(cord.from, cord.from_mark, holders, "body or frame");
-    check(cord.to, cord.to_mark, bodies, "body");
-  }
-  for (const Spring& spring : situation.springs) {
-    check(spring.from, spring.from_mark, holders, "body or frame");
-    check(spring.to, spring.to_mark, bodies, "body");
-  }
-  for (const Impulse& impulse : situation.impulses) {
-    check(impulse.body, impulse.body_mark, bodies, "body");
-    check(impulse.axes, impulse.axes_mark, holders, "body or frame");
-  }
-  for (const Impact& impact : situation.impacts) {
-    check(impact.of, impact.of_mark, bodies, "body");
-    check(impact.against, impact.against_mark, holders, "body or frame");
-  }
-  for (const Strike& strike : situation.strikes) {
-    check(strike.hits, strike.hits_mark, bodies, "body");
-    check(strike.relative_to, strike.relative_to_mark, holders, "body or frame");
-  }
-  for (const Load& load : situation.loads) {
-    check(load.body, load.body_mark, bodies, "body");
-    check(load.axes, load.axes_mark, holders, "body or frame");
-  }
-  for (const Stage& stage : situation.stages)
-    for (const std::string& load : stage.loads.value_or(std::vector<std::string>{})) {
-      std::vector<std::string> loads;
-      for (const Load& known : situation.loads) loads.push_back(known.name);
-      check(load, stage.mark, loads, "load");
-    }
 }
 
 // Counts the units that the situation is stated in.
@@ -196,27 +43,6 @@ void note_units(const Entry& entry, const std::string& file, UnitHabits& habits)
   for (const Entry& item : entry.items) note_units(item, file, habits);
   for (const auto& [key, value] : entry.members)
     if (key.text != "title" && key.text != "source") note_units(value, file, habits);
-}
-
-// `choose:` may name impulses, loads and added masses, `without:` added masses only; the latter are taken out here.
-void check_choices(Situation& situation) {
-  std::vector<std::string> added, all;
-  for (const Body& body : situation.bodies)
-    for (const Part& part : body.added) added.push_back(part.name);
-  all = added;
-  for (const Impulse& impulse : situation.impulses) all.push_back(impulse.name);
-  for (const Load& load : situation.loads) all.push_back(load.name);
-  for (const Choice& choice : situation.choose)
-    for (const std::string& name : choice.of)
-      if (std::find(all.begin(), all.end(), name) == all.end())
-        fail(situation.file, choice.mark, "'" + name + "' is no impulse, load or added mass", did_you_mean(name, all));
-  for (const std::string& name : situation.without)
-    if (std::find(added.begin(), added.end(), name) == added.end())
-      fail(situation.file, Mark{1, 1}, "without: '" + name + "' is no added mass", did_you_mean(name, added));
-  for (Body& body : situation.bodies)
-    std::erase_if(body.added, [&](const Part& part) {
-      return std::find(situation.without.begin(), situation.without.end(), part.name) != situation.without.end();
-    });
 }
 
 Situation read_one(const Entry& root, const std::string& file) {
@@ -251,35 +77,8 @@ Situation read_one(const Entry& root, const std::string& file) {
     if (!(text.kind == Entry::Kind::scalar && text.text == "1")) unknown.unit = read_unit(text, file);
     situation.find.push_back(std::move(unknown));
   }
-  for (const auto& [name, entry] : named(members, "choose", file)) {
-    check_name(name.text, name.mark, file);
-    const Members choice(entry, file, {"choice"});
-    Choice stated;
-    stated.name = name.text;
-    stated.mark = name.mark;
-    const Entry& of = choice.require("of", "of: [A, B, C, D]");
-    if (of.kind != Entry::Kind::list) fail(file, of.mark, "expected a list of names", "write of: [A, B, C, D]");
-    for (const Entry& item : of.items) stated.of.push_back(scalar_text(item, file, "a name"));
-    if (stated.of.size() > 16) fail(file, of.mark, "a choice among more than 16 things is too large");
-    if (const Entry* least = choice.find("least")) {
-      if (choice.find("exactly"))
-        fail(file, choice.mark_of("least"), "a choice states `exactly` or `least`, not both", "remove one of them");
-      if (scalar_text(*least, file, "the word total") != "total")
-        fail(file, least->mark, "'" + least->text + "' is nothing of which the least can be chosen",
-             "write least: total, for the least sum of their amounts");
-      stated.least_total = true;
-      situation.choose.push_back(std::move(stated));
-      continue;
-    }
-    const std::string& count =
-        scalar_text(choice.require("exactly", "exactly: 2, or least: total"), file, "a whole number");
-    if (count.empty() || count.size() > 2 || count.find_first_not_of("0123456789") != std::string::npos ||
-        stoul(count) > stated.of.size())
-      fail(file, choice.mark_of("exactly"),
-           "'" + count + "' is no number of things among " + std::to_string(stated.of.size()));
-    stated.exactly = std::stoi(count);
-    situation.choose.push_back(std::move(stated));
-  }
+  for (const auto& [name, entry] : named(members, "choose", file))
+    situation.choose.push_back(read_choice(name, entry, file));
   if (const Entry* without = members.find("without")) {
     if (without->kind != Entry::Kind::list)
       fail(file, without->mark, "expected a list of names", "write without: [A, B]");
@@ -319,9 +118,9 @@ Situation read_one(const Entry& root, const std::string& file) {
   read_all("contacts", situation.contacts,
            [&](const Key& name, const Entry& entry) { return read_contact(name, entry, file); });
   read_all("cords", situation.cords, [&](const Key& name, const Entry& entry) { return read_cord(name, entry, file); });
-  read_all("springs", situation.springs,
-           [&](const Key& name, const Entry& entry) { return read_spring(name, entry, file); });
-  read_all("loads", situation.loads, [&](const Key& name, const Entry& entry) { return read_load(name, entry, file); });
+  for_each_law_list(situation, [&]<StatedLaw Law>(std::vector<Law>& laws) {
+    read_all(Law::list, laws, [&](const Key& name, const Entry& entry) { return Law::read(name, entry, file); });
+  });
   read_all("impulses", situation.impulses,
            [&](const Key& name, const Entry& entry) { return read_impulse(name, entry, file); });
   read_all("impacts", situation.impacts,
@@ -341,7 +140,7 @@ Situation read_one(const Entry& root, const std::string& file) {
     fail(file, situation.bodies[most_bodies].mark, "there are more than " + std::to_string(most_bodies) + " bodies",
          "bodies that never move apart are parts: of one");
   check_definition_limits(situation);
-  check_holders(situation);
+  check_stated_names(situation);
   check_choices(situation);
   note_units(root, file, situation.habits);
   for (const Letter& letter : situation.letters) situation.habits.note(letter.unit);
@@ -417,6 +216,7 @@ Statement read_statement(std::string_view text, const std::string& file, const R
     }
   }
   check_misspelt_coordinates(root, statement);
+  statement.corners = has_corners(root);
   check_unused_unknowns(root, statement);
   read_meshes(statement, read);
   return statement;

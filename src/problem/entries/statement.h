@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "problem/entries/named_files.h"
+#include "problem/entries/stated_load.h"
+#include "problem/entries/stated_spring.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression.h"
 #include "problem/language/tree.h"
@@ -104,7 +106,8 @@ struct Frame {
   Mark mark;
 };
 
-enum class JointKind { weld, revolute, prismatic, cylindrical, universal, ball, planar, screw };
+struct JointKind;  // the rows of joint_kinds.h
+struct SupportKind;
 
 // One freedom of a joint: how it moves, and the effort in it.
 struct Freedom {
@@ -120,16 +123,16 @@ struct Freedom {
 
 // One support of a joint, and the components of force and couple that it can carry.
 struct Support {
-  std::string name;  // also names the point, unless `at` is given
-  std::string kind;  // journal, thrust, collar, hinge, ball; "" when components are listed
+  std::string name;
+  const SupportKind* kind = nullptr;  // null when components are listed
   std::vector<Expression> forces, couples;
-  std::optional<Expression> at;
+  std::optional<Expression> at;  // always given: where the file leaves it out, the name names the point
   Mark mark;
 };
 
 struct Joint {
   std::string name;
-  JointKind kind = JointKind::weld;
+  const JointKind* kind = nullptr;
   Expression place;  // axis or point, the value of the kind's key
   std::optional<Expression> at;
   std::string from, to;
@@ -155,22 +158,6 @@ struct Cord {
   std::string name, from, to;
   Mark from_mark, to_mark;
   std::optional<Expression> at, end, direction;
-  Mark mark;
-};
-
-// Between two points (`at`, `end`), or a torsional one about an axis (`about`).
-struct Spring {
-  std::string name, from, to;
-  Mark from_mark, to_mark;
-  std::optional<Expression> at, end, about;
-  std::optional<Expression> stiffness, free_length, free_angle, tension, damping;
-  Mark mark;
-};
-
-struct Load {
-  std::string name, body, axes;
-  Mark body_mark, axes_mark;
-  std::optional<Expression> force, couple, direction, at;
   Mark mark;
 };
 
@@ -220,6 +207,7 @@ struct Fact {
 };
 struct Instant {
   std::string name;  // the name of an instant or stage, or a time such as `2 s`
+  Expression when;   // the same as an expression: a time, or a single name, which may be that of a time; else empty
   bool rest = false;
   std::vector<std::pair<std::string, Mark>> nudged;  // coordinates that are disturbed slightly
   std::optional<Expression> found_when;              // the instant is the first at which this holds
@@ -259,6 +247,7 @@ struct Extremum {
 struct Table {
   std::vector<NamedExpression> columns;
   std::string over;
+  Expression over_value;  // what it runs over as an expression
   Mark over_mark;
   Expression values;  // a range or a list
   std::map<std::string, Unit> units;
@@ -349,6 +338,21 @@ struct Situation {
   UnitHabits habits;  // the units used, from which those of the answers are chosen
 };
 
+// Visits the lists of laws of force: the one place that names them all.
+template <class SituationOrConst, class Visit>
+void for_each_law_list(SituationOrConst& situation, const Visit& visit) {
+  visit(situation.springs);
+  visit(situation.loads);
+}
+
+// Visits every law of force.
+template <class Visit>
+void for_each_stated_law(const Situation& situation, const Visit& visit) {
+  for_each_law_list(situation, [&]<StatedLaw Law>(const std::vector<Law>& laws) {
+    for (const Law& law : laws) visit(law);
+  });
+}
+
 // What is to be recorded of the motion: columns over time.
 struct Record {
   std::vector<NamedExpression> columns;
@@ -367,6 +371,7 @@ struct Statement {
   std::optional<Record> record;
   std::vector<ExpectedCase> expected;
   bool expects = false;
+  bool corners = false;  // whether what is stated calls functions with corners: abs, norm, max, min, acute_angle
   std::string file, title;
 };
 

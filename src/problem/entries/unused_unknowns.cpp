@@ -1,13 +1,12 @@
-#include "problem/entries/unused_unknowns.h"
-
 #include <algorithm>
 #include <array>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "problem/entries/entry_words.h"
-#include "problem/entries/reader.h"
+#include "problem/entries/name_checks.h"
+#include "problem/keys/entry_words.h"
+#include "problem/keys/reader.h"
 
 namespace poinsot::problem {
 namespace {
@@ -27,6 +26,13 @@ void collect_fixing_words(const Entry& sections, std::set<std::string>& words) {
 }
 
 }  // namespace
+
+bool has_corners(const Entry& root) {
+  std::set<std::string> words;
+  collect_fixing_words(root, words);
+  return std::ranges::any_of(std::array{"abs", "norm", "max", "min", "acute_angle"},
+                             [&](const char* function) { return words.contains(function); });
+}
 
 void check_unused_unknowns(const Entry& root, const Statement& statement) {
   std::set<std::string> words;

@@ -11,7 +11,7 @@
 #include "poinsot/engine/math/trace/traced_formula.h"
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
 #include "poinsot/engine/work/work.h"
-#include "problem/claims/claim_points.h"
+#include "problem/entries/drawn_letters.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/scalar_value.h"
@@ -210,7 +210,7 @@ State<double> sample_state(const MachineOf<Formula>& machine) {
     state.q.push_back(plain(machine.q[k]) + 0.01 / (1.37 + 0.61 * static_cast<double>(k)));
   for (int k = 0; k < machine.mechanism.tree.velocity_size(); ++k) state.v.push_back(0.53 + 0.29 * k);
   if (machine.mechanism.constraints.empty()) return state;
-  const State<double> before = state;
+  State<double> before = state;
   try {
     MechanismDynamics dynamics(convert_mechanism<double>(machine.mechanism, [](const Formula& x) { return plain(x); }));
     constexpr double closed = 1e-10;
@@ -234,6 +234,7 @@ class CoordinateNames {
 
   struct Named {
     std::string name, meaning;
+    bool turns = false;
   };
   std::vector<Named> positions() {
     const Model<Formula>& tree = machine_.mechanism.tree;
@@ -267,7 +268,7 @@ class CoordinateNames {
         const auto at = static_cast<std::size_t>(body.v + k);
         const bool turns = body.joint != JointType::prismatic && k < 3;
         names[at] = {free_name("v", body.v + k),
-                     std::string(turns ? "rad/s: " : "m/s: ") + machine_.mechanism.coordinate_names[at]};
+                     std::string(turns ? "rad/s: " : "m/s: ") + machine_.mechanism.coordinate_names[at], turns};
         if (body.joint == JointType::ball || body.joint == JointType::free) names[at].meaning += ", on its own axes";
       }
     }
@@ -319,8 +320,7 @@ TracedMachine traced_machine(const Situation& situation, const EquationsOptions&
   }
   for (std::size_t k = 0; k < velocities.size(); ++k) {
     const bool acceleration = third_array == "a" || traced_machine.held[k];
-    const std::string& of = velocities[k].meaning;
-    const bool turns = of.starts_with("rad");
+    const bool turns = velocities[k].turns;
     const std::string base = coordinates.free_name(third_array == "a" ? "a" : "u", static_cast<int>(k));
     const std::string meaning =
         acceleration

@@ -7,11 +7,14 @@
 #include <random>
 
 #include "poinsot/engine/work/work.h"
+#include "problem/entries/drawn_letters.h"
 #include "problem/explanation/explanation_claims.h"
 #include "problem/explanation/explanation_instant.h"
 #include "problem/explanation/explanation_model.h"
 #include "problem/explanation/explanation_motion.h"
 #include "problem/formulas/formula_answers.h"
+#include "problem/language/expression_walk.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {
@@ -93,7 +96,7 @@ class Explainer {
       const bool alone = std::none_of(statement_.asks.begin(), statement_.asks.end(), [&](const Ask& other) {
         if (&other == &ask) return false;
         if (other.extremum) return situation_of(statement_, other) == situation;
-        return name.empty() || other.text.find("@ " + name) != std::string::npos;
+        return name.empty() || names_situation(other, name);
       });
       if (alone) limits_[situation] = k;
     }
@@ -108,7 +111,7 @@ class Explainer {
       for (const Expression& condition : ask.extremum->conditions)
         conditions.push_back("`" + to_string(condition) + "`");
       std::string text = "Values of `" + ask.extremum->name + "` are tried from one end of its range until " +
-                         in_words(conditions) + " no longer holds; the place of the change is then closed in.";
+                         listed(conditions) + " no longer holds; the place of the change is then closed in.";
       if (std::any_of(limits_.begin(), limits_.end(), [&](const auto& limit) { return limit.second == k; }))
         text += " The lines below are those of the limit.";
       section.steps.push_back({text, {}});
@@ -142,9 +145,7 @@ class Explainer {
       std::mt19937_64 random(7000 + static_cast<std::uint64_t>(attempt));
       LetterValues letters;
       for (const Letter& letter : solved_.open_letters) {
-        const double value = letter.unit.dimension == dimensions::angle
-                                 ? std::uniform_real_distribution<double>(0.2, 1.2)(random)
-                                 : letter.unit.factor * std::uniform_real_distribution<double>(0.5, 2)(random);
+        const double value = drawn_letter(letter, random);
         letters[letter.name] = value;
         for (Settings& one : settings_) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
       }
@@ -223,11 +224,7 @@ class Explainer {
     for (const auto& [other, questions] : questions_.instants)
       if (other.situation == home.situation) ++same_situation;
     if (same_situation < 2) return "";
-    if (home.time) {
-      char text[40];
-      std::snprintf(text, sizeof text, ", at %.4g s", *home.time);
-      return text;
-    }
+    if (home.time) return ", at " + with_digits(*home.time, 4) + " s";
     if (stated.has_blow()) return home.instant == 0 ? ", before the blow" : ", after the blow";
     return ", at the start" + (home.instant > 0 ? " of stage " + std::to_string(home.instant + 1) : std::string());
   }
@@ -248,7 +245,8 @@ class Explainer {
                                    [](const Letter& letter) { return letter.name == "g"; }) ||
                        settings.contains("g");
     if (!has_g && lettered.gravity)
-      lettered.given.push_back({"g", parse_expression("9.80665 m/s^2", lettered.file), {}});
+      lettered.given.push_back(
+          {"g", built(Number{standard_gravity, si_unit(dimensions::acceleration), true, "9.80665 m/s^2"}, Mark{}), {}});
     for (const NamedExpression& item : lettered.given) {
       if (settings.contains(item.name)) continue;
       const Unary* minus = item.value.as<Unary>();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "problem/explanation/explanation_instant.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {
@@ -23,7 +24,7 @@ std::optional<std::string> vanishing_symbol(const std::vector<ShownTerm>& left, 
 
 }  // namespace
 
-void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& listed) {
+void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& symbols) {
   System system;
   system.plan = plan_for(bodies);
   std::vector<int> massive;
@@ -48,7 +49,7 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
   const std::string who = only ? "" : " of " + names_of(bodies);
   if (!sudden()) {
     section("Kinetic side");
-    kinetic_steps(section("Kinetic side"), system, point);
+    kinetic_steps("Kinetic side", system, point);
   } else {
     for (const int body : massive) {
       const bool fixed = rests(body, point.position.number);
@@ -104,7 +105,7 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
                               : "The forces from outside are equivalent to the kinetic side (Eqs. 18.1, 18.2)";
   text += who;
   if (moments_only)
-    text += ". About $" + point.label + "$, " + in_words(met) + (met.size() > 1 ? " have" : " has") + " no moment:";
+    text += ". About $" + point.label + "$, " + listed(met) + (met.size() > 1 ? " have" : " has") + " no moment:";
   else
     text += "; moments about $" + point.label + "$:";
   ExplainedStep step{text, {}};
@@ -160,18 +161,18 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
     std::vector<std::string> neglected;
     for (const Expression& item : situation_.neglect) neglected.push_back("`" + to_string(item) + "`");
     step.text.back() = ',';
-    step.text += " up to " + in_words(neglected) + ", which is neglected:";
+    step.text += " up to " + listed(neglected) + ", which is neglected:";
   }
   if (!step.equations.empty()) equations.steps.push_back(std::move(step));
   if (!vanishing.empty())
-    equations.steps.push_back({"The other components only say that " + in_words(vanishing) +
-                                   (vanishing.size() > 1 ? " vanish." : " vanishes."),
-                               {}});
+    equations.steps.push_back(
+        {"The other components only say that " + listed(vanishing) + (vanishing.size() > 1 ? " vanish." : " vanishes."),
+         {}});
   const auto list = [&](const Symbol& symbol) {
     const bool known =
-        std::any_of(listed.begin(), listed.end(), [&](const Symbol& one) { return one.tex == symbol.tex; });
+        std::any_of(symbols.begin(), symbols.end(), [&](const Symbol& one) { return one.tex == symbol.tex; });
     const bool said = std::find(vanishing.begin(), vanishing.end(), "$" + symbol.tex + "$") != vanishing.end();
-    if (!known && !said) listed.push_back(symbol);
+    if (!known && !said) symbols.push_back(symbol);
   };
   for (const Symbol& symbol : system.open) list(symbol);
   for (std::size_t i = 0; i < system.unknown.size(); ++i)
@@ -180,21 +181,21 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
 
 void InstantExplainer::explain_balance() {
   const std::vector<std::set<int>> systems = choose_systems();
-  std::vector<Symbol> listed;
+  std::vector<Symbol> symbols;
   section("Inertia");
   if (!sudden()) velocity_conditions();
-  for (const std::set<int>& bodies : systems) explain_system(bodies, systems.size() == 1, listed);
+  for (const std::set<int>& bodies : systems) explain_system(bodies, systems.size() == 1, symbols);
   std::vector<std::size_t> open;
   for (const std::size_t k : open_coordinates()) open.push_back(k);
-  extra_conditions(open, listed, section(sudden() ? "Impulse and momentum" : "Component equations"));
-  list_unknowns(listed);
+  extra_conditions(open, symbols, section(sudden() ? "Impulse and momentum" : "Component equations"));
+  list_unknowns(symbols);
   std::vector<std::string> conditions;
   for (const Instant& instant : situation_.instants)
     for (const Fact& fact : instant.facts)
       if (level_of(situation_, fact.quantity) == Level::force || sudden())
         conditions.push_back("`" + to_string(fact.quantity) + " = " + to_string(fact.value) + "`");
   ExplainedStep found{"Of the data to be found, the equations" +
-                          (conditions.empty() ? std::string() : " with what is known, " + in_words(conditions) + ",") +
+                          (conditions.empty() ? std::string() : " with what is known, " + listed(conditions) + ",") +
                           " leave",
                       {}};
   for (const Unknown& unknown : situation_.find) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "problem/language/words.h"
+
 namespace poinsot::problem {
 namespace {
 
@@ -26,7 +28,7 @@ class ClaimExplainer {
     if (!solved_.assumptions.empty()) {
       std::vector<std::string> assumed;
       for (const std::string& assumption : solved_.assumptions) assumed.push_back(code(assumption));
-      text += ", where " + in_words(assumed) + ",";
+      text += ", where " + listed(assumed) + ",";
     }
     if (solved_.state != AskState::found) return {{text + " is not decided: " + solved_.reason + ".", {}}};
     if (!solved_.holds)
@@ -59,11 +61,12 @@ class ClaimExplainer {
       if (const auto tex = ExplanationTex::formula(value))
         values.push_back("$" + ExplanationTex::symbol(letter) + " = " + *tex + "$");
     if (values.empty() || values.size() < solved_.assumed.size()) return;
-    const bool parts = std::any_of(solved_.assumed.begin(), solved_.assumed.end(), [](const auto& item) {
-      const std::vector<std::string> letters = item.second.letters();
-      return std::any_of(letters.begin(), letters.end(), [](const std::string& name) { return name.starts_with("p"); });
+    const bool parts = std::any_of(solved_.assumed.begin(), solved_.assumed.end(), [&](const auto& item) {
+      return std::ranges::any_of(item.second.letters(), [&](const std::string& name) {
+        return std::ranges::find(solved_.positive_parts, name) != solved_.positive_parts.end();
+      });
     });
-    add("What is assumed makes " + in_words(values) + (parts ? ", the letters $p$ being positive." : "."));
+    add("What is assumed makes " + listed(values) + (parts ? ", the letters $p$ being positive." : "."));
   }
 
   void add_comparison(const SolvedClaim::Comparison& comparison) {
@@ -157,7 +160,7 @@ class ClaimExplainer {
     for (const SolvedClaim::Datum& datum : solved_.counterexample)
       values.push_back(datum.name + " $= " + tex_.with_unit(datum.value, datum.unit.dimension) + "$");
     if (values.size() > most_values) values = {"the values that `poinsot solve` prints"};
-    std::string text = values.empty() ? "" : "Take " + in_words(values);
+    std::string text = values.empty() ? "" : "Take " + listed(values);
     if (solved_.sides) {
       // The sides are given in the unit of the claim.
       const auto si = [&](double number) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problem/explanation/figures_of_instant.h"
 #include "problem/instant/instant_conditions.h"
 #include "problem/language/scalar_value.h"
 
@@ -25,34 +26,9 @@ InstantExplainer::InstantExplainer(const Situation& situation, SolvedInstant& so
       tex_(tex),
       questions_(questions),
       explanation_(explanation),
-      figures_{{&solved.machine(), solve::MechanismState(solved.machine().mechanism)}},
+      figures_{figures_of(situation, settings, solved, before), {}},
       data_(situation, settings) {
-  InstantFigures<double>& numbers = figures_.numbers;
-  const MotionState state = solved.state();
-  numbers.now.set_positions(state.q);
-  numbers.now.set_velocities(state.v);
-  if (solved.forces_solved()) {
-    numbers.forces = true;
-    numbers.unknowns = solved.motion().value;
-    numbers.now.set_accelerations(std::vector<double>(
-        numbers.unknowns.begin(), numbers.unknowns.begin() + static_cast<std::ptrdiff_t>(state.v.size())));
-  }
-  if (solved.after_blow() && before) {
-    numbers.before.emplace(solved.machine().mechanism);
-    numbers.before->set_positions(state.q);
-    numbers.before->set_velocities(before->state().v);
-    const InstantView<double> view{situation, data_, solved.machine(), *numbers.before, solved.scales(), 0.0, nullptr};
-    numbers.blow = stated_blow(view);
-    numbers.impulses = solved.blow().value;
-  }
-  if (!formulas) return;
-  figures_.formulas.emplace(InstantFigures<Formula>{&formulas->machine(), formulas->mechanism_state()});
-  InstantFigures<Formula>& exact = *figures_.formulas;
-  exact.forces = numbers.forces;
-  exact.unknowns = formulas->unknowns();
-  if (formulas->before()) exact.before.emplace(*formulas->before());
-  exact.blow = formulas->blow();
-  exact.impulses = formulas->impulses();
+  if (formulas) figures_.formulas.emplace(figures_of(*formulas, figures_.numbers.forces));
 }
 
 Shown InstantExplainer::confirmed(double number, const std::optional<Formula>& formula) const {

@@ -131,7 +131,7 @@ class InstantExplainer {
   std::string names_of(const std::set<int>& bodies) const;
   void explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& listed);
   std::optional<ExplainedPoint> best_point(const BalancePlan& plan) const;
-  void kinetic_steps(ExplainedSection& section, const System& system, const ExplainedPoint& point);
+  void kinetic_steps(const std::string& heading, const System& system, const ExplainedPoint& point);
   void rate_step(ExplainedSection& section, int body, const ExplainedPoint& about, bool fixed);
   void force_list(ExplainedSection& section, const System& system) const;
   void extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed, ExplainedSection& section);

@@ -105,13 +105,13 @@ void InstantExplainer::rate_step(ExplainedSection& section, int body, const Expl
   section.steps.push_back(std::move(step_rate));
 }
 
-void InstantExplainer::kinetic_steps(ExplainedSection& here, const System& system, const ExplainedPoint& point) {
+void InstantExplainer::kinetic_steps(const std::string& heading, const System& system, const ExplainedPoint& point) {
   for (const int body : system.plan.bodies) {
     if (!(mechanism().tree.body(body).inertia.mass > 0)) continue;
     const bool fixed = rests(body, point.position.number);
     const ExplainedPoint G = mass_center(body);
     inertia_step(section("Inertia"), body, fixed ? &point : nullptr);
-    ExplainedSection& kinetic = section(here.heading.substr(0, here.heading.size() - suffix_.size()));
+    ExplainedSection& kinetic = section(heading);
     const auto at = static_cast<std::size_t>(body + 1);
     const ShownVector w = shown_vector([&](const auto& figures) { return figures.now.workspace().motion[at].w; });
     if (norm(w.number) > 0 && tex_.can_show(w) && !sudden())

@@ -1,24 +1,15 @@
 #include "problem/explanation/explanation_model.h"
 
 #include <algorithm>
-#include <map>
+
+#include "problem/keys/joint_kinds.h"
+#include "problem/language/words.h"
+#include "problem/machine/shape_row.h"
 
 namespace poinsot::problem {
 namespace {
 
-std::string shape_words(const Shape& shape) {
-  static const std::map<std::string, std::string> words{
-      {"rod", "slender rod"},       {"rectangle", "thin rectangular plate"},
-      {"polygon", "thin plate"},    {"triangle", "thin triangular plate"},
-      {"disk", "thin disk"},        {"semicircle", "thin half disk"},
-      {"ring", "thin ring"},        {"wire", "wire"},
-      {"box", "rectangular block"}, {"particle", "particle"}};
-  const auto found = words.find(shape.kind);
-  if (found != words.end()) return found->second;
-  std::string plain = shape.kind;
-  std::replace(plain.begin(), plain.end(), '_', ' ');
-  return plain;
-}
+std::string shape_words(const Shape& shape) { return std::string(shape_row<double>(shape.kind).words); }
 
 // An expression, followed by its value if this says more.
 class Data {
@@ -69,7 +60,7 @@ std::string body_line(const Body& body, const Data& data) {
   } else if (body.parts.size() > 1) {
     std::vector<std::string> parts;
     for (const Part& part : body.parts) parts.push_back(part_words(part));
-    line += " consists of " + in_words(parts) + (amount.empty() ? "" : "; in all " + amount);
+    line += " consists of " + listed(parts) + (amount.empty() ? "" : "; in all " + amount);
   } else {
     line += " is given by " + std::string(body.inertia ? "its mass, mass center and moments of inertia" : "numbers") +
             (amount.empty() ? "" : ", " + amount);
@@ -77,36 +68,16 @@ std::string body_line(const Body& body, const Data& data) {
   if (!body.added.empty()) {
     std::vector<std::string> parts;
     for (const Part& part : body.added) parts.push_back(part_words(part));
-    line += "; added to it: " + in_words(parts);
+    line += "; added to it: " + listed(parts);
   }
   return line;
 }
 
 std::string joint_line(const Joint& joint, const Data& data) {
   const std::string on = joint.from == "ground" ? "the ground" : "*" + joint.from + "*";
-  const std::string at = joint.at ? " through " + code(*joint.at) : "";
-  std::string line = "*" + joint.name + "* ";
-  switch (joint.kind) {
-    case JointKind::weld:
-      line += "fixes *" + joint.to + "* to " + on + " at " + code(joint.place);
-      break;
-    case JointKind::revolute:
-      line += "lets *" + joint.to + "* turn on " + on + " about the axis " + code(joint.place) + at;
-      break;
-    case JointKind::prismatic:
-      line += "lets *" + joint.to + "* slide on " + on + " along " + code(joint.place);
-      break;
-    case JointKind::ball:
-      line += "holds *" + joint.to + "* on " + on + " by a ball and socket at " + code(joint.place);
-      break;
-    default: {
-      static const std::map<JointKind, std::string> kinds{{JointKind::cylindrical, "a cylindrical joint"},
-                                                          {JointKind::universal, "a universal joint"},
-                                                          {JointKind::planar, "a planar joint"},
-                                                          {JointKind::screw, "a screw"}};
-      line += "holds *" + joint.to + "* on " + on + " by " + kinds.at(joint.kind) + " at " + code(joint.place) + at;
-    }
-  }
+  const std::string through = joint.at ? " through " + code(*joint.at) : "";
+  std::string line =
+      "*" + joint.name + "* " + joint.kind->words({"*" + joint.to + "*", on, code(joint.place), through});
   for (const Freedom& freedom : joint.freedoms) {
     const std::string of = freedom.name.empty() ? "" : " (" + freedom.name + ")";
     if (freedom.position)
@@ -135,12 +106,12 @@ std::string joint_line(const Joint& joint, const Data& data) {
     std::vector<std::string> couples;
     for (const Expression& force : support.forces) carried.push_back(code(force));
     for (const Expression& couple : support.couples) couples.push_back(code(couple));
-    std::string what = support.kind.empty() ? "" : support.kind;
-    if (!carried.empty()) what += (what.empty() ? "" : ", ") + std::string("forces along ") + in_words(carried);
-    if (!couples.empty()) what += (what.empty() ? "" : ", ") + std::string("couples about ") + in_words(couples);
+    std::string what = support.kind ? support.kind->name : "";
+    if (!carried.empty()) what += (what.empty() ? "" : ", ") + std::string("forces along ") + listed(carried);
+    if (!couples.empty()) what += (what.empty() ? "" : ", ") + std::string("couples about ") + listed(couples);
     supports.push_back("*" + support.name + "* (" + (what.empty() ? "no forces" : what) + ")");
   }
-  if (!supports.empty()) line += "; supports " + in_words(supports);
+  if (!supports.empty()) line += "; supports " + listed(supports);
   return line;
 }
 
@@ -152,17 +123,8 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
     lines.push_back("the cord *" + cord.name + "* holds *" + cord.to + "*" +
                     (cord.end ? " at " + code(*cord.end) : "") +
                     (cord.direction ? " along " + code(*cord.direction) : ""));
-  for (const Spring& spring : situation.springs)
-    lines.push_back(spring.about
-                        ? "the torsional spring *" + spring.name + "* between *" + spring.from + "* and *" + spring.to +
-                              "* acts about " + code(*spring.about)
-                        : "the spring *" + spring.name + "* joins " + code(*spring.at) + " and " + code(*spring.end));
-  for (const Load& load : situation.loads)
-    lines.push_back("on *" + load.body + "* acts the " +
-                    (load.couple ? "couple *" + load.name + "*, " + code(*load.couple)
-                                 : "force *" + load.name + "*, " + code(*load.force)) +
-                    (load.direction ? " along " + code(*load.direction) : "") +
-                    (load.at ? ", at " + code(*load.at) : ""));
+  const WrittenExpression written = [](const Expression& expression) { return code(expression); };
+  for_each_stated_law(situation, [&](const auto& law) { lines.push_back(law.words(written)); });
   for (const Impulse& impulse : situation.impulses) {
     const Expression& size = impulse.value ? *impulse.value : impulse.force ? *impulse.force : *impulse.couple;
     lines.push_back("*" + impulse.body + "* gets the impulse *" + impulse.name + "*, " + code(size) +
@@ -194,7 +156,7 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
       spins.push_back("*" + spin.body + "* spins about " + code(spin.about) + " at " +
                       data.number(spin.rate, dimensions::angular_velocity));
     lines.push_back("the motion is steady: everything rests in *" + situation.steady->frame + "*" +
-                    (spins.empty() ? "" : ", but " + in_words(spins)));
+                    (spins.empty() ? "" : ", but " + listed(spins)));
   }
 }
 
@@ -213,14 +175,14 @@ ExplainedSection model_section(const Situation& situation, const Settings& setti
     for (const Fact& fact : instant.facts)
       facts.push_back(code(to_string(fact.quantity) + " = " + to_string(fact.value)));
     for (const auto& [name, mark] : instant.nudged) facts.push_back(code(name) + " is disturbed a little");
-    if (!facts.empty()) lines.push_back("known at *" + instant.name + "*: " + in_words(facts));
+    if (!facts.empty()) lines.push_back("known at *" + instant.name + "*: " + listed(facts));
   }
   std::vector<std::string> unknown;
   for (const Unknown& item : situation.find) unknown.push_back(code(item.name));
-  if (!unknown.empty()) lines.push_back("to be found: " + in_words(unknown));
+  if (!unknown.empty()) lines.push_back("to be found: " + listed(unknown));
   std::vector<std::string> conditions;
   for (const Expression& condition : situation.where) conditions.push_back(code(condition));
-  if (!conditions.empty()) lines.push_back("where " + in_words(conditions));
+  if (!conditions.empty()) lines.push_back("where " + listed(conditions));
   ExplainedSection section{heading, {}};
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i)

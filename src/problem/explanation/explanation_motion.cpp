@@ -6,8 +6,11 @@
 #include <functional>
 #include <set>
 
+#include "poinsot/engine/dynamics/action_forces.h"
 #include "problem/explanation/explanation_figures.h"
 #include "problem/instant/instant_conditions.h"
+#include "problem/keys/joint_kinds.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {
@@ -42,8 +45,10 @@ std::vector<Candidate> candidates(const Situation& situation, const Machine& mac
   std::vector<Candidate> all;
   all.push_back(
       {"kinetic and potential energy together", "T + V", dimensions::energy, [](const solve::MechanismState& placed) {
-         const auto& tree = placed.mechanism().tree;
-         return kinetic_energy(tree, placed.workspace()) + potential_energy(tree, placed.workspace());
+         const auto& mechanism = placed.mechanism();
+         return kinetic_energy(mechanism.tree, placed.workspace()) +
+                potential_energy(mechanism.tree, placed.workspace()) +
+                stored_energy(mechanism, placed.workspace(), placed.state());
        }});
   const auto add_momentum = [&](const std::string& point, const Vector3<double>& P, const Vector3<double>& axis,
                                 const std::string& index) {
@@ -60,7 +65,8 @@ std::vector<Candidate> candidates(const Situation& situation, const Machine& mac
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3<double> axis = Vector3<double>::unit(k);
       const bool own = place->second.axis && norm(cross(drawn.direction(*place->second.axis), axis)) < 1e-9;
-      if (joint.kind == JointKind::ball || (joint.kind == JointKind::revolute && own))
+      // A joint that holds a point takes no angular momentum about an axis on which it turns freely.
+      if (joint.kind->any_turning || (own && !joint.kind->slides()))
         add_momentum("*" + joint.name + "*", P, axis, situation.axes[k]);
     }
   }
@@ -116,8 +122,7 @@ std::vector<ExplainedSection> motion_sections(const Statement& statement, std::s
                                               candidate.dimension == dimensions::energy));
     }
     if (!words.empty()) {
-      kept.text = "Along the motion " + in_words(words) +
-                  (words.size() > 1 ? " keep their values" : " keeps its value") +
+      kept.text = "Along the motion " + listed(words) + (words.size() > 1 ? " keep their values" : " keeps its value") +
                   (tex.letters_open() ? "." : " of the start:");
       section.steps.push_back(std::move(kept));
     }
@@ -129,7 +134,7 @@ std::vector<ExplainedSection> motion_sections(const Statement& statement, std::s
         std::any_of(ask.of.begin(), ask.of.end(), [](const Expression& one) { return asks_motion_feature(one); });
     if (over_time && !ask.text.empty()) looked_for.push_back("`" + ask.text + "`");
   }
-  if (!looked_for.empty()) section.steps.push_back({"Along it are looked for " + in_words(looked_for) + ".", {}});
+  if (!looked_for.empty()) section.steps.push_back({"Along it are looked for " + listed(looked_for) + ".", {}});
   std::vector<std::string> conditions;
   for (const Instant& instant : situation.instants) {
     if (situation.find.empty()) break;
@@ -140,7 +145,7 @@ std::vector<ExplainedSection> motion_sections(const Statement& statement, std::s
   if (!conditions.empty()) {
     std::vector<std::string> unknown;
     for (const Unknown& item : situation.find) unknown.push_back("`" + item.name + "`");
-    section.steps.push_back({"What is stated of it later, " + in_words(conditions) + ", fixes " + in_words(unknown) +
+    section.steps.push_back({"What is stated of it later, " + listed(conditions) + ", fixes " + listed(unknown) +
                                  ": the motion is followed for one value after the other until it holds.",
                              {}});
   }

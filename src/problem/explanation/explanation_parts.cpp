@@ -125,6 +125,7 @@ void InstantExplainer::parts_step(ExplainedSection& section, int body, const Exp
     }
   std::string head = "| part |", rule = "|---|";
   std::vector<std::string> lines;
+  lines.reserve(names.size() + 1);
   for (const std::string& name : names) lines.push_back("| " + name + " |");
   lines.emplace_back("| **sum** |");
   for (std::size_t c = 0; c < columns.size(); ++c) {

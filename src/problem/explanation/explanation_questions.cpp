@@ -30,7 +30,7 @@ class Collector {
 
   void of_at(const At& at) {
     const Sample::Home outer = home_;
-    home_ = sample_.resolve(at.instant, at.instant_mark);
+    home_ = sample_.resolve(at, at.instant_mark);
     walk(at.expression);
     home_ = outer;
   }

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "problem/explanation/explanation_instant.h"
+#include "problem/keys/joint_kinds.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 
@@ -10,8 +12,7 @@ namespace poinsot::problem {
 std::string InstantExplainer::action_symbol(const Action& action) const {
   for (const Joint& joint : situation_.joints) {
     if (action.kind != ActionKind::joint || joint.name != action.name) continue;
-    const Name* place =
-        joint.kind == JointKind::ball || joint.kind == JointKind::weld ? joint.place.as<Name>() : nullptr;
+    const Name* place = joint.kind->given == JointGiven::point ? joint.place.as<Name>() : nullptr;
     if (joint.at) place = joint.at->as<Name>();
     if (!place) break;
     const auto same_letter = [&](const Action& other) { return &other != &action && other.name == place->name; };
@@ -177,7 +178,7 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system) 
                              : action.kind == ActionKind::support
                                  ? "the support *" + action.name + "* of *" + action.joint + "*"
                                  : "the joint *" + action.name + "*";
-    items.push_back(what + ": " + in_words(symbols) + (reversed ? " (here with the opposite sign)" : ""));
+    items.push_back(what + ": " + listed(symbols) + (reversed ? " (here with the opposite sign)" : ""));
   }
   if (items.empty()) {
     here.steps.push_back({"Nothing acts from outside.", {}});
@@ -188,10 +189,10 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system) 
   here.steps.push_back({text, {}});
 }
 
-void InstantExplainer::list_unknowns(const std::vector<Symbol>& listed) {
+void InstantExplainer::list_unknowns(const std::vector<Symbol>& unknowns) {
   ExplainedStep step{"Solved for the unknowns:", {}};
   std::vector<std::string> shared, zero;
-  for (const Symbol& symbol : listed) {
+  for (const Symbol& symbol : unknowns) {
     if (!symbol.determined) {
       shared.push_back("$" + symbol.tex + "$");
       continue;
@@ -204,10 +205,10 @@ void InstantExplainer::list_unknowns(const std::vector<Symbol>& listed) {
   ExplainedSection& here = section("Unknowns");
   if (!step.equations.empty()) here.steps.push_back(std::move(step));
   if (!zero.empty())
-    here.steps.push_back({"Zero " + std::string(zero.size() > 1 ? "are " : "is ") + in_words(zero) + ".", {}});
+    here.steps.push_back({"Zero " + std::string(zero.size() > 1 ? "are " : "is ") + listed(zero) + ".", {}});
   if (!shared.empty())
     here.steps.push_back(
-        {"What the equations leave open is not asked: only combinations of " + in_words(shared) + " are determined.",
+        {"What the equations leave open is not asked: only combinations of " + listed(shared) + " are determined.",
          {}});
 }
 

@@ -5,6 +5,7 @@
 
 #include "poinsot/engine/solve/linear/linear_system.h"
 #include "problem/explanation/explanation_instant.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 
@@ -260,7 +261,7 @@ std::vector<std::set<int>> InstantExplainer::choose_systems() const {
   forces.insert(questions_.pushes.begin(), questions_.pushes.end());
   for (const std::size_t a : forces)
     if (m.actions[a].on != ground && m.actions[a].from != ground) cut.merge(between(m.actions[a]));
-  const std::vector<std::set<int>> parts = pieces(cut);
+  std::vector<std::set<int>> parts = pieces(cut);
   if (determines(parts)) return parts;
   std::vector<std::set<int>> single;
   for (const Body& body : situation_.bodies) single.push_back({figures_.numbers.machine->index.at(body.name)});
@@ -271,7 +272,7 @@ std::string InstantExplainer::names_of(const std::set<int>& bodies) const {
   std::vector<std::string> names;
   for (const Body& body : situation_.bodies)
     if (bodies.contains(figures_.numbers.machine->index.at(body.name))) names.push_back("*" + body.name + "*");
-  return in_words(names);
+  return listed(names);
 }
 
 // The point through which most unknown forces pass, so that they have no moment about it.

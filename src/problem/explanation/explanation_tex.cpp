@@ -1,12 +1,12 @@
 #include "problem/explanation/explanation_tex.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <regex>
 
 #include "poinsot/engine/math/formula/formula_text.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {
@@ -16,6 +16,15 @@ constexpr std::size_t longest_alone = 600;
 // In characters of plain text, for an equation in symbols beside the same in numbers.
 constexpr std::size_t longest_line = 150;
 constexpr double rounding = 1e-10;
+constexpr int shown_digits = 6;
+
+// A number as TeX: "0.25", "3\\cdot 10^{-7}".
+std::string tex_number(double value) {
+  const std::string digits = value == 0 ? "0" : with_digits(value, shown_digits);
+  const std::size_t exponent = digits.find('e');
+  if (exponent == std::string::npos) return digits;
+  return digits.substr(0, exponent) + "\\cdot 10^{" + std::to_string(std::stoi(digits.substr(exponent + 1))) + "}";
+}
 
 // Whether there is a sum outside all brackets.
 bool is_sum(const std::string& tex) {
@@ -86,13 +95,6 @@ double size_of(const Vector3<double>& v) { return std::max({std::abs(v.x), std::
 
 }  // namespace
 
-std::string in_words(const std::vector<std::string>& items) {
-  std::string all;
-  for (std::size_t i = 0; i < items.size(); ++i)
-    all += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
-  return all;
-}
-
 bool is_rounding(double value, double size) { return !(std::abs(value) > rounding * size); }
 
 ExplanationTex::ExplanationTex(const Situation& situation, std::vector<std::string> open)
@@ -140,21 +142,15 @@ std::string ExplanationTex::unit_tex(const Dimension& dimension, bool as_energy)
 }
 
 std::string ExplanationTex::number(double value, const Dimension& dimension) const {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value / unit(dimension).factor);
-  std::string digits = text;
-  if (digits == "-0") digits = "0";
-  const std::size_t exponent = digits.find('e');
-  if (exponent == std::string::npos) return digits;
-  const std::string power = std::to_string(std::atoi(digits.c_str() + exponent + 1));
-  return digits.substr(0, exponent) + "\\cdot 10^{" + power + "}";
+  return tex_number(value / unit(dimension).factor);
 }
 
 double ExplanationTex::rounded(double value, const Dimension& dimension) const {
-  char text[40];
   const double factor = unit(dimension).factor;
-  std::snprintf(text, sizeof text, "%.6g", value / factor);
-  return std::strtod(text, nullptr) * factor;
+  const std::string text = with_digits(value / factor, shown_digits);
+  double shown = 0;
+  std::from_chars(text.data(), text.data() + text.size(), shown);
+  return shown * factor;
 }
 
 std::string ExplanationTex::with_unit(double value, const Dimension& dimension, bool as_energy) const {
@@ -368,7 +364,7 @@ std::vector<ExplainedEquation> ExplanationTex::balance(const std::string& name, 
 std::string ExplanationTex::upright(const std::string& name) { return "\\mathrm{" + escaped(name) + "}"; }
 
 std::string ExplanationTex::symbol(const std::string& name, const std::string& index) {
-  const std::string tex = formula_as_tex(Formula::letter(name, poinsot::Sign::real));
+  std::string tex = formula_as_tex(Formula::letter(name, poinsot::Sign::real));
   if (index.empty()) return tex;
   // A name that has an index keeps it in front of the new one.
   if (tex.ends_with('}') && tex.find("_{") != std::string::npos)

@@ -113,9 +113,6 @@ class ExplanationTex {
   mutable std::vector<std::pair<Dimension, Unit>> units_;
 };
 
-// The items as an enumeration: "a, b and c".
-std::string in_words(const std::vector<std::string>& items);
-
 // Whether a number is nothing but rounding beside another.
 bool is_rounding(double value, double size);
 

@@ -78,7 +78,7 @@ FormulaInstant& FormulaAnswers::instant(const Sample::Home& home) {
 Value<Formula> FormulaAnswers::at_home(const Sample::Home& home, const Expression& expression,
                                        const std::optional<Expression>& axes) {
   return instant(home).ask(expression, axes, [&](const At& at, const Mark& mark) {
-    return instant(numbers_.resolve(at.instant, mark)).raw(at.expression, axes, nullptr);
+    return instant(numbers_.resolve(at, mark)).raw(at.expression, axes, nullptr);
   });
 }
 
@@ -159,6 +159,20 @@ bool agrees(const Value<Formula>& formula, const Value<double>& value, const Let
     if (!(std::abs(difference) <= tolerance * size + 1e-2 * tolerance * natural)) return false;
   }
   return true;
+}
+
+void take_zeros(const Value<Formula>& formula, Value<double>& value) {
+  const auto take = [](const Formula& exact, double& number) {
+    if (exact.is_zero())
+      number = 0;
+    else if (number == 0)
+      number = value_at(exact, {});
+  };
+  if (formula.is_number()) take(formula.number, value.number);
+  if (formula.is_vector())
+    for (std::size_t k = 0; k < 3; ++k) take(formula.vector[k], value.vector[k]);
+  for (std::size_t i = 0; i < std::min(formula.items.size(), value.items.size()); ++i)
+    take_zeros(formula.items[i], value.items[i]);
 }
 
 Value<Formula> substituted(const Value<Formula>& formula, const std::map<std::string, Formula>& letters) {

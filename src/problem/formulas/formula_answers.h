@@ -86,6 +86,10 @@ class FormulaAnswers {
 bool agrees(const Value<Formula>& formula, const Value<double>& value, const LetterValues& letters, double tolerance,
             double natural);
 
+// Gives a value what its formula, which has no letters, knows of its zeros: which numbers vanish exactly, and which were
+// taken for rounding and do not vanish.
+void take_zeros(const Value<Formula>& formula, Value<double>& value);
+
 // The formula with other formulas in place of letters.
 Value<Formula> substituted(const Value<Formula>& formula, const std::map<std::string, Formula>& letters);
 

@@ -78,18 +78,13 @@ void FormulaInstant::open_positions() {
 }
 
 void FormulaInstant::set_positions(const std::vector<const Instant*>& instants) {
-  for (const Instant* instant : instants)
-    for (const Fact& fact : instant->facts) {
-      const Name* name = fact.quantity.as<Name>();
-      const NamedCoordinate* coordinate = name && name->primes == 0 ? machine_.coordinate(name->name) : nullptr;
-      if (!coordinate) continue;
-      const auto k = static_cast<std::size_t>(coordinate->position);
-      const Formula value = data_->number(fact.value, coordinate->turning ? dimensions::angle : dimensions::length);
-      if (machine_.position_given[k] && !(machine_.q[k] - value).is_zero())
-        remainders_.push_back(machine_.q[k] - value);
-      machine_.q[k] = value;
-      machine_.position_given[k] = true;
-    }
+  for_each_stated_position(machine_, instants, [&](const Fact& fact, const NamedCoordinate& coordinate) {
+    const auto k = static_cast<std::size_t>(coordinate.position);
+    const Formula value = stated_position(*data_, fact, coordinate);
+    if (machine_.position_given[k] && !(machine_.q[k] - value).is_zero()) remainders_.push_back(machine_.q[k] - value);
+    machine_.q[k] = value;
+    machine_.position_given[k] = true;
+  });
   if (open_) open_positions();
   mechanism_state_->set_positions(machine_.q);
   // Loops are closed in the pose as drawn. If they do not stay closed, the pose is found by Newton's method and has
@@ -107,11 +102,8 @@ void FormulaInstant::set_positions(const std::vector<const Instant*>& instants) 
 }
 
 void FormulaInstant::solve_velocities() {
-  std::vector<solve::ConditionOf<Formula>> conditions = rate_conditions(view());
-  const FactConditions<Formula> stated = velocity_facts(view(), facts_);
-  conditions.insert(conditions.end(), stated.linear.begin(), stated.linear.end());
-  if (situation_.steady) add_steady(view(), conditions, false);
-  const auto equations = solve::velocity_equations(*mechanism_state_, scales_, conditions);
+  const StatedConditions<Formula> stated = velocity_conditions(view(), facts_);
+  const auto equations = solve::velocity_equations(*mechanism_state_, scales_, stated.linear);
   const auto open = [&](std::size_t k) {
     std::string name(equations.name(k));
     for (const NamedCoordinate& coordinate : machine_.coordinates)
@@ -156,10 +148,7 @@ solve::ExactSolution FormulaInstant::solve_with_unfixed(const solve::LinearSyste
 void FormulaInstant::solve_blow() {
   before_.emplace(*mechanism_state_);
   blow_ = stated_blow(view());
-  std::vector<const Instant*> after;
-  for (const Instant& instant : situation_.instants)
-    if (instant.name == "after") after.push_back(&instant);
-  const FactConditions<Formula> stated = velocity_facts(view(), after, &blow_);
+  const StatedConditions<Formula> stated = blow_conditions(view(), blow_);
   solve::ExactSolution solution =
       solve_with_unfixed(solve::impulse_equations(*before_, scales_, blow_, stated.linear, numbers_.blow_acting()));
   remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());
@@ -207,8 +196,7 @@ void FormulaInstant::find_forces() {
   for (const VelocityConstraint<Formula>& constraint : machine_.mechanism.constraints)
     if (constraint.shape_unknown && !constraint.carried_by)
       throw NoFormula("how a point of contact moves is not known");
-  FactConditions<Formula> stated = force_facts(view(), facts_);
-  if (situation_.steady) add_steady(view(), stated.linear, true);
+  const StatedConditions<Formula> stated = force_conditions(view(), facts_, true);
   solve::ExactSolution solution =
       solve_with_unfixed(solve::motion_equations(*mechanism_state_, scales_, stated.linear));
   remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());

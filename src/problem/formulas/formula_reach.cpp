@@ -9,6 +9,7 @@
 #include "problem/formulas/formula_answers.h"
 #include "problem/quantities/quantity_functions.h"
 #include "problem/results/compare_values.h"
+#include "problem/unknowns/asked_value.h"
 
 namespace poinsot::problem {
 namespace {
@@ -98,7 +99,7 @@ class FarSearch {
     const bool fixed = solved.state == AskState::found && !solved.formula;
     if (ask.table || ask.when || ask.extremum || (!fixed && !solved.formula)) return;
     if (solved.state != AskState::found && solved.state != AskState::needs_letters) return;
-    const Value<double> value = sample.value(ask);
+    const Value<double> value = asked_value(sample, ask);
     SolvedInstant& instant = sample.instant_of(ask);
     if (instant.forces_solved() && assume_physical(instant, sample.home(ask.of.front(), ask.mark), point.letters))
       return;

@@ -5,8 +5,10 @@
 #include <random>
 #include <set>
 
+#include "problem/entries/drawn_letters.h"
 #include "problem/formulas/formula_unknowns.h"
 #include "problem/formulas/law_search.h"
+#include "problem/unknowns/asked_value.h"
 #include "problem/unknowns/unknown_search.h"
 
 namespace poinsot::problem {
@@ -46,13 +48,17 @@ class FormulaSearch {
       return;
     }
     std::set<std::string> assumptions;
-    for (std::size_t i = 0; i < task_.statement.asks.size(); ++i) {
+    const ProgressTeller progress("looking for formulas");
+    const std::size_t count = task_.statement.asks.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      progress.tell(static_cast<double>(i) / static_cast<double>(count), i);
       SolvedAsk& ask = solution_.asks[i];
       if (ask.state != AskState::found && ask.state != AskState::needs_letters) continue;
       const auto reason = why_no_formula([&] {
         Value<Formula> formula = formula_of_ask(i);
         for (const std::string& assumption : assumptions_of(formula)) assumptions.insert(assumption);
         ask.formula = std::move(formula);
+        decide_by_formula(ask);
       });
       if (reason) ask.no_formula = *reason;
     }
@@ -75,6 +81,18 @@ class FormulaSearch {
     return formula;
   }
 
+  // What an answer depends on, and what of it is zero, its formula knows exactly. Numbers cannot tell a letter that
+  // matters little from one that does not matter.
+  void decide_by_formula(SolvedAsk& ask) const {
+    const std::vector<std::string> of_formula = letters_in(*ask.formula);
+    ask.letters.clear();
+    for (const Letter& letter : task_.open)
+      if (std::find(of_formula.begin(), of_formula.end(), letter.name) != of_formula.end())
+        ask.letters.push_back(letter.name);
+    ask.state = ask.letters.empty() ? AskState::found : AskState::needs_letters;
+    if (ask.state == AskState::found) take_zeros(*ask.formula, ask.value);
+  }
+
   void find_unknowns() {
     if (task_.unknowns.empty()) return;
     for (const Situation& situation : task_.statement.situations) {
@@ -87,9 +105,12 @@ class FormulaSearch {
     for_each_unknown([&](const Unknown& unknown, std::size_t situation, const std::string& name) {
       const Value<double>& value = task_.settings[situation].at(unknown.name);
       const bool angle = unknown.unit.dimension == dimensions::angle;
-      if (!unknown.vector) letters.push_back({name, angle, value.number});
+      double natural = 0;
+      for (const auto& [home, instant] : task_.sample.instants())
+        natural = std::max(natural, instant->natural_size(unknown.unit.dimension));
+      if (!unknown.vector) letters.push_back({name, angle, value.number, natural});
       for (std::size_t k = 0; unknown.vector && k < 3; ++k)
-        letters.push_back({component_name(unknown, situation, k), angle, value.vector[k]});
+        letters.push_back({component_name(unknown, situation, k), angle, value.vector[k], natural});
     });
     unknowns_ = solve_unknowns(answers_.remainders(), std::move(letters));
     while (checkpoints_.size() <= draws) draw();
@@ -144,7 +165,7 @@ class FormulaSearch {
     for (const Checkpoint& point : checkpoints_) {
       bool same = false;
       try {
-        same = agrees(formula, point.sample->value(ask), point.letters,
+        same = agrees(formula, asked_value(*point.sample, ask), point.letters,
                       task_.unknowns.empty() ? formula_tolerance : unknown_tolerance, task_.natural[i]) &&
                confirmed_by_particles(*point.sample);
       } catch (const StatementError& error) {
@@ -160,11 +181,9 @@ class FormulaSearch {
       AllSettings settings = task_.settings;
       for (const Letter& letter : task_.open) {
         // With unknowns the values stay close to the first ones, as roots may exist only there.
-        const double value = !task_.unknowns.empty() ? task_.settings.front().at(letter.name).number *
-                                                           std::uniform_real_distribution<double>(0.8, 1.25)(random_)
-                             : letter.unit.dimension == dimensions::angle
-                                 ? std::uniform_real_distribution<double>(0.2, 1.2)(random_)
-                                 : letter.unit.factor * std::uniform_real_distribution<double>(0.5, 2)(random_);
+        const double value = task_.unknowns.empty()
+                                 ? drawn_letter(letter, random_)
+                                 : drawn_near(task_.settings.front().at(letter.name).number, random_);
         for (Settings& one : settings) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
       }
       if (!task_.unknowns.empty()) {
@@ -182,7 +201,7 @@ class FormulaSearch {
       try {
         for (std::size_t i = 0; i < task_.statement.asks.size(); ++i)
           if (solution_.asks[i].state != AskState::undetermined && !task_.statement.asks[i].extremum)
-            sample->value(task_.statement.asks[i]);
+            asked_value(*sample, task_.statement.asks[i]);
       } catch (const StatementError&) {
         makes_sense = false;
       }

@@ -10,7 +10,9 @@ namespace poinsot::problem {
 namespace {
 
 constexpr int highest_degree = 4;
-constexpr double near_root = 1e-6;  // relative distance within which a formula belongs to the root that is meant
+// The distance within which a formula belongs to the root that is meant, as a part of the unknown: the search finds
+// roots to 1e-9 and worse where they nearly touch. And as a part of its natural size, where it vanishes.
+constexpr double near_root = 1e-6, near_nothing = 1e-12;
 
 // The coefficients of x as a polynomial in a letter, in ascending order; nothing if it is none of low degree.
 std::optional<std::vector<Formula>> polynomial_in(const Formula& x, const std::string& letter) {
@@ -133,7 +135,8 @@ std::map<std::string, Formula> solve_unknowns(std::vector<Formula> remainders, s
         std::optional<Found> candidate = solve_for(remainder, unknowns[k]);
         if (!candidate) continue;
         const double value = plain(candidate->formula);
-        if (!(std::abs(value - unknowns[k].value) <= near_root * (std::abs(unknowns[k].value) + 1e-6))) continue;
+        const double reach = near_root * std::abs(unknowns[k].value) + near_nothing * unknowns[k].natural;
+        if (!(std::abs(value - unknowns[k].value) <= reach)) continue;
         const auto cost = [](const Found& item) { return std::pair(item.degree, item.formula.terms()); };
         if (best && cost(*best) <= cost(*candidate)) continue;
         best = std::move(candidate);

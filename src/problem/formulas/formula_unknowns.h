@@ -13,7 +13,8 @@ namespace poinsot::problem {
 struct UnknownLetter {
   std::string name;
   bool angle = false;
-  double value = 0;  // at the root that is meant, where signs are decided too (PlainPointScope)
+  double value = 0;    // at the root that is meant, where signs are decided too (PlainPointScope)
+  double natural = 0;  // the natural size of such an unknown, beside which one that vanishes is found with rounding
 };
 
 // The formula to first order in letters that are small. Throws std::domain_error if it has no value where they

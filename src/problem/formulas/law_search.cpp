@@ -1,7 +1,6 @@
 #include "problem/formulas/law_search.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <set>
 
@@ -9,7 +8,9 @@
 #include "problem/formulas/formula_answers.h"
 #include "problem/formulas/scaling_law.h"
 #include "problem/instant/open_words.h"
+#include "problem/language/words.h"
 #include "problem/results/compare_values.h"
+#include "problem/unknowns/asked_value.h"
 #include "problem/unknowns/extremum.h"
 #include "problem/unknowns/unknown_search.h"
 
@@ -26,7 +27,7 @@ bool has_numbers(const Value<double>& value) {
 
 std::string road_of(const ScalingLaw& law) {
   std::string road = "by dimensional analysis";
-  if (!law.by_trial.empty()) road += " and trials of " + listed(law.by_trial, "and");
+  if (!law.by_trial.empty()) road += " and trials of " + listed(law.by_trial);
   return law.digits == 0 ? road : road + ", with numbers of " + std::to_string(law.digits) + " digits";
 }
 
@@ -49,14 +50,15 @@ class LawSearch {
         wanted.push_back(i);
     }
     if (wanted.empty()) return;
-    const auto error = solution_.checks.find("motion_error");
+    const std::map<std::string, double>& checks = solution_.checks;
+    const double error = checks.contains("motion_error") ? checks.at("motion_error") : 0;
     LetterValues base;
     std::vector<std::string> names;
     for (const Letter& letter : task_.open) {
       base[letter.name] = task_.settings.front().at(letter.name).number;
       names.push_back(letter.name);
     }
-    ScalingTrials trials(task_.open, base, !task_.unknowns.empty(), error == solution_.checks.end() ? 0 : error->second,
+    ScalingTrials trials(task_.open, base, !task_.unknowns.empty(), error,
                          [this](const LetterValues& letters) { return answers_at(letters); });
     for (const std::size_t i : wanted) add_law(trials, i);
     for (std::size_t k = 0; k < unknowns_.size(); ++k) add_unknown(trials, k, names);
@@ -89,10 +91,9 @@ class LawSearch {
       std::string untried;
       for (const ScalingTrials::Point& point : trials.turned(name)) {
         const double angle = point.letters.at(name);
-        char text[40];
-        std::snprintf(text, sizeof text, "%.3g rad", angle);
+        const std::string text = with_digits(angle, 3) + " rad";
         if (point.answers.empty() || !point.answers[i]) {
-          untried += (untried.empty() ? "" : ", ") + std::string(text);
+          untried += (untried.empty() ? "" : ", ") + text;
           continue;
         }
         if (agrees(law.formula, *point.answers[i], point.letters, 1e-6, size_of(*trials.base().answers[i]))) continue;
@@ -136,8 +137,8 @@ class LawSearch {
       const Ask& ask = task_.statement.asks[i];
       if (solution_.asks[i].state != AskState::needs_letters || ask.table) continue;
       try {
-        answers[i] =
-            ask.extremum ? ExtremumSearch(task_.statement, ask, *settings, choice).find().value : sample.value(ask);
+        answers[i] = ask.extremum ? ExtremumSearch(task_.statement, ask, *settings, choice).find().value
+                                  : asked_value(sample, ask);
       } catch (const StatementError&) {
         continue;
       }
@@ -219,7 +220,7 @@ void tell_laws(const Statement& statement, Solution& solution) {
   };
   for (std::size_t i = 0; i < solution.asks.size(); ++i) add(statement.asks[i].name, solution.asks[i].formula_road);
   for (const SolvedUnknown& unknown : solution.unknowns) add(unknown.name, unknown.formula_road);
-  for (const auto& [road, names] : found_by) solution.notes.push_back(listed(names, "and") + " " + road);
+  for (const auto& [road, names] : found_by) solution.notes.push_back(listed(names) + " " + road);
 }
 
 }  // namespace poinsot::problem

@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace poinsot::problem {
@@ -15,8 +15,9 @@ constexpr std::array independent{Factor::letter, Factor::half_sine, Factor::half
 
 Formula decimal(double number, int places) {
   char text[64];
-  std::snprintf(text, sizeof text, "%.*e", std::min(places, 17), number);
-  return Formula::number(text);
+  const auto end =
+      std::to_chars(text, text + sizeof text, number, std::chars_format::scientific, std::min(places, 17)).ptr;
+  return Formula::number(std::string(text, end));
 }
 
 }  // namespace
@@ -84,7 +85,7 @@ Formula formula_of(Factor factor, const Formula& letter) {
 }
 
 Formula power_of(const Formula& base, int halves) {
-  const Formula whole = pow(base, halves / 2);
+  Formula whole = pow(base, halves / 2);
   if (halves % 2 == 0) return whole;
   return halves > 0 ? whole * sqrt(base) : whole / sqrt(base);
 }

@@ -129,7 +129,7 @@ class OneNumber {
       if (dimension.size() > 0 && dimension.norm() > exponent_to) throw NoFormula(other_scales);
       return Eigen::VectorXd(0);
     }
-    const Eigen::VectorXd exponents = matrix.colPivHouseholderQr().solve(dimension);
+    Eigen::VectorXd exponents = matrix.colPivHouseholderQr().solve(dimension);
     if ((matrix * exponents - dimension).norm() > exponent_to) throw NoFormula(other_scales);
     return exponents;
   }

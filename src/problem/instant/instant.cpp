@@ -6,7 +6,9 @@
 
 #include "poinsot/engine/solve/instant/closure.h"
 #include "poinsot/engine/solve/instant/constraint_check.h"
+#include "poinsot/engine/solve/stability/spectrum_check.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
 #include "problem/machine/contact_limits.h"
 
 namespace poinsot::problem {
@@ -39,9 +41,9 @@ MachineOptions SolvedInstant::machine_options(double time, const std::optional<s
   options.time = time;
   options.lenient = choice_.trial;
   options.loads = loads;
-  if (choice_.gravity) {
+  if (choice_.gravity > 0) {
     std::mt19937_64 random(choice_.seed + 1);
-    std::uniform_real_distribution<double> size(-10, 10);
+    std::uniform_real_distribution<double> size(-choice_.gravity, choice_.gravity);
     options.open_gravity = {size(random), size(random), size(random)};
   }
   return options;
@@ -126,48 +128,51 @@ std::vector<const Instant*> instants_at_start(const Situation& situation) {
   return found;
 }
 
+// A fact about positions that is a mere name must name a coordinate. What others demand of positions is considered in
+// position_facts().
+void SolvedInstant::refuse_misnamed_positions(const std::vector<const Instant*>& instants) const {
+  for (const Instant* instant : instants)
+    for (const Fact& fact : instant->facts) {
+      const Name* name = fact.quantity.as<Name>();
+      if (!name || level_of(situation_, fact.quantity) != Level::position) continue;
+      if (name->primes == 0 && machine_.coordinate(name->name)) continue;
+      std::vector<std::string> names;
+      for (const NamedCoordinate& c : machine_.coordinates)
+        if (!c.name.empty()) names.push_back(c.name);
+      fail(situation_.file, fact.mark, "'" + to_string(fact.quantity) + "' is no coordinate",
+           did_you_mean(to_string(fact.quantity), names));
+    }
+}
+
 void SolvedInstant::set_positions(const std::vector<const Instant*>& instants) {
   std::vector<double> q = machine_.q;
   std::vector<bool> given = machine_.position_given;
-  for (const Instant* instant : instants) {
-    for (const Fact& fact : instant->facts) {
-      if (level_of(situation_, fact.quantity) != Level::position) continue;
-      const Name* name = fact.quantity.as<Name>();
-      const NamedCoordinate* coordinate = name && name->primes == 0 ? machine_.coordinate(name->name) : nullptr;
-      if (!coordinate && !name) continue;  // its demands on positions are considered in position_facts()
-      if (!coordinate) {
-        std::vector<std::string> names;
-        for (const NamedCoordinate& c : machine_.coordinates)
-          if (!c.name.empty()) names.push_back(c.name);
-        fail(situation_.file, fact.mark, "'" + to_string(fact.quantity) + "' is no coordinate",
-             did_you_mean(to_string(fact.quantity), names));
-      }
-      const auto k = static_cast<std::size_t>(coordinate->position);
-      const double value = data_->number(fact.value, coordinate->turning ? dimensions::angle : dimensions::length);
-      // The same value, written in another way, differs by the rounding of a few operations: of itself, and of a radian
-      // or the length of the machine where it is what is left of larger ones. Ten times more would be another value to
-      // a reader of twelve digits.
-      const double size = std::abs(value) + (coordinate->turning ? 1 : scales_.length);
-      if (given[k] && std::abs(q[k] - value) > 1e-12 * size)
-        fail(situation_.file, fact.mark, "'" + name->name + "' already has another value", "state it once");
-      q[k] = value;
-      given[k] = true;
-    }
-  }
+  refuse_misnamed_positions(instants);
+  for_each_stated_position(machine_, instants, [&](const Fact& fact, const NamedCoordinate& coordinate) {
+    const auto k = static_cast<std::size_t>(coordinate.position);
+    const double value = stated_position(*data_, fact, coordinate);
+    // The same value, written in another way, differs by the rounding of a few operations: of itself, and of a radian
+    // or the length of the machine where it is what is left of larger ones. Ten times more would be another value to
+    // a reader of twelve digits.
+    const double size = std::abs(value) + (coordinate.turning ? 1 : scales_.length);
+    if (given[k] && std::abs(q[k] - value) > 1e-12 * size)
+      fail(situation_.file, fact.mark, "'" + coordinate.name + "' already has another value", "state it once");
+    q[k] = value;
+    given[k] = true;
+  });
   const solve::Closure closure = solve::close_pose(machine_.mechanism, q, given);
   // Newton's method closes what can be closed to some 1e-14 of the machine's length. What stays open by more than this
   // part of it does not close; a part ten times larger would be what the check of constraints by geometry refuses.
   if (closure.relative > 1e-9) {
     Mark mark = situation_.joints.empty() ? Mark{1, 1} : situation_.joints.front().mark;
     for (const Joint& joint : situation_.joints)
-      if (closure.where.find("'" + joint.name + "'") != std::string::npos) mark = joint.mark;
+      if (joint.name == machine_.constraint_joints[closure.constraint]) mark = joint.mark;
     for (const NamedCoordinate& coordinate : machine_.coordinates)
       if (given[static_cast<std::size_t>(coordinate.position)] && q[static_cast<std::size_t>(coordinate.position)] != 0)
         mark = coordinate.mark;
-    char text[200];
-    std::snprintf(text, sizeof text, "the mechanism does not close in the stated pose: %s is open by %.3g",
-                  closure.where.c_str(), closure.gap);
-    fail(situation_.file, mark, text,
+    fail(situation_.file, mark,
+         "the mechanism does not close in the stated pose: " +
+             machine_.mechanism.constraints[closure.constraint].words + " is open by " + with_digits(closure.gap, 3),
          "the values of the coordinates do not fit together, or no position of the others closes the loop");
   }
   machine_.q = closure.q;
@@ -212,16 +217,15 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
     mechanism_state_->set_velocities(v_);
     return;
   }
-  std::vector<solve::Condition> conditions = rate_conditions(view());
-  FactConditions<double> stated = velocity_facts(view(), instants);
-  std::move(stated.linear.begin(), stated.linear.end(), std::back_inserter(conditions));
-  if (situation_.steady) add_steady(view(), conditions, false);
-  velocity_equations_ = solve::velocity_equations(*mechanism_state_, scales_, conditions);
+  StatedConditions<double> stated = velocity_conditions(view(), instants);
+  velocity_equations_ = solve::velocity_equations(*mechanism_state_, scales_, stated.linear);
+  sources_[System::velocities] = std::move(stated.sources);
   velocities_ = velocity_equations_.solve();
   if (choice_.trial)
     take_misfits(velocities_);
   else if (!velocities_.conflict.empty())
-    contradiction(velocity_equations_, velocities_, false);
+    contradiction(System::velocities, velocities_);
+  mechanism_state_->set_velocities(velocities_.value);
   hold_nonlinear(System::velocities, stated.nonlinear, velocities_);
   v_ = velocities_.value;
   if (choice_.velocities) {
@@ -237,7 +241,7 @@ void SolvedInstant::solve_velocities(const std::vector<const Instant*>& instants
 }
 
 QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, const std::optional<Expression>& axes,
-                                               const Elsewhere& elsewhere) {
+                                               const Elsewhere& elsewhere, const MotionFeatureValues& features) {
   // A question about the whole motion finds forces along the motion.
   const Call* call = expression.as<Call>();
   const bool of_motion = (call && is_motion_feature(*call)) || !asks_forces(situation_, expression);
@@ -262,19 +266,19 @@ QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, con
   if (before_) quantities.set_blow(&*before_, &blow_, &impulses_);
   if (axes) quantities.set_axes(*axes);
   if (elsewhere) quantities.set_elsewhere(elsewhere);
-  quantities.set_motion(feature_);
+  quantities.set_motion_features(features);
   quantities.set_linearisation([this](const Mark& mark) -> const solve::Linearisation& { return linearisation(mark); });
   return quantities;
 }
 
 Value<double> SolvedInstant::raw(const Expression& expression, const std::optional<Expression>& axes,
-                                 const Elsewhere& elsewhere) {
-  return scope_for(expression, axes, elsewhere).value(expression);
+                                 const Elsewhere& elsewhere, const MotionFeatureValues& features) {
+  return scope_for(expression, axes, elsewhere, features).value(expression);
 }
 
 Value<double> SolvedInstant::ask(const Expression& expression, const std::optional<Expression>& axes,
-                                 const Elsewhere& elsewhere) {
-  QuantityScope<double> quantities = scope_for(expression, axes, elsewhere);
+                                 const Elsewhere& elsewhere, const MotionFeatureValues& features) {
+  QuantityScope<double> quantities = scope_for(expression, axes, elsewhere, features);
   Value<double> value = quantities.value(expression);
   const auto on_axes = [&](const auto& self, Value<double>& v) -> void {
     if (v.is_vector()) v.vector = transpose_times(quantities.axes(), v.vector);
@@ -285,7 +289,7 @@ Value<double> SolvedInstant::ask(const Expression& expression, const std::option
 }
 
 double SolvedInstant::number(const Expression& expression, const std::optional<Expression>& axes) {
-  return scope_for(expression, axes, nullptr).value(expression).number;
+  return raw(expression, axes, nullptr).number;
 }
 
 double SolvedInstant::pace() const { return natural_size(dimensions::none / dimensions::time); }
@@ -312,6 +316,10 @@ double SolvedInstant::natural_size(const Dimension& d) const {
 
 SolvedInstant::Residuals SolvedInstant::check() const {
   Residuals residuals;
+  if (linearisation_) {
+    Mechanism<double> near;
+    residuals.stability = solve::spectrum_misfit(steady_motion({1, 1}, near), *linearisation_);
+  }
   std::vector<solve::CheckBody> bodies;
   double impulse_size = 0, impulse_moment_size = 0, impulse_misfit = 0, impulse_moment_misfit = 0;
   const Mechanism<double>& mechanism = machine_.mechanism;

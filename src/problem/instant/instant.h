@@ -20,13 +20,15 @@ namespace poinsot::problem {
 struct OpenChoice {
   std::uint64_t seed = 0;     // of the random choices
   bool any = false;           // values given as `any`
-  bool gravity = false;       // whether to vary gravity, if nothing is said of it
+  double gravity = 0;         // the size of gravity, m/s^2, if nothing is said of it and it is to be varied; else 0
   bool velocities = false;    // whether to vary velocities that nothing determines
   bool forces = false;        // the same for accelerations, forces and impulses
   std::size_t direction = 0;  // the index of the open direction that is varied, or `every`
 
   static constexpr std::size_t every = static_cast<std::size_t>(-1);
   bool trial = false;  // whether unknowns have trial values, so that what does not hold is a misfit and no error
+  // In a trial, which of the cords and one-sided contacts give way in a blow, a bit each in the order of the machine.
+  std::size_t giving_way = 0;
   std::optional<solve::Scales> scales = {};  // units of misfits; those natural to the machine if left out
   std::size_t most_changes = 500;            // of contacts and cords that hold, until a motion is given up
 };
@@ -42,7 +44,6 @@ bool follows_time(const Situation& situation);
 // Whether a coordinate turns a body about a line on which all of its mass lies. The second function lists all such
 // coordinates.
 bool turns_nothing(const Machine& machine, int coordinate);
-std::vector<int> still_coordinates(const Machine& machine);
 // Whether the motion leads to an instant: it is given by a time or by a condition.
 bool is_later(const Situation& situation, const Instant& instant);
 
@@ -89,18 +90,16 @@ class SolvedInstant {
   // Evaluates what stands before an `@`, at another instant.
   using Elsewhere = std::function<Value<double>(const At& at, const Mark& mark)>;
   // The value of an ask on the given axes, or on ground axes if none are given; vectors have components on these
-  // axes.
-  Value<double> ask(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere);
+  // axes. `features` are the values of extremes and periods over the motion that stand in the expression.
+  Value<double> ask(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere,
+                    const MotionFeatureValues& features = {});
   // The same, but vectors are on ground axes.
-  Value<double> raw(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere);
+  Value<double> raw(const Expression& expression, const std::optional<Expression>& axes, const Elsewhere& elsewhere,
+                    const MotionFeatureValues& features = {});
   // The value of an expression that is a number, in SI units.
   double number(const Expression& expression, const std::optional<Expression>& axes);
   // How far the facts fail to hold here, in natural units.
-  std::vector<double> fact_misfits(const std::vector<const Fact*>& facts);
-  // Evaluates extremes and periods over the motion, for expressions that contain them.
-  using Feature =
-      std::function<Value<double>(const Call& call, const std::optional<Expression>& axes, const Mark& mark)>;
-  void set_motion(Feature feature) { feature_ = std::move(feature); }
+  std::vector<double> fact_misfits(const std::vector<const Fact*>& facts, const MotionFeatureValues& features = {});
   // The natural size of a quantity of this dimension here.
   double natural_size(const Dimension& dimension) const;
 
@@ -120,16 +119,19 @@ class SolvedInstant {
   const std::vector<double>& misfits() const { return misfits_; }
   // The number of misfits at the beginning that belong to facts about positions.
   std::size_t position_misfits() const { return position_misfits_; }
-  const std::vector<std::string>& position_words() const { return position_words_; }  // a description of each of them
+  const std::vector<ConditionSource>& position_sources() const { return position_sources_; }  // what states each
   const solve::Scales& scales() const { return scales_; }
   double misfit_size() const { return misfit_size_; }  // the size of the largest term in these equations
   // What is left of facts that are not linear if the unknowns of a system have these values.
   using System = InstantSystem;
   struct NonlinearMisfit {
-    std::string words;
+    ConditionSource source;
     double value = 0, size = 0;  // in natural units; the size is that of the sides
   };
   std::vector<NonlinearMisfit> nonlinear_misfits(System system, const std::vector<double>& unknowns) const;
+  const solve::LinearSystem& equations_of(System system) const;
+  // What states an equation of a system; no instant for those that nothing under instants: or facts: states.
+  ConditionSource source_of(System system, std::size_t equation) const;
 
   // A cord that would have to push or a contact that would have to pull.
   struct OneSidedFault {
@@ -149,6 +151,8 @@ class SolvedInstant {
     solve::CheckResult particles;
     double impulse = 0;                   // momenta before + impulses - momenta after (Eq. 17.4), relative
     std::optional<double> constraints{};  // if there are any: by how much they are open or come apart, relative
+    // If rates were told and a second road to them is known: how far from these they are, as a part of the pace.
+    std::optional<double> stability{};
   };
   Residuals check() const;
 
@@ -157,12 +161,12 @@ class SolvedInstant {
   void build(double time, const std::optional<std::vector<std::string>>& loads);
   Machine machine_from(DataScope<double>& data, double time, const std::optional<std::vector<std::string>>& loads);
   MachineOptions machine_options(double time, const std::optional<std::vector<std::string>>& loads) const;
+  void refuse_misnamed_positions(const std::vector<const Instant*>& instants) const;
   void set_positions(const std::vector<const Instant*>& instants);
   void solve_velocities(const std::vector<const Instant*>& instants, const std::optional<std::vector<double>>& v);
   void position_facts(const std::vector<const Instant*>& instants);
   InstantView<double> view() const;
-  // The fact in words: "'now': mass(bar)".
-  std::string fact_words(const Fact& fact) const;
+  ConditionSource source_of(const Fact& fact) const;
   std::vector<const Fact*> state_motion_equations();  // returns the facts that are not linear
   void solve_motion_equations(const std::vector<const Fact*>& nonlinear);
   // Checks that facts which are not linear hold for the solution.
@@ -172,16 +176,20 @@ class SolvedInstant {
     double size = 0;  // the size of the larger side
   };
   FactSides sides_of(const Fact& fact, System system, const std::vector<double>& unknowns) const;
+  // This motion as a steady one, told of a mechanism that must outlive it.
+  solve::SteadyMotion steady_motion(const Mark& mark, Mechanism<double>& mechanism) const;
   void release(const std::vector<bool>& acting);
+  // The forces or impulses of cords and one-sided contacts among unknowns in which those of components begin at
+  // `first`.
+  std::vector<std::size_t> one_sided_unknowns(std::size_t first) const;
   void solve_blow();
   std::mt19937_64& random();
   void take_misfits(const solve::LinearSolution& solution);
   void move_along(const solve::LinearSolution& solution, std::vector<double>& values, double pace = 1);
   double natural_unit(const Dimension& dimension) const { return problem::natural_unit(scales_, dimension); }
-  [[noreturn]] void contradiction(const solve::LinearSystem& equations, const solve::LinearSolution& solution,
-                                  bool forces);
+  [[noreturn]] void contradiction(System system, const solve::LinearSolution& solution);
   QuantityScope<double> scope_for(const Expression& expression, const std::optional<Expression>& axes,
-                                  const Elsewhere& elsewhere);
+                                  const Elsewhere& elsewhere, const MotionFeatureValues& features);
 
   const Situation& situation_;
   const Settings& settings_;
@@ -200,7 +208,6 @@ class SolvedInstant {
   bool moving_ = false;        // whether it moves along a motion, so that nothing is stated about this instant
   std::optional<std::size_t> built_stage_;  // the stage of a motion for which the machine is built
   std::vector<bool> built_acting_;
-  Feature feature_;
   std::vector<const Instant*> facts_;
   std::vector<double> v_;
   solve::LinearSystem velocity_equations_, motion_equations_;
@@ -210,9 +217,10 @@ class SolvedInstant {
   std::optional<solve::Linearisation> linearisation_;
   std::vector<double> misfits_;
   std::size_t position_misfits_ = 0;
-  std::vector<std::string> position_words_;
+  std::vector<ConditionSource> position_sources_;
   double misfit_size_ = 0;
   std::map<System, std::vector<const Fact*>> nonlinear_;
+  std::map<System, std::vector<ConditionSource>> sources_;  // of the conditions among the equations of each system
   // If this is the instant after a blow: the state before it, and the velocities after it with all impulses.
   std::optional<solve::MechanismState> before_;
   solve::Blow blow_;

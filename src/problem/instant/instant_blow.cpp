@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "problem/instant/instant.h"
+#include "problem/instant/one_sided_shares.h"
 #include "problem/language/diagnostic.h"
 
 namespace poinsot::problem {
@@ -49,10 +50,8 @@ void SolvedInstant::solve_blow() {
            "check the direction under pushes: and the motion before");
     }
   }
-  std::vector<const Instant*> after;
-  for (const Instant& instant : situation_.instants)
-    if (instant.name == "after") after.push_back(&instant);
-  const FactConditions<double> stated = velocity_facts(view(), after, &blow_);
+  const StatedConditions<double> stated = blow_conditions(view(), blow_);
+  sources_[System::blow] = stated.sources;
 
   // Cords and one-sided contacts may act in the blow or give way. The right choice is the one in which no cord that
   // acts pushes, no contact that acts pulls, no cord is stretched and no contact penetrated.
@@ -63,16 +62,31 @@ void SolvedInstant::solve_blow() {
   if (one_sided.size() > 12)
     fail(situation_.file, place_of_blow(situation_), "more than 12 cords and contacts in one blow are too many");
   const std::size_t n = static_cast<std::size_t>(mechanism.tree.velocity_size());
-  const double impulse_unit = natural_unit(dimensions::momentum);
+  // An impulse that pulls by less than this part of the largest, or of the momenta before and after, is the rounding of
+  // its equation: some thousand roundings of the momenta, and as much more as impulses beyond them add.
+  constexpr double of_largest = 1e-9, of_momenta = 1e-13;
+  const double momenta_before = natural_size(dimensions::momentum);
+  const auto rounding = [&](const std::vector<double>& solved) {
+    double largest = 0, fastest = 0;
+    for (std::size_t k = 0; k < solved.size(); ++k) {
+      if (k >= n)
+        largest = std::max(largest, std::abs(solved[k]));
+      else
+        fastest =
+            std::max(fastest, std::abs(solved[k]) *
+                                  (solve::coordinate_turns(mechanism.tree, static_cast<int>(k)) ? scales_.length : 1));
+    }
+    return std::max(of_largest * largest, of_momenta * std::max(momenta_before, scales_.mass * fastest));
+  };
   bool all_contradict = true;  // for all choices of cords and contacts that act
-  for (std::size_t choice = 0; choice < (std::size_t{1} << one_sided.size()); ++choice) {
+  const std::size_t choices = std::size_t{1} << one_sided.size();
+  for (std::size_t choice = choice_.trial ? choice_.giving_way % choices : 0; choice < choices; ++choice) {
     std::vector<bool> acting(mechanism.actions.size(), true);
     for (std::size_t k = 0; k < one_sided.size(); ++k) acting[one_sided[k]] = !(choice >> k & 1);
     solve::LinearSystem equations;
     solve::LinearSolution solution = solve::solve_impulse(*before_, scales_, blow_, stated.linear, acting, &equations);
-    const bool last = choice + 1 == (std::size_t{1} << one_sided.size());
-    double largest = 0;
-    for (std::size_t k = n; k < solution.value.size(); ++k) largest = std::max(largest, std::abs(solution.value[k]));
+    const bool last = choice + 1 == choices;
+    if (!choice_.trial) share_without_pull(solution, one_sided_unknowns(n), n);
     bool good = choice_.trial || solution.conflict.empty();
     all_contradict = all_contradict && !good;
     if (!good && choice == 0) {
@@ -82,7 +96,7 @@ void SolvedInstant::solve_blow() {
     for (std::size_t k = 0; good && k < mechanism.components.size(); ++k) {
       const auto action = static_cast<std::size_t>(mechanism.components[k].action);
       if (mechanism.components[k].one_sided && acting[action])
-        good = solution.value[n + k] >= -1e-9 * (largest + 1e-6 * impulse_unit);
+        good = solution.value[n + k] >= -rounding(solution.value);
     }
     for (std::size_t i = 0; good && i < mechanism.constraints.size(); ++i) {
       const VelocityConstraint<double>& constraint = mechanism.constraints[i];
@@ -97,9 +111,8 @@ void SolvedInstant::solve_blow() {
     }
     if (!good && !last && !choice_.trial) continue;
     if (!good && !choice_.trial) {
-      facts_.insert(facts_.end(), after.begin(), after.end());
       // The reason is not in the cords and contacts. With all of them acting the contradiction is named most clearly.
-      if (all_contradict) contradiction(blow_equations_, blow_solution_, true);
+      if (all_contradict) contradiction(System::blow, blow_solution_);
       fail(situation_.file, place_of_blow(situation_),
            "no motion after the blow fits: whichever cords and contacts act, one would have to push or pull the wrong "
            "way");
@@ -114,7 +127,7 @@ void SolvedInstant::solve_blow() {
   impulses_ = blow_solution_.value;
   if (choice_.forces) move_along(blow_solution_, impulses_);
   for (std::size_t k = 0; k < blow_.impacts.size(); ++k)
-    if (impulses_[impulses_.size() - blow_.impacts.size() + k] < -1e-9 * impulse_unit && !choice_.forces)
+    if (impulses_[impulses_.size() - blow_.impacts.size() + k] < -rounding(impulses_) && !choice_.forces)
       fail(situation_.file, impact_named(situation_, blow_.impacts[k].name).mark,
            "the impact '" + blow_.impacts[k].name + "' would have to pull", "check the direction under pushes:");
   v_.assign(impulses_.begin(), impulses_.begin() + static_cast<std::ptrdiff_t>(n));

@@ -35,25 +35,59 @@ struct InstantView {
   const solve::MechanismStateOf<Scalar>* before = nullptr;
 };
 
-// The conditions that facts impose on the unknowns of an instant's equations.
-template <class Scalar>
-struct FactConditions {
-  std::vector<solve::ConditionOf<Scalar>> linear;
-  std::vector<const Fact*> nonlinear;  // these determine no unknowns but must hold for the solution
+// What states a condition: a fact of an instant, or the instant where everything rests; without an instant a joint or
+// a frame, or, without a mark, the steady motion.
+struct ConditionSource {
+  Mark mark;
+  const Instant* instant = nullptr;
+  const Fact* fact = nullptr;
 };
 
-// Conditions on velocity coordinates: the rates that joints and frames state.
+// What is stated of the unknowns of an instant's equations.
 template <class Scalar>
-std::vector<solve::ConditionOf<Scalar>> rate_conditions(const InstantView<Scalar>& view);
-// Conditions on velocity coordinates: rest, and facts about velocities. blow: for instants just after it, conditions
-// on the velocities and impulses in the order of solve::impulse_unknowns.
+struct StatedConditions {
+  std::vector<solve::ConditionOf<Scalar>> linear;
+  std::vector<ConditionSource> sources;  // of each linear condition
+  std::vector<const Fact*> nonlinear;    // these determine no unknowns but must hold for the solution
+
+  void add(solve::ConditionOf<Scalar> condition, const ConditionSource& source) {
+    linear.push_back(std::move(condition));
+    sources.push_back(source);
+  }
+};
+
+// Conditions on velocity coordinates: the rates that joints and frames state, rest, facts about velocities, and a
+// steady motion.
 template <class Scalar>
-FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants,
-                                      const solve::BlowOf<Scalar>* blow = nullptr);
-// Conditions on accelerations and forces in the order of solve::force_unknowns: what joints and facts state. The
-// state must have its velocities.
+StatedConditions<Scalar> velocity_conditions(const InstantView<Scalar>& view,
+                                             const std::vector<const Instant*>& instants);
+// Conditions on the velocities just after a blow and on its impulses, in the order of solve::impulse_unknowns: the
+// facts about the instant `after`. The view has the state before the blow.
 template <class Scalar>
-FactConditions<Scalar> force_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants);
+StatedConditions<Scalar> blow_conditions(const InstantView<Scalar>& view, const solve::BlowOf<Scalar>& blow);
+// Conditions on accelerations and forces in the order of solve::force_unknowns: what joints and facts state, and, if
+// this instant itself belongs to it, the steady motion. The state must have its velocities.
+template <class Scalar>
+StatedConditions<Scalar> force_conditions(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants,
+                                          bool steady);
+
+// Calls visit(fact, coordinate) for each fact that states where a coordinate of the machine is.
+template <class Scalar, class Visit>
+void for_each_stated_position(const MachineOf<Scalar>& machine, const std::vector<const Instant*>& instants,
+                              const Visit& visit) {
+  for (const Instant* instant : instants)
+    for (const Fact& fact : instant->facts) {
+      const Name* name = fact.quantity.as<Name>();
+      if (const NamedCoordinate* stated = name && name->primes == 0 ? machine.coordinate(name->name) : nullptr)
+        visit(fact, *stated);
+    }
+}
+// The position that a fact states for a coordinate, rad or m.
+template <class Scalar>
+Scalar stated_position(DataScope<Scalar>& data, const Fact& fact, const NamedCoordinate& coordinate) {
+  return data.number(fact.value, coordinate.turning ? dimensions::angle : dimensions::length);
+}
+
 // The misfits of facts about positions, mass centers and mass properties, with their facts.
 template <class Scalar>
 std::vector<std::pair<const Fact*, Difference<Scalar>>> position_differences(
@@ -66,8 +100,7 @@ std::vector<Difference<Scalar>> differences(const Fact& fact, QuantityScope<Scal
 // change, except for bodies of revolution that turn about their own axes. Other bodies have the angular velocity of
 // the frame plus their spin, and their mass centers move with the frame.
 template <class Scalar>
-void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<Scalar>>& conditions,
-                bool accelerations);
+void add_steady(const InstantView<Scalar>& view, bool accelerations, StatedConditions<Scalar>& conditions);
 
 // The linear equations of an instant.
 enum class InstantSystem { velocities, blow, motion };
@@ -92,5 +125,9 @@ solve::BlowOf<Scalar> stated_blow(const InstantView<Scalar>& view);
 // a natural length of the machine, m.
 template <class Scalar>
 bool turns_unseen(const Model<Scalar>& tree, int body, double length);
+
+// Tells that the surfaces of a contact are not known well enough to say how its point moves.
+Diagnostic unknown_surface(const Situation& situation, const Machine& machine,
+                           const VelocityConstraint<double>& constraint);
 
 }  // namespace poinsot::problem

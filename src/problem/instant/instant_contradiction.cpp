@@ -1,38 +1,39 @@
 // The message if the equations of an instant contradict each other.
-#include <algorithm>
-#include <string_view>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
 #include "problem/machine/gimbal_lock.h"
 
 namespace poinsot::problem {
 
-void SolvedInstant::contradiction(const solve::LinearSystem& equations, const solve::LinearSolution& solution,
-                                  bool forces) {
+const solve::LinearSystem& SolvedInstant::equations_of(System system) const {
+  return system == System::velocities ? velocity_equations_
+         : system == System::blow     ? blow_equations_
+                                      : motion_equations_;
+}
+
+void SolvedInstant::contradiction(System system, const solve::LinearSolution& solution) {
+  const solve::LinearSystem& equations = equations_of(system);
   std::vector<std::string> names;
-  Mark mark{1, 1};
-  std::optional<Mark> fact_mark;
+  std::optional<Mark> rate_mark, rest_mark, fact_mark;
+  bool only_balance = system == System::motion;
   for (std::size_t equation : solution.conflict) {
-    const std::string_view words = equations.words(equation);
-    if (std::find(names.begin(), names.end(), words) == names.end()) names.emplace_back(words);
+    add_once(names, std::string(equations.words(equation)));
+    const solve::EquationKind kind = equations.source(equation).kind;
+    only_balance = only_balance && kind == solve::EquationKind::balance;
+    const ConditionSource source = source_of(system, equation);
+    if (source.mark == Mark{}) continue;
+    (source.fact ? fact_mark : source.instant ? rest_mark : rate_mark) = source.mark;
   }
-  for (const auto* list : {&machine_.rates, &machine_.accelerations})
-    for (const StatedRate& rate : *list)
-      if (std::find(names.begin(), names.end(), rate.words) != names.end()) mark = rate.mark;
-  for (const Instant* instant : facts_)
-    for (const std::string& name : names) {
-      if (name.starts_with("'" + instant->name + "'")) mark = instant->mark;
-      for (const Fact& fact : instant->facts)
-        if (name == "'" + instant->name + "': " + to_string(fact.quantity)) fact_mark = fact.mark;
-    }
-  if (fact_mark) mark = *fact_mark;
+  // A fact is the easiest to correct.
+  Mark mark = fact_mark ? *fact_mark : rest_mark ? *rest_mark : rate_mark.value_or(Mark{1, 1});
   std::string all;
   for (std::size_t i = 0; i < names.size() && i < 8; ++i) all += (all.empty() ? "" : "; ") + names[i];
   if (names.size() > 8) all += "; ...";
-  const bool only_balance = forces && std::all_of(names.begin(), names.end(), [](const std::string& name) {
-                              return name.starts_with("forces on ") || name.starts_with("moments on ");
-                            });
   if (only_balance) {
     if (const auto lock = gimbal_lock(machine_, machine_.q))
       throw UnansweredError(situation_.file, mark, *lock + ": there they cannot follow the motion", beside_gimbal_lock);

@@ -13,6 +13,7 @@
 #include "problem/language/exact_numbers.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/scalar_value.h"
+#include "problem/quantities/asks_model.h"
 
 namespace poinsot::problem {
 namespace {
@@ -26,6 +27,30 @@ std::string words_of(const Instant& instant, const Fact& fact) {
   return "'" + instant.name + "': " + to_string(fact.quantity);
 }
 
+// Adds the rates, or the accelerations, that joints and frames state; n: the number of unknowns.
+template <class Scalar>
+void add_rates(const InstantView<Scalar>& view, const std::vector<StatedRateOf<Scalar>>& rates, std::size_t n,
+               StatedConditions<Scalar>& conditions) {
+  for (const StatedRateOf<Scalar>& rate : rates) {
+    solve::ConditionOf<Scalar> condition{rate.words, std::vector<Scalar>(n), rate.value,
+                                         rate.turning ? 1 : view.scales.length};
+    condition.coefficients[static_cast<std::size_t>(rate.velocity)] = Scalar(1);
+    conditions.add(std::move(condition), {rate.mark});
+  }
+}
+
+// Adds a fact by its linear conditions, if it has such.
+template <class Scalar>
+void add_fact(const Instant& instant, const Fact& fact, std::optional<Conditions<Scalar>> found,
+              StatedConditions<Scalar>& conditions) {
+  if (!found) {
+    conditions.nonlinear.push_back(&fact);
+    return;
+  }
+  for (solve::ConditionOf<Scalar>& condition : *found)
+    conditions.add(std::move(condition), {fact.mark, &instant, &fact});
+}
+
 // Whether an expression asks for impulses, directly or by a name.
 bool asks_impulses(const Situation& situation, const Expression& expression, int depth = 0) {
   std::set<std::string> functions, names;
@@ -35,6 +60,21 @@ bool asks_impulses(const Situation& situation, const Expression& expression, int
   return depth < 200 && std::any_of(situation.define.begin(), situation.define.end(), [&](const NamedExpression& item) {
            return names.contains(item.name) && asks_impulses(situation, item.value, depth + 1);
          });
+}
+
+// Whether what an expression asks of the model goes into a function with a corner. It may be linear on either side of
+// it, so that places on one side do not tell.
+bool has_corner(const Situation& situation, const Expression& expression, int depth = 0) {
+  const Call* call = expression.as<Call>();
+  static const std::set<std::string> corners{"abs", "norm", "max", "min", "acute_angle"};
+  if (call && corners.contains(call->function) && asks_model(situation, expression)) return true;
+  if (const Name* name = expression.as<Name>(); name && depth < 200)
+    for (const NamedExpression& item : situation.define)
+      if (item.name == name->name && has_corner(situation, item.value, depth + 1)) return true;
+  return any_child(expression, [&](const Expression& child) { return has_corner(situation, child, depth); });
+}
+bool has_corner(const Situation& situation, const Fact& fact) {
+  return has_corner(situation, fact.quantity) || has_corner(situation, fact.value);
 }
 
 }  // namespace
@@ -69,43 +109,16 @@ std::vector<Difference<Scalar>> differences(const Fact& fact, QuantityScope<Scal
   return list;
 }
 
-template <class Scalar>
-std::vector<solve::ConditionOf<Scalar>> rate_conditions(const InstantView<Scalar>& view) {
-  std::vector<solve::ConditionOf<Scalar>> conditions;
-  const auto n = static_cast<std::size_t>(view.machine.mechanism.tree.velocity_size());
-  for (const StatedRateOf<Scalar>& rate : view.machine.rates) {
-    solve::ConditionOf<Scalar> condition{rate.words, std::vector<Scalar>(n), rate.value,
-                                         rate.turning ? 1 : view.scales.length};
-    condition.coefficients[static_cast<std::size_t>(rate.velocity)] = Scalar(1);
-    conditions.push_back(std::move(condition));
-  }
-  return conditions;
-}
+namespace {
 
+// Adds rest and facts about velocities. Coefficients are derivatives by dual numbers. For impulses they are
+// differences, which are exact for linear conditions.
 template <class Scalar>
-std::vector<std::pair<const Fact*, Difference<Scalar>>> position_differences(
-    const InstantView<Scalar>& view, const std::vector<const Instant*>& instants) {
-  std::vector<std::pair<const Fact*, Difference<Scalar>>> all;
-  for (const Instant* instant : instants)
-    for (const Fact& fact : instant->facts) {
-      if (level_of(view.situation, fact.quantity) != Level::position || fact.quantity.as<Name>()) continue;
-      QuantityScope<Scalar> scope(view.machine, view.machine.mechanism.tree, view.data, at_rest(view));
-      for (Difference<Scalar>& difference : differences(fact, scope, view.situation.file))
-        all.emplace_back(&fact, std::move(difference));
-    }
-  return all;
-}
-
-// Coefficients are derivatives by dual numbers. For impulses they are differences, which are exact for linear
-// conditions.
-template <class Scalar>
-FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants,
-                                      const solve::BlowOf<Scalar>* blow) {
+void add_velocity_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants,
+                        const solve::BlowOf<Scalar>* blow, StatedConditions<Scalar>& conditions) {
   using Varied = Dual<1, Scalar>;
   const MachineOf<Scalar>& machine = view.machine;
-  FactConditions<Scalar> facts;
-  if (instants.empty()) return facts;
-  Conditions<Scalar>& conditions = facts.linear;
+  if (instants.empty()) return;
   const auto n = static_cast<std::size_t>(machine.mechanism.tree.velocity_size());
   const Model<Scalar>& tree = blow ? machine.tree_after_blow() : machine.mechanism.tree;
   const Model<Varied> model = convert<Varied>(tree);
@@ -178,65 +191,103 @@ FactConditions<Scalar> velocity_facts(const InstantView<Scalar>& view, const std
         if (frame) continue;
         solve::ConditionOf<Scalar> condition{"'" + instant->name + "': rest", std::vector<Scalar>(n), Scalar(0), 1};
         condition.coefficients[k] = Scalar(1);
-        conditions.push_back(std::move(condition));
+        conditions.add(std::move(condition), {instant->mark, instant});
       }
     }
     for (const Fact& fact : instant->facts) {
       if (level_of(view.situation, fact.quantity) != Level::velocity) continue;
       const bool impulses =
           blow && (asks_impulses(view.situation, fact.quantity) || asks_impulses(view.situation, fact.value));
-      const auto found = impulses ? linear_in_impulses(*instant, fact) : linear_in_velocities(*instant, fact);
-      if (found)
-        conditions.insert(conditions.end(), found->begin(), found->end());
-      else
-        facts.nonlinear.push_back(&fact);
+      add_fact(*instant, fact,
+               has_corner(view.situation, fact) ? std::nullopt
+               : impulses                       ? linear_in_impulses(*instant, fact)
+                                                : linear_in_velocities(*instant, fact),
+               conditions);
     }
   }
-  return facts;
+}
+
+}  // namespace
+
+template <class Scalar>
+std::vector<std::pair<const Fact*, Difference<Scalar>>> position_differences(
+    const InstantView<Scalar>& view, const std::vector<const Instant*>& instants) {
+  std::vector<std::pair<const Fact*, Difference<Scalar>>> all;
+  for (const Instant* instant : instants)
+    for (const Fact& fact : instant->facts) {
+      if (level_of(view.situation, fact.quantity) != Level::position || fact.quantity.as<Name>()) continue;
+      QuantityScope<Scalar> scope(view.machine, view.machine.mechanism.tree, view.data, at_rest(view));
+      for (Difference<Scalar>& difference : differences(fact, scope, view.situation.file))
+        all.emplace_back(&fact, std::move(difference));
+    }
+  return all;
 }
 
 template <class Scalar>
-FactConditions<Scalar> force_facts(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants) {
+StatedConditions<Scalar> velocity_conditions(const InstantView<Scalar>& view,
+                                             const std::vector<const Instant*>& instants) {
+  StatedConditions<Scalar> conditions;
+  add_rates(view, view.machine.rates, static_cast<std::size_t>(view.machine.mechanism.tree.velocity_size()),
+            conditions);
+  add_velocity_facts<Scalar>(view, instants, nullptr, conditions);
+  if (view.situation.steady) add_steady(view, false, conditions);
+  return conditions;
+}
+
+template <class Scalar>
+StatedConditions<Scalar> blow_conditions(const InstantView<Scalar>& view, const solve::BlowOf<Scalar>& blow) {
+  std::vector<const Instant*> after;
+  for (const Instant& instant : view.situation.instants)
+    if (instant.name == "after") after.push_back(&instant);
+  StatedConditions<Scalar> conditions;
+  add_velocity_facts(view, after, &blow, conditions);
+  return conditions;
+}
+
+template <class Scalar>
+StatedConditions<Scalar> force_conditions(const InstantView<Scalar>& view, const std::vector<const Instant*>& instants,
+                                          bool steady) {
   const MachineOf<Scalar>& machine = view.machine;
-  FactConditions<Scalar> facts;
-  Conditions<Scalar>& conditions = facts.linear;
+  StatedConditions<Scalar> conditions;
   const std::size_t n = solve::force_unknowns(machine.mechanism).size();
-  for (const StatedRateOf<Scalar>& rate : machine.accelerations) {
-    solve::ConditionOf<Scalar> condition{rate.words, std::vector<Scalar>(n), rate.value,
-                                         rate.turning ? 1 : view.scales.length};
-    condition.coefficients[static_cast<std::size_t>(rate.velocity)] = Scalar(1);
-    conditions.push_back(std::move(condition));
-  }
+  add_rates(view, machine.accelerations, n, conditions);
   const auto count = static_cast<std::ptrdiff_t>(machine.mechanism.tree.velocity_size());
   const ProbePlaces<Scalar> places(n);
   for (const Instant* instant : instants)
     for (const Fact& fact : instant->facts) {
       if (level_of(view.situation, fact.quantity) != Level::force) continue;
-      const auto found = as_linear<Scalar>(words_of(*instant, fact), view.scales, places, [&](std::size_t place) {
+      const auto differences_at = [&](std::size_t place) {
         const std::vector<Scalar> unknowns = places[place];
         QuantityScope<Scalar> quantities(machine, machine.mechanism.tree, view.data,
                                          State<Scalar>{machine.q, view.mechanism_state.state().v});
         quantities.set_accelerations(std::vector<Scalar>(unknowns.begin(), unknowns.begin() + count));
         quantities.set_forces(&view.mechanism_state, &unknowns);
         return differences(fact, quantities, view.situation.file);
-      });
-      if (found)
-        conditions.insert(conditions.end(), found->begin(), found->end());
-      else
-        facts.nonlinear.push_back(&fact);
+      };
+      add_fact(*instant, fact,
+               has_corner(view.situation, fact)
+                   ? std::nullopt
+                   : as_linear<Scalar>(words_of(*instant, fact), view.scales, places, differences_at),
+               conditions);
     }
-  return facts;
+  if (steady && view.situation.steady) add_steady(view, true, conditions);
+  return conditions;
 }
 
 InstantView<double> SolvedInstant::view() const {
   return {situation_, *data_, machine_, *mechanism_state_, scales_, time_, before_ ? &*before_ : nullptr};
 }
 
-std::string SolvedInstant::fact_words(const Fact& fact) const {
+ConditionSource SolvedInstant::source_of(const Fact& fact) const {
   for (const Instant& instant : situation_.instants)
     for (const Fact& own : instant.facts)
-      if (&own == &fact) return words_of(instant, fact);
-  return to_string(fact.quantity);
+      if (&own == &fact) return {fact.mark, &instant, &fact};
+  return {fact.mark, nullptr, &fact};
+}
+
+ConditionSource SolvedInstant::source_of(System system, std::size_t equation) const {
+  const solve::EquationSource& source = equations_of(system).source(equation);
+  return source.kind == solve::EquationKind::condition ? sources_.at(system).at(source.index) : ConditionSource{};
 }
 
 // Facts about positions, mass centers and mass properties are conditions on unknowns. Without unknowns they must
@@ -247,7 +298,7 @@ void SolvedInstant::position_facts(const std::vector<const Instant*>& instants) 
     if (choice_.trial) {
       misfits_.push_back(misfit);
       misfit_size_ = std::max(misfit_size_, 1.0);
-      position_words_.push_back(fact_words(*fact));
+      position_sources_.push_back(source_of(*fact));
     } else if (!(std::abs(misfit) <= 1e-9)) {
       fail(situation_.file, fact->mark,
            "'" + to_string(fact->quantity) + "' is not what is stated: it follows from the data",
@@ -256,7 +307,8 @@ void SolvedInstant::position_facts(const std::vector<const Instant*>& instants) 
   }
 }
 
-std::vector<double> SolvedInstant::fact_misfits(const std::vector<const Fact*>& facts) {
+std::vector<double> SolvedInstant::fact_misfits(const std::vector<const Fact*>& facts,
+                                                const MotionFeatureValues& features) {
   std::vector<double> misfits;
   for (const Fact* fact : facts) {
     if (level_of(situation_, fact->quantity) == Level::force) solve_forces();
@@ -265,31 +317,31 @@ std::vector<double> SolvedInstant::fact_misfits(const std::vector<const Fact*>& 
       scope.set_accelerations(mechanism_state_->accelerations());
       scope.set_forces(&*mechanism_state_, &unknowns_);
     }
-    scope.set_motion(feature_);
+    scope.set_motion_features(features);
     for (const auto& difference : differences(*fact, scope, situation_.file))
       misfits.push_back(difference.value / natural_unit(difference.dimension));
   }
   return misfits;
 }
 
-template std::vector<solve::ConditionOf<double>> rate_conditions(const InstantView<double>&);
-template FactConditions<double> velocity_facts(const InstantView<double>&, const std::vector<const Instant*>&,
-                                               const solve::BlowOf<double>*);
-template FactConditions<double> force_facts(const InstantView<double>&, const std::vector<const Instant*>&);
+template StatedConditions<double> velocity_conditions(const InstantView<double>&, const std::vector<const Instant*>&);
+template StatedConditions<double> blow_conditions(const InstantView<double>&, const solve::BlowOf<double>&);
+template StatedConditions<double> force_conditions(const InstantView<double>&, const std::vector<const Instant*>&,
+                                                   bool);
 template std::vector<std::pair<const Fact*, Difference<double>>> position_differences(
     const InstantView<double>&, const std::vector<const Instant*>&);
 template std::vector<Difference<double>> differences(const Fact&, QuantityScope<double>&, const std::string&);
-template std::vector<solve::ConditionOf<Dual<1>>> rate_conditions(const InstantView<Dual<1>>&);
-template FactConditions<Dual<1>> velocity_facts(const InstantView<Dual<1>>&, const std::vector<const Instant*>&,
-                                                const solve::BlowOf<Dual<1>>*);
-template FactConditions<Dual<1>> force_facts(const InstantView<Dual<1>>&, const std::vector<const Instant*>&);
+template StatedConditions<Dual<1>> velocity_conditions(const InstantView<Dual<1>>&, const std::vector<const Instant*>&);
+template StatedConditions<Dual<1>> blow_conditions(const InstantView<Dual<1>>&, const solve::BlowOf<Dual<1>>&);
+template StatedConditions<Dual<1>> force_conditions(const InstantView<Dual<1>>&, const std::vector<const Instant*>&,
+                                                    bool);
 template std::vector<std::pair<const Fact*, Difference<Dual<1>>>> position_differences(
     const InstantView<Dual<1>>&, const std::vector<const Instant*>&);
 template std::vector<Difference<Dual<1>>> differences(const Fact&, QuantityScope<Dual<1>>&, const std::string&);
-template std::vector<solve::ConditionOf<Formula>> rate_conditions(const InstantView<Formula>&);
-template FactConditions<Formula> velocity_facts(const InstantView<Formula>&, const std::vector<const Instant*>&,
-                                                const solve::BlowOf<Formula>*);
-template FactConditions<Formula> force_facts(const InstantView<Formula>&, const std::vector<const Instant*>&);
+template StatedConditions<Formula> velocity_conditions(const InstantView<Formula>&, const std::vector<const Instant*>&);
+template StatedConditions<Formula> blow_conditions(const InstantView<Formula>&, const solve::BlowOf<Formula>&);
+template StatedConditions<Formula> force_conditions(const InstantView<Formula>&, const std::vector<const Instant*>&,
+                                                    bool);
 template std::vector<std::pair<const Fact*, Difference<Formula>>> position_differences(
     const InstantView<Formula>&, const std::vector<const Instant*>&);
 template std::vector<Difference<Formula>> differences(const Fact&, QuantityScope<Formula>&, const std::string&);

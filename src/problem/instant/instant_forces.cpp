@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "problem/instant/instant.h"
+#include "problem/instant/one_sided_shares.h"
 #include "problem/language/diagnostic.h"
 #include "problem/machine/contact_limits.h"
 
@@ -17,6 +18,19 @@ void SolvedInstant::assemble_forces() {
   if (!nonlinear.empty()) solve_motion_equations(nonlinear);
 }
 
+Diagnostic unknown_surface(const Situation& situation, const Machine& machine,
+                           const VelocityConstraint<double>& constraint) {
+  const std::string& name = machine.mechanism.actions[static_cast<std::size_t>(constraint.action)].name;
+  const auto contact = std::find_if(situation.contacts.begin(), situation.contacts.end(),
+                                    [&](const Contact& c) { return c.name == name; });
+  return {
+      situation.file, contact->mark,
+      "how the point of contact '" + name +
+          "' moves is not known: the surfaces there are no circle, sphere or corner on a plane",
+      "velocities can be asked; for forces, accelerations and stability give the body a round shape, or its inertia "
+      "by axis:, axial:, transverse:"};
+}
+
 std::vector<const Fact*> SolvedInstant::state_motion_equations() {
   for (const Strike& strike : situation_.strikes)
     if (before_ && strike.stays && !strike.mass_neglected)
@@ -25,16 +39,8 @@ std::vector<const Fact*> SolvedInstant::state_motion_equations() {
                                 "', which stays, the body moves on as another one than before",
                             "ask for its accelerations and forces in the motion that follows: @ 0 s");
   for (const VelocityConstraint<double>& constraint : machine_.mechanism.constraints)
-    if (constraint.shape_unknown && !constraint.carried_by) {
-      const std::string& name = machine_.mechanism.actions[static_cast<std::size_t>(constraint.action)].name;
-      const auto contact = std::find_if(situation_.contacts.begin(), situation_.contacts.end(),
-                                        [&](const Contact& c) { return c.name == name; });
-      fail(situation_.file, contact->mark,
-           "how the point of contact '" + name +
-               "' moves is not known: the surfaces there are no circle, sphere or corner on a plane",
-           "velocities can be asked; for forces and accelerations give the body a round shape, or its inertia by "
-           "axis:, axial:, transverse:");
-    }
+    if (constraint.shape_unknown && !constraint.carried_by)
+      throw StatementError(unknown_surface(situation_, machine_, constraint));
   if (!choice_.trial && !moving_)
     for (const ContactLimit& limit : machine_.contact_limits) {
       if (goes_beyond(limit, *mechanism_state_))
@@ -43,9 +49,9 @@ std::vector<const Fact*> SolvedInstant::state_motion_equations() {
       if (leaves_plane(limit, *mechanism_state_))
         throw UnansweredError(situation_.file, limit.mark, words_of_side(limit), hint_of_side(limit));
     }
-  FactConditions<double> stated = force_facts(view(), facts_);
-  if (situation_.steady && !moving_) add_steady(view(), stated.linear, true);
+  StatedConditions<double> stated = force_conditions(view(), facts_, !moving_);
   motion_equations_ = solve::motion_equations(*mechanism_state_, scales_, stated.linear);
+  sources_[System::motion] = std::move(stated.sources);
   return stated.nonlinear;
 }
 
@@ -54,13 +60,32 @@ void SolvedInstant::solve_motion_equations(const std::vector<const Fact*>& nonli
   if (choice_.trial)
     take_misfits(solution);
   else if (!solution.conflict.empty())
-    contradiction(motion_equations_, solution, true);
-  hold_nonlinear(System::motion, nonlinear, solution);
+    contradiction(System::motion, solution);
+  const std::size_t accelerations = solve::force_unknowns(machine_.mechanism).accelerations;
+  // The forces set the pace by which facts are held.
   motion_ = std::move(solution);
   unknowns_ = motion_->value;
-  if (choice_.forces) move_along(*motion_, unknowns_);
+  try {
+    hold_nonlinear(System::motion, nonlinear, *motion_);
+  } catch (...) {
+    motion_.reset();
+    throw;
+  }
+  if (!choice_.trial) share_without_pull(*motion_, one_sided_unknowns(accelerations), accelerations);
+  unknowns_ = motion_->value;
+  if (choice_.forces) {
+    move_along(*motion_, unknowns_);
+    keep_pushing(motion_->value, one_sided_unknowns(accelerations), unknowns_);
+  }
   const auto n = static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size());
   mechanism_state_->set_accelerations(std::vector<double>(unknowns_.begin(), unknowns_.begin() + n));
+}
+
+std::vector<std::size_t> SolvedInstant::one_sided_unknowns(std::size_t first) const {
+  std::vector<std::size_t> unknowns;
+  for (std::size_t k = 0; k < machine_.mechanism.components.size(); ++k)
+    if (machine_.mechanism.components[k].one_sided) unknowns.push_back(first + k);
+  return unknowns;
 }
 
 std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults() const {
@@ -91,8 +116,9 @@ std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults() cons
     for (const int body : {action.on, action.from})
       if (body != ground && mechanism.tree.body(body).inertia.mass > 0)
         mass = std::min(mass, mechanism.tree.body(body).inertia.mass);
-    const double rounding = 1e-13 * natural_unit(dimensions::force) * mass / scales_.mass;
-    if (unknowns_[first + k] >= -std::max(1e-9 * beside, rounding)) continue;
+    constexpr double of_others = 1e-9, of_natural = 1e-13;
+    const double rounding = of_natural * natural_size(dimensions::force) * mass / scales_.mass;
+    if (unknowns_[first + k] >= -std::max(of_others * beside, rounding)) continue;
     found.push_back({own, action.kind == ActionKind::cord});
   }
   return found;

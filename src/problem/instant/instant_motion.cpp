@@ -7,10 +7,10 @@
 
 namespace poinsot::problem {
 
-// The name of a later instant is a time with its unit, a datum that is a time, or the end of a stage.
+// A later instant is called by a time with its unit, a datum that is a time, or the end of a stage.
 bool is_later(const Situation& situation, const Instant& instant) {
   if (instant.found_when) return true;
-  if (!instant.name.empty() && (std::isdigit(static_cast<unsigned char>(instant.name.front())) != 0)) return true;
+  if (instant.when && !instant.when.as<Name>()) return true;
   for (std::size_t k = 0; k < situation.stages.size(); ++k) {
     const std::string& name = situation.stages[k].name;
     if (instant.name == name + ".end") return true;
@@ -27,8 +27,11 @@ bool follows_time(const Situation& situation) {
   const auto timed = [&](const std::optional<Expression>& expression) {
     return expression && depends_on_time(situation, *expression);
   };
-  for (const Load& load : situation.loads)
-    if (timed(load.force) || timed(load.couple) || timed(load.at) || timed(load.direction)) return true;
+  bool any = false;
+  for_each_stated_law(situation, [&](const auto& law) {
+    law.for_each_part([&](LawPart, const std::optional<Expression>& part) { any = any || timed(part); });
+  });
+  if (any) return true;
   for (const Joint& joint : situation.joints)
     for (const Freedom& freedom : joint.freedoms)
       if (timed(freedom.rate) || timed(freedom.accel) || timed(freedom.effort)) return true;
@@ -49,13 +52,6 @@ bool turns_nothing(const Machine& machine, int coordinate) {
     return moment <= 1e-12 * size || size == 0;
   }
   return false;
-}
-
-std::vector<int> still_coordinates(const Machine& machine) {
-  std::vector<int> still;
-  for (int k = 0; k < machine.mechanism.tree.velocity_size(); ++k)
-    if (turns_nothing(machine, k)) still.push_back(k);
-  return still;
 }
 
 SolvedInstant::SolvedInstant(const Situation& situation, const Settings& settings, const MotionState& state,
@@ -95,7 +91,11 @@ void SolvedInstant::release(const std::vector<bool>& acting) {
   if (std::find(acting.begin(), acting.end(), false) == acting.end()) return;
   Mechanism<double>& mechanism = machine_.mechanism;
   const auto released = [&](int action) { return action >= 0 && !acting[static_cast<std::size_t>(action)]; };
-  std::erase_if(mechanism.constraints, [&](const auto& constraint) { return released(constraint.action); });
+  for (std::size_t i = mechanism.constraints.size(); i-- > 0;) {
+    if (!released(mechanism.constraints[i].action)) continue;
+    mechanism.constraints.erase(mechanism.constraints.begin() + static_cast<std::ptrdiff_t>(i));
+    machine_.constraint_joints.erase(machine_.constraint_joints.begin() + static_cast<std::ptrdiff_t>(i));
+  }
   std::erase_if(mechanism.components, [&](const auto& component) { return released(component.action); });
   mechanism_state_.emplace(mechanism);
 }

@@ -6,6 +6,8 @@
 #include "poinsot/engine/mass/principal_axes.h"
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
 #include "problem/instant/instant.h"
+#include "problem/instant/instant_conditions.h"
+#include "problem/instant/massless_turning.h"
 #include "problem/instant/open_words.h"
 #include "problem/language/diagnostic.h"
 
@@ -31,14 +33,17 @@ std::vector<Vector> symmetry_axes(const SpatialInertia<double>& I) {
 
 }  // namespace
 
-const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
-  if (linearisation_) return *linearisation_;
+solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<double>& mechanism) const {
   const Model<double>& tree = machine_.mechanism.tree;
   const auto n = static_cast<std::size_t>(tree.velocity_size());
   const Workspace<double>& w = mechanism_state_->workspace();
   const int frame = situation_.steady ? machine_.index.at(situation_.steady->frame) : ground;
-  const Vector turning = angular_velocity(w, frame);
+  // A frame that is carried along without turning has the rounding of what was solved for.
+  constexpr double no_turning = 1e-12;  // of the pace
+  Vector turning = angular_velocity(w, frame);
+  if (norm(turning) <= no_turning * pace()) turning = Vector::zero();
   solve::SteadyMotion motion;
+  motion.turning = turning;
   motion.q = machine_.q;
   motion.v = v_;
   motion.length = scales_.length;
@@ -48,7 +53,6 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   motion.time = 1 / std::max(std::sqrt(norm(tree.gravity()) / scales_.length), slowest * pace());
   motion.held.assign(n, false);
   for (const StatedRate& rate : machine_.accelerations) motion.held[static_cast<std::size_t>(rate.velocity)] = true;
-  for (int k : still_coordinates(machine_)) motion.held[static_cast<std::size_t>(k)] = true;
   // A frame that moves with a body in free space states nothing about the motion of the mass center.
   for (const Frame& f : situation_.frames) {
     if (!situation_.steady || f.name != situation_.steady->frame || f.rides_on.empty()) continue;
@@ -68,8 +72,10 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
 
   // Contacts move over round bodies, so that the mechanism is adapted to every pose. Near a steady motion they no
   // longer rest in its frame.
-  Mechanism<double> mechanism = machine_.mechanism;
+  mechanism = machine_.mechanism;
   for (VelocityConstraint<double>& constraint : mechanism.constraints) {
+    if (!constraint.carried_by && constraint.shape_unknown)
+      throw UnansweredError(unknown_surface(situation_, machine_, constraint));
     if (!constraint.carried_by) continue;
     const Vector normal = mechanism_state_->direction(constraint.surface_axis);
     if (constraint.shape_unknown || norm(cross(turning, normal)) > 1e-9 * norm(turning))
@@ -79,9 +85,15 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
                             "stability is told for contacts of round bodies on planes across the axis of the frame");
     constraint.carried_by.reset();
   }
+  // The axes of a particle that moves freely stay as they are.
+  for (const auto& body : tree.bodies())
+    for (int k = body.v; body.joint == JointType::free && body.inertia.mass > 0 && k < body.v + 3; ++k)
+      if (turns_nothing(machine_, k)) motion.held[static_cast<std::size_t>(k)] = true;
   std::vector<int> held;
   for (std::size_t k = 0; k < n; ++k)
     if (motion.held[k]) held.push_back(static_cast<int>(k));
+  motion.unseen = unseen_motions(mechanism, motion.q, held);
+  for (const solve::UnseenMotion& unseen : motion.unseen) held.push_back(unseen.coordinate);
   MechanismDynamics dynamics(mechanism, held);
   for (const OpenCoordinate& open : dynamics.open_coordinates(machine_.q))
     throw UnansweredError(
@@ -94,6 +106,11 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
   motion.given.resize(n);
   for (std::size_t k = 0; k < n; ++k)
     if (dynamics.is_held(static_cast<int>(k))) motion.given[k] = 0;
+  // Frames and what is driven do not deviate.
+  for (std::size_t k = 0; k < n; ++k)
+    motion.held[k] = motion.given[k] && std::ranges::none_of(motion.unseen, [&](const solve::UnseenMotion& unseen) {
+                       return unseen.coordinate == static_cast<int>(k);
+                     });
   for (const StatedRate& rate : machine_.accelerations)
     motion.given[static_cast<std::size_t>(rate.velocity)] = rate.value;
 
@@ -230,6 +247,13 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
     }
   }
 
+  return motion;
+}
+
+const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
+  if (linearisation_) return *linearisation_;
+  Mechanism<double> mechanism;
+  const solve::SteadyMotion motion = steady_motion(mark, mechanism);
   try {
     linearisation_ = solve::linearise(motion);
   } catch (const std::runtime_error& error) {

@@ -33,8 +33,7 @@ bool turns_unseen(const Model<Scalar>& tree, int body, double length) {
 }
 
 template <class Scalar>
-void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<Scalar>>& conditions,
-                bool accelerations) {
+void add_steady(const InstantView<Scalar>& view, bool accelerations, StatedConditions<Scalar>& conditions) {
   using Vector = Vector3<Scalar>;
   const Situation& situation = view.situation;
   const MachineOf<Scalar>& machine = view.machine;
@@ -67,7 +66,7 @@ void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<
         if (!accelerations && turns_unseen(tree, i, view.scales.length)) continue;
         solve::ConditionOf<Scalar> condition{words, std::vector<Scalar>(size), Scalar(0), 1};
         condition.coefficients[static_cast<std::size_t>(k)] = Scalar(1);
-        conditions.push_back(std::move(condition));
+        conditions.add(std::move(condition), {});
       }
       continue;
     }
@@ -85,13 +84,13 @@ void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<
     const Vector G =
         plain(body.inertia.mass) > 0 ? body_mass_center(tree, w, i) : w.motion[static_cast<std::size_t>(i + 1)].p;
     const Vector r = G - F.p;
-    const std::size_t first = conditions.size(), count = rides_here ? 3 : 6;
+    const std::size_t first = conditions.linear.size(), count = rides_here ? 3 : 6;
     for (std::size_t k = 0; k < count; ++k)
-      conditions.push_back({words, std::vector<Scalar>(size), Scalar(0), k < 3 ? 1 : view.scales.length});
+      conditions.add({words, std::vector<Scalar>(size), Scalar(0), k < 3 ? 1 : view.scales.length}, {});
     const auto add = [&](int moved, double sign) {
       for_each_coordinate_motion(tree, w, moved, G, [&](int coordinate, const SpatialMotion<Scalar>& S) {
         for (std::size_t k = 0; k < count; ++k)
-          conditions[first + k].coefficients[static_cast<std::size_t>(coordinate)] +=
+          conditions.linear[first + k].coefficients[static_cast<std::size_t>(coordinate)] +=
               Scalar(sign) * (k < 3 ? S.angular[k] : S.linear[k - 3]);
       });
     };
@@ -100,7 +99,7 @@ void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<
     for (std::size_t k = 0; k < count; ++k) {
       const bool angular = k < 3;
       const std::size_t c = k % 3;
-      solve::ConditionOf<Scalar>& condition = conditions[first + k];
+      solve::ConditionOf<Scalar>& condition = conditions.linear[first + k];
       if (!accelerations) {
         condition.value = angular ? spin_vector[c] : Scalar(0);
       } else {
@@ -116,8 +115,8 @@ void add_steady(const InstantView<Scalar>& view, std::vector<solve::ConditionOf<
 }
 
 template bool turns_unseen(const Model<double>&, int, double);
-template void add_steady(const InstantView<double>&, std::vector<solve::Condition>&, bool);
-template void add_steady(const InstantView<Dual<1>>&, std::vector<solve::ConditionOf<Dual<1>>>&, bool);
-template void add_steady(const InstantView<Formula>&, std::vector<solve::ConditionOf<Formula>>&, bool);
+template void add_steady(const InstantView<double>&, bool, StatedConditions<double>&);
+template void add_steady(const InstantView<Dual<1>>&, bool, StatedConditions<Dual<1>>&);
+template void add_steady(const InstantView<Formula>&, bool, StatedConditions<Formula>&);
 
 }  // namespace poinsot::problem

@@ -97,6 +97,14 @@ std::optional<int> massless_coordinate(const Machine& machine, const std::vector
   return best;
 }
 
+std::vector<solve::UnseenMotion> unseen_motions(const Mechanism<double>& mechanism, const std::vector<double>& q,
+                                                const std::vector<int>& held) {
+  std::vector<int> coordinates;
+  for (const OpenCoordinate& open : MechanismDynamics(mechanism, held).open_coordinates(q))
+    if (open.without_inertia) coordinates.push_back(open.coordinate);
+  return solve::unseen_motions(mechanism, q, coordinates);
+}
+
 void take_out(const MasslessSpin& spin, std::span<double> accelerations) {
   const Vector3<double> all{accelerations[spin.first], accelerations[spin.first + 1], accelerations[spin.first + 2]};
   const Vector3<double> rest = all - dot(all, spin.axis) * spin.axis;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
+#include "poinsot/engine/solve/stability/linearisation.h"
 #include "problem/machine/machine.h"
 
 namespace poinsot::problem {
@@ -31,6 +32,9 @@ bool turns_particle(const Machine& machine, int coordinate);
 // One of the open coordinates that may be held because a massless turning is what is open in it; nothing if there is
 // none.
 std::optional<int> massless_coordinate(const Machine& machine, const std::vector<OpenCoordinate>& open);
+// Motions near a pose that move no mass and that nothing hinders, if the coordinates `held` do not move.
+std::vector<solve::UnseenMotion> unseen_motions(const Mechanism<double>& mechanism, const std::vector<double>& q,
+                                                const std::vector<int>& held);
 // Takes the spin out of accelerations.
 void take_out(const MasslessSpin& spin, std::span<double> accelerations);
 

@@ -9,8 +9,9 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double most_misfit = 1e-8;   // relative to the sides, for a fact that holds
-constexpr double most_natural = 1e-9;  // or in natural units, as the sides may be differences of larger terms
+// How far the sides of a fact that holds may differ: a part of themselves, as data are often stated to nine digits; or
+// of the natural size of such a quantity at the pace of the motion, since the sides may be differences of larger terms.
+constexpr double most_misfit = 1e-8, most_natural = 1e-9;
 
 double size_of(const Value<double>& value) { return std::max(std::abs(value.number), norm(value.vector)); }
 
@@ -64,7 +65,7 @@ std::vector<SolvedInstant::NonlinearMisfit> SolvedInstant::nonlinear_misfits(
     const FactSides sides = sides_of(*fact, system, unknowns);
     for (const Difference<double>& difference : sides.differences) {
       const double unit = natural_unit(difference.dimension);
-      misfits.push_back({fact_words(*fact), difference.value / unit, sides.size / unit});
+      misfits.push_back({source_of(*fact), difference.value / unit, sides.size / unit});
     }
   }
   return misfits;
@@ -74,6 +75,7 @@ void SolvedInstant::hold_nonlinear(System system, const std::vector<const Fact*>
                                    const solve::LinearSolution& solution) {
   nonlinear_[system] = facts;
   const bool motion = system == System::motion;
+  constexpr double same_along = 1e-9;  // of the sides: along an open direction a fact stays what it is, but for rounding
   for (const Fact* fact : facts) {
     const FactSides sides = sides_of(*fact, system, solution.value);
     for (const std::vector<double>& direction : solution.open) {
@@ -82,7 +84,7 @@ void SolvedInstant::hold_nonlinear(System system, const std::vector<const Fact*>
       const FactSides there = sides_of(*fact, system, moved);
       for (std::size_t i = 0; i < sides.differences.size(); ++i)
         if (!(std::abs(there.differences.at(i).value - sides.differences[i].value) <=
-              1e-9 * std::max(sides.size, there.size)))
+              same_along * std::max(sides.size, there.size)))
           fail(situation_.file, fact->mark,
                "'" + to_string(fact->quantity) + "' is not linear in the " +
                    (motion ? "accelerations and forces" : "velocities") + ": it does not fix them alone",
@@ -91,7 +93,7 @@ void SolvedInstant::hold_nonlinear(System system, const std::vector<const Fact*>
     }
     for (const Difference<double>& difference : sides.differences)
       if (!choice_.trial && !(std::abs(difference.value) <=
-                              std::max(most_misfit * sides.size, most_natural * natural_unit(difference.dimension))))
+                              std::max(most_misfit * sides.size, most_natural * natural_size(difference.dimension))))
         fail(situation_.file, fact->mark,
              "'" + to_string(fact->quantity) + "' is not what is stated: it follows from the other facts and the data",
              "correct it, or leave a datum that it follows from to be found");

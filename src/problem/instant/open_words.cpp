@@ -1,17 +1,11 @@
 #include "problem/instant/open_words.h"
 
+#include "problem/language/words.h"
 #include "problem/machine/gimbal_lock.h"
 
 namespace poinsot::problem {
 
 std::string with_article(const std::string& name) { return name.starts_with("the ") ? name : "the " + name; }
-
-std::string listed(const std::vector<std::string>& names, const char* last) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? std::string(" ") + last + " " : ", ") + names[i];
-  return text;
-}
 
 namespace {
 
@@ -45,7 +39,7 @@ std::string open_velocities(std::vector<std::string> names, std::size_t missing)
   const std::string enough = missing >= count ? ""
                                               : " (" + (missing == 1 ? std::string("one") : std::to_string(missing)) +
                                                     " of them would do, or another fact)";
-  return "nothing fixes " + listed(names, "and") + enough + ": state " + (count == 1 || missing == 1 ? "it" : "them") +
+  return "nothing fixes " + listed(names) + enough + ": state " + (count == 1 || missing == 1 ? "it" : "them") +
          " under joints: or instants:";
 }
 
@@ -63,9 +57,10 @@ std::string open_force(const SolvedInstant& instant, std::size_t direction) {
   std::vector<std::string> motions = moved_names(equations, instant.motion(), direction, 0, accelerations);
   for (std::string& name : motions)
     if (name != "more") name = with_article(name);
-  if (!motions.empty()) return "nothing fixes " + listed(motions, "and") + ": " + remedy_of(instant);
-  return listed(moved_names(equations, instant.motion(), direction, accelerations, equations.unknowns()), "and") +
-         " share the same load: the statement does not fix them one by one";
+  if (!motions.empty()) return "nothing fixes " + listed(motions) + ": " + remedy_of(instant);
+  return listed(moved_names(equations, instant.motion(), direction, accelerations, equations.unknowns())) +
+         " share the same load: the statement does not fix them one by one (carries: of a contact and supports: of a "
+         "joint say what each can bear)";
 }
 
 }  // namespace poinsot::problem

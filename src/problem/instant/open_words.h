@@ -9,9 +9,6 @@
 
 namespace poinsot::problem {
 
-// The names as an enumeration: "a, b and c", with `last` before the last one.
-std::string listed(const std::vector<std::string>& names, const char* last);
-
 // The name with its article if it needs one: "the rate of joint 'A'".
 std::string with_article(const std::string& name);
 

@@ -56,15 +56,11 @@ void VariedInstant::build(const std::string& name, std::size_t component) {
 void VariedInstant::set_positions() {
   std::vector<Varied>& q = machine_.q;
   std::vector<bool>& given = machine_.position_given;
-  for (const Instant* instant : base_.facts_)
-    for (const Fact& fact : instant->facts) {
-      const Name* name = fact.quantity.as<Name>();
-      const NamedCoordinate* coordinate = name && name->primes == 0 ? machine_.coordinate(name->name) : nullptr;
-      if (!coordinate) continue;
-      const auto k = static_cast<std::size_t>(coordinate->position);
-      q[k] = data_.number(fact.value, coordinate->turning ? dimensions::angle : dimensions::length);
-      given[k] = true;
-    }
+  for_each_stated_position(machine_, base_.facts_, [&](const Fact& fact, const NamedCoordinate& coordinate) {
+    const auto k = static_cast<std::size_t>(coordinate.position);
+    q[k] = stated_position(data_, fact, coordinate);
+    given[k] = true;
+  });
   q = solve::varied_pose(machine_.mechanism, base_.machine_.q, q, given);
   mechanism_state_->set_positions(q);
   solve::update_contacts(machine_.mechanism, *mechanism_state_);
@@ -79,12 +75,9 @@ void VariedInstant::expect_same(InstantSystem system, const std::vector<const Fa
 }
 
 void VariedInstant::set_velocities() {
-  std::vector<solve::ConditionOf<Varied>> conditions = rate_conditions(view());
-  const FactConditions<Varied> stated = velocity_facts(view(), base_.facts_);
+  const StatedConditions<Varied> stated = velocity_conditions(view(), base_.facts_);
   expect_same(InstantSystem::velocities, stated.nonlinear);
-  conditions.insert(conditions.end(), stated.linear.begin(), stated.linear.end());
-  if (situation_.steady) add_steady(view(), conditions, false);
-  systems_[InstantSystem::velocities] = solve::velocity_equations(*mechanism_state_, base_.scales_, conditions);
+  systems_[InstantSystem::velocities] = solve::velocity_equations(*mechanism_state_, base_.scales_, stated.linear);
   if (!base_.before_ && !base_.motion_) return;
   if (base_.choice_.velocities && !base_.velocities_.open.empty())
     throw std::domain_error("velocities that are chosen have no derivatives");
@@ -94,10 +87,7 @@ void VariedInstant::set_velocities() {
 void VariedInstant::strike() {
   before_.emplace(*mechanism_state_);
   blow_ = stated_blow(view());
-  std::vector<const Instant*> after;
-  for (const Instant& instant : situation_.instants)
-    if (instant.name == "after") after.push_back(&instant);
-  const FactConditions<Varied> stated = velocity_facts(view(), after, &blow_);
+  const StatedConditions<Varied> stated = blow_conditions(view(), blow_);
   expect_same(InstantSystem::blow, stated.nonlinear);
   systems_[InstantSystem::blow] =
       solve::impulse_equations(*before_, base_.scales_, blow_, stated.linear, base_.blow_acting_);
@@ -110,9 +100,8 @@ void VariedInstant::strike() {
 }
 
 void VariedInstant::set_forces() {
-  FactConditions<Varied> stated = force_facts(view(), base_.facts_);
+  const StatedConditions<Varied> stated = force_conditions(view(), base_.facts_, true);
   expect_same(InstantSystem::motion, stated.nonlinear);
-  if (situation_.steady) add_steady(view(), stated.linear, true);
   systems_[InstantSystem::motion] = solve::motion_equations(*mechanism_state_, base_.scales_, stated.linear);
 }
 

@@ -1,6 +1,7 @@
-// Evaluates expressions to functions of time, to formulas, and to formulas with derivatives by a velocity or by the time.
+// Evaluates expressions to functions of time, to formulas, and to formulas with derivatives by a velocity or by the
+// time.
 #include "problem/language/evaluate_templates.h"
-#include "problem/language/time_jet.h"
+#include "problem/language/scalar_value.h"
 
 namespace poinsot::problem {
 

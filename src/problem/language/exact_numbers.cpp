@@ -19,8 +19,8 @@ Formula decimal(double value) {
 // The factor of a unit that is exact by definition (NIST SP 811).
 Formula named_factor(const NamedUnit& unit) {
   const auto number = [](const char* digits) { return Formula::number(digits); };
-  const Formula foot = number("0.3048"), pound_mass = number("0.45359237"), pound = pound_mass * number("9.80665"),
-                mile = number("1609.344");
+  Formula foot = number("0.3048"), pound_mass = number("0.45359237"), pound = pound_mass * number("9.80665"),
+          mile = number("1609.344");
   const std::string_view name = unit.name;
   if (name == "deg") return Formula::pi() / Formula(180);
   if (name == "rev" || name == "turn") return Formula(2) * Formula::pi();

@@ -116,7 +116,9 @@ struct Comparison {
 // X @ instant
 struct At {
   Expression expression;
-  std::string instant;  // a name, dotted name or time literal "2 s"
+  std::string instant;             // as written: a name, dotted name or time literal "2 s"
+  std::vector<std::string> names;  // those between the dots; none for a time literal
+  Expression when;                 // the time literal as a number; else the last name, which may be that of a time
   Mark instant_mark;
 };
 

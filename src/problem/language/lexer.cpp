@@ -66,6 +66,10 @@ class Lexer {
     const ForeignSign foreign = foreign_sign_of_expression(rest(at_));
     if (!foreign.message.empty()) source_.fail(at_, foreign.message, foreign.hint);
     if (rest(at_).substr(0, 2) == "..") return sign_token(2);
+    if (peek() == '.' && (tokens_.empty() || tokens_.back().kind == Token::Kind::sign))
+      for (const std::string_view word : {"nan", "NaN", "NAN", "inf", "Inf", "INF"})
+        if (rest(at_ + 1).substr(0, word_length(at_ + 1)) == word)
+          source_.fail(at_, "'." + std::string(word) + "' is no number", "write the value, or 'any' for what is open");
     if (std::string_view("+-*/^()[],.@<>").find(peek()) != std::string_view::npos) return sign_token(1);
     source_.fail(at_, "'" + character_text(text_, at_) + "' is no sign of the language");
   }
@@ -307,6 +311,9 @@ class Lexer {
       }
       source_.fail(begin + error.offset, error.message, hint);
     }
+    // Moments of inertia, energies and their products have to remain numbers.
+    if (token.value > 1e100 || (token.value > 0 && token.value < 1e-100))
+      source_.fail(token.begin, "this number is beyond what can be reckoned with, 1e-100 to 1e100");
     token.has_unit = true;
     token.text = std::string(text_.substr(token.begin, number_end - token.begin)) + " " + token.unit.text;
     at_ = end;

@@ -91,8 +91,13 @@ void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, b
                 "remove it, or add the opening one");
   }
   if (token.is_sign(",")) {
-    source.fail(token.begin, "a comma stands outside of a list",
-                "a decimal is written with a point, 1.5; a vector goes into brackets, [a, b, c]");
+    const Token& before = tokens.before();
+    const Token& after = tokens.next();
+    const bool decimal = !tokens.at_beginning() && before.kind == Token::Kind::literal && !before.has_unit &&
+                         before.end == token.begin && after.kind == Token::Kind::literal && after.begin == token.end;
+    source.fail(token.begin, decimal ? "a comma stands in a number" : "a comma stands outside of a list",
+                decimal ? "a decimal is written with a point: " + before.text + "." + after.text
+                        : "a decimal is written with a point, 1.5; a vector goes into brackets, [a, b, c]");
   }
   if (token.kind == Token::Kind::preposition) {
     source.fail(token.begin, here + " cannot stand here",
@@ -110,8 +115,12 @@ void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, b
     source.fail(token.begin, here + " is a unit, which stands behind a number",
                 "write '" + tokens.before().text + " * 1 " + token.text + "'");
   const std::string repair = simple ? source.written(tokens.before()) + "*" + source.written(token) : "a*b";
+  const bool two_names = tokens.before().kind == Token::Kind::name && token.kind == Token::Kind::name;
+  const std::string call = two_names && tokens.before().primes == 0
+                               ? ", or '" + tokens.before().text + "(" + token.text + ")' of a quantity"
+                               : "";
   source.fail(token.begin, "an operator is missing between " + source.quoted(tokens.before()) + " and " + here,
-              "write '" + repair + "' to multiply");
+              "write '" + repair + "' to multiply" + call);
 }
 
 }  // namespace poinsot::problem

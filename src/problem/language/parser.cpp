@@ -112,7 +112,7 @@ class Parser {
     const Token& operation = now();
     tokens_.step();
     Expression right = operand();
-    return make(Binary{operation.text[0], left, right}, operation.begin);
+    return make(Binary{operation.text[0], std::move(left), std::move(right)}, operation.begin);
   }
 
   Expression signed_operand() {
@@ -141,35 +141,41 @@ class Parser {
                      "put what is meant into parentheses, (x^2) @ start");
       }
       tokens_.step();
-      const std::size_t instant_mark = now().begin;
-      std::string name = instant();
-      expression = make(At{expression, std::move(name), source_.place(instant_mark)}, mark);
+      At at = instant();
+      at.expression = expression;
+      expression = make(std::move(at), mark);
     }
     return expression;
   }
 
-  std::string instant() {
+  // What stands after an @, without the expression before it.
+  At instant() {
+    At at;
+    at.instant_mark = source_.place(now().begin);
     if (now().kind == Token::Kind::literal) {
       const Token& literal = now();
       if (!literal.has_unit || literal.unit.dimension != dimensions::time) {
         source_.fail(literal.begin, "the instant after '@' is no time",
                      "write a name, or a time with its unit: x @ 2 s");
       }
-      tokens_.step();
-      return literal.text;
+      at.instant = literal.text;
+      at.when = primary();
+      return at;
     }
     if (now().is_sign("-"))
       source_.fail(now().begin, "the motion begins at 0 s: there is no time before it", "write x @ start, x @ 2 s");
     if (now().kind != Token::Kind::name || now().primes > 0) {
       source_.fail(now().begin, "an instant is missing after '@'", "write its name or a time: x @ start, x @ 2 s");
     }
-    std::string name = now().text;
+    at.names = {now().text};
     tokens_.step();
     while (now().is_sign(".") && tokens_.next().kind == Token::Kind::name && tokens_.next().primes == 0) {
-      name += '.' + tokens_.next().text;
+      at.names.push_back(tokens_.next().text);
       tokens_.step(2);
     }
-    return name;
+    for (const std::string& name : at.names) at.instant += (at.instant.empty() ? "" : ".") + name;
+    at.when = built(Name{at.names.back()}, at.instant_mark);
+    return at;
   }
 
   Expression riding() {

@@ -1,6 +1,7 @@
-// Conversion of values from one scalar to another.
+// Values over other scalars: how they convert, and functions of time as dual numbers of dual numbers.
 #pragma once
 
+#include "poinsot/engine/math/algebra/dual.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "problem/language/value.h"
 
@@ -21,6 +22,15 @@ Value<Scalar> lifted(const Value<Source>& value) {
   result.truth = value.truth;
   result.text = value.text;
   return result;
+}
+
+// A function of time with its first two derivatives.
+template <class Scalar>
+using TimeJetOf = Dual<1, Dual<1, Scalar>>;
+using TimeJet = TimeJetOf<double>;
+template <class Scalar>
+TimeJetOf<Scalar> time_jet(const Scalar& time) {
+  return TimeJetOf<Scalar>(Dual<1, Scalar>::variable(time, 0), {Dual<1, Scalar>(1)});
 }
 
 }  // namespace poinsot::problem

@@ -34,6 +34,61 @@ Mark SourceMap::mark(std::size_t offset) const {
   return {static_cast<int>(line - line_starts_.begin()) + 1, characters_before(offset) - characters_before(*line) + 1};
 }
 
+SourceMap::Line SourceMap::line(std::size_t number) const {
+  Line line;
+  line.begin = line_starts_[number];
+  std::size_t end = number + 1 < line_starts_.size() ? line_starts_[number + 1] - 1 : text_.size();
+  while (line.begin < end && (text_[line.begin] == ' ' || text_[line.begin] == '\t')) ++line.begin;
+  line.indent = line.begin - line_starts_[number];
+  // A comment begins with a '#' behind a blank.
+  for (std::size_t i = line.begin; i < end; ++i)
+    if (text_[i] == '#' && (i == line.begin || is_white(text_[i - 1]))) end = i;
+  while (end > line.begin && is_white(text_[end - 1])) --end;
+  line.words = text_.substr(line.begin, end - line.begin);
+  return line;
+}
+
+std::optional<SourceMap::Slip> SourceMap::slip_of_line(std::size_t offset) const {
+  offset = std::min(offset, text_.size());
+  const auto number = static_cast<std::size_t>(std::upper_bound(line_starts_.begin(), line_starts_.end(), offset) -
+                                               line_starts_.begin() - 1);
+  const Line here = line(number);
+  std::optional<Line> before;
+  for (std::size_t k = number; k-- > 0 && !before;)
+    if (const Line other = line(k); !other.words.empty()) before = other;
+  for (const std::optional<Line>& looked_at : {before, std::optional<Line>(here)}) {
+    if (!looked_at) continue;
+    const std::string_view indentation = text_.substr(looked_at->begin - looked_at->indent, looked_at->indent);
+    if (const std::size_t tab = indentation.find('\t'); tab != std::string_view::npos)
+      return Slip{looked_at->begin - looked_at->indent + tab, "a tab stands in the indentation of this line",
+                  "indent with blanks; most editors can replace tabs by them"};
+  }
+  const auto has_colon = [](std::string_view words) {
+    return words.ends_with(':') || words.find(": ") != std::string_view::npos;
+  };
+  for (const std::optional<Line>& looked_at : {before, std::optional<Line>(here)}) {
+    if (!looked_at || looked_at->words.empty()) continue;
+    const std::string_view words = looked_at->words;
+    if (has_colon(words) || words.find_first_of("[]{}'\"|>") != std::string_view::npos || words.starts_with("-"))
+      continue;
+    std::size_t name = 0;
+    while (name < words.size() && !is_white(words[name]) && words[name] != '=' && words[name] != ':') ++name;
+    std::size_t value = name;
+    while (value < words.size() && (is_white(words[value]) || words[value] == '=' || words[value] == ':')) ++value;
+    if (name == 0 || value == name || value == words.size()) continue;
+    const std::string key(words.substr(0, name)), rest(words.substr(value));
+    const bool equals = words.substr(name, value - name).find('=') != std::string_view::npos;
+    const std::string repair = "write '" + key + ": " + rest + "'";
+    if (equals) return Slip{looked_at->begin + name, "'=' stands where a ':' is expected", repair};
+    return Slip{looked_at->begin + name, "a ':' and a blank are missing behind '" + key + "'", repair};
+  }
+  if (before && here.indent > before->indent && has_colon(here.words) && has_colon(before->words) &&
+      !before->words.ends_with(':') && !before->words.starts_with("-"))
+    return Slip{here.begin, "this line is indented farther than the one before it, which has a value already",
+                "begin both in the same column"};
+  return std::nullopt;
+}
+
 bool SourceMap::bracket_closes(std::size_t offset) const {
   std::size_t depth = 0;
   for (std::size_t i = offset; i < text_.size(); ++i) {

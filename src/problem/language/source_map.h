@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,7 +34,24 @@ class SourceMap {
   // places are those of the last piece before it.
   std::vector<Entry::Run> runs(std::string_view value, std::size_t token) const;
 
+  // What an author often means where the reader of the tree stumbles over the line at the offset: a tab in the
+  // indentation, '=' in place of ':', no ':' at all (of the line before too, which the reader takes on as one text), a
+  // line that is indented too far. Nothing if the lines look right.
+  struct Slip {
+    std::size_t offset;
+    std::string message, hint;
+  };
+  std::optional<Slip> slip_of_line(std::size_t offset) const;
+
  private:
+  // A line without its indentation and its comment.
+  struct Line {
+    std::size_t begin = 0;   // the offset of the first character that is no blank
+    std::size_t indent = 0;  // the blanks and tabs before it
+    std::string_view words;  // empty for an empty line
+  };
+  Line line(std::size_t number) const;  // counted from 0
+
   std::string_view text_;
   // The number of characters before the byte at `offset`.
   int characters_before(std::size_t offset) const;

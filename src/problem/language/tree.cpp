@@ -223,8 +223,10 @@ constexpr std::array translations{
                 "check the indentation of this line, and that each ':' has a blank after it"},
     Translation{"end of sequence not found", "expected another '- item' here, indented like those before",
                 "check the indentation of this line"},
-    Translation{"end of map flow not found", "this map in braces is not closed properly",
-                "add the '}', or the ',' between two entries"},
+    Translation{
+        "end of map flow not found", "this map in braces is not closed properly",
+        "add the '}', or the ',' between two entries; a value with brackets and commas of its own goes into quotes, '"
+        "max([1, 2])'"},
     Translation{"end of sequence flow not found", "this list in brackets is not closed properly",
                 "add the ']', or the ',' between two items"},
     Translation{"illegal EOF in scalar", "the file ends within quotes", "add the closing quote"},
@@ -238,13 +240,15 @@ constexpr std::array translations{
 Diagnostic translated(const YAML::Exception& error, const Builder& builder, const SourceMap& source,
                       const std::string& file) {
   const std::size_t offset = error.mark.pos > 0 ? static_cast<std::size_t>(error.mark.pos) : 0;
+  const bool in_flow = error.msg.find("flow not found") != std::string::npos;
+  if (const auto slip = in_flow ? std::nullopt : source.slip_of_line(offset))
+    return {file, source.mark(slip->offset), slip->message, slip->hint};
   Diagnostic diagnostic{file, source.mark(offset), "this is no YAML: " + error.msg, ""};
   for (const Translation& translation : translations) {
     if (error.msg != translation.of) continue;
     diagnostic.message = translation.message;
     diagnostic.hint = translation.hint;
   }
-  const bool in_flow = error.msg.find("flow not found") != std::string::npos;
   if (in_flow && builder.innermost().line > 0) {
     diagnostic.message += "; it begins in " + place_in_words(builder.innermost());
   }

@@ -106,6 +106,10 @@ class UnitReader {
       inverse = operation == '/';
       ++at_;
     }
+    // Of 1/s nobody thinks of turns, of 1/min most do.
+    for (const std::string_view slow : {"1/min", "1/h", "1/day", "min^-1", "h^-1", "day^-1"})
+      if (unit.text == slow)
+        fail("'" + unit.text + "' is ambiguous: it may count turns or radians", "write 'rpm', 'rev/h', 'rad/min'", 0);
     if (!reasonable(unit.dimension) || !std::isnormal(unit.factor)) {
       fail("the exponents of this unit are beyond all measure", "use fewer factors", 0);
     }
@@ -204,7 +208,7 @@ class UnitReader {
 
   // A hint "write '...'" with the whole unit in the language's spelling, if that is a unit; otherwise with the repair
   // for the piece that is wrong.
-  std::string repair(std::string_view piece, std::string otherwise = "") const {
+  std::string repair(std::string_view piece, const std::string& otherwise = "") const {
     const std::string whole = in_own_form(text_);
     if (piece.find('\'') == std::string_view::npos && whole != text_ && is_unit(whole)) return "write '" + whole + "'";
     if (piece.find('\'') != std::string_view::npos) return "write " + std::string(piece);

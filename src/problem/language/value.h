@@ -54,6 +54,7 @@ struct Value {
     value.truth = truth;
     return value;
   }
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved from, which is not seen in a template.
   static Value of_text(std::string text) {
     Value value;
     value.kind = Kind::text;

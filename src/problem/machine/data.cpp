@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
 
 #include "problem/language/diagnostic.h"
+#include "problem/language/evaluate_support.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/scalar_value.h"
+#include "problem/language/units.h"
 
 namespace poinsot::problem {
 namespace {
@@ -82,10 +85,12 @@ std::vector<std::string> settable_names(const Situation& situation) {
 Expression setting_expression(const std::string& name, const std::string& text) {
   // On a command line blanks are inconvenient, so that 3kg is accepted.
   std::string spaced = text;
-  char* end = nullptr;
-  std::strtod(text.c_str(), &end);
-  const auto used = static_cast<std::size_t>(end - text.c_str());
-  if (used > 0 && used < text.size() && std::isalpha(static_cast<unsigned char>(text[used]))) spaced.insert(used, " ");
+  double number = 0;
+  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const auto read = std::from_chars(begin, text.data() + text.size(), number);
+  const auto used = static_cast<std::size_t>(read.ptr - text.data());
+  if (read.ptr != begin && used < text.size() && std::isalpha(static_cast<unsigned char>(text[used])))
+    spaced.insert(used, " ");
   return parse_expression(spaced, "--set " + name + "=" + text, Mark{});
 }
 
@@ -224,6 +229,9 @@ Value<Scalar> DataScope<Scalar>::meaning(const Name& name, const Mark& mark, con
                      "check the units of the data in them");
     if (!value.is_vector() || !(same_kind(value.dimension, dimensions::length) || value.bare))
       evaluator.fail(point->value.mark(), "point '" + name.name + "' is no place", "write three lengths: [x, y, z]");
+    if (value.bare && plain(norm_squared(value.vector)) != 0)
+      evaluator.fail(point->value.mark(), "the coordinates of point '" + name.name + "' have no unit",
+                     "write lengths with their unit, such as [3 m, 0, 0] or [3 ft, 0, 0]; data in them need one too");
     value.dimension = dimensions::length;
     return value;
   }
@@ -246,12 +254,19 @@ Value<Scalar> DataScope<Scalar>::meaning(const Name& name, const Mark& mark, con
     for (const NamedExpression& item : *items) known.push_back(item.name);
   known.insert(known.end(), situation_.axes.begin(), situation_.axes.end());
   std::string hint = did_you_mean(name.name, known);
+  if (is_unit_name(name.name))
+    hint = "it is a unit too: one stands behind its number and a blank, as in 3 m/s or 180 rpm";
   evaluator.fail(mark, "'" + name.name + "' is not defined",
                  hint.empty() ? "define it under given:, letters:, points: or directions:" : hint);
 }
 
 template <class Scalar>
 Value<Scalar> DataScope<Scalar>::call(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+  // A name that is near to a function's is a misspelt one; any other is a quantity, or was taken for one.
+  if (describe_unknown_call(call, {}).hint.empty())
+    evaluator.fail(mark, "'" + call.function + "(...)' cannot stand here: data are known before anything moves",
+                   "quantities of bodies stand under instants:, define: and ask:; an unknown rate under find: and its "
+                   "condition under instants:");
   evaluator.unknown_call(call, mark);
 }
 
@@ -295,7 +310,7 @@ Vector3<Scalar> DataScope<Scalar>::direction(const Expression& expression) {
 template <class Scalar>
 Scalar DataScope<Scalar>::gravity_size() {
   if (const NamedExpression* item = find_named(situation_.given, "g")) {
-    const Scalar g = number(name_expression("g", item->mark), dimensions::acceleration);
+    Scalar g = number(name_expression("g", item->mark), dimensions::acceleration);
     if (!(plain(g) > 0)) fail(situation_.file, item->mark, "g must be positive");
     const List* vector = situation_.gravity ? situation_.gravity->as<List>() : nullptr;
     if (vector && vector->items.size() == 3) {

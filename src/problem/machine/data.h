@@ -9,7 +9,7 @@
 #include "poinsot/engine/math/algebra/vector3.h"
 #include "problem/entries/statement.h"
 #include "problem/language/evaluate.h"
-#include "problem/language/time_jet.h"
+#include "problem/language/scalar_value.h"
 
 namespace poinsot::problem {
 

@@ -31,10 +31,11 @@ Driving::Driving(const Situation& situation, const Settings& settings,
   const auto add = [&](const std::optional<Expression>& expression) {
     if (expression && depends_on_time(situation, *expression)) collect(*expression);
   };
-  for (const Load& load : situation.loads) {
-    if (loads && std::find(loads->begin(), loads->end(), load.name) == loads->end()) continue;
-    for (const auto* part : {&load.force, &load.couple, &load.at, &load.direction}) add(*part);
-  }
+  for_each_stated_law(situation, [&]<StatedLaw Law>(const Law& law) {
+    if (!Law::may_follow_time) return;
+    if (loads && std::find(loads->begin(), loads->end(), law.name) == loads->end()) return;
+    law.for_each_part([&](LawPart, const std::optional<Expression>& part) { add(part); });
+  });
   for (const Joint& joint : situation.joints)
     for (const Freedom& freedom : joint.freedoms)
       for (const auto* part : {&freedom.rate, &freedom.accel, &freedom.effort}) add(*part);
@@ -123,11 +124,13 @@ std::vector<double> Driving::corners(double from, double to) {
   for (const Corner& corner : corners_) {
     const auto f = [&](double time) { return switch_value(corner.one, corner.other, time); };
     std::vector<double> times;
+    times.reserve(looks_ + 1 + found.size());
     for (std::size_t i = 0; i <= looks_; ++i)
       times.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(looks_));
     times.insert(times.end(), found.begin(), found.end());
     std::sort(times.begin(), times.end());
     std::vector<double> value;
+    value.reserve(times.size());
     for (const double time : times) value.push_back(f(time));
     const auto meets_between = [&](double a, double b, double fa, double fb) {
       if (!(fa * fb < 0) || !std::isfinite(fa) || !std::isfinite(fb)) return;

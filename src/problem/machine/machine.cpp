@@ -4,6 +4,7 @@
 #include "poinsot/engine/model/fixed_particles.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/machine/machine_draft.h"
+#include "problem/machine/steady_data.h"
 
 namespace poinsot::problem {
 
@@ -81,11 +82,11 @@ MachineOf<Scalar> build_machine(const Situation& situation, std::vector<BodyMass
   for (const Joint& joint : situation.joints) add_joint_actions(draft, joint);
   for (const Contact& contact : situation.contacts) add_contact(draft, contact);
   for (const Cord& cord : situation.cords) add_cord(draft, cord);
-  for (const Spring& spring : situation.springs) add_spring(draft, spring);
-  for (const Load& load : situation.loads) add_load(draft, load);
+  for_each_stated_law(situation, [&](const auto& law) { add_law(draft, law); });
   for (const Impulse& impulse : situation.impulses) add_impulse(draft, impulse);
   for (const Impact& impact : situation.impacts) add_impact(draft, impact);
   for (const Strike& strike : situation.strikes) add_strike(draft, strike);
+  if (data.follows_time()) require_steady_data(situation);
   add_struck_tree(machine);
   for (std::size_t i = 0; i < situation.bodies.size(); ++i)
     machine.masses.emplace_back(machine.index.at(situation.bodies[i].name), std::move(draft.masses[i]));

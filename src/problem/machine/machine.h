@@ -93,7 +93,8 @@ struct MachineOf {
   std::optional<Model<Scalar>> struck_tree;
   std::vector<ContactLimit> contact_limits;
   std::map<std::string, JointPlaceOf<Scalar>> joints;
-  std::vector<std::string> loop_joints;  // joints that close loops
+  std::vector<std::string> loop_joints;        // joints that close loops
+  std::vector<std::string> constraint_joints;  // for each constraint the joint that it closes a loop by, "" if none
 
   const Model<Scalar>& tree_after_blow() const { return struck_tree ? *struck_tree : mechanism.tree; }
   // The place on a body that lies at this point of the drawing.

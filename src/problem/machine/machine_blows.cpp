@@ -1,9 +1,9 @@
 // The impulses, impacts and strikes of a machine.
-#include <cstdio>
 
 #include "poinsot/engine/math/algebra/plain.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
+#include "problem/language/words.h"
 #include "problem/machine/machine_draft.h"
 
 namespace poinsot::problem {
@@ -21,11 +21,7 @@ Place<Scalar> impulse_place(const MachineDraft<Scalar>& draft, const std::string
 // Whether a number lies between 0 and 1, up to the rounding of one that was found.
 bool is_part(double x) { return x >= -1e-9 && x <= 1 + 1e-9; }
 
-std::string number_in_words(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
+std::string number_in_words(double x) { return with_digits(x, 6); }
 
 }  // namespace
 

@@ -1,15 +1,52 @@
 // The contacts and cords of a machine.
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
+#include <optional>
 
 #include "poinsot/engine/math/algebra/plain.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
+#include "problem/language/words.h"
 #include "problem/machine/machine_draft.h"
 #include "problem/machine/rolling_surface.h"
 #include "problem/machine/straight_sides.h"
 
 namespace poinsot::problem {
+
+namespace {
+
+bool is_particle(const Body& body) { return body.parts.size() == 1 && body.parts.front().shape.kind == "particle"; }
+
+// Refuses a contact whose point is beside a body that is straight everywhere, and one on a particle, which has no
+// surface for another body to touch.
+template <class Scalar>
+void check_sides(MachineDraft<Scalar>& draft, const Contact& contact, const Vector3<double>& C) {
+  const auto refuse_beside = [&](const std::string& name) {
+    constexpr double at_surface = 1e-6;  // of the distances in the figure, which the author may have rounded
+    const Body& body = draft.situation.bodies[draft.body_number(name)];
+    const std::optional<double> gap = gap_to_sides(body, draft.data, C);
+    if (!gap) return;
+    const double size = norm(C) + norm(plain(draft.masses[draft.body_number(name)].properties.center));
+    if (*gap > at_surface * size)
+      fail(draft.situation.file, contact.at.mark(),
+           fmt::format("contact '{}' is {:.3g} m off the surface of '{}'", contact.name, *gap, name),
+           is_particle(body) ? "a particle touches where it is: correct the point under at:"
+                             : "correct the point under at:, or give the body the shape that touches there");
+  };
+  refuse_beside(contact.of);
+  const auto other = std::find_if(draft.situation.bodies.begin(), draft.situation.bodies.end(),
+                                  [&](const Body& body) { return body.name == contact.against; });
+  if (other == draft.situation.bodies.end()) return;
+  if (is_particle(*other))
+    fail(draft.situation.file, contact.mark,
+         "'" + other->name + "' is a particle, which has no surface that '" + contact.of + "' could touch",
+         "state the contact from the particle: of: " + other->name + ", against: " + contact.of +
+             ", with the normal into it");
+  refuse_beside(contact.against);
+}
+
+}  // namespace
 
 template <class Scalar>
 void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
@@ -43,9 +80,8 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
   const RollingSurface<Scalar> surface =
       rolling_surface(stated, draft.data, C, n, draft.masses[draft.body_number(contact.of)].properties.center);
   if (surface.shape == ContactShape::missed) {
-    char text[120];
-    std::snprintf(text, sizeof text, "%.3g m off the surface of '%s'", surface.gap, contact.of.c_str());
-    fail(draft.situation.file, contact.at.mark(), "contact '" + contact.name + "' is " + text,
+    fail(draft.situation.file, contact.at.mark(),
+         fmt::format("contact '{}' is {:.3g} m off the surface of '{}'", contact.name, surface.gap, contact.of),
          "correct the point under at:");
   }
   if (!normal_fits(surface, C, n))
@@ -55,6 +91,7 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
          norm(plain(surface.axis)) == 0
              ? "there it goes along the radius: correct it, or the point under at:"
              : "there it lies in the plane through the axis: correct it, or the point under at:");
+  check_sides(draft, contact, plain(C));
   // The surface on the other side may be curved as well.
   bool unknown = surface.shape == ContactShape::unknown;
   if (draft.machine.mechanism.takes_part.size() > static_cast<std::size_t>(std::max(from, 0)) && from != ground &&

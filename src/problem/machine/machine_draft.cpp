@@ -1,13 +1,13 @@
 #include "problem/machine/machine_draft.h"
 
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "poinsot/engine/mass/composition.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 
@@ -30,9 +30,7 @@ std::string MachineDraft<Scalar>::direction_name(const Vector3<Scalar>& directio
   const Vector3<double> d = plain(direction);
   for (std::size_t k = 0; k < 3; ++k)
     if (std::abs(std::abs(d[k]) - 1) < 1e-9) return situation.axes[k];
-  char text[80];
-  std::snprintf(text, sizeof text, "[%.3g, %.3g, %.3g]", d.x, d.y, d.z);
-  return text;
+  return "[" + with_digits(d.x, 3) + ", " + with_digits(d.y, 3) + ", " + with_digits(d.z, 3) + "]";
 }
 
 template <class Scalar>
@@ -92,7 +90,8 @@ Component<Scalar>& MachineDraft<Scalar>::add_component(int action, const std::st
 template <class Scalar>
 VelocityConstraint<Scalar>& MachineDraft<Scalar>::add_constraint(VelocityConstraintKind kind, const std::string& words,
                                                                  int on, int from, const Place<Scalar>& at,
-                                                                 const Vector3<Scalar>& drawn) {
+                                                                 const Vector3<Scalar>& drawn,
+                                                                 const std::string& joint) {
   VelocityConstraint<Scalar> c;
   c.kind = kind;
   c.words = words;
@@ -101,6 +100,7 @@ VelocityConstraint<Scalar>& MachineDraft<Scalar>::add_constraint(VelocityConstra
   c.at = at;
   c.along = {from, drawn};
   c.toward = machine.place(from, at.point + machine.drawn_origin.at(on));
+  machine.constraint_joints.push_back(joint);
   machine.mechanism.constraints.push_back(std::move(c));
   return machine.mechanism.constraints.back();
 }

@@ -33,7 +33,7 @@ struct MachineDraft {
   // The link of each freedom, and its parent.
   std::map<std::pair<std::string, std::size_t>, std::pair<int, int>> link_of_freedom{};
   std::vector<const Joint*> loops{};  // joints that close loops
-  // For universal joints among them, the link that turns about the first axis.
+  // For joints among them that turn about two axes, the link that turns about the first.
   std::map<std::string, int> cross_of_loop{};
 
   int body(const std::string& name) const { return machine.index.at(name); }
@@ -63,8 +63,10 @@ struct MachineDraft {
   // Adds a force or couple along a direction that moves with a body.
   Component<Scalar>& add_component(int action, const std::string& axis, bool couple, const Place<Scalar>& at,
                                    const Direction<Scalar>& along);
+  // joint: the joint that closes a loop by the constraint, if one does.
   VelocityConstraint<Scalar>& add_constraint(VelocityConstraintKind kind, const std::string& words, int on, int from,
-                                             const Place<Scalar>& at, const Vector3<Scalar>& drawn);
+                                             const Place<Scalar>& at, const Vector3<Scalar>& drawn,
+                                             const std::string& joint = "");
 };
 
 // Two unit vectors perpendicular to u and to each other, along axes of the figure if possible.
@@ -77,6 +79,8 @@ struct JointAxes {
   Vector3<Scalar> at;
   std::vector<Vector3<Scalar>> freedom;  // one for each freedom
   std::optional<Vector3<Scalar>> main;   // the joint's axis, normal or direction
+  // Which freedoms turn, if there are two: the link between them then carries the couple across both.
+  std::optional<std::pair<std::size_t, std::size_t>> two_turnings;
 };
 template <class Scalar>
 JointAxes<Scalar> axes_of(const MachineDraft<Scalar>& draft, const Joint& joint);
@@ -102,10 +106,11 @@ template <class Scalar>
 void add_contact(MachineDraft<Scalar>& draft, const Contact& contact);
 template <class Scalar>
 void add_cord(MachineDraft<Scalar>& draft, const Cord& cord);
+// The laws of force.
 template <class Scalar>
-void add_spring(MachineDraft<Scalar>& draft, const Spring& spring);
+void add_law(MachineDraft<Scalar>& draft, const Spring& spring);
 template <class Scalar>
-void add_load(MachineDraft<Scalar>& draft, const Load& load);
+void add_law(MachineDraft<Scalar>& draft, const Load& load);
 template <class Scalar>
 void add_impulse(MachineDraft<Scalar>& draft, const Impulse& impulse);
 template <class Scalar>

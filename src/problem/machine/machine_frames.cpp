@@ -1,4 +1,6 @@
 // Gravity and the frames of a machine.
+#include <cmath>
+
 #include "poinsot/engine/mass/composition.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "problem/language/diagnostic.h"
@@ -6,6 +8,24 @@
 #include "problem/machine/machine_draft.h"
 
 namespace poinsot::problem {
+
+namespace {
+
+// Whether a vector of pure numbers may be meant as an acceleration: [0, -1.62, 0], but not [0, -1, 0], [1, 0, -1] or
+// [-sin(b), -cos(b), 0].
+template <class Scalar>
+bool is_size_without_unit(const Expression& expression, const Value<Scalar>& value) {
+  if (!value.bare || !expression.as<List>()) return false;
+  bool whole = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double part = std::abs(plain(value.vector[i]));
+    whole = whole && (part == 0 || part == 1);
+  }
+  constexpr double nearly = 1e-2;  // as a part of one: the numbers of a direction may be rounded
+  return !whole && std::abs(plain(norm_squared(value.vector)) - 1) > nearly;
+}
+
+}  // namespace
 
 template <class Scalar>
 void set_gravity(MachineDraft<Scalar>& draft) {
@@ -28,6 +48,10 @@ void set_gravity(MachineDraft<Scalar>& draft) {
         fail(situation.file, situation.gravity->mark(),
              "gravity is " + to_string(value.dimension) + "; expected a direction or a vector of acceleration",
              "write gravity: -y, gravity: none, or gravity: [0, -9.8 m/s^2, 0]");
+      else if (is_size_without_unit(*situation.gravity, value))
+        fail(situation.file, situation.gravity->mark(),
+             "it is not clear whether this is a direction or an acceleration without its unit",
+             "write the acceleration with its unit, as in [0, -1.62 m/s^2, 0], or a direction such as -y");
       else
         gravity = draft.data.gravity_size() * draft.data.direction(*situation.gravity);
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "poinsot/engine/math/algebra/plain.h"
+#include "problem/keys/joint_kinds.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/machine/machine_draft.h"
@@ -16,41 +17,42 @@ struct Carried {
   std::vector<Vector3<Scalar>> forces, couples;
   std::optional<Scalar> screw;  // the couple per unit force along the axis of a screw
 };
+
+// The directions across all of these, of which none are parallel.
 template <class Scalar>
-Carried<Scalar> carried_by(JointKind kind, const JointAxes<Scalar>& axes, const Scalar& pitch) {
-  const std::vector<Vector3<Scalar>> all{Vector3<Scalar>::unit(0), Vector3<Scalar>::unit(1), Vector3<Scalar>::unit(2)};
-  std::vector<Vector3<Scalar>> sides;
-  if (axes.main) {
-    const auto [a, b] = across(*axes.main);
-    sides = {a, b};
-  }
-  switch (kind) {
-    case JointKind::weld:
-      return {all, all, {}};
-    case JointKind::revolute:
-      return {all, sides, {}};
-    case JointKind::prismatic:
-      return {sides, all, {}};
-    case JointKind::cylindrical:
-      return {sides, sides, {}};
-    case JointKind::universal:
-      return {all, {normalized(cross(axes.freedom[0], axes.freedom[1]))}, {}};
-    case JointKind::ball:
-      return {all, {}, {}};
-    case JointKind::planar:
-      return {{*axes.main}, sides, {}};
-    case JointKind::screw:
-      return {sides, sides, -pitch};
-  }
-  return {};
+std::vector<Vector3<Scalar>> across_all(const std::vector<Vector3<Scalar>>& moving) {
+  if (moving.empty()) return {Vector3<Scalar>::unit(0), Vector3<Scalar>::unit(1), Vector3<Scalar>::unit(2)};
+  if (moving.size() == 2) return {normalized(cross(moving[0], moving[1]))};
+  if (moving.size() > 2) return {};
+  const auto [a, b] = across(moving[0]);
+  return {a, b};
 }
 
-// The link between the two axes of a universal joint.
+// A joint carries forces across all directions in which it slides, and couples across all about which it turns.
 template <class Scalar>
-int cross_link(const MachineDraft<Scalar>& draft, const Joint& joint) {
+Carried<Scalar> carried_by(const Joint& joint, const JointAxes<Scalar>& axes, const Scalar& pitch) {
+  std::vector<Vector3<Scalar>> sliding, turning;
+  for (std::size_t k = 0; k < joint.freedoms.size(); ++k)
+    (joint.freedoms[k].turning ? turning : sliding).push_back(axes.freedom[k]);
+  if (joint.kind->advances) sliding = turning;
+  Carried<Scalar> carried;
+  // A normal keeps the sense in which it is stated.
+  if (joint.kind->given == JointGiven::normal)
+    carried.forces = {*axes.main};
+  else
+    carried.forces = across_all(sliding);
+  if (!joint.kind->any_turning) carried.couples = across_all(turning);
+  if (joint.kind->advances) carried.screw = -pitch;
+  return carried;
+}
+
+// The link between the two axes about which a joint turns.
+template <class Scalar>
+int cross_link(const MachineDraft<Scalar>& draft, const Joint& joint,
+               const std::pair<std::size_t, std::size_t>& turnings) {
   if (const auto found = draft.cross_of_loop.find(joint.name); found != draft.cross_of_loop.end()) return found->second;
-  const auto& [first, first_parent] = draft.link_of_freedom.at({joint.name, 0});
-  const auto& [second, second_parent] = draft.link_of_freedom.at({joint.name, 1});
+  const auto& [first, first_parent] = draft.link_of_freedom.at({joint.name, turnings.first});
+  const auto& [second, second_parent] = draft.link_of_freedom.at({joint.name, turnings.second});
   return second_parent == first ? first : second;
 }
 
@@ -60,23 +62,22 @@ void add_support(MachineDraft<Scalar>& draft, const Joint& joint, const Support&
   const Place<Scalar> at = draft.machine.place(to, support_place(draft, support));
   const int action = draft.add_action(ActionKind::support, support.name, joint.name, to, from);
   std::vector<std::pair<std::string, Vector3<Scalar>>> forces, couples;
-  if (support.kind.empty()) {
+  if (!support.kind) {
     for (const Expression& e : support.forces) forces.emplace_back(to_string(e), draft.data.direction(e));
     for (const Expression& e : support.couples) couples.emplace_back(to_string(e), draft.data.direction(e));
   } else {
-    const bool along_axis = support.kind != "journal" && support.kind != "collar";
-    const bool with_couples = support.kind != "journal" && support.kind != "thrust" && support.kind != "ball";
-    if (!axes.main && support.kind != "ball")
+    if (!axes.main && !support.kind->needs_no_axis)
       fail(draft.situation.file, support.mark,
-           "joint '" + joint.name + "' has no axis: its support '" + support.name + "' cannot be a " + support.kind,
+           "joint '" + joint.name + "' has no axis: its support '" + support.name + "' cannot be a " +
+               support.kind->name,
            "list the directions that it carries");
     std::vector<Vector3<Scalar>> directions{Vector3<Scalar>::unit(0), Vector3<Scalar>::unit(1),
                                             Vector3<Scalar>::unit(2)};
     if (axes.main) {
       const auto [a, b] = across(*axes.main);
       directions = {a, b};
-      if (along_axis) directions.push_back(*axes.main);
-      if (with_couples)
+      if (!support.kind->across_only) directions.push_back(*axes.main);
+      if (support.kind->couples)
         for (const Vector3<Scalar>& d : {a, b}) couples.emplace_back(draft.direction_name(d), d);
     }
     for (const Vector3<Scalar>& d : directions) forces.emplace_back(draft.direction_name(d), d);
@@ -136,6 +137,39 @@ void add_drives(MachineDraft<Scalar>& draft, const Joint& joint, const JointAxes
   }
 }
 
+// Two directions across a normal. If it is a coordinate axis, they are the two others in their positive sense.
+template <class Scalar>
+std::pair<Vector3<Scalar>, Vector3<Scalar>> in_plane(const Vector3<Scalar>& normal) {
+  auto [first, second] = across(normal);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (std::abs(std::abs(plain(normal[k])) - 1) < 1e-12) {
+      const Vector3<Scalar> one = Vector3<Scalar>::unit(k == 0 ? 1 : 0);
+      first = normalized(one - dot(one, normal) * normal);
+      second = cross(normal, first);
+      if (plain(second[k == 2 ? 1 : 2]) < 0) second = -second;
+    }
+  return {first, second};
+}
+
+// main: the direction that the joint's key gives; listed: the two that it gives instead.
+template <class Scalar>
+Vector3<Scalar> direction_of(FreedomAxis axis, const std::optional<Vector3<Scalar>>& main,
+                             const std::vector<Vector3<Scalar>>& listed) {
+  switch (axis) {
+    case FreedomAxis::across:
+      return in_plane(*main).first;
+    case FreedomAxis::across_both:
+      return in_plane(*main).second;
+    case FreedomAxis::first:
+      return listed[0];
+    case FreedomAxis::second:
+      return listed[1];
+    case FreedomAxis::main:
+      break;
+  }
+  return *main;
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -146,50 +180,44 @@ JointAxes<Scalar> axes_of(const MachineDraft<Scalar>& draft, const Joint& joint)
     if (joint.at) return draft.data.place(*joint.at);
     if (const Arrow* arrow = joint.place.as<Arrow>()) return draft.data.place(arrow->from);
     if (!joint.supports.empty()) return support_place(draft, joint.supports.front());
-    if (joint.kind == JointKind::prismatic) return Vector3<Scalar>::zero();
+    if (joint.kind->given == JointGiven::direction) return Vector3<Scalar>::zero();
     fail(draft.situation.file, joint.mark, "joint '" + joint.name + "' has a direction but no place",
          "write at: P, a point of its axis");
   };
-  switch (joint.kind) {
-    case JointKind::weld:
-    case JointKind::ball: {
+  std::vector<Vector3<Scalar>> listed;
+  switch (joint.kind->given) {
+    case JointGiven::point:
       if (joint.at)
         fail(draft.situation.file, joint.at->mark(), "joint '" + joint.name + "' already has its point", "remove at:");
       axes.at = draft.data.place(joint.place);
-      for (const Freedom& freedom : joint.freedoms) axes.freedom.push_back(draft.data.direction(*freedom.direction));
       break;
-    }
-    case JointKind::universal: {
+    case JointGiven::two_axes: {
+      const std::string& kind = joint.kind->name;
       const List* list = joint.place.as<List>();
       if (!list || list->items.size() != 2)
-        fail(draft.situation.file, joint.place.mark(), "a universal joint has two axes", "write universal: [x, y]");
+        fail(draft.situation.file, joint.place.mark(), "a " + kind + " joint has two axes",
+             "write " + kind + ": [x, y]");
       axes.at = at();
-      for (const Expression& item : list->items) axes.freedom.push_back(draft.data.direction(item));
-      if (norm(plain(cross(axes.freedom[0], axes.freedom[1]))) < 1e-9)
+      for (const Expression& item : list->items) listed.push_back(draft.data.direction(item));
+      if (norm(plain(cross(listed[0], listed[1]))) < 1e-9)
         fail(draft.situation.file, joint.place.mark(),
-             "the axes of the universal joint '" + joint.name + "' are parallel");
+             "the axes of the " + kind + " joint '" + joint.name + "' are parallel");
       break;
     }
-    case JointKind::planar: {
+    case JointGiven::normal:
+    case JointGiven::axis:
+    case JointGiven::direction:
       axes.at = at();
       axes.main = draft.data.direction(joint.place);
-      auto [first, second] = across(*axes.main);
-      // If the main axis is a coordinate axis, the two others are taken in their positive sense.
-      for (std::size_t k = 0; k < 3; ++k)
-        if (std::abs(std::abs(plain((*axes.main)[k])) - 1) < 1e-12) {
-          const Vector3<Scalar> one = Vector3<Scalar>::unit(k == 0 ? 1 : 0);
-          first = normalized(one - dot(one, *axes.main) * *axes.main);
-          second = cross(*axes.main, first);
-          if (plain(second[k == 2 ? 1 : 2]) < 0) second = -second;
-        }
-      axes.freedom = {first, second, *axes.main};
-      break;
-    }
-    default:
-      axes.at = at();
-      axes.main = draft.data.direction(joint.place);
-      axes.freedom.assign(joint.freedoms.size(), *axes.main);
   }
+  std::vector<std::size_t> turnings;
+  for (std::size_t k = 0; k < joint.freedoms.size(); ++k) {
+    const Freedom& freedom = joint.freedoms[k];
+    axes.freedom.push_back(freedom.direction ? draft.data.direction(*freedom.direction)
+                                             : direction_of(joint.kind->freedoms[k].axis, axes.main, listed));
+    if (freedom.turning) turnings.push_back(k);
+  }
+  if (turnings.size() == 2) axes.two_turnings.emplace(turnings[0], turnings[1]);
   return axes;
 }
 
@@ -207,8 +235,7 @@ Scalar pitch_of(const MachineDraft<Scalar>& draft, const Joint& joint) {
 
 template <class Scalar>
 Vector3<Scalar> support_place(const MachineDraft<Scalar>& draft, const Support& support) {
-  return draft.data.place(support.at ? *support.at
-                                     : parse_expression(support.name, draft.situation.file, support.mark));
+  return draft.data.place(*support.at);
 }
 
 template <class Scalar>
@@ -219,10 +246,10 @@ void add_joint_actions(MachineDraft<Scalar>& draft, const Joint& joint) {
   JointPlaceOf<Scalar> place{at, std::nullopt, from, to};
   if (axes.main) place.axis = Direction<Scalar>{from, *axes.main};
   draft.machine.joints[joint.name] = place;
-  const Scalar pitch = joint.kind == JointKind::screw ? pitch_of(draft, joint) : Scalar(0);
-  const Carried<Scalar> carried = carried_by(joint.kind, axes, pitch);
-  // The couple of a universal joint is perpendicular to both of its axes, which move with the link between them.
-  const int couple_body = joint.kind == JointKind::universal ? cross_link(draft, joint) : from;
+  const Scalar pitch = joint.kind->advances ? pitch_of(draft, joint) : Scalar(0);
+  const Carried<Scalar> carried = carried_by(joint, axes, pitch);
+  // The couple across two axes of turning moves with the link between them.
+  const int couple_body = axes.two_turnings ? cross_link(draft, joint, *axes.two_turnings) : from;
   if (!joint.supports_stated) {
     const int action = draft.add_action(ActionKind::joint, joint.name, "", to, from);
     for (const Vector3<Scalar>& d : carried.forces)
@@ -240,14 +267,14 @@ void add_joint_actions(MachineDraft<Scalar>& draft, const Joint& joint) {
   if (std::find(draft.loops.begin(), draft.loops.end(), &joint) == draft.loops.end()) return;
   for (const Vector3<Scalar>& d : carried.forces)
     draft.add_constraint(VelocityConstraintKind::point, "joint '" + joint.name + "' along " + draft.direction_name(d),
-                         to, from, at, d);
+                         to, from, at, d, joint.name);
   std::vector<Vector3<Scalar>> fixed = carried.couples;
   // The body `to` also keeps the second axis of the link between the axes.
-  if (joint.kind == JointKind::universal) fixed.push_back(cross(axes.freedom[1], carried.couples[0]));
+  if (axes.two_turnings) fixed.push_back(cross(axes.freedom[axes.two_turnings->second], carried.couples[0]));
   for (const Vector3<Scalar>& d : fixed)
     draft.add_constraint(VelocityConstraintKind::angular, "joint '" + joint.name + "' about " + draft.direction_name(d),
-                         to, couple_body, at, d);
-  if (joint.kind == JointKind::screw)
+                         to, couple_body, at, d, joint.name);
+  if (joint.kind->advances)
     fail(draft.situation.file, joint.mark,
          "joint '" + joint.name + "' closes a loop, which a joint of this kind cannot do here",
          "let it stand first and close the loop with a joint of another kind");

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "poinsot/engine/mass/composition.h"
+#include "problem/keys/joint_kinds.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/machine/machine_draft.h"
@@ -19,9 +20,7 @@ bool states_motion(const Joint& joint) {
 template <class Scalar>
 poinsot::Joint<Scalar> link_joint(const MachineDraft<Scalar>& draft, const Joint& joint, std::size_t freedom,
                                   const Vector3<Scalar>& direction) {
-  if (joint.kind == JointKind::screw) {
-    return poinsot::Joint<Scalar>::screw(direction, pitch_of(draft, joint));
-  }
+  if (joint.kind->advances) return poinsot::Joint<Scalar>::screw(direction, pitch_of(draft, joint));
   return joint.freedoms[freedom].turning ? poinsot::Joint<Scalar>::revolute(direction)
                                          : poinsot::Joint<Scalar>::prismatic(direction);
 }
@@ -88,9 +87,9 @@ void add_joint(MachineDraft<Scalar>& draft, const Joint& joint, bool reversed) {
   int parent = draft.body(reversed ? joint.to : joint.from);
   const std::size_t child_index = draft.body_number(child);
   const MassProperties<Scalar>& mass = draft.masses[child_index].properties;
-  if (joint.kind == JointKind::weld || (joint.kind == JointKind::ball && joint.freedoms.empty())) {
+  if (joint.freedoms.empty()) {
     const std::size_t first = draft.next_velocity();
-    const bool ball = joint.kind == JointKind::ball;
+    const bool ball = joint.kind->any_turning;
     draft.machine.index[child] = draft.add_link(
         child, parent, ball ? poinsot::Joint<Scalar>::ball() : poinsot::Joint<Scalar>::weld(), axes.at, mass);
     if (ball)
@@ -117,8 +116,8 @@ void add_joint(MachineDraft<Scalar>& draft, const Joint& joint, bool reversed) {
 }
 
 // A joint between two bodies of the tree closes a loop: the motions that it forbids become constraints. The link
-// between the axes of a universal joint becomes a child of `from`, so that its second axis is the one that a revolute
-// joint leaves free.
+// between the two axes about which a universal joint turns becomes a child of `from`, so that its second axis is the
+// one that a revolute joint leaves free.
 template <class Scalar>
 void close_loop(MachineDraft<Scalar>& draft, const Joint& joint) {
   if (states_motion(joint))
@@ -127,15 +126,17 @@ void close_loop(MachineDraft<Scalar>& draft, const Joint& joint) {
          "state angles, rates and couples at the other joints of the loop");
   draft.machine.loop_joints.push_back(joint.name);
   draft.loops.push_back(&joint);
-  if (joint.kind != JointKind::universal) return;
   const JointAxes<Scalar> axes = axes_of(draft, joint);
+  const auto turnings = axes.two_turnings;
+  if (!turnings) return;
   const std::size_t velocity = draft.next_velocity();
-  const Freedom& first = joint.freedoms[0];
+  const Freedom& first = joint.freedoms[turnings->first];
   const int parent = draft.body(joint.from);
-  const int cross = draft.add_link(joint.name + "." + first.name, parent,
-                                   poinsot::Joint<Scalar>::revolute(axes.freedom[0]), axes.at, massless<Scalar>());
+  const int cross =
+      draft.add_link(joint.name + "." + first.name, parent,
+                     poinsot::Joint<Scalar>::revolute(axes.freedom[turnings->first]), axes.at, massless<Scalar>());
   draft.cross_of_loop[joint.name] = cross;
-  draft.link_of_freedom[{joint.name, 0}] = {cross, parent};
+  draft.link_of_freedom[{joint.name, turnings->first}] = {cross, parent};
   draft.machine.mechanism.coordinate_names[velocity] = "the rate of joint '" + joint.name + "', " + first.name;
 }
 

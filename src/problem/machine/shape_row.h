@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "problem/machine/round_surface.h"
@@ -22,6 +23,7 @@ enum class OtherSurface {
 
 template <class Scalar>
 struct ShapeRow {
+  std::string_view words;  // what worked solutions call it, after "a"
   // Closed form and particles.
   ShapeValues<Scalar> (*values)(const ShapeArguments<Scalar>&) = nullptr;
   OtherSurface other = OtherSurface::corners;

@@ -116,19 +116,22 @@ std::pair<Vector3<Scalar>, Vector3<Scalar>> ends_of(const ShapeArguments<Scalar>
   return {a.place("center") - half, a.place("center") + half};
 }
 
-// Each row: closed form and particles, what else than round and straight surfaces it touches with, these surfaces.
+// Each row: its words, closed form and particles, what else than round and straight surfaces it touches with, these
+// surfaces.
 template <class Scalar>
 const std::map<std::string, ShapeRow<Scalar>>& rows() {
   static const std::map<std::string, ShapeRow<Scalar>> table{
       {"particle",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"particle",
+        [](const ShapeArguments<Scalar>& a) {
           const auto P = a.place("points");
           a.check(shape_faults::particle(a.owner(), plain(P)));
           return a.values(Extent::point, shapes::particle(P), [&] { return particles::particle(plain(P)); });
         },
         OtherSurface::corners, nullptr, surfaces::particle<Scalar>}},
       {"rod",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"slender rod",
+        [](const ShapeArguments<Scalar>& a) {
           const auto P = a.places("points", 2);
           a.check(shape_faults::rod(a.owner(), plain(P[0]), plain(P[1])));
           return a.values(Extent::length, shapes::rod(P[0], P[1]),
@@ -136,15 +139,17 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::corners, nullptr, surfaces::points<Scalar>}},
       {"wire",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"wire",
+        [](const ShapeArguments<Scalar>& a) {
           const auto P = a.places("points");
           a.check(shape_faults::polyline(a.owner(), plain(P)));
           return a.values(Extent::length, shapes::polyline(P), [&] { return particles::polyline(plain(P)); });
         },
         OtherSurface::corners, nullptr, surfaces::wire<Scalar>}},
-      {"arc", {arc<Scalar>, OtherSurface::corners, surfaces::arc<Scalar>}},
+      {"arc", {"arc", arc<Scalar>, OtherSurface::corners, surfaces::arc<Scalar>}},
       {"ring",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"thin ring",
+        [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), n = a.direction("normal");
           const auto r = a.length("radius");
           a.check(shape_faults::ring(a.owner(), plain(c), plain(n), plain(r)));
@@ -152,18 +157,21 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
                           [&] { return particles::ring(plain(c), plain(n), plain(r)); });
         },
         OtherSurface::none, surfaces::circle<Scalar>}},
-      {"rectangle", {rectangle<Scalar>, OtherSurface::corners, nullptr, surfaces::rectangle<Scalar>}},
+      {"rectangle",
+       {"thin rectangular plate", rectangle<Scalar>, OtherSurface::corners, nullptr, surfaces::rectangle<Scalar>}},
       {"triangle",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"thin triangular plate",
+        [](const ShapeArguments<Scalar>& a) {
           const auto P = a.places("points", 3);
           a.check(shape_faults::triangle(a.owner(), plain(P[0]), plain(P[1]), plain(P[2])));
           return a.values(Extent::area, shapes::triangle(P[0], P[1], P[2]),
                           [&] { return particles::polygon(plain(P)); });
         },
         OtherSurface::corners, nullptr, surfaces::points<Scalar>}},
-      {"polygon", {polygon<Scalar>, OtherSurface::corners, nullptr, surfaces::points<Scalar>}},
+      {"polygon", {"thin plate", polygon<Scalar>, OtherSurface::corners, nullptr, surfaces::points<Scalar>}},
       {"semicircle",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"thin half disk",
+        [](const ShapeArguments<Scalar>& a) {
           const auto P = a.places("diameter", 2);
           const auto toward = a.toward("toward", Scalar(0.5) * (P[0] + P[1]));
           a.check(shape_faults::semicircle(a.owner(), plain(P[0]), plain(P[1]), plain(toward)));
@@ -172,7 +180,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::corners, surfaces::arc<Scalar>, surfaces::semicircle<Scalar>}},
       {"disk",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"thin disk",
+        [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), n = a.direction("normal");
           const auto r = a.length("radius");
           a.check(shape_faults::disk(a.owner(), plain(c), plain(n), plain(r)));
@@ -181,7 +190,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::circle<Scalar>}},
       {"annulus",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"annulus",
+        [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), n = a.direction("normal");
           const auto r = a.length("radius"), inner = a.length("inner_radius");
           a.check(shape_faults::annulus(a.owner(), plain(c), plain(n), plain(r), plain(inner)));
@@ -190,7 +200,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::circle<Scalar>}},
       {"sector",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"sector",
+        [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), n = a.direction("normal"), middle = a.toward("middle", c);
           const auto r = a.length("radius"), angle = a.angle("angle");
           if (std::abs(plain(dot(n, middle))) > shape_faults::default_tolerance)
@@ -201,7 +212,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::corners, surfaces::arc<Scalar>, surfaces::sector<Scalar>}},
       {"box_shell",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"box shell",
+        [](const ShapeArguments<Scalar>& a) {
           const auto c = a.places("corners", 2);
           a.check(shape_faults::box_shell_between(a.owner(), plain(c[0]), plain(c[1])));
           return a.values(Extent::area, shapes::box_shell_between(c[0], c[1]),
@@ -209,7 +221,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::corners, nullptr, surfaces::box<Scalar>}},
       {"sphere_shell",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"sphere shell",
+        [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center");
           const auto r = a.length("radius");
           a.check(shape_faults::sphere_shell(a.owner(), plain(c), plain(r)));
@@ -218,7 +231,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::sphere<Scalar>}},
       {"hemisphere_shell",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"hemisphere shell",
+        [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), toward = a.toward("toward", c);
           const auto r = a.length("radius");
           a.check(shape_faults::hemisphere_shell(a.owner(), plain(c), plain(toward), plain(r)));
@@ -227,7 +241,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::hemisphere<Scalar>}},
       {"cylinder_shell",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"cylinder shell",
+        [](const ShapeArguments<Scalar>& a) {
           const auto [A, B] = ends_of(a);
           const auto r = a.length("radius");
           a.check(shape_faults::cylinder_shell(a.owner(), plain(A), plain(B), plain(r)));
@@ -236,7 +251,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::cylinder<Scalar>}},
       {"closed_cylinder_shell",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"closed cylinder shell",
+        [](const ShapeArguments<Scalar>& a) {
           const auto [A, B] = ends_of(a);
           const auto r = a.length("radius");
           a.check(shape_faults::closed_cylinder_shell(a.owner(), plain(A), plain(B), plain(r)));
@@ -246,7 +262,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::cylinder<Scalar>}},
       {"cone_shell",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"cone shell",
+        [](const ShapeArguments<Scalar>& a) {
           const auto apex = a.place("apex"), base = a.place("base");
           const auto r = a.length("radius");
           a.check(shape_faults::cone_shell(a.owner(), plain(apex), plain(base), plain(r)));
@@ -254,10 +271,11 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
                           [&] { return particles::cone_shell(plain(apex), plain(base), plain(r)); });
         },
         OtherSurface::none, surfaces::cone<Scalar>}},
-      {"box", {box<Scalar>, OtherSurface::corners, nullptr, surfaces::box<Scalar>}},
-      {"cube", {cube<Scalar>, OtherSurface::corners, nullptr, surfaces::cube<Scalar>}},
+      {"box", {"rectangular block", box<Scalar>, OtherSurface::corners, nullptr, surfaces::box<Scalar>}},
+      {"cube", {"cube", cube<Scalar>, OtherSurface::corners, nullptr, surfaces::cube<Scalar>}},
       {"sphere",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"sphere",
+        [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center");
           const auto r = a.length("radius");
           a.check(shape_faults::sphere(a.owner(), plain(c), plain(r)));
@@ -265,7 +283,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::sphere<Scalar>}},
       {"hemisphere",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"hemisphere",
+        [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), toward = a.toward("toward", c);
           const auto r = a.length("radius");
           a.check(shape_faults::hemisphere(a.owner(), plain(c), plain(toward), plain(r)));
@@ -274,7 +293,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::hemisphere<Scalar>}},
       {"cylinder",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"cylinder",
+        [](const ShapeArguments<Scalar>& a) {
           const auto [A, B] = ends_of(a);
           const auto r = a.length("radius");
           a.check(shape_faults::cylinder(a.owner(), plain(A), plain(B), plain(r)));
@@ -283,7 +303,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::cylinder<Scalar>}},
       {"tube",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"tube",
+        [](const ShapeArguments<Scalar>& a) {
           const auto [A, B] = ends_of(a);
           const auto r = a.length("radius"), inner = a.length("inner_radius");
           a.check(shape_faults::tube(a.owner(), plain(A), plain(B), plain(r), plain(inner)));
@@ -292,7 +313,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::cylinder<Scalar>}},
       {"cone",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"cone",
+        [](const ShapeArguments<Scalar>& a) {
           const auto apex = a.place("apex"), base = a.place("base");
           const auto r = a.length("radius");
           a.check(shape_faults::cone(a.owner(), plain(apex), plain(base), plain(r)));
@@ -301,7 +323,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::cone<Scalar>}},
       {"frustum",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"frustum",
+        [](const ShapeArguments<Scalar>& a) {
           const auto A = a.place("base"), B = a.place("top");
           const auto r_A = a.length("base_radius"), r_B = a.length("top_radius");
           a.check(shape_faults::frustum(a.owner(), plain(A), plain(r_A), plain(B), plain(r_B)));
@@ -309,9 +332,10 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
                           [&] { return particles::frustum(plain(A), plain(r_A), plain(B), plain(r_B)); });
         },
         OtherSurface::none, surfaces::frustum<Scalar>}},
-      {"ellipsoid", {ellipsoid<Scalar>, OtherSurface::curved}},
+      {"ellipsoid", {"ellipsoid", ellipsoid<Scalar>, OtherSurface::curved}},
       {"torus",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"torus",
+        [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), n = a.direction("normal");
           const auto r = a.length("radius"), section = a.length("tube_radius");
           a.check(shape_faults::torus(a.owner(), plain(c), plain(n), plain(r), plain(section)));
@@ -320,7 +344,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::curved}},
       {"tetrahedron",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"tetrahedron",
+        [](const ShapeArguments<Scalar>& a) {
           const auto P = a.places("points", 4);
           a.check(shape_faults::tetrahedron(a.owner(), plain(P[0]), plain(P[1]), plain(P[2]), plain(P[3])));
           return a.values(Extent::volume, shapes::tetrahedron(P[0], P[1], P[2], P[3]),
@@ -328,7 +353,8 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::corners, nullptr, surfaces::tetrahedron<Scalar>}},
       {"mesh",
-       {[](const ShapeArguments<Scalar>& a) {
+       {"mesh",
+        [](const ShapeArguments<Scalar>& a) {
           const auto at = a.has("at") ? a.place("at") : Vector3<Scalar>::zero();
           return mesh_shape(a, at);
         },
@@ -354,7 +380,7 @@ template <class Scalar>
 ShapeValues<Scalar> shape_values(const Shape& shape, DataScope<Scalar>& data, const std::string& owner,
                                  bool particles) {
   const ShapeArguments<Scalar> arguments(shape, data, owner, particles);
-  const ShapeValues<Scalar> values = shape_row<Scalar>(shape.kind).values(arguments);
+  ShapeValues<Scalar> values = shape_row<Scalar>(shape.kind).values(arguments);
   const double measure = plain(values.properties.measure);
   const SymmetricMatrix3<double> I = plain(values.properties.inertia_center);
   if (values.extent != Extent::point && !(measure > 0))

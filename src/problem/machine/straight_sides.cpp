@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "poinsot/engine/math/algebra/plain.h"
@@ -49,7 +50,46 @@ std::optional<std::vector<Vector>> directions_on(const Side& side, const Vector&
   return std::vector<Vector>{e, cross(normal, e)};
 }
 
+double distance_to_edge(const Vector& A, const Vector& B, const Vector& C) {
+  const Vector AB = B - A;
+  const double square = norm_squared(AB);
+  const double along = square > 0 ? std::clamp(dot(C - A, AB) / square, 0.0, 1.0) : 0;
+  return norm(C - A - along * AB);
+}
+
+double distance_to_side(const Side& side, const Vector& C) {
+  double least = norm(C - side.front());
+  for (std::size_t i = 0; i + 1 < side.size() + (side.size() > 2 ? 1 : 0); ++i)
+    least = std::min(least, distance_to_edge(side[i], side[(i + 1) % side.size()], C));
+  if (side.size() < 3) return least;
+  Vector area = Vector::zero();
+  for (std::size_t i = 0; i < side.size(); ++i) area = area + cross(side[i], side[(i + 1) % side.size()]);
+  if (!(norm(area) > 0)) return least;
+  const Vector normal = normalized(area);
+  const double height = dot(C - side.front(), normal);
+  return directions_on(side, C - height * normal) ? std::min(least, std::abs(height)) : least;
+}
+
 }  // namespace
+
+template <class Scalar>
+std::optional<double> gap_to_sides(const Body& body, DataScope<Scalar>& data, const Vector3<double>& C) {
+  std::optional<double> least;
+  if (body.parts.empty()) return least;
+  for (const auto* list : {&body.parts, &body.added})
+    for (const Part& part : *list) {
+      const ShapeRow<Scalar>& row = shape_row<Scalar>(part.shape.kind);
+      if (row.round || !row.sides || row.other == OtherSurface::curved) return std::nullopt;
+      if (part.hole) continue;
+      for (const Side& side : row.sides(ShapeArguments<Scalar>(part.shape, data, part.name, false)))
+        least = std::min(least.value_or(std::numeric_limits<double>::infinity()), distance_to_side(side, C));
+    }
+  return least;
+}
+
+template std::optional<double> gap_to_sides(const Body&, DataScope<double>&, const Vector3<double>&);
+template std::optional<double> gap_to_sides(const Body&, DataScope<Dual<1>>&, const Vector3<double>&);
+template std::optional<double> gap_to_sides(const Body&, DataScope<Formula>&, const Vector3<double>&);
 
 template <class Scalar>
 std::vector<Vector3<double>> straight_directions(const Body& body, DataScope<Scalar>& data, const Vector3<double>& C,

@@ -1,6 +1,7 @@
-// Finds where a body is straight: on rods, edges of plates and blocks, and flat sides.
+// Finds where a body is straight: on rods, edges of plates and blocks, and flat sides; and what is not on any of them.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "problem/machine/data.h"
@@ -13,5 +14,10 @@ namespace poinsot::problem {
 template <class Scalar>
 std::vector<Vector3<double>> straight_directions(const Body& body, DataScope<Scalar>& data, const Vector3<double>& C,
                                                  const Vector3<double>& n);
+
+// How far the place C is from the surface of a body that is straight everywhere (m); nothing of a body that is round
+// somewhere, of one without shape, and of one that has no surface that is known here.
+template <class Scalar>
+std::optional<double> gap_to_sides(const Body& body, DataScope<Scalar>& data, const Vector3<double>& C);
 
 }  // namespace poinsot::problem

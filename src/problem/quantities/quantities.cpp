@@ -10,6 +10,8 @@
 #include "poinsot/engine/mass/composition.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
+#include "problem/language/expression_walk.h"
+#include "problem/language/words.h"
 #include "problem/quantities/quantity_values.h"
 
 namespace poinsot::problem {
@@ -97,8 +99,7 @@ int QuantityScope<Scalar, Base>::body_of(const Expression& expression, const Eva
   std::vector<std::string> known = body_names(machine_);
   if (system_allowed) known.push_back("system");
   const std::string hint = did_you_mean(name->name, known);
-  std::string all;
-  for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
+  const std::string all = joined(known);
   evaluator.fail(expression.mark(), "there is no body '" + name->name + "'", hint.empty() ? "known: " + all : hint);
 }
 
@@ -265,7 +266,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::call(const Call& call, const Mark& ma
                                                 const Evaluator<Scalar>& evaluator) {
   if (is_motion_feature(call)) {
     if constexpr (std::is_same_v<Scalar, double>)
-      if (feature_) return feature_(call, axes_expression_, mark);
+      if (features_)
+        if (const auto told = features_->find(&call); told != features_->end()) return told->second;
     evaluator.fail(mark, call.function + "() over the motion cannot stand here");
   }
   if (call.function == "derivative" && call.pattern() == "by") return derivative_by(call, mark, evaluator);
@@ -345,7 +347,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::rate(const Call& call, const Mark& ma
     position_rate<Base>(model_, state_.q, state_.v, q_rate);
     for (std::size_t i = 0; i < state_.q.size(); ++i) state.q.push_back(Timed(state_.q[i], {q_rate[i]}));
     for (std::size_t i = 0; i < state_.v.size(); ++i) state.v.push_back(Timed(state_.v[i], {accelerations_[i]}));
-    const Timed now = Timed::variable(data_.value(parse_expression("time", situation_.file, mark)).number, 0);
+    const Timed now = Timed::variable(data_.value(built(Name{"time"}, mark)).number, 0);
     DataScope<Timed> data(situation_, data_.settings(), now);
     data.vary_as(data_);
     QuantityScope<Timed, Base> timed(machine_, model, data, std::move(state));

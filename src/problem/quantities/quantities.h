@@ -62,10 +62,8 @@ class QuantityScope : public Scope<Scalar> {
     elsewhere_ = std::move(elsewhere);
   }
 
-  // Evaluates min(), max() and period() of a quantity over the motion.
-  using Feature =
-      std::function<Value<double>(const Call& call, const std::optional<Expression>& axes, const Mark& mark)>;
-  void set_motion(Feature feature) { feature_ = std::move(feature); }
+  // Sets the values of min(), max() and period() over the motion. They must outlive the scope.
+  void set_motion_features(const MotionFeatureValues& values) { features_ = &values; }
   // Sets the function that linearises the motion near this one. Errors are reported at the mark.
   void set_linearisation(std::function<const solve::Linearisation&(const Mark&)> linearisation) {
     linearisation_ = std::move(linearisation);
@@ -128,7 +126,7 @@ class QuantityScope : public Scope<Scalar> {
   Matrix3<Scalar> axes_ = Matrix3<Scalar>::identity();
   std::optional<Expression> axes_expression_;
   std::function<Value<Scalar>(const At&, const Mark&)> elsewhere_;
-  Feature feature_;
+  const MotionFeatureValues* features_ = nullptr;
   std::function<const solve::Linearisation&(const Mark&)> linearisation_;
   bool has_accelerations_ = false;
   std::vector<Base> accelerations_;

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "problem/language/exact_numbers.h"
+#include "problem/language/words.h"
 #include "problem/quantities/quantities.h"
 #include "problem/quantities/quantity_values.h"
 
@@ -65,8 +66,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
       for (const std::string& word : {action.joint, action.name})
         if (!word.empty() && std::find(known.begin(), known.end(), word) == known.end()) known.push_back(word);
     }
-    std::string all;
-    for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
+    const std::string all = joined(known);
     const std::string hint = did_you_mean(name, known);
     evaluator.fail(name_mark, "nothing named '" + name + "' has a " + call.function,
                    hint.empty() ? (all.empty() ? "" : "known: " + all) : hint);

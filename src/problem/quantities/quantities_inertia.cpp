@@ -114,6 +114,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
   const SymmetricMatrix3<Scalar> I = rotated(transpose(axes_), inertia_about(mass, P));
   const auto numbers = [&](std::array<Scalar, 3> list) {
     std::vector<Result> items;
+    items.reserve(list.size());
     for (const Scalar& x : list) items.push_back(number_value(x, dimensions::moment_of_inertia));
     return Result::of_list(std::move(items));
   };

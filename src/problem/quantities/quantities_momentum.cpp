@@ -12,8 +12,8 @@
 namespace poinsot::problem {
 namespace {
 
-// What the springs of a name store, or those at the freedoms of the joint of that name; nothing if there are none. The
-// workspace has its poses at the state.
+// What the springs of a name store, or those at the freedoms of the joint of that name, or if it is empty all springs;
+// nothing if there are none. The workspace has its poses at the state.
 template <class Scalar, class Base>
 std::optional<Scalar> energy_of_springs(const Mechanism<Base>& mechanism, const std::string& name,
                                         const Model<Scalar>& model, const Workspace<Scalar>& workspace,
@@ -26,10 +26,10 @@ std::optional<Scalar> energy_of_springs(const Mechanism<Base>& mechanism, const 
     return mechanism.actions[static_cast<std::size_t>(law.action)];
   };
   for (const Drive<Base>& drive : mechanism.drives)
-    if (drive.stores() && action_of(drive).joint == name)
+    if (drive.stores() && (name.empty() || action_of(drive).joint == name))
       add(drive.template converted<Scalar>(to).stored_energy(state));
   for_each_law(mechanism, [&](const auto& law) {
-    if (law.stores() && action_of(law).name == name)
+    if (law.stores() && (name.empty() || action_of(law).name == name))
       add(law.template converted<Scalar>(to).stored_energy(model, workspace));
   });
   return energy;
@@ -86,13 +86,22 @@ Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Eval
     for (int i = 0; i < model_.body_count(); ++i)
       if ((all || i == body) && plain(model_.body(i).inertia.mass) > 0)
         sum = sum - model_.body(i).inertia.mass * dot(model_.gravity(), body_mass_center(model_, workspace_, i));
+    if (all)
+      if (const auto energy = energy_of_springs(machine_.mechanism, "", model_, workspace_, state_))
+        sum = sum + *energy;
     return number_value(sum, dimensions::energy);
   }
   const Scalar T = all ? Scalar(poinsot::kinetic_energy(model_, workspace_) + flying_energy)
                        : body_kinetic_energy(model_, workspace_, body);
   if (const Expression* about = call.argument("about")) {
     const Vector P = place(*about, evaluator), G = mass_center_of(body, what, evaluator);
-    if (plain(norm(P - G)) > 1e-9 * (1 + plain(norm(G))))
+    // A place that is stated in another way differs by the rounding of the lengths from which both are computed.
+    constexpr double same_place = 1e-9;
+    double length = plain(norm(P)) + plain(norm(G));
+    for (int i = 0; i < model_.body_count(); ++i)
+      if (plain(model_.body(i).inertia.mass) > 0)
+        length = std::max(length, plain(norm(body_mass_center(model_, workspace_, i))));
+    if (plain(norm(P - G)) > same_place * length)
       evaluator.fail(about->mark(), "the kinetic energy of the motion about a point is meant about the mass center",
                      "write kinetic_energy(" + to_string(what) + " about center(" + to_string(what) + "))");
     const Vector L =

@@ -3,6 +3,7 @@
 
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
+#include "problem/language/words.h"
 #include "problem/quantities/quantities.h"
 #include "problem/quantities/quantity_values.h"
 
@@ -33,8 +34,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::holding(const Call& call, const Evalu
     }
     return Result::of_truth(acts && push >= -1e-12 * largest);
   }
-  std::string all;
-  for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
+  const std::string all = joined(known);
   const std::string hint = did_you_mean(to_string(what), known);
   evaluator.fail(
       what.mark(),

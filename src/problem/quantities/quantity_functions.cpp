@@ -36,12 +36,14 @@ const std::vector<QuantityFunction>& quantity_table() {
        "kinetic_energy(disk), kinetic_energy(disk about center(disk)) for its rotation",
        Level::velocity,
        QuantityKind::momentum,
-       {"", "about"}},
+       {"", "about"},
+       true},
       {"potential_energy",
        "potential_energy(disk), potential_energy(spring)",
        Level::position,
        QuantityKind::momentum,
-       {""}},
+       {""},
+       true},
       {"rate",
        "rate(angular_momentum(disk about G)), rate(X relative to frame)",
        Level::force,
@@ -188,8 +190,32 @@ bool asks_motion_feature(const Expression& expression) {
   return level_of(nothing, expression, true) == Level::motion;
 }
 
-Expression stability_of(Call call, const Expression& expression) {
-  call.function = "stability";
+namespace {
+
+void add_motion_features(const Situation& situation, const Expression& expression, std::set<std::string>& names,
+                         std::vector<MotionFeatureCall>& found) {
+  if (!expression || expression.as<At>()) return;
+  if (const Call* call = expression.as<Call>(); call && is_motion_feature(*call)) {
+    found.push_back({call, expression.mark()});
+    return;
+  }
+  if (const Name* name = expression.as<Name>(); name && names.insert(name->name).second)
+    for (const NamedExpression& item : situation.define)
+      if (item.name == name->name) add_motion_features(situation, item.value, names, found);
+  for_each_child(expression, [&](const Expression& part) { add_motion_features(situation, part, names, found); });
+}
+
+}  // namespace
+
+std::vector<MotionFeatureCall> motion_features_in(const Situation& situation, const Expression& expression) {
+  std::set<std::string> names;
+  std::vector<MotionFeatureCall> found;
+  add_motion_features(situation, expression, names, found);
+  return found;
+}
+
+Expression stability_of(Call call, const Expression& expression, const std::string& quantity) {
+  call.function = quantity;
   return built(std::move(call), expression.mark());
 }
 

@@ -1,6 +1,7 @@
 // The quantity functions of the language: how each is written, and what part of the state its value depends on.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,7 @@ struct QuantityFunction {
   Level level;
   QuantityKind kind;
   std::vector<std::string_view> patterns;  // the prepositions between the arguments, as Call::pattern() gives them
+  bool energy = false;                     // whether its unit is the joule
 };
 
 const std::vector<QuantityFunction>& quantity_table();
@@ -52,10 +54,21 @@ inline bool is_motion_feature(const Call& call) {
          !call.arguments.front().value.as<List>();
 }
 bool asks_motion_feature(const Expression& expression);
+// A call of min(), max() or period() over the motion, and where it stands.
+struct MotionFeatureCall {
+  const Call* call = nullptr;
+  Mark mark;
+};
+// Those in an expression, also in names under define:. What stands before an @ is asked at another instant and does not
+// count, nor does what stands within such a call.
+std::vector<MotionFeatureCall> motion_features_in(const Situation& situation, const Expression& expression);
+// The motion answers them before a state is asked, so that nothing that knows one state alone calls back into the
+// motion. The calls stand in expressions, whose nodes never change.
+using MotionFeatureValues = std::map<const Call*, Value<double>>;
 // Whether an expression asks for forces or accelerations, at any instant or over the motion.
 bool asks_forces(const Situation& situation, const Expression& expression);
 
-// The expression stability(X) for a call stable(X).
-Expression stability_of(Call call, const Expression& expression);
+// The expression stability(X) for a call stable(X), or another quantity of the motion near a steady one.
+Expression stability_of(Call call, const Expression& expression, const std::string& quantity = "stability");
 
 }  // namespace poinsot::problem

@@ -94,6 +94,7 @@ struct SolvedClaim {
   std::vector<Comparison> comparisons;
   // What the assumptions make of the letters, in terms of positive letters p1, p2, ..., if there is a single case.
   std::vector<std::pair<std::string, poinsot::Formula>> assumed;
+  std::vector<std::string> positive_parts;  // the names p1, p2, ... of these letters
   // For a claim that a steady motion is stable: the characteristic polynomial of the rates of growth in ascending
   // powers, divided by its first coefficient, without the roots that vanish because the displaced motion is the same;
   // and the expressions that must be positive. They are known to be so if the claim was proved.

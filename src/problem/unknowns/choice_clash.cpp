@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "problem/language/words.h"
+
 namespace poinsot::problem {
 namespace {
 

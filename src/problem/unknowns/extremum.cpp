@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {
@@ -14,11 +14,7 @@ constexpr double boundless = std::numeric_limits<double>::infinity();
 constexpr double nothing = 1e-6;  // a part of the scale of the datum below which a value counts as vanishing
 constexpr double unseen = 2e-6;   // an end is known if the conditions are decided within this part of it
 
-std::string number_text(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.8g", value);
-  return text;
-}
+std::string number_text(double value) { return with_digits(value, 8); }
 
 }  // namespace
 
@@ -28,8 +24,7 @@ std::size_t situation_of(const Statement& statement, const Ask& ask) {
     names.push_back(statement.situations[i].name);
     if (names.back() == ask.extremum->situation) return i;
   }
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  const std::string all = joined(names);
   if (!ask.extremum->situation.empty())
     fail(statement.file, ask.extremum->situation_mark, "there is no situation '" + ask.extremum->situation + "'",
          all.empty() ? "the file states none: remove situation:" : "known: " + all);
@@ -100,37 +95,69 @@ ExtremumSearch::Span ExtremumSearch::span() const {
   return {ranges[0].lower, ranges[0].upper, span.scale};
 }
 
-std::unique_ptr<Sample> ExtremumSearch::sample_at(double value) {
+std::vector<AllSettings> ExtremumSearch::settings_at(double value) const {
   const std::size_t home = situation_of(statement_, ask_);
   AllSettings all = settings_;
   for (Settings& one : all) one[ask_.extremum->name] = Value<double>::of_number(value, dimension_);
-  const auto holds_in = [&](const AllSettings& settings) -> std::unique_ptr<Sample> {
-    auto sample = std::make_unique<Sample>(statement_, settings, choice_);
+  // The other unknowns of the situation are found for each value of the datum.
+  const bool unknowns = std::any_of(situation_.find.begin(), situation_.find.end(),
+                                    [&](const Unknown& unknown) { return unknown.name != ask_.extremum->name; });
+  if (!unknowns) return {std::move(all)};
+  Settings known = all[home];
+  for (const Unknown& unknown : situation_.find)
+    if (unknown.name != ask_.extremum->name) known.erase(unknown.name);
+  UnknownSearch search(statement_, known);
+  return search.find(known).roots;
+}
+
+std::unique_ptr<Sample> ExtremumSearch::sample_at(double value) {
+  const std::size_t home = situation_of(statement_, ask_);
+  const auto holds_in = [&](Sample& sample) {
     for (const Expression& condition : ask_.extremum->conditions) {
-      const Value<double> truth = sample->value_in(home, condition);
+      const Value<double> truth = sample.value_in(home, condition);
       if (!truth.is_boolean())
         fail(situation_.file, condition.mark(), "'" + to_string(condition) + "' neither holds nor fails",
              "write stable(plate), touching(mesh), taut(wire), or a comparison");
       ever_ = true;
       if (truth.truth) continue;
+      failed_ = &condition;
       const Call* call = condition.as<Call>();
       doubtful_ = doubtful_ || (call && call->function == "stable" &&
-                                sample->value_in(home, stability_of(*call, condition)).text != "unstable");
-      return nullptr;
+                                sample.value_in(home, stability_of(*call, condition)).text != "unstable");
+      return false;
     }
-    return sample;
+    return true;
   };
-  // The other unknowns of the situation are found for each value of the datum.
-  const bool unknowns = std::any_of(situation_.find.begin(), situation_.find.end(),
-                                    [&](const Unknown& unknown) { return unknown.name != ask_.extremum->name; });
-  if (!unknowns) return holds_in(all);
-  Settings known = all[home];
-  for (const Unknown& unknown : situation_.find)
-    if (unknown.name != ask_.extremum->name) known.erase(unknown.name);
-  UnknownSearch search(statement_, known);
-  for (const AllSettings& root : search.find(known).roots)
-    if (auto sample = holds_in(root)) return sample;
+  for (const AllSettings& root : settings_at(value)) {
+    auto sample = std::make_unique<Sample>(statement_, root, choice_);
+    if (holds_in(*sample)) return sample;
+  }
   return nullptr;
+}
+
+std::optional<NearMotion> ExtremumSearch::near_motion(const Expression& stable, double value) try {
+  const std::vector<AllSettings> roots = settings_at(value);
+  if (roots.size() != 1) return std::nullopt;
+  const std::size_t home = situation_of(statement_, ask_);
+  Sample sample(statement_, roots.front(), choice_);
+  const Call& call = *stable.as<Call>();
+  NearMotion motion{sample.value_in(home, stability_of(call, stable, "growth_rate")).number, {}};
+  for (const Value<double>& frequency : sample.value_in(home, stability_of(call, stable, "frequencies")).items)
+    motion.frequencies.push_back(frequency.number);
+  return motion;
+} catch (const StatementError&) {
+  return std::nullopt;
+}
+
+std::optional<StabilityEnd> ExtremumSearch::stability_ends(double inside, double outside) {
+  failed_ = nullptr;
+  if (truth_at(outside) != Truth::fails || !failed_) return std::nullopt;
+  const Expression& stable = *failed_;
+  const Call* call = stable.as<Call>();
+  if (!call || call->function != "stable") return std::nullopt;
+  const auto end = stability_end([&](double value) { return near_motion(stable, value); }, inside, outside);
+  if (!end || !holds(end->steady_at)) return std::nullopt;
+  return end;
 }
 
 ExtremumSearch::Truth ExtremumSearch::truth_at(double value) {
@@ -151,11 +178,13 @@ std::string ExtremumSearch::told_beyond(double inside, double outside) {
   if (beyond == Truth::refused)
     return "what is stated ends at " + here + ", not what is asked: beyond, " + refusal_->diagnostics().front().message;
   if (beyond != Truth::doubtful) return "";
-  for (double part = unseen; part < 1; part *= 2) {
+  constexpr int doublings = 18;  // to half of it
+  for (int i = 0; i <= doublings; ++i) {
+    const double part = std::ldexp(unseen, i);
     const double further = inside + (outside > inside ? 1 : -1) * part * std::abs(inside);
     const Truth there = truth_at(further);
     if (there != Truth::fails && there != Truth::refused) continue;
-    if (part == unseen) return "";
+    if (i == 0) return "";
     return "from " + number_text(inside) + " to " + number_text(further) +
            " (SI) the linearised equations do not decide";
   }
@@ -191,6 +220,10 @@ ExtremumFound ExtremumSearch::find() {
     grid.push_back(std::isfinite(range.lower) ? range.lower : std::isfinite(range.upper) ? range.upper : 0);
   std::sort(grid.begin(), grid.end());
   if (side < 0) std::reverse(grid.begin(), grid.end());
+  // Where nothing in the problem gives the datum a size, its unit is a guess: the end may lie many decades farther out.
+  constexpr int more_decades = 15;
+  for (int i = 0; i < more_decades && !std::isfinite(side > 0 ? range.upper : range.lower) && holds(grid.back()); ++i)
+    grid.push_back(10 * grid.back());
   ExtremumFound found;
   const std::string what = std::string(side > 0 ? "largest" : "smallest") + " value";
   // The search goes inwards from that end to the first value at which the conditions hold.
@@ -202,20 +235,45 @@ ExtremumFound ExtremumSearch::find() {
                    number_text(*std::max_element(grid.begin(), grid.end())) + " (SI)";
     return found;
   }
-  if (at == grid.rbegin()) {
-    if (!std::isfinite(side > 0 ? range.upper : range.lower)) {
-      found.reason = "there is no " + what + ": it holds at " + number_text(*at) + " (SI), the last that was tried";
+  double inside = *at, outside = at == grid.rbegin() ? *at : *std::prev(at);
+  const bool open_end = !std::isfinite(side > 0 ? range.upper : range.lower);
+  if (at == grid.rbegin() && open_end) {
+    // It may end farther out: the unit that somebody chose for the datum is no measure.
+    constexpr int decades = 6;
+    const double anchor =
+        side > 0 ? (std::isfinite(range.lower) ? range.lower : 0) : (std::isfinite(range.upper) ? range.upper : 0);
+    Truth beyond = Truth::holds;
+    for (int i = 0; i < decades && beyond == Truth::holds; ++i) {
+      inside = outside;
+      outside = anchor + 10 * (outside - anchor);
+      beyond = truth_at(outside);
+    }
+    // So far out what is doubtful or makes no sense may be so by rounding alone.
+    if (beyond != Truth::fails) {
+      found.reason = "no " + what + " was found: it holds at every value tried, up to " +
+                     number_text(beyond == Truth::holds ? outside : inside) + " (SI); beyond, " +
+                     (beyond == Truth::holds ? "no values were tried" : "nothing can be told");
       return found;
     }
+  } else if (at == grid.rbegin()) {
     found.value = Value<double>::of_number(*at, dimension_);
     found.sample = sample_at(*at);
     return found;
   }
-  // Bisection finds the border between this value and the one before.
-  double inside = *at, outside = *std::prev(at);
+  // Bisection finds the border between this value and the one before, if it is no end of stability that is found from
+  // some distance: where the values are as close as this part of themselves, and at last a hundred times closer.
+  double close = 3e-2;
   for (int i = 0; i < 200; ++i) {
-    const double middle = 0.5 * (inside + outside);
-    if (std::abs(outside - inside) <= 4e-15 * std::abs(middle) || middle == inside || middle == outside) break;
+    const double middle = 0.5 * (inside + outside), width = std::abs(outside - inside);
+    if (width <= 4e-15 * std::abs(middle) || middle == inside || middle == outside) break;
+    if (width <= close * std::abs(middle) && close > 1e-4) {
+      if (const std::optional<StabilityEnd> end = stability_ends(inside, outside)) {
+        found.value = Value<double>::of_number(end->value, dimension_);
+        found.sample = sample_at(end->steady_at);
+        return found;
+      }
+      close /= 100;
+    }
     (holds(middle) ? inside : outside) = middle;
   }
   // A datum that may be arbitrarily small has no least value.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "problem/unknowns/sample.h"
+#include "problem/unknowns/stability_end.h"
 #include "problem/unknowns/unknown_ranges.h"
 #include "problem/unknowns/unknown_search.h"
 
@@ -40,7 +41,13 @@ class ExtremumSearch {
   Truth truth_at(double value);
   bool holds(double value) { return truth_at(value) == Truth::holds; }
   std::string told_beyond(double inside, double outside);
+  // The settings of all situations at a value, one for each root of the other unknowns.
+  std::vector<AllSettings> settings_at(double value) const;
   std::unique_ptr<Sample> sample_at(double value);
+  // The motion that a condition stable(X) looks at; nothing if the statement refuses the value.
+  std::optional<NearMotion> near_motion(const Expression& stable, double value);
+  // The end of stability between two values; nothing if that is not what ends there or if it is not known closely.
+  std::optional<StabilityEnd> stability_ends(double inside, double outside);
 
   const Statement& statement_;
   const Ask& ask_;
@@ -49,8 +56,9 @@ class ExtremumSearch {
   const Situation& situation_;
   Dimension dimension_;
   std::optional<StatementError> refusal_;
-  bool doubtful_ = false;  // of the value tried last
-  bool ever_ = false;      // whether the conditions could be evaluated at any value
+  bool doubtful_ = false;               // of the value tried last
+  const Expression* failed_ = nullptr;  // the condition that failed at it
+  bool ever_ = false;                   // whether the conditions could be evaluated at any value
 };
 
 }  // namespace poinsot::problem

@@ -7,6 +7,8 @@
 
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression_walk.h"
+#include "problem/language/words.h"
+#include "problem/quantities/asks_model.h"
 #include "problem/unknowns/sample.h"
 
 namespace poinsot::problem {
@@ -43,7 +45,21 @@ class SituationsTakenOff {
   std::optional<std::size_t> found_;
 };
 
+bool names(const Expression& expression, const std::string& situation) {
+  const At* at = expression.as<At>();
+  return (at && !at->names.empty() && at->names.front() == situation) ||
+         any_child(expression, [&](const Expression& part) { return names(part, situation); });
+}
+
 }  // namespace
+
+bool names_situation(const Ask& ask, const std::string& situation) {
+  std::vector<Expression> asked = ask.of;
+  if (ask.when) asked.push_back(ask.when->condition);
+  if (ask.table)
+    for (const NamedExpression& column : ask.table->columns) asked.push_back(column.value);
+  return std::ranges::any_of(asked, [&](const Expression& expression) { return names(expression, situation); });
+}
 
 Situated situated(const Statement& statement, const Expression& expression) {
   if (statement.situations.size() == 1) return {0, expression};
@@ -53,8 +69,7 @@ Situated situated(const Statement& statement, const Expression& expression) {
     result.situation = *taken_off.found();
     return result;
   }
-  std::string names;
-  for (const Situation& situation : statement.situations) names += (names.empty() ? "" : ", ") + situation.name;
+  const std::string names = joined(names_of(statement.situations));
   const std::string& one = statement.situations[taken_off.found().value_or(0)].name;
   fail(statement.file, beginning(expression), "in which situation is '" + to_string(expression) + "' asked?",
        "write @ " + one + " behind each quantity, as in theta @ " + one + " (the situations are " + names + ")");

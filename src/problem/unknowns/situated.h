@@ -1,6 +1,8 @@
 // Finds out which of several situations an expression is about.
 #pragma once
 
+#include <string>
+
 #include "problem/entries/statement.h"
 
 namespace poinsot::problem {
@@ -14,5 +16,8 @@ struct Situated {
 // situation it is that one, and the expression is left as it is. Throws StatementError if no situation or several are
 // named, or if a quantity stands without one.
 Situated situated(const Statement& statement, const Expression& expression);
+
+// Whether an ask names the situation after an @.
+bool names_situation(const Ask& ask, const std::string& situation);
 
 }  // namespace poinsot::problem

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "problem/language/words.h"
+
 namespace poinsot::problem {
 namespace {
 
@@ -60,7 +62,7 @@ GroupSlopes slopes_of(UnknownEquations& equations) {
     for (std::size_t k = 0; k < n && known; ++k) {
       const double scale = equations.ranges()[k].scale;
       known = false;
-      for (double step = 0.03; step < 1e6; step *= 1e3) {
+      for (const double step : {0.03, 30.0, 30e3}) {
         std::vector<double> moved = x;
         moved[k] += step * scale;
         const auto there = equations.conditions_at(moved);
@@ -180,20 +182,10 @@ std::vector<UnknownSystem> blocks_of(UnknownEquations& equations) {
   return BlockOrder(equations, std::move(slopes.groups)).blocks();
 }
 
-std::string counted(std::size_t count, const std::string& what) {
-  return (count == 0 ? "no" : count == 1 ? "one" : std::to_string(count)) + " " + what + (count == 1 ? "" : "s");
-}
-
 namespace {
 
-std::string joined(const std::vector<std::string>& words, const std::string& between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
-}
-
 std::string with_conditions(const SystemPart& part, const std::string& relation) {
-  return joined(part.unknowns, ", ") + ": " + counted(part.numbers, "unknown") + relation +
+  return joined(part.unknowns) + ": " + counted(part.numbers, "unknown") + relation +
          (part.conditions.empty() ? "" : ": ") + joined(part.conditions, "; ");
 }
 

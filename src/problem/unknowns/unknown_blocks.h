@@ -32,7 +32,4 @@ struct Balance {
 };
 Balance balance_of(UnknownEquations& equations);
 
-// "one unknown", "3 unknowns".
-std::string counted(std::size_t count, const std::string& what);
-
 }  // namespace poinsot::problem

@@ -5,27 +5,13 @@
 #include <limits>
 
 #include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
 #include "problem/unknowns/choice_clash.h"
 #include "problem/unknowns/unknown_blocks.h"
 #include "problem/unknowns/unknown_search.h"
 
 namespace poinsot::problem {
 namespace {
-
-bool same_root(const AllSettings& a, const AllSettings& b, const std::vector<Unknown>& unknowns) {
-  for (const Unknown& unknown : unknowns)
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      const auto left = a[i].find(unknown.name), right = b[i].find(unknown.name);
-      if (left == a[i].end() || right == b[i].end()) continue;
-      const auto close = [&](double x, double y) {
-        return std::abs(x - y) <= 1e-9 * std::max({std::abs(x), std::abs(y), unknown.unit.factor});
-      };
-      if (!close(left->second.number, right->second.number)) return false;
-      for (std::size_t k = 0; k < 3; ++k)
-        if (!close(left->second.vector[k], right->second.vector[k])) return false;
-    }
-  return true;
-}
 
 std::string place_of(const Statement& statement, const Mark& mark) {
   return statement.file + ":" + std::to_string(mark.line) + ":" + std::to_string(mark.column) + ": ";
@@ -97,7 +83,7 @@ RootsFound UnknownSearch::find_chosen(const UnknownSystem& system, const AllSett
       if (!known) all.roots.push_back(std::move(more));
     }
     if (found.roots.empty()) continue;
-    for (const std::string& name : found.open) add_once(all.open, name);
+    for (const OpenUnknown& unknown : found.open) add_once(all.open, unknown);
     if (found.alternative) all.alternative = found.alternative;
   }
   const std::string place = place_of(statement_, choice.mark);

@@ -2,28 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 #include "problem/course/course.h"
 #include "problem/instant/instant_conditions.h"
+#include "problem/language/words.h"
 #include "problem/unknowns/unknown_ranges.h"
 
 namespace poinsot::problem {
 namespace {
 
-std::vector<bool> facts_among(const solve::LinearSystem& system) {
-  std::vector<bool> facts(system.equations());
-  for (std::size_t i = 0; i < facts.size(); ++i) facts[i] = system.words(i).starts_with("'");
+// Which equations of a system state facts of an instant.
+std::vector<bool> facts_among(const SolvedInstant& instant, InstantSystem which) {
+  std::vector<bool> facts(instant.equations_of(which).equations());
+  for (std::size_t i = 0; i < facts.size(); ++i) facts[i] = instant.source_of(which, i).instant != nullptr;
   return facts;
+}
+
+std::string words_of(const ConditionSource& source) {
+  const std::string where = source.instant ? " at '" + source.instant->name + "'" : "";
+  return (source.fact ? to_string(source.fact->quantity) : "rest") + where;
 }
 
 // The latest of the instants that are called by their time.
 std::optional<double> latest_time(const Situation& situation, SolvedInstant& instant) {
   std::optional<double> latest;
   for (const Instant& one : situation.instants) {
-    if (!is_later(situation, one) || one.found_when) continue;
+    if (!one.when || !is_later(situation, one) || one.found_when) continue;
     try {
-      const double time = instant.data_number(parse_expression(one.name, situation.file, one.mark), dimensions::time);
+      const double time = instant.data_number(one.when, dimensions::time);
       if (time > latest.value_or(0)) latest = time;
     } catch (const StatementError&) {
       // Stages and their ends have names.
@@ -115,15 +123,8 @@ AllSettings UnknownEquations::settings_at(const std::vector<double>& x) const {
 std::vector<std::string> UnknownEquations::condition_words(const GroupConditions& group) const {
   const std::string& situation = statement_.situations[group.group.situation].name;
   std::vector<std::string> list;
-  for (const std::string& words : group.words) {
-    // A fact is described as 'now': mass(bar), where 'now' is its instant.
-    const std::size_t colon = words.starts_with("'") ? words.find("': ") : std::string::npos;
-    const std::string fact = colon == std::string::npos ? "" : words.substr(colon + 3);
-    list.push_back((colon == std::string::npos ? words
-                    : fact == "rest"           ? "rest at " + words.substr(0, colon + 1)
-                                               : fact + " at " + words.substr(0, colon + 1)) +
-                   (statement_.situations.size() > 1 ? " @ " + situation : ""));
-  }
+  for (const std::string& words : group.words)
+    list.push_back(words + (statement_.situations.size() > 1 ? " @ " + situation : ""));
   return list;
 }
 
@@ -176,8 +177,8 @@ bool UnknownEquations::take_measures(const std::vector<double>& x) {
     SolvedInstant instant(situation, trial_[i], When{0, situation.has_blow()}, choice);
     if (forces) instant.solve_forces();
     measures_.scales.emplace(i, instant.scales());
-    const auto hold = [&](InstantSystem which, const solve::LinearSystem& system) {
-      solve::LinearElimination elimination(system, facts_among(system));
+    const auto hold = [&](InstantSystem which) {
+      solve::LinearElimination elimination(instant.equations_of(which), facts_among(instant, which));
       // An elimination of rank zero tells nothing: numbers may not be finite there.
       told_more = told_more || elimination.rank() == 0;
       const auto [held, fresh] = measures_.eliminations.try_emplace({i, which}, elimination);
@@ -185,25 +186,29 @@ bool UnknownEquations::take_measures(const std::vector<double>& x) {
       held->second = elimination;
       told_more = true;
     };
-    if (velocities) hold(InstantSystem::velocities, instant.velocity_equations());
-    if (velocities && instant.after_blow()) hold(InstantSystem::blow, instant.blow_equations());
-    if (forces) hold(InstantSystem::motion, instant.motion_equations());
+    if (velocities) hold(InstantSystem::velocities);
+    if (velocities && instant.after_blow()) hold(InstantSystem::blow);
+    if (forces) hold(InstantSystem::motion);
   }
   return told_more;
 }
 
-bool UnknownEquations::add_left_over(GroupConditions& group, InstantSystem which, const solve::LinearSystem& system,
-                                     const SolvedInstant& instant, bool with_words) const {
+bool UnknownEquations::add_left_over(GroupConditions& group, InstantSystem which, const SolvedInstant& instant,
+                                     bool with_words) const {
+  const solve::LinearSystem& system = instant.equations_of(which);
   const auto held = measures_.eliminations.find({group.group.situation, which});
   const auto left = held == measures_.eliminations.end() ? std::nullopt : held->second.remainder(system);
   if (!left) return false;
   group.values.insert(group.values.end(), left->values.begin(), left->values.end());
   if (with_words)
-    for (const std::size_t equation : left->equations) group.words.emplace_back(system.words(equation));
+    for (const std::size_t equation : left->equations) {
+      const ConditionSource source = instant.source_of(which, equation);
+      group.words.push_back(source.instant ? words_of(source) : std::string(system.words(equation)));
+    }
   group.size = std::max(group.size, left->size);
   for (const SolvedInstant::NonlinearMisfit& misfit : instant.nonlinear_misfits(which, left->solution)) {
     group.values.push_back(misfit.value);
-    if (with_words) group.words.push_back(misfit.words);
+    if (with_words) group.words.push_back(words_of(misfit.source));
     group.size = std::max(group.size, misfit.size);
   }
   return true;
@@ -254,21 +259,18 @@ const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<
       GroupConditions& group = group_of(Aspect::positions);
       add(group.values, values.begin(), values.begin() + positions);
       group.size = 1;
-      if (with_words) group.words = instant.position_words();
+      if (with_words) std::ranges::transform(instant.position_sources(), std::back_inserter(group.words), words_of);
       add(equations.values, values.begin(), values.begin() + positions);
     }
     if (has(Aspect::velocities)) {
       GroupConditions& group = group_of(Aspect::velocities);
-      complete = complete &&
-                 add_left_over(group, InstantSystem::velocities, instant.velocity_equations(), instant, with_words);
-      if (instant.after_blow())
-        complete = complete && add_left_over(group, InstantSystem::blow, instant.blow_equations(), instant, with_words);
+      complete = complete && add_left_over(group, InstantSystem::velocities, instant, with_words);
+      if (instant.after_blow()) complete = complete && add_left_over(group, InstantSystem::blow, instant, with_words);
       add(equations.values, values.begin() + positions, values.begin() + velocities);
     }
     if (has(Aspect::forces)) {
       GroupConditions& group = group_of(Aspect::forces);
-      complete =
-          complete && add_left_over(group, InstantSystem::motion, instant.motion_equations(), instant, with_words);
+      complete = complete && add_left_over(group, InstantSystem::motion, instant, with_words);
       add(equations.values, values.begin() + velocities, values.end());
     }
     equations.size = std::max(equations.size, instant.misfit_size());
@@ -357,6 +359,7 @@ bool UnknownEquations::hold_as_set() {
 solve::RootProblem UnknownEquations::problem() {
   solve::RootProblem problem;
   problem.ranges = ranges_;
+  problem.corners = statement_.corners;
   problem.costly = follows_motion();
   problem.equations = [this](const std::vector<double>& x) { return (*this)(x); };
   if (!problem.costly && small_.empty()) {

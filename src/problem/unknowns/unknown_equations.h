@@ -102,8 +102,7 @@ class UnknownEquations {
   std::optional<solve::RootEquations> exact(const std::vector<double>& x, Wanted wanted = Wanted::everything);
   void put(const std::vector<double>& x, AllSettings& settings) const;
   // Facts that are not linear are evaluated in the state `instant`, which the pivots' equations alone determine.
-  bool add_left_over(GroupConditions& group, InstantSystem which, const solve::LinearSystem& system,
-                     const SolvedInstant& instant, bool with_words) const;
+  bool add_left_over(GroupConditions& group, InstantSystem which, const SolvedInstant& instant, bool with_words) const;
   void add_slopes(std::vector<GroupConditions>& groups, std::size_t situation, const SolvedInstant& instant,
                   const std::vector<std::size_t>& unknowns) const;
   std::vector<Dual<1>> varied_left_over(std::size_t situation, InstantSystem which, VariedInstant& instant) const;

@@ -6,6 +6,7 @@
 
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression_walk.h"
+#include "problem/quantities/asks_model.h"
 #include "problem/unknowns/sample.h"
 
 namespace poinsot::problem {
@@ -41,11 +42,22 @@ bool any_shape_argument(const Situation& situation, Visit&& visit) {
   return false;
 }
 
+// Whether `holds` is true of an expression that plays this part in a law of force.
+template <class Holds>
+bool any_part_of_laws(const Situation& situation, LawPart wanted, const Holds& holds) {
+  bool any = false;
+  for_each_stated_law(situation, [&](const auto& law) {
+    law.for_each_part([&](LawPart part, const std::optional<Expression>& expression) {
+      any = any || (part == wanted && holds(expression));
+    });
+  });
+  return any;
+}
+
 // Whether the name is an extent: a radius, a side, or the length of a relaxed spring.
 bool is_extent(const Situation& situation, const std::string& name) {
   return any_shape_argument(situation, [&](const Expression& argument) { return is_bare(argument, name); }) ||
-         std::any_of(situation.springs.begin(), situation.springs.end(),
-                     [&](const Spring& spring) { return is_bare(spring.free_length, name); });
+         any_part_of_laws(situation, LawPart::extent, [&](const auto& part) { return is_bare(part, name); });
 }
 
 // Whether the name is a coordinate of a place or a displacement, which may have either sign.
@@ -61,10 +73,8 @@ bool is_coordinate(const Situation& situation, const std::string& name) {
                            return is_bare(freedom.position, name) || is_bare(freedom.free_position, name);
                          });
                 }) ||
-         any_of(situation.loads, [&](const Load& load) { return stands_in(load.at, name); }) ||
+         any_part_of_laws(situation, LawPart::place, [&](const auto& part) { return stands_in(part, name); }) ||
          any_of(situation.impulses, [&](const Impulse& impulse) { return stands_in(impulse.at, name); }) ||
-         any_of(situation.springs,
-                [&](const Spring& spring) { return stands_in(spring.at, name) || stands_in(spring.end, name); }) ||
          any_of(situation.instants, [&](const Instant& instant) {
            return any_of(instant.facts, [&](const Fact& fact) {
              return level_of(situation, fact.quantity) == Level::position && is_bare(fact.value, name);
@@ -77,9 +87,7 @@ bool is_resistance(const Situation& situation, const std::string& name) {
   for (const Joint& joint : situation.joints)
     for (const Freedom& freedom : joint.freedoms)
       if (is_bare(freedom.stiffness, name) || is_bare(freedom.damping, name)) return true;
-  return std::any_of(situation.springs.begin(), situation.springs.end(), [&](const Spring& spring) {
-    return is_bare(spring.stiffness, name) || is_bare(spring.damping, name);
-  });
+  return any_part_of_laws(situation, LawPart::resistance, [&](const auto& part) { return is_bare(part, name); });
 }
 
 // Whether the name belongs to an amount that may be chosen. These can only push.

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "poinsot/engine/work/work.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
+#include "problem/results/compare_values.h"
 #include "problem/unknowns/unknown_blocks.h"
 #include "problem/unknowns/unknown_ranges.h"
 
@@ -72,20 +75,44 @@ std::vector<std::vector<double>> each_pose_once(UnknownEquations& equations,
 std::string values_in_words(const std::vector<UnknownSlot>& slots, const std::vector<double>& x) {
   std::string words;
   for (std::size_t k = 0; k < x.size(); ++k) {
-    char text[60];
     const Unit& unit = slots[k].unknown.unit;
-    std::snprintf(text, sizeof text, " = %.4g", x[k] / unit.factor);
     words += (words.empty() ? "" : ", ") + slots[k].unknown.name +
-             (slots[k].unknown.vector ? std::string(".") + "xyz"[slots[k].component] : "") + text +
-             (unit.text.empty() ? "" : " " + unit.text);
+             (slots[k].unknown.vector ? std::string(".") + "xyz"[slots[k].component] : "") + " = " +
+             with_digits(x[k] / unit.factor, 4) + (unit.text.empty() ? "" : " " + unit.text);
   }
   return words;
 }
 
 }  // namespace
 
+// Unknowns differ by no more than a part of the largest of their kind.
+bool same_root(const AllSettings& a, const AllSettings& b, const std::vector<Unknown>& unknowns) {
+  constexpr double same_to = 1e-9;  // the part to which roots are found
+  const auto each = [&](const auto& visit) {
+    for (const Unknown& unknown : unknowns)
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        const auto left = a[i].find(unknown.name), right = b[i].find(unknown.name);
+        if (left != a[i].end() && right != b[i].end()) visit(unknown.unit.dimension, left->second, right->second);
+      }
+  };
+  std::vector<std::pair<Dimension, double>> sizes;
+  const auto size_for = [&](const Dimension& dimension) -> double& {
+    const auto known = std::ranges::find(sizes, dimension, &std::pair<Dimension, double>::first);
+    return known != sizes.end() ? known->second : sizes.emplace_back(dimension, 0).second;
+  };
+  each([&](const Dimension& dimension, const Value<double>& left, const Value<double>& right) {
+    double& size = size_for(dimension);
+    size = std::max({size, size_of(left), size_of(right)});
+  });
+  bool alike = true;
+  each([&](const Dimension& dimension, const Value<double>& left, const Value<double>& right) {
+    alike = alike && same(left, right, same_to * size_for(dimension));
+  });
+  return alike;
+}
+
 void merge(RootsFound& all, const RootsFound& more) {
-  for (const std::string& name : more.open) add_once(all.open, name);
+  for (const OpenUnknown& unknown : more.open) add_once(all.open, unknown);
   for (const std::string& text : more.warnings) add_once(all.warnings, text);
   if (more.alternative) all.alternative = more.alternative;
 }
@@ -104,9 +131,73 @@ UnknownEquations UnknownSearch::equations_of(const UnknownSystem& system, const 
   return UnknownEquations(statement_, system, settings, choice_, unknowns_);
 }
 
+// In a blow each cord and contact acts or gives way, and the equations are others for each of these cases. So unknowns
+// are sought in each of them, and those values are solutions with which what was supposed comes about.
 RootsFound UnknownSearch::find(const Settings& settings, const OpenChoice& choice) {
   choice_ = choice;
   limit_ = WorkLimit(most_);
+  constexpr std::size_t most_in_a_blow = 5;
+  std::size_t giving = 0;
+  for (const Situation& situation : statement_.situations)
+    if (situation.has_blow()) giving = std::max(giving, situation.cords.size() + situation.contacts.size());
+  if (unknowns_.empty() || giving == 0) return find_as_they_give_way(settings);
+  RootsFound all;
+  std::optional<RootsFound> in_vain;
+  std::optional<StatementError> refusal;
+  for (std::size_t way = 0; way < (std::size_t{1} << std::min(giving, most_in_a_blow)); ++way) {
+    choice_.giving_way = way;
+    try {
+      RootsFound found = find_as_they_give_way(settings);
+      const std::vector<AllSettings> roots = std::exchange(found.roots, {});
+      for (const AllSettings& root : roots)
+        if (gives_way_so(root) && std::none_of(all.roots.begin(), all.roots.end(), [&](const AllSettings& known) {
+              return same_root(known, root, unknowns_);
+            }))
+          found.roots.push_back(root);
+      if (found.roots.empty()) {
+        // If nothing else is found, what is told is that of all acting.
+        if (!in_vain) in_vain = RootsFound{roots, found.open, found.warnings, found.alternative};
+        continue;
+      }
+      all.roots.insert(all.roots.end(), found.roots.begin(), found.roots.end());
+      merge(all, found);
+    } catch (const StatementError& error) {
+      if (!refusal) refusal = error;
+    }
+  }
+  choice_.giving_way = 0;
+  if (!all.roots.empty()) {
+    if (giving > most_in_a_blow)
+      all.warnings.push_back("more than " + std::to_string(most_in_a_blow) +
+                             " cords and contacts take part in the blow: not all cases of which give way were tried");
+    return all;
+  }
+  if (in_vain) return *in_vain;
+  throw StatementError(*refusal);
+}
+
+bool UnknownSearch::gives_way_so(const AllSettings& root) const {
+  for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
+    const Situation& situation = statement_.situations[i];
+    if (!situation.has_blow()) continue;
+    try {
+      const SolvedInstant instant(situation, root[i], When{0, true}, choice_);
+      std::size_t giving = 0, count = 0;
+      const Mechanism<double>& mechanism = instant.machine().mechanism;
+      for (const Component<double>& component : mechanism.components) {
+        if (!component.one_sided) continue;
+        if (!instant.blow_acting()[static_cast<std::size_t>(component.action)]) giving |= std::size_t{1} << count;
+        ++count;
+      }
+      if (giving != choice_.giving_way % (std::size_t{1} << count)) return false;
+    } catch (const StatementError&) {
+      return false;
+    }
+  }
+  return true;
+}
+
+RootsFound UnknownSearch::find_as_they_give_way(const Settings& settings) {
   RootsFound found;
   found.roots.push_back(AllSettings(statement_.situations.size(), settings));
   const auto search = [&](const UnknownSystem& system) {
@@ -151,7 +242,14 @@ std::optional<StatementError> UnknownSearch::objection(const AllSettings& root) 
   for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
     const Situation& situation = statement_.situations[i];
     try {
-      SolvedInstant(situation, root[i], When{0, situation.has_blow()}, choice_);
+      SolvedInstant instant(situation, root[i], When{0, situation.has_blow()}, choice_);
+      const std::vector<ConditionGroup> groups = groups_of(statement_, i);
+      const bool forces = std::any_of(groups.begin(), groups.end(),
+                                      [](const ConditionGroup& group) { return group.aspect == Aspect::forces; });
+      if (!forces || situation.has_blow() || (situation.contacts.empty() && situation.cords.empty())) continue;
+      instant.solve_forces();
+      if (const std::vector<std::string> reasons = instant.unphysical(); !reasons.empty())
+        return StatementError(situation.file, {}, reasons.front());
     } catch (const StatementError& error) {
       return error;
     }
@@ -203,7 +301,13 @@ RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained
 
   const solve::RootProblem problem = equations.problem();
   const solve::Roots result = solve::find_roots(problem, limit_.left());
-  for (std::size_t k : result.open_unknowns) add_once(found.open, slots[k].unknown.name);
+  const auto open_unknown = [&](std::size_t k) {
+    OpenUnknown open{slots[k].unknown.name, std::nullopt};
+    for (const std::size_t situation : system.situations())
+      if (is_own(situation, open.name)) open.situation = situation;
+    return open;
+  };
+  for (std::size_t k : result.open_unknowns) add_once(found.open, open_unknown(k));
   std::set<std::string> sought;
   for (const Unknown& unknown : unknowns_) sought.insert(unknown.name);
   bool excluded = false;
@@ -213,7 +317,7 @@ RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained
     // Points that differ only in open unknowns are the same.
     const bool again = !result.open_unknowns.empty() && std::any_of(kept.begin(), kept.end(), [&](const auto& other) {
       for (std::size_t k = 0; k < point.size(); ++k) {
-        const bool open = std::find(found.open.begin(), found.open.end(), slots[k].unknown.name) != found.open.end();
+        const bool open = std::ranges::find(found.open, open_unknown(k)) != found.open.end();
         const double size = std::max({std::abs(point[k]), std::abs(other[k]), equations.ranges()[k].scale});
         if (!open && std::abs(point[k] - other[k]) > 1e-7 * size) return false;
       }
@@ -271,8 +375,8 @@ std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solv
     if (const Balance balance = balance_of(equations); !balance.surplus.conditions.empty())
       how += "; " + surplus_in_words(balance.surplus);
   const std::string conditions = conditions_in_words(statement_, system);
-  std::string text = "no values of " + listed(system.unknowns) + " in their ranges satisfy all conditions (" + how +
-                     ")" + (excluded ? " with what stands under where:" : "") +
+  std::string text = "no values of " + joined(names_of(system.unknowns)) + " in their ranges satisfy all conditions (" +
+                     how + ")" + (excluded ? " with what stands under where:" : "") +
                      (conditions.empty() ? "" : ": " + conditions);
   for (const std::size_t i : system.situations())
     if (!statement_.situations[i].gravity) {

@@ -13,9 +13,17 @@
 
 namespace poinsot::problem {
 
+// An unknown that the conditions leave open, and the situation whose own it is; none if it is common to all.
+struct OpenUnknown {
+  std::string name;
+  std::optional<std::size_t> situation;
+  bool operator==(const OpenUnknown&) const = default;
+};
+
 struct RootsFound {
   std::vector<AllSettings> roots;
-  std::vector<std::string> open, warnings;
+  std::vector<OpenUnknown> open;
+  std::vector<std::string> warnings;
   std::optional<AllSettings> alternative;  // another solution, if some unknowns are open
 };
 
@@ -44,6 +52,10 @@ class UnknownSearch {
   bool still_holds(const AllSettings& root, const OpenChoice& choice);
 
  private:
+  // The same where cords and contacts give way in a blow as choice_ says.
+  RootsFound find_as_they_give_way(const Settings& settings);
+  // Whether they do so with these values.
+  bool gives_way_so(const AllSettings& root) const;
   // The systems that are solved one after the other: that of the common unknowns, then that of each situation.
   std::vector<UnknownSystem> systems() const;
   // Continues every solution so far by another search.
@@ -72,6 +84,9 @@ class UnknownSearch {
   Work most_;
   WorkLimit limit_;  // of the present find()
 };
+
+// Whether two solutions give the same values to the unknowns.
+bool same_root(const AllSettings& a, const AllSettings& b, const std::vector<Unknown>& unknowns);
 
 // Adds the findings of another search except its roots.
 void merge(RootsFound& all, const RootsFound& more);

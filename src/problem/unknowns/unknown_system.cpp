@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "problem/language/expression_walk.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 
@@ -75,9 +76,12 @@ std::set<std::string> unknowns_of_amount(const Statement& statement, const std::
       if (impulse.name == name)
         for (const auto* expression : {&impulse.value, &impulse.force, &impulse.lasts, &impulse.couple})
           collect(*expression);
-    for (const Load& load : situation.loads)
-      if (load.name == name)
-        for (const auto* expression : {&load.force, &load.couple}) collect(*expression);
+    for_each_stated_law(situation, [&](const auto& law) {
+      if (law.name != name) return;
+      law.for_each_part([&](LawPart part, const std::optional<Expression>& expression) {
+        if (part == LawPart::effort) collect(expression);
+      });
+    });
     for (const Body& body : situation.bodies)
       for (const Part& part : body.added)
         if (part.name == name) {
@@ -85,12 +89,6 @@ std::set<std::string> unknowns_of_amount(const Statement& statement, const std::
           collect(part.amount.weight);
         }
   }
-  return names;
-}
-
-std::string listed(const std::vector<Unknown>& unknowns) {
-  std::string names;
-  for (const Unknown& unknown : unknowns) names += (names.empty() ? "" : ", ") + unknown.name;
   return names;
 }
 

@@ -48,16 +48,7 @@ bool is_own(const Statement& statement, std::size_t situation, const std::string
 // The unknowns in the data of an impulse, a load or an added mass.
 std::set<std::string> unknowns_of_amount(const Statement& statement, const std::string& name);
 
-// The names of unknowns, separated by commas.
-std::string listed(const std::vector<Unknown>& unknowns);
 // The conditions that the author has stated for the unknowns.
 std::string conditions_in_words(const Statement& statement, const UnknownSystem& system);
-
-template <class Item>
-void add_once(std::vector<Item>& list, const Item& item) {
-  for (const Item& known : list)
-    if (known == item) return;
-  list.push_back(item);
-}
 
 }  // namespace poinsot::problem

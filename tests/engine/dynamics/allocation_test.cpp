@@ -10,7 +10,7 @@
 #include "poinsot/engine/dynamics/momentum.h"
 
 namespace poinsot {
-namespace {
+namespace allocation_test {
 
 TEST(Allocation, no_algorithm_allocates) {
   if (!counts_allocations) GTEST_SKIP() << "the sanitizer allocates in its own way";
@@ -51,5 +51,5 @@ TEST(Allocation, no_algorithm_allocates) {
   EXPECT_GT(allocations, after);
 }
 
-}  // namespace
+}  // namespace allocation_test
 }  // namespace poinsot

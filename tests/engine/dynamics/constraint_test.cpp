@@ -9,7 +9,7 @@
 #include "poinsot/engine/dynamics/momentum.h"
 
 namespace poinsot {
-namespace {
+namespace constraint_test {
 
 using testing::Random;
 using testing::relative_difference;
@@ -418,5 +418,5 @@ TEST(ConstrainedDynamics, without_constraints_is_hybrid_dynamics_and_wrong_sizes
   EXPECT_THROW(solve(space, multiplier, std::vector<double>(2)), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace constraint_test
 }  // namespace poinsot

@@ -16,7 +16,7 @@
 #include "poinsot/engine/model/builder.h"
 
 namespace poinsot {
-namespace {
+namespace equations_of_motion_test {
 
 class RandomTree {
  public:
@@ -239,5 +239,5 @@ TEST(EquationsOfMotion, TurnedPlanarLoopsMoveAsUnturnedOnes) {
   }
 }
 
-}  // namespace
+}  // namespace equations_of_motion_test
 }  // namespace poinsot

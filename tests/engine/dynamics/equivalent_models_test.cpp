@@ -8,7 +8,7 @@
 #include "poinsot/engine/dynamics/kinematics.h"
 
 namespace poinsot {
-namespace {
+namespace equivalent_models_test {
 
 using testing::Random;
 using testing::relative_difference;
@@ -231,5 +231,5 @@ TEST(EquivalentModels, a_screw_without_pitch_is_a_hinge_and_compounds_are_chains
   EXPECT_NEAR(both.force[1] + pitch * both.force[0], needed[0], 1e-12);
 }
 
-}  // namespace
+}  // namespace equivalent_models_test
 }  // namespace poinsot

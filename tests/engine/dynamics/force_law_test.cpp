@@ -15,7 +15,7 @@
 #include "poinsot/engine/model/state.h"
 
 namespace poinsot {
-namespace {
+namespace force_law_test {
 
 class RandomNumbers {
  public:
@@ -190,5 +190,5 @@ TEST(TorsionLaw, CoupleIsAlongTheAxisHalfwayBetweenTheBodies) {
               1e-14);
 }
 
-}  // namespace
+}  // namespace force_law_test
 }  // namespace poinsot

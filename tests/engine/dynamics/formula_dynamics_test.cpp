@@ -15,7 +15,7 @@
 #include "poinsot/engine/model/builder.h"
 
 namespace poinsot {
-namespace {
+namespace formula_dynamics_test {
 
 // A letter in one scalar, its value in another.
 template <class Scalar>
@@ -168,5 +168,5 @@ TEST(FormulaDynamics, HasTheTextbooksEquations) {
   EXPECT_EQ(text(substituted(forces(gyro)[1], {{"g", 0}})), "m*u*sin(a)*(u*(r^2 - 4*h^2)*cos(a) + 2*r^2*w)/4");
 }
 
-}  // namespace
+}  // namespace formula_dynamics_test
 }  // namespace poinsot

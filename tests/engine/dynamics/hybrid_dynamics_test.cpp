@@ -8,7 +8,7 @@
 #include "poinsot/engine/dynamics/inverse_dynamics.h"
 
 namespace poinsot {
-namespace {
+namespace hybrid_dynamics_test {
 
 using testing::OracleResult;
 using testing::Random;
@@ -209,5 +209,5 @@ TEST(HybridDynamics, refuses_lists_of_the_wrong_size) {
   }
 }
 
-}  // namespace
+}  // namespace hybrid_dynamics_test
 }  // namespace poinsot

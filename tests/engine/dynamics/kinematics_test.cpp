@@ -6,7 +6,7 @@
 #include "engine/dynamics/newton_euler_oracle.h"
 
 namespace poinsot {
-namespace {
+namespace kinematics_test {
 
 using testing::Random;
 using testing::relative_difference;
@@ -152,5 +152,5 @@ TEST(Kinematics, refuses_lists_of_the_wrong_size) {
   EXPECT_THROW(update_velocities(model, workspace, state), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace kinematics_test
 }  // namespace poinsot

@@ -8,7 +8,7 @@
 #include "poinsot/engine/dynamics/momentum.h"
 
 namespace poinsot {
-namespace {
+namespace mass_matrix_test {
 
 using testing::Random;
 using testing::relative_difference;
@@ -102,5 +102,5 @@ TEST(MassMatrix, refuses_lists_of_the_wrong_size) {
   EXPECT_THROW(mirror_lower_triangle<double>(wrong, model.velocity_size()), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace mass_matrix_test
 }  // namespace poinsot

@@ -8,7 +8,7 @@
 #include "poinsot/engine/dynamics/inverse_dynamics.h"
 
 namespace poinsot {
-namespace {
+namespace momentum_test {
 
 using testing::Random;
 using testing::relative_difference;
@@ -200,5 +200,5 @@ TEST(Momentum, energy_grows_by_the_power_of_the_joints_and_the_external_forces) 
   }
 }
 
-}  // namespace
+}  // namespace momentum_test
 }  // namespace poinsot

@@ -13,7 +13,7 @@
 #include "poinsot/engine/math/algebra/pack.h"
 
 namespace poinsot {
-namespace {
+namespace scalars_test {
 
 using testing::Random;
 using testing::relative_difference;
@@ -280,5 +280,5 @@ TEST(DualDynamics, second_derivatives_of_the_kinetic_energy_are_the_mass_matrix)
   }
 }
 
-}  // namespace
+}  // namespace scalars_test
 }  // namespace poinsot

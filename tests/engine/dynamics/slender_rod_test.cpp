@@ -10,7 +10,7 @@
 #include "poinsot/engine/model/builder.h"
 
 namespace poinsot {
-namespace {
+namespace slender_rod_test {
 
 using Vector = Vector3<double>;
 
@@ -118,5 +118,5 @@ TEST(SlenderRod, AThinOneHasItsAccelerations) {
     }
 }
 
-}  // namespace
+}  // namespace slender_rod_test
 }  // namespace poinsot

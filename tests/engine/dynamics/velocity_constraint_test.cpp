@@ -8,7 +8,7 @@
 #include "poinsot/engine/math/algebra/dual.h"
 
 namespace poinsot {
-namespace {
+namespace velocity_constraint_test {
 
 using testing::Random;
 using Vector = Vector3<double>;
@@ -178,5 +178,5 @@ TEST(VelocityConstraint, GapsHaveDerivatives) {
   EXPECT_NEAR(gap.partial[0], -0.8, 1e-15);
 }
 
-}  // namespace
+}  // namespace velocity_constraint_test
 }  // namespace poinsot

@@ -3,7 +3,7 @@
 #include "engine/mass/random_shapes.h"
 
 namespace poinsot {
-namespace {
+namespace composition_test {
 
 using testing::near;
 using testing::Random;
@@ -174,5 +174,5 @@ TEST(Composition, ALoneParticleGetsNoInertiaFromRounding) {
   }
 }
 
-}  // namespace
+}  // namespace composition_test
 }  // namespace poinsot

@@ -9,7 +9,7 @@
 #include "poinsot/engine/math/formula/formula_text.h"
 
 namespace poinsot {
-namespace {
+namespace formula_shapes_test {
 
 using Vector = Vector3<Formula>;
 
@@ -80,5 +80,5 @@ TEST(FormulaShapes, AddUp) {
   EXPECT_EQ(text(of_mass(halves, m).inertia_center.zz), "m*((L + r)^2 + h^2)/12");
 }
 
-}  // namespace
+}  // namespace formula_shapes_test
 }  // namespace poinsot

@@ -9,7 +9,7 @@
 #include "poinsot/engine/mass/plates.h"
 
 namespace poinsot {
-namespace {
+namespace lines_test {
 
 // Mean squares of the distances from the centroid along the middle and across it, of the points at r (cos, sin) with
 // the weight r^power; r up to 1.
@@ -61,5 +61,5 @@ TEST(Lines, TheDepthOfAnArcKeepsItsDigits) {
     EXPECT_NEAR(shapes::detail::arc_depth(angle), spread(angle, 0).first, 3e-13 * spread(angle, 0).first) << angle;
 }
 
-}  // namespace
+}  // namespace lines_test
 }  // namespace poinsot

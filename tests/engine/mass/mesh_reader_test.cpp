@@ -12,7 +12,7 @@
 #include "engine/mass/random_shapes.h"
 
 namespace poinsot {
-namespace {
+namespace mesh_reader_test {
 
 using testing::near;
 using Vector = Vector3<double>;
@@ -286,5 +286,5 @@ TEST_F(MeshFile, TellsWhatIsWrongWithTheFile) {
   EXPECT_EQ(read_mesh_file(bad).error.message, bad + ":1: expected three numbers after 'v', found the end of the line");
 }
 
-}  // namespace
+}  // namespace mesh_reader_test
 }  // namespace poinsot

@@ -6,7 +6,7 @@
 #include "engine/mass/random_shapes.h"
 
 namespace poinsot {
-namespace {
+namespace mesh_test {
 
 using testing::box_mesh;
 using testing::near;
@@ -242,5 +242,5 @@ TEST(MeshFaults, UnknownAndNotFiniteVertices) {
   }
 }
 
-}  // namespace
+}  // namespace mesh_test
 }  // namespace poinsot

@@ -7,7 +7,7 @@
 #include "poinsot/engine/mass/principal_axes.h"
 
 namespace poinsot {
-namespace {
+namespace particles_test {
 
 using testing::near;
 using testing::Random;
@@ -124,5 +124,5 @@ TEST(EquivalentParticles, ImpossibleMomentsAreRefused) {
                std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace particles_test
 }  // namespace poinsot

@@ -3,7 +3,7 @@
 #include "engine/mass/random_shapes.h"
 
 namespace poinsot {
-namespace {
+namespace principal_axes_test {
 
 using testing::near;
 using testing::Random;
@@ -96,5 +96,5 @@ TEST(PrincipalAxes, NotFiniteTensorsGiveNotFiniteMoments) {
   EXPECT_TRUE(std::isnan(principal_axes(Tensor{1, 1, 1, infinity, 0, 0}).moments.x));
 }
 
-}  // namespace
+}  // namespace principal_axes_test
 }  // namespace poinsot

@@ -9,7 +9,7 @@
 #include "poinsot/engine/math/algebra/pack.h"
 
 namespace poinsot {
-namespace {
+namespace scalars_test {
 
 using testing::Random;
 
@@ -162,5 +162,5 @@ TEST(MassOfPacks, LanesAreRunsInDouble) {
   expect_lanes_of_doubles<8>();
 }
 
-}  // namespace
+}  // namespace scalars_test
 }  // namespace poinsot

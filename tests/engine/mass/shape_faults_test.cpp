@@ -7,7 +7,7 @@
 #include "engine/mass/random_shapes.h"
 
 namespace poinsot {
-namespace {
+namespace shape_faults_test {
 
 using shape_faults::Fault;
 using shape_faults::ShapeRule;
@@ -293,5 +293,5 @@ TEST(PolygonFaults, RandomOutlinesAndTheSameWithTwoVerticesExchanged) {
   }
 }
 
-}  // namespace
+}  // namespace shape_faults_test
 }  // namespace poinsot

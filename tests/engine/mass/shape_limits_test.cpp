@@ -4,7 +4,7 @@
 #include "engine/mass/random_shapes.h"
 
 namespace poinsot {
-namespace {
+namespace shape_limits_test {
 
 using testing::near;
 using testing::Random;
@@ -219,5 +219,5 @@ TEST(ShapeTables, MomentsOfCommonShapes) {
   EXPECT_TRUE(near(shapes::cone_shell(O, z, 1.0).center, Vector{0, 0, 2.0 / 3}, 1e-15));
 }
 
-}  // namespace
+}  // namespace shape_limits_test
 }  // namespace poinsot

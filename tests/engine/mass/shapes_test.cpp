@@ -6,7 +6,7 @@
 #include "engine/mass/random_shapes.h"
 
 namespace poinsot {
-namespace {
+namespace shapes_test {
 
 using testing::near;
 using testing::Random;
@@ -226,5 +226,5 @@ TYPED_TEST(Shapes, ParticleIsAllAtItsPoint) {
   EXPECT_EQ(about_origin.xy, 8);
 }
 
-}  // namespace
+}  // namespace shapes_test
 }  // namespace poinsot

@@ -6,7 +6,7 @@
 #include "engine/mass/random_shapes.h"
 
 namespace poinsot {
-namespace {
+namespace validity_test {
 
 using testing::Random;
 using Vector = Vector3<double>;
@@ -147,5 +147,5 @@ TEST(Validity, ToleranceIsRelativeToTheLargestMoment) {
   EXPECT_FALSE(validate(plate(1e-4), "plate", 1e-3));
 }
 
-}  // namespace
+}  // namespace validity_test
 }  // namespace poinsot

@@ -8,7 +8,7 @@
 #include "poinsot/engine/model/state.h"
 
 namespace poinsot {
-namespace {
+namespace builder_test {
 
 const MassProperties<double> block{2.0, {0.1, 0.2, 0.3}, SymmetricMatrix3<double>::diagonal(1.0, 2.0, 2.5)};
 
@@ -171,5 +171,5 @@ TEST(Model, packs_of_models_need_one_model_per_lane_and_one_tree) {
   EXPECT_THROW(pack_models<Pack<4>>(models), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace builder_test
 }  // namespace poinsot

@@ -8,7 +8,7 @@
 #include "poinsot/engine/model/builder.h"
 
 namespace poinsot {
-namespace {
+namespace state_test {
 
 const MassProperties<double> block{2.0, {0.1, 0.2, 0.3}, SymmetricMatrix3<double>::diagonal(1.0, 2.0, 2.5)};
 
@@ -103,5 +103,5 @@ TEST(State, refuses_lists_of_the_wrong_size) {
   EXPECT_THROW(integrate_position<double>(model, state.q, state.v, 0.1), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace state_test
 }  // namespace poinsot

@@ -10,7 +10,7 @@
 #include "poinsot/engine/work/work.h"
 
 namespace poinsot {
-namespace {
+namespace budget_test {
 
 using Clock = Budget::Clock;
 using std::chrono::microseconds;
@@ -30,7 +30,7 @@ struct SteppingClock {
 TEST(Budget, nothing_ends_without_a_scope) {
   EXPECT_FALSE(budget_ended());
   EXPECT_NO_THROW(check_budget());
-  EXPECT_NO_THROW(tell_progress({"roots", 0.5}));
+  EXPECT_NO_THROW(ProgressTeller("roots").tell(0.5));
 }
 
 TEST(Budget, nothing_ends_and_no_clock_is_read_where_a_budget_bounds_nothing) {
@@ -149,8 +149,25 @@ TEST(Budget, progress_is_told_ten_times_a_second) {
   const BudgetScope outer(
       Budget().by_clock(std::ref(clock)).tell([&](const Progress& progress) { told.emplace_back(progress.doing); }));
   const BudgetScope inner{Budget()};  // one without a listener leaves it to the next one
-  for (int i = 0; i < 1000; ++i) tell_progress({"steps", {}, 1});
+  const ProgressTeller steps("steps");
+  for (int i = 0; i < 1000; ++i) steps.tell({}, 1);
   EXPECT_EQ(told, std::vector<std::string>(10, "steps"));
+}
+
+TEST(Budget, progress_is_told_of_the_whole_and_not_of_what_is_done_within_it) {
+  SteppingClock clock{milliseconds(200)};
+  std::vector<std::string> told;
+  const BudgetScope scope(
+      Budget().by_clock(std::ref(clock)).tell([&](const Progress& progress) { told.emplace_back(progress.doing); }));
+  {
+    const ProgressTeller search("search");
+    search.tell({}, 1);
+    const ProgressTeller motion("motion");
+    motion.tell(0.5);
+    search.tell({}, 2);
+  }
+  ProgressTeller("motion").tell(0.5);
+  EXPECT_EQ(told, (std::vector<std::string>{"search", "search", "motion"}));
 }
 
 TEST(Budget, it_holds_for_its_thread_alone) {
@@ -162,5 +179,5 @@ TEST(Budget, it_holds_for_its_thread_alone) {
   EXPECT_TRUE(budget_ended());
 }
 
-}  // namespace
+}  // namespace budget_test
 }  // namespace poinsot

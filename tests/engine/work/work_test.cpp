@@ -7,7 +7,7 @@
 #include "poinsot/engine/work/budget.h"
 
 namespace poinsot {
-namespace {
+namespace work_test {
 
 TEST(Work, a_limit_is_spent_by_what_is_counted_after_it_was_set) {
   count_work(1000);
@@ -43,5 +43,5 @@ TEST(Work, counting_looks_at_the_budget) {
   EXPECT_THROW(count_work(1), BudgetEnded);
 }
 
-}  // namespace
+}  // namespace work_test
 }  // namespace poinsot

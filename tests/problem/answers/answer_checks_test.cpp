@@ -7,9 +7,10 @@
 
 #include "problem/answers/fact_check.h"
 #include "problem/answers/solve_statement.h"
+#include "problem/unknowns/asked_value.h"
 
 namespace poinsot::problem {
-namespace {
+namespace answer_checks_test {
 
 Solution solved(const std::string& text) {
   return solve_statement(read_statement(text, "test.yaml"), {}).solutions.at(0);
@@ -120,10 +121,10 @@ ask: {H: momentum(bar)}
   other.replace(other.find("2 m/s"), 5, "3 m/s");
   const Statement statement = read_statement(text, "test.yaml"), false_statement = read_statement(other, "test.yaml");
   Sample sample(statement, AllSettings(1), OpenChoice{});
-  sample.value(statement.asks.front());
+  asked_value(sample, statement.asks.front());
   EXPECT_LT(largest_fact_misfit(statement, sample).value(), 1e-15);
   EXPECT_NEAR(largest_fact_misfit(false_statement, sample).value(), 1.0 / 3, 0.2);
 }
 
-}  // namespace
+}  // namespace answer_checks_test
 }  // namespace poinsot::problem

@@ -6,7 +6,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace asks_alone_test {
 
 TEST(AsksAlone, FrequenciesWhereNothingIsSteady) {
   const SolvedText solved(
@@ -41,5 +41,5 @@ TEST(AsksAlone, TheFirstTimeOfWhatHappensWithoutEnd) {
   EXPECT_LT(solved.notes().size(), 20U);
 }
 
-}  // namespace
+}  // namespace asks_alone_test
 }  // namespace poinsot::problem

@@ -9,7 +9,7 @@
 #include "problem/formulas/textbook_variations.h"
 
 namespace poinsot::problem {
-namespace {
+namespace determinacy_messages_test {
 
 using namespace testing;
 
@@ -179,5 +179,5 @@ TEST(Determinacy, AnUnknownFoundFromWhatIsOpen) {
   EXPECT_EQ(complaint(none, "any", still, "0"), "");
 }
 
-}  // namespace
+}  // namespace determinacy_messages_test
 }  // namespace poinsot::problem

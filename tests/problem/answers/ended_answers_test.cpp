@@ -12,7 +12,7 @@
 #include "problem/entries/statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace ended_answers_test {
 
 // A double pendulum whose energy is known at once, and whose motion over so long a time takes many minutes.
 const std::string pendulum = R"(title: a double pendulum, for long
@@ -109,5 +109,5 @@ claim: {light: {claim: "kinetic_energy(disk) >= 0 J"}}
   EXPECT_GT(kept, 0U);
 }
 
-}  // namespace
+}  // namespace ended_answers_test
 }  // namespace poinsot::problem

@@ -5,7 +5,7 @@
 #include "problem/entries/random_problems.h"
 
 namespace poinsot::problem {
-namespace {
+namespace equivalence_test {
 
 using namespace testing;
 
@@ -463,5 +463,5 @@ TEST(Equivalence, RatesAgainstDifferences) {
   }
 }
 
-}  // namespace
+}  // namespace equivalence_test
 }  // namespace poinsot::problem

@@ -4,7 +4,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace open_inertia_test {
 
 const std::string shaft =
     "points: {O: [0, 0, 0], A: [0, -1 m, 0], L: [0, 0, -1 m], R: [0, 0, 1 m]}\n"
@@ -86,5 +86,5 @@ TEST(OpenInertia, APlateStaysAPlate) {
   EXPECT_NEAR(solved.vector("H").x, 0, 1e-6);
 }
 
-}  // namespace
+}  // namespace open_inertia_test
 }  // namespace poinsot::problem

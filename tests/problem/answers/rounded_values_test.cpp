@@ -9,7 +9,7 @@
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace rounded_values_test {
 
 Solution solved(const std::string& text) {
   const SolvedStatement all = solve_statement(read_statement(text, "test.yaml"), {});
@@ -125,5 +125,5 @@ ask: {H: dot(angular_momentum(p about A) with u), M: couple(j on p about A)}
   EXPECT_EQ(solution.asks[1].value.vector.z, 0);
 }
 
-}  // namespace
+}  // namespace rounded_values_test
 }  // namespace poinsot::problem

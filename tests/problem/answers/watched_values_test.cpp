@@ -8,7 +8,7 @@
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace watched_values_test {
 
 Solution solved(const std::string& text) {
   return solve_statement(read_statement(text, "test.yaml"), {}).solutions.at(0);
@@ -112,5 +112,5 @@ ask: {touching: touching(table), N: force(table on ball).y}
   EXPECT_EQ(solution.assumptions.front(), "the contact 'table' presses");
 }
 
-}  // namespace
+}  // namespace watched_values_test
 }  // namespace poinsot::problem

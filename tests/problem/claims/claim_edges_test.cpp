@@ -7,7 +7,7 @@
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace claim_edges_test {
 
 // A coin rolls on upright where s^2 > g/(3 r).
 SolvedClaim rolling_claim(const std::string& assumed) {
@@ -45,5 +45,5 @@ TEST(ClaimEdges, WhatHoldsUpToTheEdgeHolds) {
   EXPECT_TRUE(claim.holds);
 }
 
-}  // namespace
+}  // namespace claim_edges_test
 }  // namespace poinsot::problem

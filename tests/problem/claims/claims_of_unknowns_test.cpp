@@ -8,7 +8,7 @@
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace claims_of_unknowns_test {
 
 SolvedStatement solved(const std::string& text) {
   return solve_statement(read_statement(text, "claims_of_unknowns.yaml"), {});
@@ -114,5 +114,5 @@ claim: {c: center(rod).x > 0 m}
   EXPECT_NE(found.solutions.front().asks.at(0).state, AskState::undetermined);
 }
 
-}  // namespace
+}  // namespace claims_of_unknowns_test
 }  // namespace poinsot::problem

@@ -8,7 +8,7 @@
 #include "problem/claims/claim_proof.h"
 
 namespace poinsot::problem {
-namespace {
+namespace claims_test {
 
 SolvedClaim claim_of(const std::string& text) {
   const Statement statement = read_statement(text, "claims.yaml");
@@ -463,5 +463,5 @@ TEST(WorkedAssumptions, AreWorkedIntoLetters) {
   EXPECT_FALSE(angle.proves({cos(t), Formula(0), Relation::greater}));
 }
 
-}  // namespace
+}  // namespace claims_test
 }  // namespace poinsot::problem

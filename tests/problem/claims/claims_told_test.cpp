@@ -9,7 +9,7 @@
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace claims_told_test {
 
 Solution solution_of(const std::string& text, bool tell = true) {
   return solve_statement(read_statement(text, "claims_told.yaml"), {}, tell).solutions.at(0);
@@ -181,5 +181,5 @@ ask:
   EXPECT_EQ(solution.notes.front(), "v by dimensional analysis, with numbers of 12 digits");
 }
 
-}  // namespace
+}  // namespace claims_told_test
 }  // namespace poinsot::problem

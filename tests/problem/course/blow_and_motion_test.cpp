@@ -6,7 +6,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace blow_and_motion_test {
 
 constexpr double g = 9.81;
 
@@ -104,5 +104,5 @@ TEST(BlowAndMotion, AContactThatTheBlowPartsIsOpenAfterIt) {
   EXPECT_FALSE(solved.found("t").value.truth);
 }
 
-}  // namespace
+}  // namespace blow_and_motion_test
 }  // namespace poinsot::problem

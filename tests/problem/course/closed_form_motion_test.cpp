@@ -10,7 +10,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace closed_form_motion_test {
 
 bool says(const SolvedText& solved, const std::string& words) {
   return std::count(solved.notes().begin(), solved.notes().end(), words) == 1;
@@ -158,5 +158,5 @@ TEST(ClosedFormMotion, AnswersNoExtremeThatTheErrorOfTheMotionHides) {
   EXPECT_NE(late.reason("m").find("so sensitive"), std::string::npos) << late.reason("m");
 }
 
-}  // namespace
+}  // namespace closed_form_motion_test
 }  // namespace poinsot::problem

@@ -8,7 +8,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace endless_extremes_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -157,5 +157,5 @@ TEST(EndlessExtremes, MotionsOfSituations) {
   EXPECT_NEAR(solved.number("M"), std::sqrt(2 * 9.81 / 0.9 * (1 - std::cos(80 * degree))), 1e-10);
 }
 
-}  // namespace
+}  // namespace endless_extremes_test
 }  // namespace poinsot::problem

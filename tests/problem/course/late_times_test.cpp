@@ -8,7 +8,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace late_times_test {
 
 const std::string top =
     "title: t\ngiven: {g: 9.81 m/s^2, m: 0.5 kg, I: 4e-4 kg*m^2, J: 5e-3 kg*m^2}\n"
@@ -75,5 +75,5 @@ TEST(LateTimes, ExtremesOfAMotionThatLastsLong) {
   EXPECT_NEAR(lasting.number("high"), endless.number("high"), 1e-9);
 }
 
-}  // namespace
+}  // namespace late_times_test
 }  // namespace poinsot::problem

@@ -10,7 +10,7 @@
 #include "problem/instant/instant.h"
 
 namespace poinsot::problem {
-namespace {
+namespace mechanism_dynamics_agreement_test {
 
 using poinsot::testing::NamedMotion;
 using poinsot::testing::Random;
@@ -120,5 +120,5 @@ TEST(MechanismDynamicsAgreement, TextbookFiles) {
   EXPECT_GT(tally.components, 8);
 }
 
-}  // namespace
+}  // namespace mechanism_dynamics_agreement_test
 }  // namespace poinsot::problem

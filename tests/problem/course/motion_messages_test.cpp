@@ -7,7 +7,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace motion_messages_test {
 
 const std::string pendulum =
     "title: t\ngiven: {L: 0.9 m, g: 9.81 m/s^2}\npoints: {O: [0, 0, 0], P: [0, -L, 0]}\n"
@@ -91,7 +91,7 @@ TEST(MotionMessages, ARollingContactThatWouldSlip) {
 
 TEST(MotionMessages, AnErrorThatIsSeenInTheDigitsIsTold) {
   const std::string stated =
-      "title: t\ngiven: {t: 10 s}\npoints: {O: [0, 0, 0], A: [0, -1 m, 0], B: [0, -2 m, 0]}\n"
+      "title: t\ngiven: {t: 9 s}\npoints: {O: [0, 0, 0], A: [0, -1 m, 0], B: [0, -2 m, 0]}\n"
       "bodies: {a: {rod: [O, A], mass: 1 kg}, b: {rod: [A, B], mass: 1 kg}}\n"
       "joints: {p: {revolute: z, at: O, to: a, angle: u}, q: {revolute: z, at: A, from: a, to: b, angle: w}}\n"
       "gravity: -y\ninstants: {start: {u: 120 deg, u': 0, w: 40 deg, w': 0}}\nask: {e: u @ t}\n";
@@ -108,5 +108,5 @@ TEST(MotionMessages, AnErrorThatIsSeenInTheDigitsIsTold) {
   EXPECT_TRUE(told(sensitive).ends_with(" deg")) << told(sensitive);
 }
 
-}  // namespace
+}  // namespace motion_messages_test
 }  // namespace poinsot::problem

@@ -7,7 +7,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace narrow_events_test {
 
 class Oscillator {
  public:
@@ -62,5 +62,5 @@ TEST(NarrowEvents, AQuantityWithACornerComesNearZero) {
   }
 }
 
-}  // namespace
+}  // namespace narrow_events_test
 }  // namespace poinsot::problem

@@ -8,7 +8,7 @@
 #include "problem/language/failure.h"
 
 namespace poinsot::problem {
-namespace {
+namespace nothing_moves_test {
 
 const std::string welded = R"(
 points: {A: [0 m, 0 m, 0 m], B: [1 m, 0 m, 0 m]}
@@ -70,5 +70,5 @@ ask:
   EXPECT_EQ(message("T*T/U"), "test.yaml:10:19: error: division by zero");
 }
 
-}  // namespace
+}  // namespace nothing_moves_test
 }  // namespace poinsot::problem

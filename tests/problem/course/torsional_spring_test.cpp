@@ -6,7 +6,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace torsional_spring_test {
 
 const std::string two_wheels =
     "title: t\npoints: {A: [0, 0, 0], B: [0.5 m, 0, 0]}\n"
@@ -129,5 +129,5 @@ TEST(TorsionalSpring, RefusesWhatBelongsToTheOtherKind) {
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace torsional_spring_test
 }  // namespace poinsot::problem

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "problem/answers/solve_statement.h"
-#include "problem/entries/keys.h"
+#include "problem/keys/keys.h"
 
 namespace poinsot::problem {
-namespace {
+namespace any_value_at_any_key_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -174,5 +174,5 @@ TEST(AnyValueAtAnyKey, EverythingLeftOutOrEmptied) {
   }
 }
 
-}  // namespace
+}  // namespace any_value_at_any_key_test
 }  // namespace poinsot::problem

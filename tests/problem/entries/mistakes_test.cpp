@@ -10,7 +10,7 @@
 #include "problem/language/failure.h"
 
 namespace poinsot::problem {
-namespace {
+namespace mistakes_test {
 
 using Sets = std::vector<std::pair<std::string, std::string>>;
 
@@ -51,6 +51,86 @@ ask: {m: mass(bar)}
 )",
        "test.yaml:2:27: error: the coordinates of point 'A' are a time, not lengths (check the units of the data in "
        "them)",
+       {}},
+      {"APointWithoutUnits",
+       R"(given: {L: 800}
+points: {O: [0, 0, 0], A: [0, -L, 0]}
+bodies: {bar: {rod: [O, A], weight: 2 lb}}
+ask: {m: mass(bar)}
+)",
+       "test.yaml:2:27: error: the coordinates of point 'A' have no unit (write lengths with their unit, such as [3 m, "
+       "0, 0] or [3 ft, 0, 0]; data in them need one too)",
+       {}},
+      {"GravityWithoutUnits",
+       R"(points: {O: [0, 0, 0], A: [0, -1 m, 0]}
+bodies: {bar: {rod: [O, A], mass: 2 kg}}
+gravity: [0, -1.62, 0]
+ask: {W: weight(bar)}
+)",
+       "test.yaml:3:10: error: it is not clear whether this is a direction or an acceleration without its unit (write "
+       "the acceleration with its unit, as in [0, -1.62 m/s^2, 0], or a direction such as -y)",
+       {}},
+      {"AUnitInPlaceOfADatum",
+       R"(given: {n: 180/min}
+ask: {n: n}
+)",
+       "test.yaml:1:16: error: 'min' is not defined (it is a unit too: one stands behind its number and a blank, as in "
+       "3 m/s or 180 rpm)",
+       {}},
+      {"ASpringOnOneBody",
+       R"(points: {O: [0, 0, 0], A: [0, -1 m, 0]}
+bodies: {bar: {rod: [O, A], mass: 2 kg}}
+springs: {s: {from: bar, at: O, to: bar, end: A, stiffness: 3 N/m, free_length: 0.5 m}}
+ask: {F: force(s on bar)}
+)",
+       "test.yaml:3:11: error: spring 's' joins 'bar' to itself (name two bodies, or ground, under from: and to:)",
+       {}},
+      {"AContactAgainstAParticle",
+       R"(points: {O: [0, 0, 0], C: [0, 0.1 m, 0]}
+bodies: {ball: {sphere: {center: C, radius: 0.1 m}, mass: 2 kg}, peg: {particle: O, mass: 1 kg}}
+joints: {hold: {weld: O, to: peg}}
+contacts: {c: {of: ball, against: peg, at: O, normal: y}}
+ask: {v: velocity(ball)}
+)",
+       "test.yaml:4:12: error: 'peg' is a particle, which has no surface that 'ball' could touch (state the contact "
+       "from the particle: of: peg, against: ball, with the normal into it)",
+       {}},
+      {"AContactBesideARod",
+       R"(points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {bar: {rod: [O, A], mass: 2 kg}}
+contacts: {c: {of: bar, at: [0.5 m, -0.1 m, 0], normal: y}}
+ask: {v: velocity(bar)}
+)",
+       "test.yaml:3:29: error: contact 'c' is 0.1 m off the surface of 'bar' (correct the point under at:, or give the "
+       "body the shape that touches there)",
+       {}},
+      {"AContactBesideTheRodBelow",
+       R"(points: {O: [0, 0, 0], A: [1 m, 0, 0], C: [2 m, 0.1 m, 0]}
+bodies: {bar: {rod: [O, A], mass: 2 kg}, ball: {sphere: {center: C, radius: 0.1 m}, mass: 1 kg}}
+contacts: {c: {of: ball, against: bar, at: [2 m, 0, 0], normal: y}}
+ask: {v: velocity(bar)}
+)",
+       "test.yaml:3:44: error: contact 'c' is 1 m off the surface of 'bar' (correct the point under at:, or give the "
+       "body the shape that touches there)",
+       {}},
+      {"AMotionDrivenAndPushed",
+       R"(points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {bar: {rod: [O, A], mass: 2 kg}}
+joints: {pin: {revolute: z, at: O, to: bar, rate: 0, accel: 2 rad/s^2, couple: 3 N*m}}
+ask: {v: angular_velocity(bar)}
+)",
+       "test.yaml:3:80: error: joint 'pin' has rate:, accel: and couple: one too many: with rate and accel the couple "
+       "is what is found (leave out accel: if the couple drives it, or the couple and ask for drive(...))",
+       {}},
+      {"AQuantityAmongTheData",
+       R"(points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {bar: {rod: [O, A], mass: 2 kg}}
+joints: {pin: {revolute: z, at: O, to: bar, rate: angular_velocity(bar).z}}
+ask: {v: angular_velocity(bar)}
+)",
+       "test.yaml:3:51: error: 'angular_velocity(...)' cannot stand here: data are known before anything moves "
+       "(quantities of bodies stand under instants:, define: and ask:; an unknown rate under find: and its condition "
+       "under instants:)",
        {}},
       {"AWordThatJoinsMisspelt",
        R"(points: {O: [0, 0, 0], A: [0, -1 m, 0]}
@@ -321,7 +401,7 @@ ask: {a: angular_momentum(disk about O)}
       {"Infinite",
        R"(title: t
 points: {O: [0, 0, 0], A: [0, 1 m, 0]}
-bodies: {disk: {disk: {center: O, normal: y, radius: 1e200 m}, mass: 1e300 kg}}
+bodies: {disk: {disk: {center: O, normal: y, radius: 1e100*1e60 m}, mass: 1e99 kg}}
 joints: {shaft: {revolute: y, at: O, to: disk, rate: 2 rad/s}}
 ask: {a: angular_momentum(disk about O)}
 )",
@@ -530,8 +610,9 @@ gravity: none
 joints: {shaft: {revolute: y, at: O, to: disk, rate: 2 rad/s, accel: 3 rad/s^2, couple: 1 N*m}}
 ask: {a: angular_acceleration(disk)}
 )",
-       "test.yaml:5:70: error: these cannot all hold together: moments on disk about y; joint 'shaft': accel (correct "
-       "or remove one of them)",
+       "test.yaml:5:89: error: joint 'shaft' has rate:, accel: and couple: one too many: with rate and accel the "
+       "couple "
+       "is what is found (leave out accel: if the couple drives it, or the couple and ask for drive(...))",
        {}},
       {"SupportsCannotCarry",
        R"(title: t
@@ -1051,5 +1132,5 @@ TEST(Limits, MoreBodiesThanCanBeSolved) {
             "test.yaml:103:3: error: there are more than 100 bodies (bodies that never move apart are parts: of one)");
 }
 
-}  // namespace
+}  // namespace mistakes_test
 }  // namespace poinsot::problem

@@ -15,7 +15,7 @@
 #include "problem/language/tree.h"
 
 namespace poinsot::problem {
-namespace {
+namespace equations_test {
 
 template <class Set>
 EquationsOptions with(Set set) {
@@ -225,5 +225,5 @@ TEST(Equations, OfTheExamplesGiveTheAccelerationsOfTheEngine) {
   EXPECT_GT(compared, 60);
 }
 
-}  // namespace
+}  // namespace equations_test
 }  // namespace poinsot::problem

@@ -14,7 +14,7 @@
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace formula_answers_test {
 
 namespace fs = std::filesystem;
 using poinsot::fenced_blocks;
@@ -374,5 +374,5 @@ TEST(FormulaAnswers, SayWhatTheyAssume) {
   EXPECT_EQ(solved.solutions.at(0).assumptions, (Texts{"L > 0", "w > 0"}));
 }
 
-}  // namespace
+}  // namespace formula_answers_test
 }  // namespace poinsot::problem

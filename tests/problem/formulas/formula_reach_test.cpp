@@ -10,7 +10,7 @@
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace formula_reach_test {
 
 Solution solved(const std::string& text) {
   return solve_statement(read_statement(text, "test.yaml"), {}).solutions.at(0);
@@ -91,5 +91,5 @@ ask: {T: tension(c)}
   EXPECT_TRUE(hangs.conditions.empty());
 }
 
-}  // namespace
+}  // namespace formula_reach_test
 }  // namespace poinsot::problem

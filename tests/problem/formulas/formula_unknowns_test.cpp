@@ -9,7 +9,7 @@
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace formula_unknowns_test {
 
 Formula letter(const std::string& name) { return Formula::letter(name, poinsot::Sign::positive); }
 Formula unknown(const std::string& name) { return Formula::letter(name, poinsot::Sign::real); }
@@ -94,5 +94,5 @@ TEST(SolveUnknowns, OfASteadyPrecessionAreTheTwoRootsOfTheBooks) {
   }
 }
 
-}  // namespace
+}  // namespace formula_unknowns_test
 }  // namespace poinsot::problem

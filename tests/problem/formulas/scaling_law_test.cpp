@@ -12,7 +12,7 @@
 #include "problem/formulas/law_shape.h"
 
 namespace poinsot::problem {
-namespace {
+namespace scaling_law_test {
 
 using std::numbers::pi;
 using Sets = std::vector<std::pair<std::string, std::string>>;
@@ -262,5 +262,5 @@ TEST(LawShape, DigitsOfNumbers) {
   EXPECT_TRUE(rounded(1e-9, 1, 8).is_zero());
 }
 
-}  // namespace
+}  // namespace scaling_law_test
 }  // namespace poinsot::problem

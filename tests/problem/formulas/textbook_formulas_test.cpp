@@ -13,7 +13,7 @@
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace textbook_formulas_test {
 
 namespace fs = std::filesystem;
 
@@ -135,5 +135,5 @@ TEST(TextbookFormulas, AreTheNumbersOfTheProblemSolvedWithSettings) {
   EXPECT_GE(compared, 2 * files - 10);
 }
 
-}  // namespace
+}  // namespace textbook_formulas_test
 }  // namespace poinsot::problem

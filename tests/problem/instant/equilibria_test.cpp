@@ -4,7 +4,7 @@
 #include "problem/entries/random_problems.h"
 
 namespace poinsot::problem {
-namespace {
+namespace equilibria_test {
 
 using namespace testing;
 
@@ -171,5 +171,5 @@ TEST(Equilibria, AllAnglesOfAHingeOnATurningArm) {
   for (std::size_t roots = 0; roots <= 4; ++roots) EXPECT_GT(counts[roots], 3) << roots;
 }
 
-}  // namespace
+}  // namespace equilibria_test
 }  // namespace poinsot::problem

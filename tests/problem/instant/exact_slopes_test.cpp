@@ -12,7 +12,7 @@
 #include "problem/unknowns/unknown_equations.h"
 
 namespace poinsot::problem {
-namespace {
+namespace exact_slopes_test {
 
 using namespace testing;
 
@@ -259,5 +259,5 @@ ask: {w: w}
              {{2, 3, 0.4, 0.5}, {-1, 8, 0.2, 0.1}});
 }
 
-}  // namespace
+}  // namespace exact_slopes_test
 }  // namespace poinsot::problem

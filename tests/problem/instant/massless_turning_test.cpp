@@ -6,7 +6,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace massless_turning_test {
 
 constexpr double g = 9.81;
 
@@ -150,5 +150,5 @@ TEST(MasslessTurning, WhatMovesMassStillHasToBeStated) {
   EXPECT_NEAR(solved.vector("here").x, -0.9, 1e-12);
 }
 
-}  // namespace
+}  // namespace massless_turning_test
 }  // namespace poinsot::problem

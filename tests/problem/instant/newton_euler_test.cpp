@@ -7,7 +7,7 @@
 #include "problem/entries/random_problems.h"
 
 namespace poinsot::problem {
-namespace {
+namespace newton_euler_test {
 
 using namespace testing;
 using poinsot::testing::OracleBody;
@@ -286,5 +286,5 @@ TEST(NewtonEuler, OrderedAngles) {
   }
 }
 
-}  // namespace
+}  // namespace newton_euler_test
 }  // namespace poinsot::problem

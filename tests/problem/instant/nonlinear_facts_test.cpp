@@ -7,7 +7,7 @@
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace nonlinear_facts_test {
 
 SolvedStatement solved(const std::string& text) { return solve_statement(read_statement(text, "test.yaml"), {}); }
 
@@ -163,5 +163,5 @@ ask: {J: J}
   EXPECT_NE(said.find("impulse() is known after the blow, not before it"), std::string::npos) << said;
 }
 
-}  // namespace
+}  // namespace nonlinear_facts_test
 }  // namespace poinsot::problem

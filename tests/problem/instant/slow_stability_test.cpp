@@ -4,7 +4,7 @@
 #include "problem/instant/near_steady.h"
 
 namespace poinsot::problem {
-namespace {
+namespace slow_stability_test {
 
 using namespace testing;
 
@@ -103,5 +103,5 @@ TEST(SlowStability, NothingIsSaidAtTheCriticalSpin) {
   }
 }
 
-}  // namespace
+}  // namespace slow_stability_test
 }  // namespace poinsot::problem

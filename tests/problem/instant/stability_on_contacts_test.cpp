@@ -8,7 +8,7 @@
 #include "problem/instant/near_steady.h"
 
 namespace poinsot::problem {
-namespace {
+namespace stability_on_contacts_test {
 
 using namespace testing;
 using Eigen::Vector3d;
@@ -193,5 +193,5 @@ TEST(StabilityOnContacts, SlowestRollingOfDiskAndHoop) {
   }
 }
 
-}  // namespace
+}  // namespace stability_on_contacts_test
 }  // namespace poinsot::problem

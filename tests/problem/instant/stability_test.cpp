@@ -7,7 +7,7 @@
 #include "problem/instant/near_steady.h"
 
 namespace poinsot::problem {
-namespace {
+namespace stability_test {
 
 using namespace testing;
 
@@ -255,5 +255,5 @@ TEST(Stability, PendulumWithATorsionSpringAndABrake) {
   }
 }
 
-}  // namespace
+}  // namespace stability_test
 }  // namespace poinsot::problem

@@ -7,7 +7,7 @@
 #include "problem/instant/near_steady.h"
 
 namespace poinsot::problem {
-namespace {
+namespace steady_integrated_test {
 
 using namespace testing;
 
@@ -173,5 +173,5 @@ TEST(SteadyIntegrated, GrowthAboutTheIntermediateAxisMeasured) {
   }
 }
 
-}  // namespace
+}  // namespace steady_integrated_test
 }  // namespace poinsot::problem

@@ -6,7 +6,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace struck_bodies_test {
 
 using Vector = Vector3<double>;
 
@@ -96,5 +96,5 @@ TEST(StruckBodies, InLetters) {
   EXPECT_NEAR(solved.number("lost"), 36 - 0.5 * 144 / 3, 1e-12);
 }
 
-}  // namespace
+}  // namespace struck_bodies_test
 }  // namespace poinsot::problem

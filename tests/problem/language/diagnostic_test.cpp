@@ -8,7 +8,7 @@
 #include <type_traits>
 
 namespace poinsot::problem {
-namespace {
+namespace diagnostic_test {
 
 TEST(Diagnostic, TextHasFilePlaceMessageAndHint) {
   EXPECT_STREQ(StatementError("a.yaml", {3, 7}, "no unit", "write 5 kg").what(),
@@ -77,5 +77,5 @@ TEST(Nearest, IsSilentWhenNothingIsNear) {
   EXPECT_EQ(did_you_mean("density", names), "");
 }
 
-}  // namespace
+}  // namespace diagnostic_test
 }  // namespace poinsot::problem

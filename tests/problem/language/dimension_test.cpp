@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace poinsot::problem {
-namespace {
+namespace dimension_test {
 
 using namespace dimensions;
 
@@ -69,5 +69,5 @@ TEST(Dimension, InBaseUnits) {
   EXPECT_EQ(base_units(*problem::power(length, -3, 2)), "1/m^(3/2)");
 }
 
-}  // namespace
+}  // namespace dimension_test
 }  // namespace poinsot::problem

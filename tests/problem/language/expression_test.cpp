@@ -7,7 +7,7 @@
 #include "problem/language/failure.h"
 
 namespace poinsot::problem {
-namespace {
+namespace expression_test {
 
 Expression parsed(const std::string& text) { return parse_expression(text, "f"); }
 
@@ -145,6 +145,10 @@ TEST(Expression, NamesPrimesMembersAndInstants) {
   EXPECT_EQ(shape("turn' @ driven.start"), "(turn'@driven.start)");
   EXPECT_EQ(shape("reaction(A).y @ start"), "((reaction{:A}.y)@start)");
   EXPECT_EQ(parsed("w @ after").as<At>()->instant_mark, (Mark{1, 5}));
+  EXPECT_EQ(parsed("w @ large.run.end").as<At>()->names, (std::vector<std::string>{"large", "run", "end"}));
+  EXPECT_EQ(parsed("w @ large.run.end").as<At>()->when.as<Name>()->name, "end");
+  EXPECT_EQ(parsed("w @ 1/2 s").as<At>()->when.as<Number>()->value, 0.5);
+  EXPECT_TRUE(parsed("w @ 1/2 s").as<At>()->names.empty());
 }
 
 TEST(Expression, CallsWithPrepositions) {
@@ -270,10 +274,16 @@ TEST(Expression, WrongNumbers) {
       {"5.", "f:1:2: error: digits are missing after the decimal point (write '5.0')"},
       {"1.2.3", "f:1:4: error: this number has two decimal points"},
       {"1e999", "f:1:1: error: this number is beyond the range of numbers, 1e-308 to 1e308"},
-      {"3,5 m",
+      {"3,5 m", "f:1:2: error: a comma stands in a number (a decimal is written with a point: 3.5 m)"},
+      {"3, 5 m",
        "f:1:2: error: a comma stands outside of a list (a decimal is written with a point, 1.5; a vector goes into "
-       "brackets, [a, "
-       "b, c])"},
+       "brackets, [a, b, c])"},
+      {".nan kg", "f:1:1: error: '.nan' is no number (write the value, or 'any' for what is open)"},
+      {"-.inf", "f:1:2: error: '.inf' is no number (write the value, or 'any' for what is open)"},
+      {"1e101 kg", "f:1:1: error: this number is beyond what can be reckoned with, 1e-100 to 1e100"},
+      {"2e-101 m", "f:1:1: error: this number is beyond what can be reckoned with, 1e-100 to 1e100"},
+      {"3000 1/min",
+       "f:1:6: error: '1/min' is ambiguous: it may count turns or radians (write 'rpm', 'rev/h', 'rad/min')"},
   };
   for (const auto& [text, message] : table) EXPECT_EQ(failure(text), message) << text;
 }
@@ -294,7 +304,8 @@ TEST(Expression, WrongForms) {
       {"[a, b", "f:1:1: error: '[' is never closed (add ']')"},
       {"a + b)", "f:1:6: error: ')' has no opening '(' (remove it, or add the opening one)"},
       {"(a]", "f:1:1: error: '(' is never closed (add ')')"},
-      {"a b", "f:1:3: error: an operator is missing between 'a' and 'b' (write 'a*b' to multiply)"},
+      {"a b",
+       "f:1:3: error: an operator is missing between 'a' and 'b' (write 'a*b' to multiply, or 'a(b)' of a quantity)"},
       {"a (b)(c)", "f:1:6: error: an operator is missing between ')' and '(' (write 'a*b' to multiply)"},
       {"a + ", "f:1:5: error: the expression ends too early: something is missing after '+'"},
       {"a */ b", "f:1:4: error: something is missing between '*' and '/'"},
@@ -544,5 +555,5 @@ TEST(Names, WhatIsAName) {
     EXPECT_FALSE(is_name(word)) << word;
 }
 
-}  // namespace
+}  // namespace expression_test
 }  // namespace poinsot::problem

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace poinsot::problem {
-namespace {
+namespace expression_walk_test {
 
 Expression walked(const std::string& text) { return parse_expression(text, "f"); }
 
@@ -95,5 +95,5 @@ TEST(ExpressionWalk, FindsTheFirstAtInTheOrderOfWriting) {
   EXPECT_EQ(first_at(walked("((b @ inner) + 1) @ outer"))->instant, "outer");
 }
 
-}  // namespace
+}  // namespace expression_walk_test
 }  // namespace poinsot::problem

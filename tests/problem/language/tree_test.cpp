@@ -12,7 +12,7 @@
 #include "problem/language/failure.h"
 
 namespace poinsot::problem {
-namespace {
+namespace tree_test {
 
 std::string failure(const std::string& text) {
   return failure_of([&] { read_tree(text, "f.yaml"); });
@@ -216,8 +216,8 @@ TEST(Tree, MalformedYamlIsExplained) {
             "into braces, {a: 1, b: 2}; a text with ': ' in it goes into quotes)");
   EXPECT_EQ(failure("a: {b: 1, c: 2\nd: 3\n"),
             "f.yaml:2:2: error: this map in braces is not closed properly; it begins in line 1, column 4 (add the '}', "
-            "or the ',' "
-            "between two entries)");
+            "or the ',' between two entries; a value with brackets and commas of its own goes into quotes, "
+            "'max([1, 2])')");
   EXPECT_EQ(failure("a: [1, 2\n"),
             "f.yaml:2:1: error: this list in brackets is not closed properly; it begins in line 1, column 4 (add the "
             "']', or the "
@@ -229,6 +229,22 @@ TEST(Tree, MalformedYamlIsExplained) {
   EXPECT_EQ(failure("a: 1\nb: }\n"),
             "f.yaml:2:4: error: this closing bracket has no opening one (remove it, or add the opening one)");
   EXPECT_EQ(failure("a: @b\n"), "f.yaml:1:4: error: no value can begin with this character (put the text into quotes)");
+}
+
+// The parser stumbles a line after the mistake, over a ':' that is right.
+TEST(Tree, SlipsOfALineAreToldWhereTheyAre) {
+  EXPECT_EQ(failure("a:\n\tb: 1\n"),
+            "f.yaml:2:1: error: a tab stands in the indentation of this line (indent with blanks; most editors can "
+            "replace tabs by them)");
+  EXPECT_EQ(failure("a:\n  m 2 kg\n  L: 1 m\n"),
+            "f.yaml:2:4: error: a ':' and a blank are missing behind 'm' (write 'm: 2 kg')");
+  EXPECT_EQ(failure("a:\n  m = 2 kg  # heavy\n\n  # light\n  L: 1 m\n"),
+            "f.yaml:2:4: error: '=' stands where a ':' is expected (write 'm: 2 kg')");
+  EXPECT_EQ(failure("a:\n  m:2\n  L: 1 m\n"),
+            "f.yaml:2:4: error: a ':' and a blank are missing behind 'm' (write 'm: 2')");
+  EXPECT_EQ(failure("a:\n  m: 2 kg\n    L: 1 m\n"),
+            "f.yaml:3:5: error: this line is indented farther than the one before it, which has a value already "
+            "(begin both in the same column)");
 }
 
 TEST(Tree, BracketsThatStayOpenAreNoKeys) {
@@ -270,7 +286,7 @@ TEST(Tree, AnyBytesGiveATreeOrAnErrorWithAPlace) {
 }
 
 // A folder of its own that goes with the test.
-class ReadFile : public testing::Test {
+class ReadFile : public ::testing::Test {
  protected:
   ReadFile() {
     std::string name = (std::filesystem::temp_directory_path() / "poinsot_read_file_XXXXXX").string();
@@ -325,5 +341,5 @@ TEST_F(ReadFile, FilesThatMayNotBeRead) {
   EXPECT_EQ(failure(forbidden), forbidden + ":1:1: error: the file cannot be opened: Permission denied");
 }
 
-}  // namespace
+}  // namespace tree_test
 }  // namespace poinsot::problem

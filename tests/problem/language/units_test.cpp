@@ -10,7 +10,7 @@
 #include "problem/language/failure.h"
 
 namespace poinsot::problem {
-namespace {
+namespace units_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -316,5 +316,5 @@ TEST(UnitHabits, ReadsAllLiteralsOfAnExpression) {
   EXPECT_EQ(habits.unit_for(dimensions::force).text, "kip");
 }
 
-}  // namespace
+}  // namespace units_test
 }  // namespace poinsot::problem

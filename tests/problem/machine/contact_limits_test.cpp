@@ -6,7 +6,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace contact_limits_test {
 
 constexpr double g = 9.80665;
 
@@ -132,5 +132,5 @@ TEST(ContactLimits, ACrateTipsAboutItsEdge) {
   EXPECT_NEAR(solved.number("al"), 0.75 * g, 1e-10);
 }
 
-}  // namespace
+}  // namespace contact_limits_test
 }  // namespace poinsot::problem

@@ -6,7 +6,7 @@
 #include "problem/entries/statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace data_test {
 
 constexpr const char* text = R"(
 given: {m: 2 kg, rate: 3 rad/s, turned: rate*time, twice: 2*turned}
@@ -73,5 +73,5 @@ ask: {a: mass(ball)}
   }
 }
 
-}  // namespace
+}  // namespace data_test
 }  // namespace poinsot::problem

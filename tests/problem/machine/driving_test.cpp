@@ -8,7 +8,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace driving_test {
 
 class Draw {
  public:
@@ -88,5 +88,5 @@ TEST(Driving, AShortRateCarriesAsFarAsItSays) {
   }
 }
 
-}  // namespace
+}  // namespace driving_test
 }  // namespace poinsot::problem

@@ -5,7 +5,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace gimbal_lock_test {
 
 std::string top(const std::string& start, const std::string& rest) {
   return "title: t\npoints: {O: [0, 0, 0], G: [0, 0, 0.5 m]}\n"
@@ -49,5 +49,5 @@ TEST(GimbalLock, IsNotSeenElsewhere) {
   EXPECT_EQ(solved.ask("b").state, AskState::found);
 }
 
-}  // namespace
+}  // namespace gimbal_lock_test
 }  // namespace poinsot::problem

@@ -8,10 +8,10 @@
 #include <variant>
 #include <vector>
 
-#include "problem/entries/keys.h"
+#include "problem/keys/keys.h"
 
 namespace poinsot::problem {
-namespace {
+namespace shape_row_test {
 
 using Vector = Vector3<double>;
 
@@ -21,6 +21,7 @@ TEST(ShapeRow, EveryShapeOfTheLanguageHasOne) {
   for (const std::string& kind : kinds) {
     const ShapeRow<double>& row = shape_row<double>(kind);
     EXPECT_NE(row.values, nullptr) << kind;
+    EXPECT_FALSE(row.words.empty()) << kind;
     // What has no corners and is curved in no unknown way must have a surface on which it rolls.
     EXPECT_TRUE(row.other != OtherSurface::none || row.round) << kind;
     EXPECT_FALSE(row.other == OtherSurface::none && row.sides) << kind;
@@ -61,5 +62,5 @@ TEST(RoundSurface, ArcEndsAtItsHalfAngle) {
   EXPECT_FALSE(quarter.touched_at(end, x));
 }
 
-}  // namespace
+}  // namespace shape_row_test
 }  // namespace poinsot::problem

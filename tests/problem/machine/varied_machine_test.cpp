@@ -19,7 +19,7 @@
 #include "problem/machine/machine.h"
 
 namespace poinsot::problem {
-namespace {
+namespace varied_machine_test {
 
 using namespace testing;
 
@@ -589,5 +589,5 @@ ask: {N: force(floor on wheel)}
                   2);
 }
 
-}  // namespace
+}  // namespace varied_machine_test
 }  // namespace poinsot::problem

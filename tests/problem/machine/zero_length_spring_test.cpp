@@ -4,7 +4,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace zero_length_spring_test {
 
 TEST(ZeroLengthSpring, SwingsThroughItsAnchor) {
   for (const double v : {0.3, 1.0, 7.0}) {
@@ -21,5 +21,5 @@ TEST(ZeroLengthSpring, SwingsThroughItsAnchor) {
   }
 }
 
-}  // namespace
+}  // namespace zero_length_spring_test
 }  // namespace poinsot::problem

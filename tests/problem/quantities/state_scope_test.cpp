@@ -4,7 +4,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace state_scope_test {
 
 constexpr const char* pendulum = R"(
 given: {L: 0.7 m, m: 2 kg, theta0: 50 deg}
@@ -37,5 +37,5 @@ ask:
   EXPECT_NEAR(solved.number("crossed"), solved.number("crossed_by_body"), 1e-10);
 }
 
-}  // namespace
+}  // namespace state_scope_test
 }  // namespace poinsot::problem

@@ -6,7 +6,7 @@
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace extremum_test {
 
 constexpr double g = 9.81;
 
@@ -29,7 +29,7 @@ bool notes(const SolvedText& solved, const std::string& begin) {
 TEST(Extremum, WhereStabilityEndsNothingElseIsTold) {
   const SolvedText solved(sleeping_top(20, "largest: c"));
   const double expected = 0.0006 * 0.0006 * 400 / (4 * 0.0021 * 0.4 * g);
-  EXPECT_NEAR(solved.number("end"), expected, 1e-6 * expected);
+  EXPECT_NEAR(solved.number("end"), expected, 1e-10 * expected);
   EXPECT_FALSE(notes(solved, "end:"));
 }
 
@@ -45,5 +45,53 @@ TEST(Extremum, WhatMayBeAsSmallAsOneLikesHasNoLeastValue) {
   EXPECT_TRUE(solved.reason("end").starts_with("there is no smallest value")) << solved.reason("end");
 }
 
-}  // namespace
+// Ends of stability where two rates meet, against closed forms: at zero or at a frequency, beside rates that vanish
+// because the whole may be displaced, and with damping, where rates cross the imaginary axis by themselves.
+struct KnownEnd {
+  std::string text;
+  double end;
+};
+
+void expect_end(const KnownEnd& known) {
+  const SolvedText solved(known.text);
+  EXPECT_NEAR(solved.number("end"), known.end, 1e-10 * known.end) << known.text;
+  EXPECT_FALSE(notes(solved, "end:")) << known.text;
+}
+
+TEST(Extremum, EndsOfStabilityAreKnownToTenDigits) {
+  // I^2 s^2 = 4 J m g c with the moments of sleeping_top about its tip.
+  expect_end({sleeping_top(20, "smallest: s"), std::sqrt(4 * 0.0021 * 0.4 * g * 0.002) / 0.0006});
+  // A plate on a turning clevis: w^2 = 3 g/(2 h).
+  const double h = 0.24;
+  expect_end(
+      {"title: t\ngiven: {w: 2 rad/s}\ngravity: [0, -9.81 m/s^2, 0]\npoints: {O: [0, 0, 0], P: [0, -0.12 m, 0]}\n"
+       "bodies: {clevis: massless, plate: {rectangle: {center: P, sides: [[0, 0, 0.1 m], [0, 0.24 m, 0]]}, mass: "
+       "any}}\njoints:\n  shaft: {revolute: y, at: O, to: clevis, rate: w, accel: 0}\n"
+       "  hinge: {revolute: z, at: O, from: clevis, to: plate}\nsteady: {frame: clevis}\n"
+       "ask: {end: {largest: w, while: stable(plate)}}\n",
+       std::sqrt(3 * g / (2 * h))});
+}
+
+// Disks and hoops on a floor, with moments k m r^2 across the axis and twice that about it: rolling straight on,
+// s^2 = g/(2 r (1 + 2 k)), and spinning on the spot about the upright diameter, p^2 = g/(r (1 + k)) (E. J. Routh, The
+// Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, chapter V).
+TEST(Extremum, RollingAndSpinningDisksAndHoops) {
+  const double r = 0.3;
+  const auto text = [](const std::string& shape, const std::string& turn, const std::string& roll) {
+    return "title: t\ngiven: {s: 20 rad/s}\ngravity: [0, -9.81 m/s^2, 0]\npoints: {C: [0, 0, 0], G: [0, 0.3 m, 0]}\n"
+           "bodies: {disk: {" +
+           shape +
+           ": {center: G, normal: z, radius: 0.3 m}, mass: 2 kg}}\n"
+           "contacts: {floor: {of: disk, at: C, normal: y, no_slip: true}}\n"
+           "frames: {figure: {rides_on: center(disk), turns: y, rate: " +
+           turn + "}}\nsteady: {frame: figure, spins: {disk: {about: z, rate: " + roll +
+           "}}}\nask: {end: {smallest: s, while: stable(disk)}}\n";
+  };
+  expect_end({text("disk", "0 rad/s", "s"), std::sqrt(g / (3 * r))});
+  expect_end({text("ring", "0 rad/s", "s"), std::sqrt(g / (4 * r))});
+  expect_end({text("disk", "s", "0 rad/s"), std::sqrt(4 * g / (5 * r))});
+  expect_end({text("ring", "s", "0 rad/s"), std::sqrt(2 * g / (3 * r))});
+}
+
+}  // namespace extremum_test
 }  // namespace poinsot::problem

@@ -9,7 +9,7 @@
 #include "problem/unknowns/hidden_data.h"
 
 namespace poinsot::problem {
-namespace {
+namespace hide_and_find_test {
 
 using namespace testing;
 
@@ -328,5 +328,5 @@ TEST(HideAndFind, WhatTheFactsDoNotTouchIsOpen) {
   EXPECT_EQ(failures, 0) << "of " << done;
 }
 
-}  // namespace
+}  // namespace hide_and_find_test
 }  // namespace poinsot::problem

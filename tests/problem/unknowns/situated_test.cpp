@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "problem/course/motion_support.h"
 
 namespace poinsot::problem {
-namespace {
+namespace situated_test {
 
 // Two pendulums let go from different angles; K(k) by the arithmetic-geometric mean gives a quarter of the period.
 const std::string swings =
@@ -81,5 +85,37 @@ TEST(Situated, WithoutASituationTheMessageSaysWhatToWrite) {
             std::string::npos);
 }
 
-}  // namespace
+// A name that begins like that of a situation is not that situation.
+TEST(Situated, AnAskNamesTheSituationsBehindItsQuantities) {
+  const Statement statement =
+      read_statement(swings +
+                         "ask:\n  one: theta @ large\n  two: [theta @ small.start, 2*theta' @ large]\n"
+                         "  when: {first_time: theta @ large == 0}\n"
+                         "  table: {table: {t: time, a: theta @ small}, over: {time: [0 s]}}\n",
+                     "test.yaml");
+  const std::vector<std::pair<bool, bool>> expected{{false, true}, {true, true}, {false, true}, {true, false}};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(names_situation(statement.asks.at(i), "small"), expected[i].first) << i;
+    EXPECT_EQ(names_situation(statement.asks.at(i), "large"), expected[i].second) << i;
+    EXPECT_FALSE(names_situation(statement.asks.at(i), "lar")) << i;
+  }
+}
+
+// Of two forces the conditions of `a` fix the sum alone; those of `b` fix what is left.
+TEST(Situated, AnUnknownThatOneSituationLeavesOpenIsNotListedThere) {
+  const SolvedText solved(
+      "title: t\npoints: {O: [0, 0, 0]}\nbodies: {block: {particle: O, mass: 2 kg}}\n"
+      "joints: {guide: {prismatic: x, at: O, to: block, displacement: s}}\ngravity: none\n"
+      "loads: {P: {force: F, along: x, body: block, at: O}, Q: {force: G, along: x, body: block, at: O}}\n"
+      "instants: {now: {s': 0, s'': 3 m/s^2}}\n"
+      "situations:\n  a: {find: {F: N, G: N}}\n  b: {given: {G: 1 N}, find: {F: N}}\n"
+      "ask: {f: force(P on block) @ b}\n");
+  std::map<std::string, double> listed;
+  for (const SolvedUnknown& unknown : solved.solved().solutions.at(0).unknowns)
+    listed[unknown.name] = unknown.value.number;
+  ASSERT_EQ(listed.size(), 1U);
+  EXPECT_NEAR(listed.at("F @ b"), 5, 1e-12);
+}
+
+}  // namespace situated_test
 }  // namespace poinsot::problem

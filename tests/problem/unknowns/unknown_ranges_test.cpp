@@ -8,7 +8,7 @@
 #include "problem/language/failure.h"
 
 namespace poinsot::problem {
-namespace {
+namespace unknown_ranges_test {
 
 SolvedStatement solved(const std::string& text) { return solve_statement(read_statement(text, "test.yaml"), {}); }
 
@@ -123,5 +123,5 @@ ask:
   }
 }
 
-}  // namespace
+}  // namespace unknown_ranges_test
 }  // namespace poinsot::problem

@@ -10,7 +10,7 @@
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
-namespace {
+namespace unknown_search_test {
 
 SolvedStatement solved(const std::string& text) { return solve_statement(read_statement(text, "test.yaml"), {}); }
 
@@ -382,5 +382,5 @@ ask: {e: e}
   }
 }
 
-}  // namespace
+}  // namespace unknown_search_test
 }  // namespace poinsot::problem

@@ -60,7 +60,7 @@ std::optional<Vector3<Scalar>> reach_of_rolling(const Model<Scalar>& tree, const
 template <class Scalar>
 Vector3<Scalar> contact_velocity(const Model<Scalar>& tree, const Workspace<Scalar>& w,
                                  const VelocityConstraint<Scalar>& c, const Vector3<Scalar>& r) {
-  const Vector3<Scalar> center_velocity = point_velocity(tree, w, c.on, c.center);
+  Vector3<Scalar> center_velocity = point_velocity(tree, w, c.on, c.center);
   const Vector3<Scalar> b = direction_on_ground(tree, w, c.surface_axis.body, c.surface_axis.vector);
   const Vector3<Scalar> b_rate = cross(angular_velocity(w, c.surface_axis.body), b);
   if (norm_squared(plain(c.axis)) == 0) {
@@ -224,7 +224,7 @@ Scalar constraint_gap(const Model<Scalar>& tree, const Workspace<Scalar>& w, con
         turn = Scalar(0.5) * Vector3<Scalar>{R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)};
         cosine = Scalar(0.5) * (R(0, 0) + R(1, 1) + R(2, 2) - Scalar(1));
       }
-      const Scalar along = dot(c.along.vector, turn);
+      Scalar along = dot(c.along.vector, turn);
       if (norm(plain(turn)) < 1e-12) return along;
       const Scalar sine = norm(turn);
       return (atan2(sine, cosine) / sine) * along;

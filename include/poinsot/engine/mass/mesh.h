@@ -8,6 +8,7 @@
 
 #include "poinsot/engine/mass/particle_set.h"
 #include "poinsot/engine/mass/shape_properties.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot {
 
@@ -16,6 +17,9 @@ struct TriangleMesh {
   std::vector<Vector3<Scalar>> vertices;                // m, unless the caller scales
   std::vector<std::array<std::uint32_t, 3>> triangles;  // vertex numbers, counter-clockwise seen from outside
 };
+
+// Work counted for each triangle wherever all of them are gone through: a mesh may have a million.
+inline constexpr Work work_of_triangle = 100;
 
 // The mean of the vertices: a point near the mesh, from which its tetrahedra are measured so that bodies far from the
 // origin lose no digits.
@@ -35,6 +39,7 @@ ShapeProperties<Scalar> solid_of_mesh(const TriangleMesh<Scalar>& mesh) {
   Vector3<Scalar> first_moment = Vector3<Scalar>::zero();
   SymmetricMatrix3<Scalar> inertia = SymmetricMatrix3<Scalar>::zero();
   for (const auto& [i, j, k] : mesh.triangles) {
+    count_work(work_of_triangle);
     const Vector3<Scalar> p = mesh.vertices[i] - reference;
     const Vector3<Scalar> q = mesh.vertices[j] - reference;
     const Vector3<Scalar> r = mesh.vertices[k] - reference;
@@ -57,6 +62,7 @@ ShapeProperties<Scalar> shell_of_mesh(const TriangleMesh<Scalar>& mesh) {
   Vector3<Scalar> first_moment = Vector3<Scalar>::zero();
   SymmetricMatrix3<Scalar> inertia = SymmetricMatrix3<Scalar>::zero();
   for (const auto& [i, j, k] : mesh.triangles) {
+    count_work(work_of_triangle);
     const Vector3<Scalar> p = mesh.vertices[i] - reference;
     const Vector3<Scalar> q = mesh.vertices[j] - reference;
     const Vector3<Scalar> r = mesh.vertices[k] - reference;
@@ -82,6 +88,7 @@ ParticleSet<Scalar> solid_of_mesh(const TriangleMesh<Scalar>& mesh) {
   const Vector3<Scalar>& apex = mesh.vertices.front();
   cubature::Gatherer<Scalar> gatherer;
   for (const auto& triangle : mesh.triangles) {
+    count_work(work_of_triangle);
     const Vector3<Scalar>& A = mesh.vertices[triangle[0]];
     const Vector3<Scalar>& B = mesh.vertices[triangle[1]];
     const Vector3<Scalar>& C = mesh.vertices[triangle[2]];

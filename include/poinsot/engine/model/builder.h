@@ -59,7 +59,8 @@ class ModelBuilder {
   int add_body(std::string name, std::string_view parent, const Joint<Scalar>& joint,
                const SpatialTransform<Scalar>& placement, const MassProperties<Scalar>& mass,
                CoordinateMode mode = CoordinateMode::free) {
-    return add_body(std::move(name), index_of(name, parent), joint, placement, mass, mode);
+    const int carrier = index_of(name, parent);
+    return add_body(std::move(name), carrier, joint, placement, mass, mode);
   }
 
   // A body on a universal joint, which turns about first_axis and then about second_axis, which first_axis carries

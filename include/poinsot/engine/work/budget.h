@@ -29,7 +29,7 @@ struct BudgetEnded {
 };
 
 struct Progress {
-  std::string_view doing;      // "motion", "roots"
+  std::string_view doing;      // "following the motion", "searching the unknowns"
   std::optional<double> part;  // from 0 to 1, where it is known how much there is to do
   std::size_t count = 0;       // else what has been done: steps, evaluations
 };
@@ -71,7 +71,7 @@ class BudgetScope {
  private:
   friend class BudgetRespite;
   friend std::optional<BudgetEnd> how_budget_ended();
-  friend void tell_progress(const Progress& progress);
+  friend class ProgressTeller;
 
   std::optional<BudgetEnd> look();
   std::optional<BudgetEnd> look_at_clock();
@@ -118,7 +118,21 @@ inline bool budget_ended() { return how_budget_ended().has_value(); }
 // Throws BudgetEnded where the budget has ended.
 void check_budget();
 
-// Tells the listener, if there is one and it has not been told just now.
-void tell_progress(const Progress& progress);
+// Tells the listener, if there is one and it has not been told just now, how far something has come that this thread
+// does. What is done within it is not told: a search that follows a thousand motions tells of the search.
+class ProgressTeller {
+ public:
+  explicit ProgressTeller(std::string_view doing);  // words that outlive it
+  ~ProgressTeller();
+  ProgressTeller(const ProgressTeller&) = delete;
+  ProgressTeller& operator=(const ProgressTeller&) = delete;
+
+  // A part from 0 to 1, where it is known how much there is to do, and what has been done: steps, evaluations.
+  void tell(std::optional<double> part, std::size_t count = 0) const;
+
+ private:
+  static thread_local const ProgressTeller* outermost;
+  const std::string_view doing_;
+};
 
 }  // namespace poinsot

@@ -158,11 +158,19 @@ std::vector<std::string> Formula::letters() const {
 }
 
 std::vector<std::string> Formula::assumptions() const {
+  const std::vector<std::string> roots = root_assumptions();
+  std::set<std::string> words(roots.begin(), roots.end());
+  if (fraction_ && fraction_->assumptions)
+    for (const symbolic::Assumption& assumption : *fraction_->assumptions)
+      if (assumption.not_negative.is_zero()) words.insert(assumption.key + " > 0");
+  return {words.begin(), words.end()};
+}
+
+std::vector<std::string> Formula::root_assumptions() const {
   std::set<std::string> words;
   if (fraction_ && fraction_->assumptions)
     for (const symbolic::Assumption& assumption : *fraction_->assumptions)
-      words.insert(assumption.not_negative.is_zero() ? assumption.key + " > 0"
-                                                     : text_of_sign(assumption.not_negative) + " >= 0");
+      if (!assumption.not_negative.is_zero()) words.insert(text_of_sign(assumption.not_negative) + " >= 0");
   return {words.begin(), words.end()};
 }
 

@@ -198,7 +198,7 @@ Formula atan(const Formula& x) {
 Formula atan2(const Formula& y, const Formula& x) {
   const int x_sign = symbolic::sign_of(x);
   const int y_sign = symbolic::sign_of(y);
-  const Formula pi = Formula::pi();
+  Formula pi = Formula::pi();
   if (y.is_zero() && x.is_zero()) return {};
   if (x.is_zero() && y_sign != 0) return y_sign * pi / 2;
   if (y.is_zero() && x_sign < 0) return pi;

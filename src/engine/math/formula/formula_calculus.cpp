@@ -23,7 +23,7 @@ Formula derivative_of(const GeneratorPointer& generator, const std::string& lett
     case Kind::sign:
       return {};
   }
-  const Formula slope = derivative(u, letter);
+  Formula slope = derivative(u, letter);
   if (g.name == "atan") return slope / (1 + u * u);
   if (g.name == "atan2") {
     return (g.second * slope - u * derivative(g.second, letter)) / (g.second * g.second + u * u);

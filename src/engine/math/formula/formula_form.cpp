@@ -140,11 +140,17 @@ int operators(const Form& form) {
   return count + 1;
 }
 
+double number_of_digits(const std::string& digits) {
+  double number = 0;
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return read.ec == std::errc::result_out_of_range ? HUGE_VAL : number;
+}
+
 namespace {
 
 double sum_of_numbers(const Form& form) {
   double sum = form.exponent;
-  if (form.kind == Form::Kind::number) sum += std::stod(form.text);
+  if (form.kind == Form::Kind::number) sum += number_of_digits(form.text);
   for (const Form& part : form.parts) sum += sum_of_numbers(part);
   return sum;
 }

@@ -30,6 +30,8 @@ struct Form {
 inline bool is_compound(const Form& form) { return form.kind == Form::Kind::sum || form.kind == Form::Kind::negative; }
 
 Form number_form(const Integer& digits);  // not negative
+// The number nearest to the digits of a form, whatever the locale; infinite if it is too large.
+double number_of_digits(const std::string& digits);
 Form call_form(const std::string& function, Form argument);
 Form power_form(Form base, int exponent);
 Form negative_form(Form positive);

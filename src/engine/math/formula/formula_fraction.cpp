@@ -272,7 +272,7 @@ Formula quotient(const Generators& generators, Polynomial numerator, Polynomial 
                  const Assumptions& assumptions) {
   const auto list = std::make_shared<const Generators>(generators);
   const Polynomial one(generators.size(), Integer(1));
-  const Formula above = finished(list, reduced(generators, std::move(numerator)), one, assumptions, true);
+  Formula above = finished(list, reduced(generators, std::move(numerator)), one, assumptions, true);
   if (denominator.is_one()) return above;
   return above / finished(list, reduced(generators, std::move(denominator)), one, assumptions, true);
 }

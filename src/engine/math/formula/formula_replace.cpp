@@ -66,6 +66,7 @@ Formula replaced(const Formula& x, const Replacements& replacements) {
     for (std::size_t i = 0; i < polynomial.length(); ++i) {
       std::vector<int> powers = polynomial.exponents(i);
       std::vector<int> of_changed;
+      of_changed.reserve(changed.size());
       for (const std::size_t v : changed) of_changed.push_back(std::exchange(powers[v], 0));
       by_powers.try_emplace(std::move(of_changed), n).first->second.push(polynomial.coefficient(i), powers);
     }

@@ -129,7 +129,7 @@ class SumWriter {
     if (p.length() < 3 || p.length() > few_terms_of_sum || depth > 3 || (budget_ -= static_cast<int>(p.length())) < 0)
       return best;
     int best_cost = operators(best);
-    const auto offer = [&](Form first, const Polynomial& rest) {
+    const auto offer = [&](const Form& first, const Polynomial& rest) {
       std::vector<Form> terms = terms_of(first);
       for (Form& term : terms_of(shortest(rest, depth + 1))) terms.push_back(std::move(term));
       Form form = ordered_sum(std::move(terms));
@@ -238,6 +238,7 @@ class SumWriter {
 int flat_operators(const Polynomial& p, const std::vector<Form>& variables) {
   int count = static_cast<int>(p.length()) - 1;
   std::vector<int> costs;
+  costs.reserve(variables.size());
   for (const Form& form : variables) costs.push_back(operators(form));
   for (std::size_t i = 0; i < p.length(); ++i) {
     const Integer c = p.coefficient(i);

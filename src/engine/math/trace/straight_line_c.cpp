@@ -34,6 +34,7 @@ std::string c_text(ProgramWriter& writer) {
   all += head + parameters + ") {\n";
   const auto rows = writer.named();
   std::vector<std::string> body;
+  body.reserve(rows.size() + writer.program().outputs().size());
   for (const auto& [name, value] : rows) body.push_back("const double " + name + " = " + value + ";");
   for (std::size_t i = 0; i < writer.program().outputs().size(); ++i)
     body.push_back("out[" + std::to_string(i) + "] = " + writer.output(i) + ";");

@@ -74,8 +74,10 @@ class Search {
       Recipe recipe;
     };
     std::vector<Saving> savings;
+    const ProgressTeller progress("shortening the equations");
     for (std::size_t k = 0; k < base_.size(); ++k) {
       check_budget();
+      progress.tell(static_cast<double>(k) / static_cast<double>(base_.size()), k);
       const Index x = base_[k];
       if (!is_operation(nodes_[x].operation)) continue;
       const int own = cone_of(x);
@@ -95,6 +97,7 @@ class Search {
     std::stable_sort(savings.begin(), savings.end(),
                      [](const Saving& a, const Saving& b) { return a.operations > b.operations; });
     std::vector<std::pair<Index, Recipe>> found;
+    found.reserve(savings.size());
     for (const Saving& saving : savings) found.emplace_back(saving.of, saving.recipe);
     return found;
   }

@@ -112,7 +112,7 @@ struct TraceAccess {
       node.residue = Residue::random(mixed(t.nodes.size()) ^ function_seed);
       t.known.emplace(node.residue.hash_up_to_sign(), id);
     }
-    t.nodes.push_back(std::move(node));
+    t.nodes.push_back(node);
     return Traced(id, false);
   }
   static Traced found_or_added(Op operation, const Traced& a, const Traced& b, double value, const Residue& r) {
@@ -185,7 +185,7 @@ Traced Trace::input(double sample) {
   node.value = sample;
   node.input = number;
   node.residue = Residue::random(input_seed + number);
-  const Traced added = TraceAccess::add(std::move(node));
+  const Traced added = TraceAccess::add(node);
   state_->directions.emplace(direction_hash(state_->nodes[added.node()].residue), added.node());
   return added;
 }

@@ -1,6 +1,5 @@
 #include "poinsot/engine/math/trace/traced_formula.h"
 
-#include <cstdlib>
 #include <numbers>
 #include <stdexcept>
 
@@ -20,7 +19,7 @@ Traced of_form(const Form& form, const Letter& letter) {
   const auto part = [&](std::size_t i) { return of_form(form.parts[i], letter); };
   switch (form.kind) {
     case Form::Kind::number:
-      return traced_constant(std::strtod(form.text.c_str(), nullptr), residue_of_digits(form.text));
+      return traced_constant(symbolic::number_of_digits(form.text), residue_of_digits(form.text));
     case Form::Kind::name:
       if (form.text == "pi") return traced_constant(std::numbers::pi, symbolic::Residue::random(pi_seed));
       return letter(form.text);

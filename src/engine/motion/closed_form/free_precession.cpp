@@ -1,5 +1,7 @@
 #include "poinsot/engine/motion/closed_form/free_precession.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,8 +14,7 @@ FreePrecession free_precession(double axial_moment, double transverse_moment, do
                                double transverse_rate) {
   const auto require = [](bool holds, const char* what, double value, const char* rule) {
     if (!holds) {
-      throw std::invalid_argument(std::string("free_precession: ") + what + " is " + std::to_string(value) +
-                                  "; it must be " + rule);
+      throw std::invalid_argument(fmt::format("free_precession: {} is {}; it must be {}", what, value, rule));
     }
   };
   require(axial_moment > 0 && std::isfinite(axial_moment), "the axial moment", axial_moment, "positive and finite");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -193,8 +194,10 @@ class RecurrentFlow final : public StateFlow {
     std::vector<double> next(state.size());
     const double parts = std::max(1.0, std::ceil(std::abs(to - from) / natural_time));
     double t = from;
-    for (double part = 1; part <= parts; ++part) {
-      const double end = part == parts ? to : from + (to - from) * (part / parts);
+    bool arrives = false;
+    for (std::uint64_t part = 1; !arrives; ++part) {
+      arrives = static_cast<double>(part) >= parts;
+      const double end = arrives ? to : from + (to - from) * (static_cast<double>(part) / parts);
       flow.advance(t, state, end, next);
       state.swap(next);
       t = end;
@@ -319,8 +322,12 @@ AxisFlows axis_flow(const AxisMotion& motion) {
 
 std::shared_ptr<const StateFlow> recurrent_flow(const std::shared_ptr<const WindingFlow>& flow,
                                                 std::span<const double> periods, double natural_time, double start,
-                                                std::span<const double> q, std::span<const double> v) {
+                                                std::span<const double> q, std::span<const double> v,
+                                                std::span<const double> sizes) {
+  // What two periods add may differ by this part of the size of a coordinate: the most parts of a period bring some
+  // 1e-12 of rounding, and what differs by ten times more would be seen in eight digits after a single period.
   constexpr double most_parts = 1e4, agreement = 1e-8;
+  const double largest = sizes.empty() ? 1 : *std::ranges::max_element(sizes);
   std::vector<double> first(q.begin(), q.end());
   first.insert(first.end(), v.begin(), v.end());
   for (const double period : periods) {
@@ -341,7 +348,9 @@ std::shared_ptr<const StateFlow> recurrent_flow(const std::shared_ptr<const Wind
     bool recurs = true;
     for (std::size_t k = 0; k < first.size(); ++k) {
       const bool rate = k >= q.size();
-      const double size = rate ? 1 / natural_time : 1 + std::abs(added[0][k]);
+      const std::size_t own = rate ? k - q.size() : k;
+      const double unit = own < sizes.size() && q.size() == v.size() ? sizes[own] : largest;
+      const double size = rate ? unit / natural_time : unit + std::abs(added[0][k]);
       recurs = recurs && std::abs(added[0][k] - added[1][k]) <= agreement * size &&
                (!rate || std::abs(added[0][k]) <= agreement * size);
       if (rate) added[0][k] = 0;

@@ -42,10 +42,11 @@ class WindingFlow : public StateFlow {
 
 // The same flow over any time: whole periods in which the angles advance by known amounts, the rest in parts no longer
 // than natural_time. The first of the periods with which the motion comes back so; none if none does, or only after
-// very many parts.
+// very many parts. sizes: of each coordinate, 1 for angles (rad) and a length for displacements (m).
 std::shared_ptr<const StateFlow> recurrent_flow(const std::shared_ptr<const WindingFlow>& flow,
                                                 std::span<const double> periods, double natural_time, double start,
-                                                std::span<const double> q, std::span<const double> v);
+                                                std::span<const double> q, std::span<const double> v,
+                                                std::span<const double> sizes);
 
 // A body's rotation in the coordinates of its joints, with its mass center on the parabola of free fall.
 class BodyFlow final : public WindingFlow {

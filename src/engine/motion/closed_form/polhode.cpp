@@ -1,5 +1,7 @@
 #include "poinsot/engine/motion/closed_form/polhode.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,8 +33,8 @@ long double component(const LongVector& axis, const LongVector& w) {
 void check(const LongVector& moments, const Vector3<double>& w) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (!(moments[i] > 0) || !std::isfinite(moments[i])) {
-      throw std::invalid_argument("Polhode: principal moment " + std::to_string(i + 1) + " is " +
-                                  std::to_string(moments[i]) + " kg m^2; it must be positive and finite");
+      throw std::invalid_argument(
+          fmt::format("Polhode: principal moment {} is {} kg m^2; it must be positive and finite", i + 1, moments[i]));
     }
     if (!std::isfinite(w[i])) {
       throw std::invalid_argument("Polhode: component " + std::to_string(i + 1) +

@@ -1,5 +1,7 @@
 #include "poinsot/engine/motion/closed_form/symmetric_top.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -22,8 +24,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 void check(const TopParameters& parameters, const TopState& start) {
   const auto require = [](bool holds, const char* what, double value, const char* rule) {
     if (!holds) {
-      throw std::invalid_argument(std::string("SymmetricTop: ") + what + " is " + std::to_string(value) + "; it must " +
-                                  rule);
+      throw std::invalid_argument(fmt::format("SymmetricTop: {} is {}; it must {}", what, value, rule));
     }
   };
   const auto finite = [&require](double value, const char* what) {

@@ -175,7 +175,9 @@ std::vector<double> SymmetricTop::times_at_nutation(double theta, double from, d
   if (!(last_cell - first_cell < 1e6L)) {
     throw std::invalid_argument("SymmetricTop::times_at_nutation: more than a million periods lie between the times");
   }
-  for (Real cell = first_cell; cell <= last_cell; ++cell) {
+  const int cells = static_cast<int>(last_cell - first_cell);
+  for (int i = 0; i <= cells; ++i) {
+    const Real cell = first_cell + Real(i);
     if (u < K && c2 > 0) {
       take(2 * K * cell - u);
       if (u > 0) take(2 * K * cell + u);

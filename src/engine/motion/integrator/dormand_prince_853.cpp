@@ -19,7 +19,11 @@ double first_step(RightSide& right_side, double t, std::span<const double> y, st
     rate_size = std::max(rate_size, std::fabs(rate[i]) / scale[i]);
   }
   const double length = std::fabs(span);
-  double h = state_size > 0.0 && rate_size > 0.0 ? std::min(0.01 * state_size / rate_size, length) : 1e-6 * length;
+  const bool moves = state_size > 0.0 && rate_size > 0.0;
+  double h = moves ? std::min(0.01 * state_size / rate_size, length) : 1e-6 * length;
+  // Rates and their rates are compared in a unit of time that stands for the second of the book: some times that in
+  // which the state changes by as much as it is. The tolerance is so much smaller than one that its size hardly matters.
+  const double unit = moves ? 256.0 * h : length;
   std::vector<double> ahead(n);
   std::vector<double> rate_ahead(n);
   double curvature = 0.0;
@@ -31,9 +35,10 @@ double first_step(RightSide& right_side, double t, std::span<const double> y, st
   }
   for (std::size_t i = 0; i < n; ++i)
     curvature = std::max(curvature, std::fabs(rate_ahead[i] - rate[i]) / scale[i] / h);
-  const double steepest = std::max(curvature, rate_size);
+  const double steepest = std::max(curvature * unit, rate_size) * unit;
   if (!std::isfinite(steepest)) return h;
-  const double by_order = steepest > 0.0 ? std::pow(0.01 / steepest, 1.0 / order) : std::max(1e-6 * length, 1e-3 * h);
+  const double by_order =
+      steepest > 0.0 ? unit * std::pow(0.01 / steepest, 1.0 / order) : std::max(1e-6 * length, 1e-3 * h);
   return std::min({100.0 * h, by_order, length});
 }
 

@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/motion/integrator/gauss_legendre_8.h"
+#include "engine/motion/integrator/gauss_step.h"
 #include "engine/motion/integrator/methods.h"
 
 namespace poinsot {
@@ -87,8 +87,7 @@ class GaussStep {
     return StepOutcome::no_convergence;
   }
 
-  // The error of the step over `allowed`, from the decay of the Legendre coefficients of dy/dt: that of the solution is
-  // the first coefficient left out times as small a one of the adjoint motion.
+  // The error of the step over `allowed`.
   double estimated_error(std::span<const double> allowed) const {
     double error = 0.0;
     double relative = 0.0;
@@ -100,10 +99,7 @@ class GaussStep {
         for (int i = 0; i < gauss::stages; ++i) c[i] += gauss::legendre[i][j] * f;
         size = std::max(size, std::fabs(f));
       }
-      // Two by two, as symmetric motions have every other coefficient zero.
-      const double last = std::max(std::fabs(c[7]), std::fabs(c[6]));
-      const double before = std::max(std::fabs(c[5]), std::fabs(c[4]));
-      const double left_out = before > 0.0 ? last * std::min(1.0, last / before) : last;
+      const double left_out = gauss::left_out(c.data());
       error = std::max(error, left_out / allowed[k]);
       if (size > allowed[k]) relative = std::max(relative, left_out / size);
     }
@@ -118,9 +114,7 @@ class GaussStep {
         gain += increments_[static_cast<std::size_t>(j) * n_ + k] +
                 increments_[static_cast<std::size_t>(gauss::stages - 1 - j) * n_ + k];
       }
-      const double old = y[k];
-      y[k] = old + gain;
-      carry[k] = gain - (y[k] - old);
+      gauss::add_compensated(gain, y[k], carry[k]);
     }
   }
 
@@ -158,25 +152,21 @@ class GaussFlow final : public StateFlow {
   std::vector<double> scale_;
 };
 
-class GaussCollocation final : public StepMethod {
+class GaussCollocation final : public FlowMethod {
  public:
   GaussCollocation(RightSide& right_side, const ErrorScale& scale, double h)
-      : right_side_(right_side),
+      : FlowMethod(static_cast<std::size_t>(right_side.size())),
+        right_side_(right_side),
         scale_(scale),
         n_(static_cast<std::size_t>(right_side.size())),
         stated_(h),
         step_(n_),
-        y_(n_),
-        y_start_(n_),
-        carry_(n_),
         size_(n_) {}
 
   StepOutcome begin(double t, std::span<const double> y, double limit) override {
-    std::copy(y.begin(), y.end(), y_.begin());
-    std::fill(carry_.begin(), carry_.end(), 0.0);
+    begin_at(t, y);
     first_ = t;
     limit_ = limit;
-    t_ = t;
     done_ = 0;
     has_history_ = false;
     if (!step_.start_flat(right_side_, t, y_, 0.0)) return StepOutcome::not_finite;
@@ -209,15 +199,7 @@ class GaussCollocation final : public StepMethod {
     return StepOutcome::advanced;
   }
 
-  double time() const override { return t_; }
-  std::span<double> state() override { return y_; }
-  // Changes at the level of rounding are the rule, and what rounding took off the state still holds.
-  void state_changed(bool noticeably) override {
-    if (noticeably) std::fill(carry_.begin(), carry_.end(), 0.0);
-  }
-  StepView last_step() override { return {start_, t_ - start_, t_, StepForm::flow, y_start_, flow_.get()}; }
   std::int64_t rejected() const override { return 0; }
-  std::shared_ptr<const StateFlow> flow() const override { return flow_; }
 
  private:
   // Natural sizes of the components, for convergence to rounding.
@@ -287,17 +269,11 @@ class GaussCollocation final : public StepMethod {
   GaussStep step_;
   double first_ = 0.0;
   double limit_ = 0.0;
-  double t_ = 0.0;
-  double start_ = 0.0;
   double h_ = 0.0;
   std::int64_t count_ = 0;
   std::int64_t done_ = 0;
   bool has_history_ = false;
-  std::vector<double> y_;
-  std::vector<double> y_start_;
-  std::vector<double> carry_;
   std::vector<double> size_;
-  std::shared_ptr<const StateFlow> flow_;
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "poinsot/engine/motion/integrator/integrate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -10,6 +12,7 @@
 #include "engine/motion/integrator/integration_arguments.h"
 #include "engine/motion/integrator/methods.h"
 #include "engine/motion/integrator/packed_collocation.h"
+#include "poinsot/engine/work/budget.h"
 #include "poinsot/engine/work/work.h"
 
 namespace poinsot {
@@ -27,6 +30,7 @@ class Run {
         equations_(equations),
         options_(options),
         events_(events),
+        start_(start),
         end_(end),
         right_side_(equations),
         scale_(equations, options.tolerance, std::fabs(end - start)) {
@@ -52,7 +56,7 @@ class Run {
   const MotionEquations& equations_;
   const IntegrationOptions& options_;
   std::span<const Event> events_;
-  double end_;
+  double start_, end_;
   RightSide right_side_;
   ErrorScale scale_;
   std::unique_ptr<StepMethod> method_;
@@ -61,6 +65,7 @@ class Run {
   std::vector<double> y_sample_;
   std::vector<char> zero_at_start_;  // the event's value was zero where the next step starts
   IntegrationResult result_;
+  ProgressTeller progress_{"following the motion"};
 };
 
 Ending Run::ending_of(StepOutcome outcome) {
@@ -255,6 +260,7 @@ IntegrationResult Run::go(std::span<const double> q, std::span<const double> v) 
     if (ending) break;
     if (result_.statistics.steps >= options_.most_steps) ending = Ending::step_limit;
     count_work(of_a_step * static_cast<Work>(right_side_.size()));
+    progress_.tell((result_.time - start_) / (end_ - start_), static_cast<std::size_t>(result_.statistics.steps));
     if (limit.spent()) ending = Ending::work_limit;
   }
   if (method_) result_.statistics.rejected += method_->rejected();
@@ -352,7 +358,7 @@ IntegrationResult integrate(const MotionEquations& equations, double start, std:
 }
 
 std::string describe(const IntegrationResult& result) {
-  const std::string at = " at " + std::to_string(result.time) + " s";
+  const std::string at = fmt::format(" at {:.6g} s", result.time);
   switch (result.ending) {
     case Ending::reached_end:
       return "the integration reached its end" + at;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "engine/motion/integrator/gauss_step.h"
 #include "engine/motion/integrator/packed_step.h"
 
 namespace poinsot {
@@ -23,19 +24,12 @@ class PackedFlow final : public StateFlow {
     std::copy(start.begin(), start.end(), state.begin());
     std::vector<double> carry(start.size());
     PackedStep step(equations_);
-    double t = from;
-    double h = to - from;
-    for (int attempt = 0; t != to && attempt < 60; ++attempt) {
+    const bool arrived = step_by_halves(from, to, [&](double t, double h) {
       const bool solved = step.start_flat(t, state, h) && step.solve(t, state, h, allowed_) == StepOutcome::advanced;
-      if (!solved) {
-        h *= 0.5;
-        continue;
-      }
-      step.add_to(state, carry);
-      t = std::fabs(to - t) <= std::fabs(h) * (1.0 + 1e-12) ? to : t + h;
-      h = to - t;
-    }
-    if (t != to) std::fill(state.begin(), state.end(), std::numeric_limits<double>::quiet_NaN());
+      if (solved) step.add_to(state, carry);
+      return solved;
+    });
+    if (!arrived) std::fill(state.begin(), state.end(), std::numeric_limits<double>::quiet_NaN());
   }
 
  private:
@@ -43,22 +37,18 @@ class PackedFlow final : public StateFlow {
   std::vector<double> allowed_;
 };
 
-class PackedCollocation final : public StepMethod {
+class PackedCollocation final : public FlowMethod {
  public:
   PackedCollocation(RightSide& right_side, const ErrorScale& scale, double first, double largest)
-      : right_side_(right_side),
+      : FlowMethod(static_cast<std::size_t>(right_side.size())),
+        right_side_(right_side),
         scale_(scale),
         first_(first),
         largest_(largest > 0.0 ? largest : std::numeric_limits<double>::infinity()),
-        step_(right_side.equations()),
-        y_(static_cast<std::size_t>(right_side.size())),
-        y_start_(y_),
-        carry_(y_.size()) {}
+        step_(right_side.equations()) {}
 
   StepOutcome begin(double t, std::span<const double> y, double limit) override {
-    std::copy(y.begin(), y.end(), y_.begin());
-    std::fill(carry_.begin(), carry_.end(), 0.0);
-    t_ = t;
+    begin_at(t, y);
     series_ = Series::none;
     hasty_ = true;
     calm_steps_ = 0;
@@ -123,15 +113,8 @@ class PackedCollocation final : public StepMethod {
     }
   }
 
-  double time() const override { return t_; }
-  std::span<double> state() override { return y_; }
-  void state_changed(bool noticeably) override {
-    if (noticeably) std::fill(carry_.begin(), carry_.end(), 0.0);
-  }
-  StepView last_step() override { return {start_, t_ - start_, t_, StepForm::flow, y_start_, flow_.get()}; }
   std::int64_t rejected() const override { return rejected_; }
   std::int64_t evaluations() const override { return gauss_legendre_8::stages * step_.rounds(); }
-  std::shared_ptr<const StateFlow> flow() const override { return flow_; }
 
  private:
   // What there is to start a step from.
@@ -146,9 +129,7 @@ class PackedCollocation final : public StepMethod {
   double first_;
   double largest_;
   PackedStep step_;
-  double t_ = 0.0;
   double h_ = 0.0;  // proposed, signed
-  double start_ = 0.0;
   Series series_ = Series::none;
   double series_length_ = 0.0;
   bool hasty_ = true;  // the first steps have not yet found their length
@@ -156,10 +137,6 @@ class PackedCollocation final : public StepMethod {
   int stiff_signs_ = 0;
   StepOutcome refused_ = StepOutcome::too_small;
   std::int64_t rejected_ = 0;
-  std::vector<double> y_;
-  std::vector<double> y_start_;
-  std::vector<double> carry_;
-  std::shared_ptr<const PackedFlow> flow_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "engine/motion/integrator/gauss_step.h"
 #include "poinsot/engine/work/work.h"
 
 namespace poinsot {
@@ -17,19 +18,12 @@ constexpr Work of_eight_rates = 250;  // of one number of the state
 using Stages = StageTable::Stages;
 using Lanes = Stages::Lanes;
 
-struct Tables {
-  Stages ratios[stages];    // column j of a_ij / b_j
+struct Tables : gauss::StagePacks {
   Stages legendre[stages];  // column j of the Legendre coefficients of f from the increments
-  Stages nodes;
-  Stages weights;
 
   Tables() {
-    for (int j = 0; j < stages; ++j) {
-      ratios[j] = Stages::from_lanes([j](int i) { return gauss::ratios[i][j]; });
+    for (int j = 0; j < stages; ++j)
       legendre[j] = Stages::from_lanes([j](int m) { return gauss::legendre[m][j] / gauss::weights[j]; });
-    }
-    nodes = Stages::from_lanes([](int i) { return gauss::nodes[i]; });
-    weights = Stages::from_lanes([](int i) { return gauss::weights[i]; });
   }
 };
 const Tables& tables() {
@@ -132,7 +126,7 @@ StepOutcome PackedStep::solve(double t, std::span<const double> y, double h, std
     last = change;
     if (change < 0.1 * part) return StepOutcome::advanced;
     if (round == 1) continue;
-    if (contraction_ < 1.0 && change * contraction_ < part * (1.0 - contraction_)) return StepOutcome::advanced;
+    if (gauss::contracted(change, contraction_, part)) return StepOutcome::advanced;
     if (round > 8 && contraction_ > 1.0) return StepOutcome::no_convergence;
   }
   return StepOutcome::no_convergence;
@@ -146,10 +140,7 @@ double PackedStep::find_series(std::span<const double> allowed) {
     const double* const c = series_.at(k);
     double size = 0.0;
     for (int m = 0; m < stages; ++m) size = std::max(size, std::fabs(c[m]));
-    // Two by two, as symmetric motions have every other coefficient zero.
-    const double last = std::max(std::fabs(c[7]), std::fabs(c[6]));
-    const double before = std::max(std::fabs(c[5]), std::fabs(c[4]));
-    const double left_out = before > 0.0 ? last * std::min(1.0, last / before) : last;
+    const double left_out = gauss::left_out(c);
     error = std::max(error, left_out * per_allowed_[k]);
     if (size > allowed[k]) relative = std::max(relative, left_out / size);
   }
@@ -158,11 +149,7 @@ double PackedStep::find_series(std::span<const double> allowed) {
 
 void PackedStep::add_to(std::span<double> y, std::span<double> carry) const {
   for (std::size_t k = 0; k < n_; ++k) {
-    const double* const L = increments_.at(k);
-    const double gain = carry[k] + (((L[0] + L[7]) + (L[1] + L[6])) + ((L[2] + L[5]) + (L[3] + L[4])));
-    const double old = y[k];
-    y[k] = old + gain;
-    carry[k] = gain - (y[k] - old);
+    gauss::add_compensated(carry[k] + gauss::sum_of_increments(increments_.at(k)), y[k], carry[k]);
   }
 }
 

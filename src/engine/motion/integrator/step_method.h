@@ -61,6 +61,23 @@ inline StepEnd step_towards(double limit, double t, double h, double largest) {
   return step;
 }
 
+// Goes from one time to another by steps step(t, h), halved where that cannot make one. Returns whether it arrives.
+template <class Step>
+bool step_by_halves(double from, double to, const Step& step) {
+  constexpr int most_attempts = 60;
+  double t = from;
+  double h = to - from;
+  for (int attempt = 0; t != to && attempt < most_attempts; ++attempt) {
+    if (!step(t, h)) {
+      h *= 0.5;
+      continue;
+    }
+    t = std::fabs(to - t) <= std::fabs(h) * (1.0 + 1e-12) ? to : t + h;
+    h = to - t;
+  }
+  return t == to;
+}
+
 // The first step: such that the change by it is small against the change of the change (Hairer, Norsett, Wanner,
 // Section II.4). rate: dy/dt at (t, y). order: of the method. Positive.
 double first_step(RightSide& right_side, double t, std::span<const double> y, std::span<const double> rate,

@@ -1,5 +1,7 @@
 #include "poinsot/engine/motion/integrator/trajectory.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,8 +40,9 @@ double Trajectory::end_time() const {
 StepView Trajectory::step(std::size_t i) const {
   if (i >= steps_.size()) throw std::out_of_range("Trajectory: there are fewer steps than that");
   const Stored& s = steps_[i];
-  return {s.start,    s.length, s.end, s.form, std::span<const double>(coefficients_).subspan(s.first, s.count),
-          flow_.get()};
+  return {
+      s.start,    s.length, s.end, s.form, std::span<const double>(coefficients_[s.chunk]).subspan(s.first, s.count),
+      flow_.get()};
 }
 
 void Trajectory::state(double t, std::span<double> q, std::span<double> v) const {
@@ -52,9 +55,8 @@ void Trajectory::state(double t, std::span<double> q, std::span<double> v) const
   const double high = std::max(first, last);
   const double slack = 1e-12 * std::max({high - low, std::fabs(low), std::fabs(high)});
   if (!(t >= low - slack && t <= high + slack))
-    throw std::out_of_range("Trajectory: asked for the state at " + std::to_string(t) +
-                            " s, but the motion runs from " + std::to_string(first) + " s to " + std::to_string(last) +
-                            " s");
+    throw std::out_of_range(
+        fmt::format("Trajectory: asked for the state at {} s, but the motion runs from {} s to {} s", t, first, last));
   t = std::clamp(t, low, high);
 
   // The last step that starts no later than t.
@@ -84,8 +86,15 @@ State<double> Trajectory::state(double t) const {
 }
 
 void Trajectory::append(const StepView& step) {
-  steps_.push_back({step.start, step.length, step.end, step.form, coefficients_.size(), step.coefficients.size()});
-  coefficients_.insert(coefficients_.end(), step.coefficients.begin(), step.coefficients.end());
+  const std::size_t count = step.coefficients.size();
+  if (coefficients_.empty() || coefficients_.back().size() + count > coefficients_.back().capacity()) {
+    constexpr std::size_t most = 65'536, fewest = 128;
+    const std::size_t before = coefficients_.empty() ? 0 : coefficients_.back().size();
+    coefficients_.emplace_back().reserve(std::max(std::clamp(2 * before, fewest, most), count));
+  }
+  std::vector<double>& chunk = coefficients_.back();
+  steps_.push_back({step.start, step.length, step.end, step.form, coefficients_.size() - 1, chunk.size(), count});
+  chunk.insert(chunk.end(), step.coefficients.begin(), step.coefficients.end());
 }
 
 }  // namespace poinsot

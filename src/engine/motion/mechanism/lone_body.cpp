@@ -221,14 +221,14 @@ struct KnownSteps {
   double length = 0;  // s
 };
 KnownSteps known_steps(const std::shared_ptr<const WindingFlow>& flow, bool winds, std::span<const double> periods,
-                       double largest, double start, std::span<const double> q, std::span<const double> v, double end,
-                       bool no_events) {
+                       double largest, double start, std::span<const double> q, std::span<const double> v,
+                       std::span<const double> sizes, double end, bool no_events) {
   constexpr double most = 1e5;
   const double natural = flow->natural_time(), span = std::abs(end - start);
   KnownSteps steps{flow, std::min(natural, largest)};
   if (!no_events || span <= most * steps.length) return steps;
   if (winds) {
-    std::shared_ptr<const StateFlow> recurrent = recurrent_flow(flow, periods, natural, start, q, v);
+    std::shared_ptr<const StateFlow> recurrent = recurrent_flow(flow, periods, natural, start, q, v, sizes);
     if (!recurrent) return steps;
     steps.flow = std::move(recurrent);
   }
@@ -288,8 +288,8 @@ std::optional<IntegrationResult> LoneBody::follow(const MotionEquations& equatio
     if (!starts_right(*rotation, start, pose)) return std::nullopt;
     const auto flow = std::make_shared<BodyFlow>(coordinates_, rotation, start, pose, gravity_);
     const double largest = options.largest_step > 0 ? options.largest_step : std::numeric_limits<double>::infinity();
-    const KnownSteps steps =
-        known_steps(flow, coordinates_->winds(), rotation->periods(), largest, start, q, v, end, events.empty());
+    const KnownSteps steps = known_steps(flow, coordinates_->winds(), rotation->periods(), largest, start, q, v,
+                                         equations.position_sizes, end, events.empty());
     const MethodMaker make = [&](IntegrationMethod, RightSide&, const ErrorScale&, const IntegrationOptions&) {
       return make_known_method(steps.flow, steps.length);
     };
@@ -297,6 +297,7 @@ std::optional<IntegrationResult> LoneBody::follow(const MotionEquations& equatio
     plain.estimate_error = false;
     IntegrationResult result = integrate_by(make, equations, start, q, v, end, plain, events);
     result.method = method;
+    result.closed_form = true;
     return result;
   }
   if (!spins_) return std::nullopt;
@@ -335,8 +336,8 @@ std::optional<IntegrationResult> LoneBody::follow_axis(const MotionEquations& eq
   }
   const double largest = options.largest_step > 0 ? options.largest_step : std::numeric_limits<double>::infinity();
   const AxisFlows axis = axis_flow(motion);
-  const KnownSteps steps =
-      known_steps(axis.flow, !axis.periods.empty(), axis.periods, largest, start, q, v, end, events.empty());
+  const KnownSteps steps = known_steps(axis.flow, !axis.periods.empty(), axis.periods, largest, start, q, v,
+                                       equations.position_sizes, end, events.empty());
   const MethodMaker make = [&](IntegrationMethod, RightSide&, const ErrorScale&, const IntegrationOptions&) {
     return make_known_method(steps.flow, steps.length);
   };
@@ -344,6 +345,7 @@ std::optional<IntegrationResult> LoneBody::follow_axis(const MotionEquations& eq
   plain.estimate_error = false;
   IntegrationResult result = integrate_by(make, equations, start, q, v, end, plain, events);
   result.method = motion.weight_moment > 0 ? "closed form: pendulum" : "closed form: uniform rotation";
+  result.closed_form = true;
   return result;
 }
 

@@ -15,6 +15,7 @@ using Vector = Vector3<double>;
 // The same tree with the modes of held coordinates.
 Model<double> with_modes(const Model<double>& tree, const std::vector<char>& is_held) {
   std::vector<CoordinateMode> modes;
+  modes.reserve(is_held.size());
   for (const char held : is_held) modes.push_back(held ? CoordinateMode::prescribed : CoordinateMode::free);
   return Model<double>(std::vector<Body<double>>(tree.bodies().begin(), tree.bodies().end()), tree.names(),
                        std::move(modes), tree.gravity());

@@ -15,6 +15,20 @@ void PivotedQr::reserve(int most_rows, int most_columns) {
   order_.resize(static_cast<std::size_t>(most_columns));
 }
 
+namespace {
+
+// x less its part along a reflector: `lead` in row k, below it the rows of a. What does not change over many x is handed
+// in, so that it stays in registers.
+inline void reflect(const double* a, double lead, double factor, int k, int rows, double* x) {
+  double sum = lead * x[k];
+  for (int i = k + 1; i < rows; ++i) sum += a[i] * x[i];
+  sum *= factor;
+  x[k] -= sum * lead;
+  for (int i = k + 1; i < rows; ++i) x[i] -= sum * a[i];
+}
+
+}  // namespace
+
 void PivotedQr::factor(double tolerance, std::span<const char> classes, int most_rank) {
   const int most = std::min({rows_, columns_, most_rank});
   for (int k = 0; k < columns_; ++k) order_[static_cast<std::size_t>(k)] = k;
@@ -46,16 +60,11 @@ void PivotedQr::factor(double tolerance, std::span<const char> classes, int most
     const double diagonal = a[k] > 0 ? -size : size;
     const double lead = a[k] - diagonal;
     leading_[static_cast<std::size_t>(k)] = lead;
-    factor_[static_cast<std::size_t>(k)] = -1 / (diagonal * lead);
+    const double factor = -1 / (diagonal * lead);
+    factor_[static_cast<std::size_t>(k)] = factor;
     a[k] = diagonal;
-    for (int j = k + 1; j < columns_; ++j) {
-      double* const b = column(chosen(j));
-      double sum = lead * b[k];
-      for (int i = k + 1; i < rows_; ++i) sum += a[i] * b[i];
-      sum *= factor_[static_cast<std::size_t>(k)];
-      b[k] -= sum * lead;
-      for (int i = k + 1; i < rows_; ++i) b[i] -= sum * a[i];
-    }
+    const int rows = rows_;
+    for (int j = k + 1; j < columns_; ++j) reflect(a, lead, factor, k, rows, column(chosen(j)));
   }
 }
 
@@ -68,28 +77,17 @@ double PivotedQr::least_pivot() const {
   return largest > 0 ? least / largest : 1;
 }
 
+void PivotedQr::reflect_at(int k, double* x) const {
+  const auto step = static_cast<std::size_t>(k);
+  reflect(matrix_.data() + chosen(k) * rows_, leading_[step], factor_[step], k, rows_, x);
+}
+
 void PivotedQr::apply_transposed(double* x) const {
-  for (int k = 0; k < rank_; ++k) {
-    const double* const a = matrix_.data() + chosen(k) * rows_;
-    const double lead = leading_[static_cast<std::size_t>(k)];
-    double sum = lead * x[k];
-    for (int i = k + 1; i < rows_; ++i) sum += a[i] * x[i];
-    sum *= factor_[static_cast<std::size_t>(k)];
-    x[k] -= sum * lead;
-    for (int i = k + 1; i < rows_; ++i) x[i] -= sum * a[i];
-  }
+  for (int k = 0; k < rank_; ++k) reflect_at(k, x);
 }
 
 void PivotedQr::apply(double* x) const {
-  for (int k = rank_ - 1; k >= 0; --k) {
-    const double* const a = matrix_.data() + chosen(k) * rows_;
-    const double lead = leading_[static_cast<std::size_t>(k)];
-    double sum = lead * x[k];
-    for (int i = k + 1; i < rows_; ++i) sum += a[i] * x[i];
-    sum *= factor_[static_cast<std::size_t>(k)];
-    x[k] -= sum * lead;
-    for (int i = k + 1; i < rows_; ++i) x[i] -= sum * a[i];
-  }
+  for (int k = rank_ - 1; k >= 0; --k) reflect_at(k, x);
 }
 
 void PivotedQr::solve_upper(double* x) const {

@@ -44,6 +44,9 @@ class PivotedQr {
   void solve_transposed(double* x) const;
 
  private:
+  // Reflects x by the reflector of step k.
+  void reflect_at(int k, double* x) const;
+
   int rows_ = 0, columns_ = 0, rank_ = 0;
   std::vector<double> matrix_;   // R above, below the reflectors without their leading entry
   std::vector<double> leading_;  // of each reflector

@@ -40,7 +40,7 @@ struct PackedTree {
 
 }  // namespace
 
-MotionEquations tree_equations(const Model<double>& model, LoadFunction loads) {
+MotionEquations tree_equations(const Model<double>& model, const LoadFunction& loads) {
   for (int k = 0; k < model.velocity_size(); ++k) {
     if (model.mode(k) != CoordinateMode::free)
       throw std::invalid_argument("tree_equations: velocity coordinate " + std::to_string(k) +

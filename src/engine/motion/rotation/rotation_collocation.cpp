@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/motion/integrator/gauss_legendre_8.h"
+#include "engine/motion/integrator/gauss_step.h"
 #include "poinsot/engine/math/algebra/pack.h"
 #include "poinsot/engine/math/algebra/rotation.h"
 
@@ -31,17 +31,11 @@ StageNumbers numbers_of(const Stages& pack) {
 
 Vectors spread(const Vector& v) { return {Stages(v.x), Stages(v.y), Stages(v.z)}; }
 
-struct Tables {
-  Stages ratios[stages];  // column j of the ratios
-  Stages nodes;
-  Stages weights;
+struct Tables : gauss::StagePacks {
   StageNumbers last;         // row 7 of the Legendre coefficients over the weights
   StageNumbers before_last;  // row 6
 
   Tables() {
-    for (int j = 0; j < stages; ++j) ratios[j] = Stages::from_lanes([j](int i) { return gauss::ratios[i][j]; });
-    nodes = Stages::from_lanes([](int i) { return gauss::nodes[i]; });
-    weights = Stages::from_lanes([](int i) { return gauss::weights[i]; });
     for (int j = 0; j < stages; ++j) {
       last.at[j] = gauss::legendre[7][j] / gauss::weights[j];
       before_last.at[j] = gauss::legendre[6][j] / gauss::weights[j];
@@ -187,8 +181,7 @@ class Iteration {
     std::array<double, count> y;
     for (int n = 0; n < count; ++n) {
       const StageNumbers inc = numbers_of(increments_[n]);
-      y[n] = start_[n] + (((inc.at[0] + inc.at[7]) + (inc.at[1] + inc.at[6])) +
-                          ((inc.at[2] + inc.at[5]) + (inc.at[3] + inc.at[4])));
+      y[n] = start_[n] + gauss::sum_of_increments(inc.at);
     }
     const auto [half_sine, half_cosine] = sine_cosine(0.5 * rate_ * h_);
     const Quaternion<double> precession{half_cosine, half_sine * axis_.x, half_sine * axis_.y, half_sine * axis_.z};
@@ -346,8 +339,8 @@ RotationStep solve(const PrincipalBody& body, const RotationState& state, double
     }
     if (step.iterations > 1) {
       step.contraction = last > 0.0 ? change / last : 0.0;
-      // What the rounds to come would still change, if they contract as this one. Or rounding stirs the last bits.
-      const bool small = step.contraction < 1.0 && change * step.contraction < accuracy * (1.0 - step.contraction);
+      // The rounds to come change no more, or rounding stirs the last bits.
+      const bool small = gauss::contracted(change, step.contraction, accuracy);
       const bool stirred = change < 64.0 * rounding && (step.contraction >= 1.0 || accuracy > rounding);
       if (small || change == 0.0 || stirred) {
         step.converged = true;

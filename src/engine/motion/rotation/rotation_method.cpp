@@ -40,22 +40,16 @@ class CollocationFlow final : public StateFlow {
     const PrincipalBody& body = rotor_->principal;
     RotationState state = read_rotation(body, start.data());
     const double energy = body.energy(state);
-    double t = from;
-    double h = to - from;
-    for (int attempts = 0; t != to && attempts < 60; ++attempts) {
+    const bool arrived = step_by_halves(from, to, [&](double t, double h) {
       const double size = largest_momentum(*rotor_, state, std::fabs(to - from));
       const RotationStep step = rotation_step(body, state, t, h, size, 0.01 * accuracy_);
-      if (!step.converged) {
-        h *= 0.5;
-        continue;
-      }
-      t = std::fabs(to - t) <= std::fabs(h) * (1.0 + 1e-12) ? to : t + h;
-      h = to - t;
+      if (!step.converged) return false;
       state = step.end;
       give_back_energy(body, energy, accuracy_, state);
-    }
+      return true;
+    });
     write_rotation(body, state, y.data());
-    if (t != to) std::fill(y.begin(), y.end(), std::numeric_limits<double>::quiet_NaN());
+    if (!arrived) std::fill(y.begin(), y.end(), std::numeric_limits<double>::quiet_NaN());
   }
 
  private:
@@ -110,7 +104,7 @@ class RotationSteps : public StepMethod {
 
 class RotationCollocation final : public RotationSteps {
  public:
-  RotationCollocation(std::shared_ptr<const Rotor> rotor, const IntegrationOptions& options)
+  RotationCollocation(const std::shared_ptr<const Rotor>& rotor, const IntegrationOptions& options)
       : RotationSteps(rotor, std::make_shared<CollocationFlow>(rotor, options.tolerance)),
         tolerance_(options.tolerance),
         first_(options.first_step),
@@ -232,7 +226,7 @@ class EqualStepFlow final : public StateFlow {
 
 class RotationInEqualSteps final : public RotationSteps {
  public:
-  RotationInEqualSteps(std::shared_ptr<const Rotor> rotor, const IntegrationOptions& options)
+  RotationInEqualSteps(const std::shared_ptr<const Rotor>& rotor, const IntegrationOptions& options)
       : RotationSteps(rotor, std::make_shared<EqualStepFlow>(rotor)),
         steps_(rotor_->principal),
         // Differences of steps show nothing finer than rounding.

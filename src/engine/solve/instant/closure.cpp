@@ -80,10 +80,17 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
   const std::vector<bool> movable = movable_coordinates(tree, given);
   const double length = natural_scales(mechanism).length;
   MechanismState state(mechanism);
+  // The pose is reached in steps of this many radians, or lengths of the machine: in a step twice as long a loop near a
+  // pose in which it could part may come to close in another way.
+  constexpr double step_size = 0.05;
   double largest = 0;
-  for (std::size_t k = 0; k < target.size(); ++k)
-    if (given[k]) largest = std::max(largest, std::abs(target[k]));
-  const int steps = std::clamp(static_cast<int>(std::ceil(largest / 0.05)), 4, 400);
+  for (const Body<double>& body : tree.bodies())
+    for (int k = 0; k < position_size(body.joint); ++k) {
+      const bool shift = body.joint == JointType::prismatic || (body.joint == JointType::free && k >= 4);
+      const auto place = static_cast<std::size_t>(body.q + k);
+      if (given[place]) largest = std::max(largest, std::abs(target[place]) / (shift ? length : 1));
+    }
+  const int steps = static_cast<int>(std::clamp(std::ceil(largest / step_size), 4.0, 400.0));
   std::vector<double> before = result.q;
   for (int step = 1; step <= steps; ++step) {
     // The start of each step continues the last one in a straight line: this leads through poses in which the loop
@@ -110,7 +117,7 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
           worst = std::abs(gap) / newton.unit(c.kind);
           result.gap = std::abs(gap);
           result.relative = worst;
-          result.where = c.words;
+          result.constraint = i;
         }
         newton.add(c.kind, constraint_coefficients(state, c), gap);
       }

@@ -94,11 +94,13 @@ LinearSystemOf<Scalar> velocity_equations(const MechanismStateOf<Scalar>& state,
   for (int k = 0; k < mechanism.tree.velocity_size(); ++k)
     system.add_unknown(mechanism.coordinate_names[static_cast<std::size_t>(k)],
                        coordinate_turns(mechanism.tree, k) ? 1 : scales.length);
-  for (const VelocityConstraint<Scalar>& constraint : mechanism.constraints)
-    add_constraint(system, constraint,
+  for (std::size_t i = 0; i < mechanism.constraints.size(); ++i) {
+    const VelocityConstraint<Scalar>& constraint = mechanism.constraints[i];
+    add_constraint(system, mechanism, i,
                    without_rounding(constraint_row(state, constraint).coefficients, constraint, mechanism.tree, scales),
                    scales);
-  for (const ConditionOf<Scalar>& condition : conditions) add_condition(system, condition);
+  }
+  add_conditions(system, conditions);
   return system;
 }
 
@@ -129,22 +131,14 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& state, c
   const Mechanism<Scalar>& mechanism = state.mechanism();
   const Model<Scalar>& tree = mechanism.tree;
   const double force_scale = scales.mass * scales.length / (scales.time * scales.time);
-  const double couple_scale = force_scale * scales.length;
+  const ForceWords words{
+      "force", "couple", "drive", "forces on ", "moments on ", force_scale, force_scale * scales.length};
   LinearSystemOf<Scalar> system;
   for (int k = 0; k < tree.velocity_size(); ++k)
     add_acceleration(system, mechanism.coordinate_names[static_cast<std::size_t>(k)],
                      coordinate_turns(tree, k) ? 1 : scales.length);
-  for (const Component<Scalar>& component : mechanism.components) {
-    const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
-    system.add_unknown({component.couple ? "couple" : "force", "(", action.name, ")",
-                        component.axis.empty() ? "" : " along ", component.axis},
-                       component.couple ? couple_scale : force_scale);
-  }
   const ForceUnknowns unknowns = force_unknowns(mechanism);
-  for (std::size_t drive : unknowns.drive_of_effort)
-    system.add_unknown(
-        {"drive(", mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint, ")"},
-        mechanism.drives[drive].turning ? couple_scale : force_scale);
+  add_force_unknowns(system, mechanism, unknowns.drive_of_effort, words);
 
   // Newton and Euler for each body that takes part: forces, then moments about its origin. About that point, and not
   // about the mass center, the equations are linear in the body's mass, first moments and inertia.
@@ -154,14 +148,7 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& state, c
     const SpatialInertia<Scalar>& I = tree.body(i).inertia;
     const BodyMotion<Scalar>& motion = state.workspace().motion[static_cast<std::size_t>(i + 1)];
     const Vector& O = motion.p;
-    std::size_t row = 0;
-    for (int k = 0; k < 3; ++k) {
-      const std::size_t added =
-          system.add_equation({"forces on ", tree.name(i), " along ", axis_names[k]}, force_scale);
-      if (k == 0) row = added;
-    }
-    for (int k = 0; k < 3; ++k)
-      system.add_equation({"moments on ", tree.name(i), " about ", axis_names[k]}, couple_scale);
+    const std::size_t row = add_balance(system, tree, i, words);
     first_row[static_cast<std::size_t>(i)] = row;
     if (!(plain(I.mass) > 0)) continue;
     const Matrix3<Scalar>& R = motion.R;
@@ -220,34 +207,23 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& state, c
     on_both(mechanism.actions[static_cast<std::size_t>(action)], wrench,
             [&](std::size_t row, const Scalar& value, double) { system.add_right_side(row, value); });
 
-  for (const VelocityConstraint<Scalar>& constraint : mechanism.constraints) {
+  for (std::size_t i = 0; i < mechanism.constraints.size(); ++i) {
+    const VelocityConstraint<Scalar>& constraint = mechanism.constraints[i];
     const ConstraintRow<Scalar> r = constraint_row(state, constraint);
     const std::size_t row =
-        add_constraint(system, constraint, without_rounding(r.coefficients, constraint, tree, scales), scales);
+        add_constraint(system, mechanism, i, without_rounding(r.coefficients, constraint, tree, scales), scales);
     system.add_right_side(row, -r.bias);
   }
-  for (const ConditionOf<Scalar>& condition : conditions) add_condition(system, condition);
+  add_conditions(system, conditions);
   return system;
 }
 
 template <class Scalar>
 SpatialForce<Scalar> action_wrench(const MechanismStateOf<Scalar>& state, const std::vector<Scalar>& unknowns,
                                    std::size_t action) {
-  const Mechanism<Scalar>& mechanism = state.mechanism();
-  const ForceUnknowns order = force_unknowns(mechanism);
+  const ForceUnknowns order = force_unknowns(state.mechanism());
   const int index = static_cast<int>(action);
-  SpatialForce<Scalar> total = SpatialForce<Scalar>::zero();
-  std::size_t column = order.accelerations;
-  for (const Component<Scalar>& component : mechanism.components) {
-    if (component.action == index) total += unknowns[column] * state.component_wrench(component);
-    ++column;
-  }
-  for (std::size_t drive : order.drive_of_effort) {
-    if (mechanism.drives[drive].action == index)
-      total += unknowns[column] * state.drive_wrench(mechanism.drives[drive]);
-    ++column;
-  }
-  return total + state.known_wrench(index);
+  return unknown_wrench(state, unknowns, order.accelerations, order.drive_of_effort, index) + state.known_wrench(index);
 }
 
 template bool coordinate_turns(const Model<double>&, int);

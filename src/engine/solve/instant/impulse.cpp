@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/solve/instant/equation_rows.h"
 #include "poinsot/engine/math/algebra/plain.h"
@@ -21,11 +22,11 @@ Vector3<Scalar> point_rate(const MechanismStateOf<Scalar>& state, int body, cons
 template <class Scalar>
 ImpulseUnknowns impulse_unknowns(const Mechanism<Scalar>& mechanism, const BlowOf<Scalar>& blow) {
   ImpulseUnknowns unknowns;
-  unknowns.velocities = static_cast<std::size_t>(mechanism.tree.velocity_size());
-  unknowns.components = mechanism.components.size();
-  for (std::size_t i = 0; i < mechanism.drives.size(); ++i)
-    if (mechanism.drives[i].held) unknowns.drive_of_effort.push_back(i);
-  unknowns.efforts = unknowns.drive_of_effort.size();
+  ForceUnknowns forces = force_unknowns(mechanism);
+  unknowns.velocities = forces.accelerations;
+  unknowns.components = forces.components;
+  unknowns.efforts = forces.efforts;
+  unknowns.drive_of_effort = std::move(forces.drive_of_effort);
   unknowns.impacts = blow.impacts.size();
   return unknowns;
 }
@@ -40,22 +41,15 @@ LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before,
   const Model<Scalar>& tree = mechanism.tree;
   const ImpulseUnknowns unknowns = impulse_unknowns(mechanism, blow);
   const double impulse_scale = scales.mass * scales.length / scales.time;
-  const double couple_scale = impulse_scale * scales.length;
+  const ForceWords words{
+      "impulse",     "impulsive couple",           "impulsive drive", "impulses on ", "moments of the impulses on ",
+      impulse_scale, impulse_scale * scales.length};
 
   LinearSystemOf<Scalar> system;
   for (int k = 0; k < tree.velocity_size(); ++k)
     system.add_unknown({mechanism.coordinate_names[static_cast<std::size_t>(k)], " after the blow"},
                        coordinate_turns(tree, k) ? 1 : scales.length);
-  for (const Component<Scalar>& component : mechanism.components) {
-    const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
-    system.add_unknown({component.couple ? "impulsive couple" : "impulse", "(", action.name, ")",
-                        component.axis.empty() ? "" : " along ", component.axis},
-                       component.couple ? couple_scale : impulse_scale);
-  }
-  for (std::size_t drive : unknowns.drive_of_effort)
-    system.add_unknown(
-        {"impulsive drive(", mechanism.actions[static_cast<std::size_t>(mechanism.drives[drive].action)].joint, ")"},
-        mechanism.drives[drive].turning ? couple_scale : impulse_scale);
+  add_force_unknowns(system, mechanism, unknowns.drive_of_effort, words);
   for (const ImpactOf<Scalar>& impact : blow.impacts) system.add_unknown({"impulse(", impact.name, ")"}, impulse_scale);
 
   // System momenta before + external impulses = system momenta after (Eq. 17.4), body by body, about its mass center.
@@ -68,14 +62,7 @@ LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before,
     const Vector G = massive ? body_mass_center(tree, before.workspace(), i)
                              : before.workspace().motion[static_cast<std::size_t>(i + 1)].p;
     center[static_cast<std::size_t>(i)] = G;
-    std::size_t row = 0;
-    for (int k = 0; k < 3; ++k) {
-      const std::size_t added =
-          system.add_equation({"impulses on ", tree.name(i), " along ", axis_names[k]}, impulse_scale);
-      if (k == 0) row = added;
-    }
-    for (int k = 0; k < 3; ++k)
-      system.add_equation({"moments of the impulses on ", tree.name(i), " about ", axis_names[k]}, couple_scale);
+    const std::size_t row = add_balance(system, tree, i, words);
     first_row[static_cast<std::size_t>(i)] = row;
     if (!massive) continue;
     const Momentum<Scalar> momentum = body_momentum(tree, before.workspace(), i, G);
@@ -136,7 +123,7 @@ LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before,
   for (std::size_t i = 0; i < mechanism.constraints.size(); ++i) {
     const VelocityConstraint<Scalar>& constraint = mechanism.constraints[i];
     if (constraint.action >= 0 && !acting[static_cast<std::size_t>(constraint.action)]) continue;
-    add_constraint(system, constraint, constraint_coefficients(before, constraint), scales);
+    add_constraint(system, mechanism, i, constraint_coefficients(before, constraint), scales);
   }
   for (std::size_t i = 0; i < mechanism.components.size(); ++i) {
     const Component<Scalar>& component = mechanism.components[i];
@@ -145,20 +132,15 @@ LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before,
     system.add(system.add_equation({"no impulse of '", action.name, "'"}, impulse_scale), unknowns.velocities + i,
                Scalar(1));
   }
-  for (std::size_t drive : unknowns.drive_of_effort) {
-    const auto k = static_cast<std::size_t>(mechanism.drives[drive].coordinate);
-    const std::size_t row =
-        system.add_equation({mechanism.coordinate_names[k], " is held"},
-                            coordinate_turns(tree, mechanism.drives[drive].coordinate) ? 1 : scales.length);
+  const auto hold = [&](int coordinate) {
+    const auto k = static_cast<std::size_t>(coordinate);
+    const std::size_t row = system.add_equation({mechanism.coordinate_names[k], " is held"},
+                                                coordinate_turns(tree, coordinate) ? 1 : scales.length);
     system.add(row, k, Scalar(1));
     system.add_right_side(row, before.state().v[k]);
-  }
-  for (int k : blow.held_coordinates) {
-    const std::size_t row = system.add_equation({mechanism.coordinate_names[static_cast<std::size_t>(k)], " is held"},
-                                                coordinate_turns(tree, k) ? 1 : scales.length);
-    system.add(row, static_cast<std::size_t>(k), Scalar(1));
-    system.add_right_side(row, before.state().v[static_cast<std::size_t>(k)]);
-  }
+  };
+  for (std::size_t drive : unknowns.drive_of_effort) hold(mechanism.drives[drive].coordinate);
+  for (int k : blow.held_coordinates) hold(k);
   // Newton's restitution: along the push the relative velocity after the impact is -e times the one before.
   for (const ImpactOf<Scalar>& impact : blow.impacts) {
     const std::size_t row = system.add_equation({"restitution at '", impact.name, "'"}, scales.length);
@@ -170,7 +152,7 @@ LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before,
                                  });
     system.add_right_side(row, -impact.restitution * approach(before, impact));
   }
-  for (const ConditionOf<Scalar>& condition : conditions) add_condition(system, condition);
+  add_conditions(system, conditions);
   return system;
 }
 
@@ -203,17 +185,8 @@ SpatialForce<Scalar> action_impulse(const MechanismStateOf<Scalar>& state, const
   const Mechanism<Scalar>& mechanism = state.mechanism();
   const ImpulseUnknowns order = impulse_unknowns(mechanism, blow);
   const int index = static_cast<int>(action);
-  Wrench total = Wrench::zero();
-  std::size_t column = order.velocities;
-  for (const Component<Scalar>& component : mechanism.components) {
-    if (component.action == index) total += unknowns[column] * state.component_wrench(component);
-    ++column;
-  }
-  for (std::size_t drive : order.drive_of_effort) {
-    if (mechanism.drives[drive].action == index)
-      total += unknowns[column] * state.drive_wrench(mechanism.drives[drive]);
-    ++column;
-  }
+  Wrench total = unknown_wrench(state, unknowns, order.velocities, order.drive_of_effort, index);
+  std::size_t column = order.velocities + order.components + order.efforts;
   for (const ImpactOf<Scalar>& impact : blow.impacts) {
     if (impact.action == index) total += unknowns[column] * impact_wrench(state, impact);
     ++column;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/solve/instant/drawn_motion.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
 namespace {
@@ -14,6 +15,8 @@ using drawn::Displacement;
 using drawn::Real;
 using drawn::Vector;
 using drawn::widened;
+
+constexpr Work of_a_particle = 500;
 
 // std::max would lose a NaN; this keeps it.
 Real larger(Real a, Real b) { return std::isnan(a) || a > b ? a : b; }
@@ -45,6 +48,7 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
     Vector L = Vector::zero(), H = Vector::zero(), F = Vector::zero(), M = Vector::zero();
     Real T = 0, L_size = 0, H_size = 0, T_size = 0, F_size = 0, M_size = 0;
     for (const auto& particle : body.particles) {
+      count_work(of_a_particle);
       const Vector x0 = widened(particle.position);
       const Real m = particle.mass;
       const Vector x = at[4][link](x0);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/solve/linear/assembled_system.h"
+#include "engine/solve/linear/column_pivoted_qr.h"
 #include "engine/solve/linear/decompositions.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "poinsot/engine/math/formula/formula.h"
@@ -76,8 +77,9 @@ std::size_t LinearSystemOf<Scalar>::add_unknown(std::initializer_list<std::strin
 }
 
 template <class Scalar>
-std::size_t LinearSystemOf<Scalar>::add_equation(std::initializer_list<std::string_view> words, double scale) {
-  equations_.push_back({text_from(words), scale, Scalar(0)});
+std::size_t LinearSystemOf<Scalar>::add_equation(std::initializer_list<std::string_view> words, double scale,
+                                                 EquationSource source) {
+  equations_.push_back({text_from(words), scale, source, Scalar(0)});
   return equations_.size() - 1;
 }
 
@@ -118,7 +120,7 @@ struct LinearFactors::Parts {
   Eigen::VectorXd row, column;              // factors from the units of the caller to the scaled ones
   Eigen::VectorXd row_scale, column_scale;  // the part of these factors that goes beyond natural units
   Eigen::VectorXd x, misfit;                // scaled
-  std::optional<Eigen::ColPivHouseholderQR<Eigen::MatrixXd>> qr;
+  std::optional<ColumnPivotedQr> qr;
   Eigen::Index rank = 0;
   bool finite = true;
   LinearSolution solution;

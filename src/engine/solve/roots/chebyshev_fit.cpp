@@ -13,11 +13,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The accuracy of a polynomial, as a part of the largest value. On a square, where values are many, a coarse
-// polynomial does: what it leaves unresolved gets a new one on a smaller square.
+// The accuracy of a polynomial, as a part of the largest value. On a line it is near what the rounding of cancelling
+// terms allows, so that a double zero, which is found to the root of this, is known to six digits. On a square, where
+// values are many, a coarse polynomial does: what it leaves unresolved gets a new one on a smaller square.
 constexpr double wanted_on_line = 1e-12, wanted_on_square = 1e-7;
 constexpr double rounding_of_fit = 2e-15;  // of the size of the terms
-constexpr double still_usable = 1e-10;     // accuracy where noise allows no better, of the size of the terms
+// Accuracy where noise allows no better, of the size of the terms: a tenth of what counts as zero, or else such a zero
+// could hide in the error.
+constexpr double still_usable = 0.1 * zero_tolerance;
 // the largest slope that far_from_zero reckons with, as a multiple of that of the whole range
 constexpr double steepest = 1e6;
 constexpr double safety = 4;  // factor by which the largest error may exceed those seen at a few places
@@ -128,11 +131,14 @@ bool ChebyshevFitter::far_from_zero(const Piece& box, double least, double large
 
 // Near a pole of F the function F / |F|^2 is smooth and bounded. Where it has a polynomial that fits, F has no zero.
 bool ChebyshevFitter::smooth_inverse(const MatrixXd& values, double size) {
+  // A value smaller than this part of the terms keeps less than ten digits, too few for the inverse to look smooth; and
+  // of a smooth one the last fifth of the coefficients is below them.
+  constexpr double least_value = 1e-6, least_tail = 1e-10;
   const VectorXd norms = values.colwise().norm();
-  if (!(norms.minCoeff() > 1e-6 * size)) return false;
+  if (!(norms.minCoeff() > least_value * size)) return false;
   const MatrixXd inverse = values * norms.cwiseInverse().cwiseAbs2().asDiagonal();
   const VectorXd c = interpolated(inverse, values.cols(), 1).coefficients().colwise().norm();
-  return c.tail(std::max<Index>(2, values.cols() / 5)).sum() < 1e-10 * c.maxCoeff();
+  return c.tail(std::max<Index>(2, values.cols() / 5)).sum() < least_tail * c.maxCoeff();
 }
 
 ChebyshevFitter::Line ChebyshevFitter::along(const Piece& box, int variable, double other, int depth) {
@@ -286,9 +292,9 @@ Fit ChebyshevFitter::fit_line(const Piece& box, int depth) {
   const VectorXd norms = fit.series.coefficients().colwise().norm();
   const Index third = count / 3;
   const bool falling = norms.tail(third).maxCoeff() <= 0.2 * norms.segment(third, third).maxCoeff();
-  if (falling && *off <= estimate && norms[0] > norms.tail(norms.size() - 1).sum() + 2 * estimate)
-    fit.outcome = Fit::Outcome::no_root;
-  else if (smooth_inverse(line.values, line.size) || far_from_zero(box, line.least, line.largest))
+  const bool constant_exceeds =
+      falling && *off <= estimate && norms[0] > norms.tail(norms.size() - 1).sum() + 2 * estimate;
+  if (constant_exceeds || smooth_inverse(line.values, line.size) || far_from_zero(box, line.least, line.largest))
     fit.outcome = Fit::Outcome::no_root;
   return fit;
 }

@@ -15,6 +15,9 @@ using Eigen::VectorXd;
 
 // half widths below which a piece is not divided further: if there are many pieces, and in any case
 constexpr double small_half = 1.0 / 2048, least_half = 1e-7;
+// As parts of the half width of the square: the rounding of a place in it, and the half width of a part below which
+// places in it differ in their last three digits only.
+constexpr double last_digits = 1e-15, narrowest_half = 1e-13;
 constexpr std::size_t many = 60;
 constexpr double noise_factor = 30;  // a piece is left undecided if its polynomial is within this many errors of zero
 constexpr std::size_t suspicious = 300;    // with more pieces than this alive at a time, a curve of zeros is looked for
@@ -139,8 +142,10 @@ class PieceDivision {
       if (part.series.size(variable) > 1) J.col(k) = part.series.coefficient(variable == 0, variable == 1);
     }
     const Eigen::ColPivHouseholderQR<MatrixXd> qr(J);
+    // Slopes that differ less are those of one direction, as far as the polynomial's own error, 1e-12, tells.
+    constexpr double one_direction = 1e-12;
     const bool regular = C.rows() >= n && qr.rank() == n && qr.maxPivot() > 0 &&
-                         std::abs(qr.matrixR()(n - 1, n - 1)) > 1e-12 * qr.maxPivot();
+                         std::abs(qr.matrixR()(n - 1, n - 1)) > one_direction * qr.maxPivot();
     if (regular && narrow(part, J, qr)) return;
 
     bool small = true;
@@ -212,8 +217,9 @@ class PieceDivision {
       const VectorXd step = active_slopes.partialPivLu().solve(value);
       if (!step.allFinite() || s.cwiseAbs().maxCoeff() > 1.5) break;
       s -= step;
-      if (step.norm() < 1e-15) break;
+      if (step.norm() < last_digits) break;
     }
+    // The square goes from -1 to 1. A zero on the border of two is taken in both rather than in none.
     constexpr double border = 1e-9;
     if (s.allFinite() && s.cwiseAbs().maxCoeff() <= 1 + border) {
       // The zero of G must be one of F too: G combines the components of F, and the others may not vanish there.
@@ -242,7 +248,7 @@ class PieceDivision {
     if (narrowest > 0.7) return false;
     Part narrower = narrowed(part, lower, upper);
     for (int k : active_)
-      if (narrower.piece.half[static_cast<std::size_t>(k)] < 1e-13) {
+      if (narrower.piece.half[static_cast<std::size_t>(k)] < narrowest_half) {
         result_.left.push_back(narrower.piece);
         return true;
       }

@@ -77,7 +77,7 @@ class Search {
 
   ChebyshevRoots run() {
     begin_ = function_.evaluations();
-    boxes_.push_back({whole_, 0, 0});
+    for (const Piece& piece : first_pieces()) boxes_.push_back({piece, 0, 0});
     while (!boxes_.empty() && !along_curve_) {
       if (function_.evaluations() > most_evaluations_ || function_.limit().part_spent() > most_work || hopeless()) {
         for (const Box& box : boxes_) leave(box.piece, "the equations are too rough for polynomials");
@@ -101,6 +101,51 @@ class Search {
     Piece piece;
     int depth, zooms;
   };
+
+  // The whole ranges; of equations with corners they are cut at zero and in decades about it. A polynomial through
+  // places of a wide range that all lie on one side of a corner shows nothing of what is beyond it.
+  std::vector<Piece> first_pieces() const {
+    std::vector<Piece> pieces{whole_};
+    if (!function_.problem().corners) return pieces;
+    const bool line = function_.unknowns() == 1;
+    for (int k = 0; k < compact_.unknowns(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      std::vector<double> cuts{whole_.middle[i] - whole_.half[i]};
+      // Not at round numbers, where corners are likely: one just inside a piece would not be seen.
+      for (const double natural : {-2.3e5, -2.3e4, -2.3e3, -230.0, -23.0, -2.3, -0.23, -0.023, 0.0, 0.023, 0.23, 2.3,
+                                   23.0, 230.0, 2.3e3, 2.3e4, 2.3e5}) {
+        if (!line && natural != 0 && (std::abs(natural) < 0.2 || std::abs(natural) > 30)) continue;
+        if (const auto t = compact_place(k, natural)) cuts.push_back(*t);
+      }
+      cuts.push_back(whole_.middle[i] + whole_.half[i]);
+      std::vector<Piece> cut;
+      for (const Piece& piece : pieces)
+        for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
+          Piece part = piece;
+          part.middle[i] = (cuts[c] + cuts[c + 1]) / 2;
+          part.half[i] = (cuts[c + 1] - cuts[c]) / 2;
+          cut.push_back(part);
+        }
+      pieces = std::move(cut);
+    }
+    return pieces;
+  }
+  // Where in the compact range an unknown has this value, in natural sizes; nothing at the ends and beyond.
+  std::optional<double> compact_place(int unknown, double value) const {
+    const auto i = static_cast<std::size_t>(unknown);
+    double lower = whole_.middle[i] - whole_.half[i], upper = whole_.middle[i] + whole_.half[i];
+    Pair t = whole_.middle;
+    const auto u = [&](double at) {
+      t[i] = at;
+      return compact_.u(t)[unknown];
+    };
+    if (!(u(lower) < value && value < u(upper))) return std::nullopt;
+    for (int halvings = 0; halvings < 60; ++halvings) {
+      const double middle = (lower + upper) / 2;
+      (u(middle) < value ? lower : upper) = middle;
+    }
+    return (lower + upper) / 2;
+  }
 
   double part_of_whole(const Piece& piece) const {
     double part = 1;

@@ -14,8 +14,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double rounding_of_terms = 1e-12;  // a slope per natural size below this part of the terms counts as zero
-constexpr double rank_tolerance = 1e-9;      // of columns scaled to the same size
+// A slope per natural size below this part of the terms counts as zero: it is what rounding leaves of some thousand
+// operations. One ten times larger may be the true slope of an unknown in a unit that is large for it.
+constexpr double rounding_of_terms = 1e-12;
+// Of columns scaled to the same size. They are known to 1e-12, by steps of a natural size, so that three digits are
+// left between what rounding makes of dependent columns and this.
+constexpr double rank_tolerance = 1e-9;
 
 struct WideSlopes {
   MatrixXd J;
@@ -25,12 +29,12 @@ struct WideSlopes {
 // Slopes from steps of half a natural size, or wider ones until the equations notice. For linear equations any step
 // is exact.
 std::optional<WideSlopes> wide_slopes(RootFunction& function, const VectorXd& u0, const RootSample& sample) {
-  constexpr double noticed = 1e-6;
+  constexpr double noticed = 1e-6;  // part of the terms, of which a slope keeps six digits
   const VectorXd& r0 = sample.values;
   WideSlopes slopes{MatrixXd::Zero(r0.size(), function.unknowns()), sample.size};
   for (Index k = 0; k < function.unknowns(); ++k) {
     bool any = false;
-    for (double step = 0.5; step < 1e6; step *= 1e3) {
+    for (const double step : {0.5, 500.0, 500e3}) {
       VectorXd u = u0;
       u[k] += step;
       auto r = function.smooth_at(u);
@@ -54,27 +58,32 @@ std::optional<WideSlopes> wide_slopes(RootFunction& function, const VectorXd& u0
 
 bool is_linear(RootFunction& function, const VectorXd& u0, const VectorXd& r0, const MatrixXd& J) {
   // Two probes lie nearby and one anywhere in the ranges, which for infinite ones is far away: there small terms of
-  // higher order show.
+  // higher order show. Linear equations miss a probe by the rounding of their terms, or by that of slopes, 1e-12,
+  // times the thousand natural sizes to the probe. Beyond corners the equations are others: to meet these takes more
+  // probes.
+  constexpr double off_the_line = 1e-9, far_away = 1e3;
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> part(-0.5, 0.5);
-  for (int probe = 0; probe < 3; ++probe) {
+  const int probes = function.problem().corners ? 40 : 3;
+  for (int probe = 0; probe < probes; ++probe) {
+    const bool far = probe >= 2;
     VectorXd u = u0;
     for (Index k = 0; k < function.unknowns(); ++k) {
       const RootRange& range = function.problem().ranges[static_cast<std::size_t>(k)];
       const bool up = std::isinf(range.upper), down = std::isinf(range.lower);
       double step = part(random);
-      if (probe == 2 && (up || down))
-        step = (up && (!down || step > 0) ? 1 : -1) * 1e3 * (1 + std::abs(step));
-      else if (probe == 2)
+      if (far && (up || down))
+        step = (up && (!down || step > 0) ? 1 : -1) * far_away * (1 + std::abs(step));
+      else if (far)
         step *= (range.upper - range.lower) / range.scale;
       u[k] += step;
     }
     const auto r = function.smooth_at(u);
-    if (!r && probe == 2) break;
+    if (!r && far) continue;
     if (!r || r->values.size() != r0.size()) return false;
     const VectorXd change = J * (u - u0);
     const double size = r0.norm() + change.norm() + r->values.norm();
-    if ((r->values - r0 - change).norm() > 1e-9 * size + rounding_of_terms * r->size) return false;
+    if ((r->values - r0 - change).norm() > off_the_line * size + rounding_of_terms * r->size) return false;
   }
   return true;
 }
@@ -94,12 +103,13 @@ VectorXd clamped_inside(const RootProblem& problem, const VectorXd& u, double pa
 // A point u + basis t of the plane of solutions that lies within the ranges, if there is one. It is found by
 // alternate projections onto the ranges and onto the plane.
 std::optional<VectorXd> moved_inside(const RootFunction& function, const VectorXd& u, const MatrixXd& basis) {
+  constexpr double arrived = 1e-12;  // of the place, in natural sizes: some thousand roundings of projections
   for (const double part : {1e-2, 1e-6, 0.0}) {
     VectorXd v = u;
     for (int i = 0; i < 5000; ++i) {
       const VectorXd in_ranges = clamped_inside(function.problem(), v, part);
       const VectorXd next = u + basis * (basis.transpose() * (in_ranges - u));
-      const bool done = (next - in_ranges).norm() <= 1e-12 * (1 + next.norm());
+      const bool done = (next - in_ranges).norm() <= arrived * (1 + next.norm());
       v = next;
       if (done) break;
     }
@@ -130,6 +140,7 @@ std::optional<Roots> linear_roots(RootFunction& function) {
   const auto sample = n == 0 ? function.at(u0) : function.smooth_at(u0);
   if (!sample) return std::nullopt;
   const VectorXd& r0 = sample->values;
+  if (n > 0 && n <= 2 && function.problem().corners) return std::nullopt;
   if (n == 0) {
     Roots roots;
     roots.best_misfit = r0.size() ? r0.cwiseAbs().maxCoeff() : 0;
@@ -161,7 +172,8 @@ std::optional<Roots> linear_roots(RootFunction& function) {
     const auto there = function.at(u);
     if (!there || there->values.size() != r0.size()) break;
     size = std::max(size, there->size);
-    if (i == 2 || there->values.norm() <= 1e-15 * there->size) {
+    constexpr double last_digits = 1e-15;  // five roundings of the terms, below which no step gets
+    if (i == 2 || there->values.norm() <= last_digits * there->size) {
       // The values may be those of a smoother function in place of the equations. Where it vanishes the equations
       // themselves have to be asked.
       holds = there->values.norm() <= zero_tolerance * size && there->misfit <= there->allowed;
@@ -184,7 +196,8 @@ std::optional<Roots> linear_roots(RootFunction& function) {
   kernel = Eigen::HouseholderQR<MatrixXd>(kernel).householderQ() * MatrixXd::Identity(n, kernel.cols());
   roots.open = true;
   for (Index k = 0; k < n; ++k)
-    if (kernel.row(k).cwiseAbs().maxCoeff() > 1e-9) roots.open_unknowns.push_back(static_cast<std::size_t>(k));
+    if (kernel.row(k).cwiseAbs().maxCoeff() > rank_tolerance)
+      roots.open_unknowns.push_back(static_cast<std::size_t>(k));
   const auto inside = moved_inside(function, u, kernel);
   if (!inside) {
     roots.open = false;

@@ -16,8 +16,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double linear_tolerance = 1e-9;  // as a part of the changes of an equation
-constexpr double rounding_of_all = 1e-13;  // as a part of the terms of all equations
+// How far a linear equation may be off the line through two of its values: as a part of its changes, which are known
+// from steps of a natural size, and as a part of the terms of all equations, of which some 500 roundings are left.
+constexpr double linear_tolerance = 1e-9;
+constexpr double rounding_of_all = 1e-13;
 
 using Marks = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
@@ -29,13 +31,14 @@ class Structure {
   // Returns whether the equations have values at enough places to tell.
   bool look() {
     int seen = 0;
-    std::vector<VectorXd> places = starts_at_random(function_.problem(), 8);
+    const int enough = function_.problem().corners ? 12 : 2;
+    std::vector<VectorXd> places = starts_at_random(function_.problem(), function_.problem().corners ? 40 : 8);
     places.insert(places.begin(), middle_of_ranges(function_.problem()));
     for (const VectorXd& u : places) {
-      if (seen < 2 && look_at(u)) ++seen;
+      if (seen < enough && look_at(u)) ++seen;
       if (function_.limit().spent()) return false;
     }
-    return seen == 2;
+    return seen >= std::min(2, enough);
   }
 
   // The largest set of unknowns that enter linearly together in at least as many equations as there are unknowns in
@@ -212,6 +215,7 @@ std::optional<PartlyLinearRoots> partly_linear_roots(RootFunction& function, Wor
   Elimination elimination(function, std::move(linear));
   if (!elimination.hold()) return std::nullopt;
   RootProblem reduced;
+  reduced.corners = function.problem().corners;
   for (const Index k : elimination.others()) {
     RootRange range = function.problem().ranges[static_cast<std::size_t>(k)];
     range.lower /= range.scale;

@@ -37,6 +37,7 @@ void RootFunction::note_evaluation() {
   constexpr Work beside_the_equations = 500;
   ++evaluations_;
   count_work(beside_the_equations);
+  progress_.tell({}, evaluations_);
 }
 
 std::optional<RootSample> RootFunction::keep(const VectorXd& u, const std::optional<RootEquations>& equations) {
@@ -127,7 +128,9 @@ std::optional<MatrixXd> RootFunction::slopes(const VectorXd& u, const RootSample
 bool RootFunction::inside(const VectorXd& u) const {
   for (Index k = 0; k < unknowns_; ++k) {
     const RootRange& range = problem_.ranges[static_cast<std::size_t>(k)];
-    const double x = u[k] * range.scale, slack = 1e-9 * range.scale;
+    // A root at the end of its range is found to some 1e-11 of its natural size, and lies beyond it as often as not.
+    constexpr double beyond = 1e-9;
+    const double x = u[k] * range.scale, slack = beyond * range.scale;
     if (!(x >= range.lower - slack && x <= range.upper + slack)) return false;
     if ((range.lower_open && x < range.lower + slack) || (range.upper_open && x > range.upper - slack)) return false;
   }

@@ -20,7 +20,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // rounding explains.
 bool vanishes_with_its_terms(RootFunction& function, const VectorXd& u, const RootSample& sample, double least,
                              double misfit) {
-  constexpr double aside = 1e-3;
+  constexpr double aside = 1e-3;  // of the unknowns: what may be divided by there has lost three digits only
   if (!(misfit <= aside * zero_tolerance * least)) return false;
   for (const double way : {aside, -aside}) {
     const VectorXd beside = function.clamped(u + way * u.cwiseAbs().cwiseMax(1.0));
@@ -43,8 +43,12 @@ PolishedRoot judged(RootFunction& function, VectorXd u, RootSample sample, Matri
   double least = 0;
   if (slopes.rows() >= slopes.cols()) least = (slopes * stretch.asDiagonal()).jacobiSvd().singularValues().minCoeff();
   root.zero = root.zero || vanishes_with_its_terms(function, u, sample, least, misfit);
+  // How far the root may lie from here: the misfit and a few roundings of the terms, by the flattest direction, twenty
+  // times over since slopes are those at one place only. It is never less than the last digits that steps leave, nor so
+  // large that neighbours which differ in the third digit would be one.
+  constexpr double sharpest = 1e-11, widest = 1e-3;
   const double noise = misfit + 8 * epsilon * root.size;
-  root.radius = stretch.norm() * std::clamp(20 * noise / std::max(least, 1e-300), 1e-11, 1e-3);
+  root.radius = stretch.norm() * std::clamp(20 * noise / std::max(least, 1e-300), sharpest, widest);
   root.u = std::move(u);
   root.values = std::move(sample.values);
   root.slopes = std::move(slopes);
@@ -132,8 +136,11 @@ std::optional<PolishedRoot> polish_with(RootFunction& function, const VectorXd& 
 std::optional<RootFamily> family_through(RootFunction& function, const PolishedRoot& root) {
   const VectorXd stretch = root.u.cwiseAbs().cwiseMax(1.0);
   const Eigen::JacobiSVD<MatrixXd> svd(root.slopes * stretch.asDiagonal(), Eigen::ComputeFullV);
-  const VectorXd sigma = svd.singularValues();
-  const double small = std::max(1e-6 * sigma[0], 1e-8 * root.size);
+  const VectorXd& sigma = svd.singularValues();
+  // A direction in which the equations hardly change, beside the steepest one or beside the terms, of which a hundred
+  // times the error of slopes by differences. It only suggests a curve of solutions; the walk along it decides.
+  constexpr double beside_steepest = 1e-6, beside_terms = 1e-8;
+  const double small = std::max(beside_steepest * sigma[0], beside_terms * root.size);
   VectorXd direction = VectorXd::Zero(root.u.size());
   for (Index k = 0; k < direction.size(); ++k)
     if (k >= sigma.size() || sigma[k] <= small) direction += svd.matrixV().col(k);

@@ -19,6 +19,10 @@ namespace {
 
 using Eigen::VectorXd;
 
+// Two places are one if they differ by less than this part of themselves, or of a thousandth of a natural size: polished
+// ones agree to 1e-9, and roots that differ in their seventh digit only would be told as one in an answer.
+constexpr double one_place = 1e-6, next_to_nothing = 1e-3;
+
 class RootFinder {
  public:
   RootFinder(const RootProblem& problem, Work most) : function_(problem, most) {}
@@ -95,7 +99,7 @@ class RootFinder {
   bool lies_along_a_known_one(const PolishedRoot& root, const std::vector<std::size_t>& open) const {
     const auto differs = [&](const PolishedRoot& other, Eigen::Index k) {
       return std::find(open.begin(), open.end(), static_cast<std::size_t>(k)) == open.end() &&
-             std::abs(other.u[k] - root.u[k]) > root.radius + 1e-6 * (1e-3 + std::abs(root.u[k]));
+             std::abs(other.u[k] - root.u[k]) > root.radius + one_place * (next_to_nothing + std::abs(root.u[k]));
     };
     return std::any_of(found_.roots().begin(), found_.roots().end(), [&](const PolishedRoot& other) {
       for (Eigen::Index k = 0; k < root.u.size(); ++k)
@@ -154,7 +158,7 @@ class RootFinder {
       const auto root = from_start(start, roots);
       if (!root || !function_.inside(root->u)) continue;
       if (!only) only = root->u;
-      const bool same = (root->u - *only).norm() <= root->radius + 1e-6 * (1e-3 + only->norm());
+      const bool same = (root->u - *only).norm() <= root->radius + one_place * (next_to_nothing + only->norm());
       // starts have led to two places: the search uses all of its starts
       led_there = same && led_there >= 0 ? led_there + 1 : -1;
     }
@@ -187,6 +191,8 @@ class RootFinder {
 
   // The roots of the rough equations, without repetition.
   std::vector<PolishedRoot> rough_roots() {
+    // The rough equations are off by 1e-7: their zeros are polished to ten times that, are zeros if they come within a
+    // thousand times, as where two nearly meet, and are one if they differ by a hundred times.
     constexpr double near_zero = 1e-4, enough = 1e-6, same = 1e-5;
     std::vector<PolishedRoot> found;
     if (!function_.problem().rough) return found;
@@ -252,7 +258,8 @@ class RootFinder {
 // The same problem with larger natural sizes for those unbounded unknowns that the equations notice only far away.
 // Returns nothing if there are no such unknowns.
 std::optional<RootProblem> widened(const RootProblem& problem) {
-  constexpr double noticed = 1e-6, near = 1e3, far = 1e18;
+  // A change is noticed of which six digits are more than rounding.
+  constexpr double noticed = 1e-6;
   RootProblem wider = problem;
   RootFunction function(problem, unlimited_work);
   const VectorXd u = middle_of_ranges(problem);
@@ -262,7 +269,7 @@ std::optional<RootProblem> widened(const RootProblem& problem) {
   for (Eigen::Index k = 0; k < function.unknowns(); ++k) {
     RootRange& range = wider.ranges[static_cast<std::size_t>(k)];
     if (std::isfinite(range.lower) && std::isfinite(range.upper)) continue;
-    for (double step = 1; step < far; step *= near) {
+    for (const double step : {1.0, 1e3, 1e6, 1e9, 1e12, 1e15}) {
       VectorXd moved = u;
       moved[k] += std::isinf(range.upper) ? step : -step;
       const auto there = function.at(moved);

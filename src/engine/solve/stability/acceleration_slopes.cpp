@@ -44,6 +44,7 @@ Doubted column_of(const std::vector<Rounded>& numbers) {
 }
 std::vector<Rounded> stated(const std::vector<double>& numbers) {
   std::vector<Rounded> result;
+  result.reserve(numbers.size());
   for (const double x : numbers) result.push_back(Rounded::stated(x));
   return result;
 }
@@ -162,6 +163,7 @@ AccelerationSlopes acceleration_slopes(const SteadyMotion& motion) {
   const RemainderSlopes<Rounded> remainder(mechanism, state, a, y);
   for (Index k = 0; k < n; ++k) {
     const auto coordinate = static_cast<std::size_t>(k);
+    if (coordinate < motion.held.size() && motion.held[coordinate]) continue;  // it does not deviate
     const Remainder<Rounded> along = remainder.by_position(coordinate);
     const Doubted moved = equations.solve(to_solve(along));
     const Doubted hastened = equations.solve(to_solve(remainder.by_velocity(coordinate)));

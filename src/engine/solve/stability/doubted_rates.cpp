@@ -1,10 +1,17 @@
 #include "engine/solve/stability/doubted_rates.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "poinsot/engine/work/budget.h"
+#include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
 namespace {
+
+using Index = Eigen::Index;
 
 // Scales A by a diagonal matrix of powers of two, such that rows and columns have similar sizes (Parlett and Reinsch
 // 1969).
@@ -28,6 +35,106 @@ Vector balanced(Matrix& A) {
   return scale;
 }
 
+// Rates that coincide without disturbing each other, as those of two bodies that are alike: A = X T W with W X = 1 on
+// the space of their motions, and T a multiple of one. Eigenvalue by eigenvalue such motions are badly determined,
+// since any combination of them is one too; together they are known well.
+class RatesTogether {
+ public:
+  // Of the eigenvalues with these numbers; the motions of A and of its transpose come from inverse iteration.
+  RatesTogether(const Matrix& A, const Rates& rates, const std::vector<Index>& together) {
+    const auto count = static_cast<Index>(together.size());
+    for (const Index m : together) rate_ += rates.value[m] / Real(count);
+    // So far beside the rate that the equations can be solved, and so near that two steps are enough.
+    const std::complex<Real> beside = rate_ + std::complex<Real>(0.7L, 0.6L) * (1e-12L * A.norm());
+    ComplexMatrix shifted = A.cast<std::complex<Real>>();
+    shifted.diagonal().array() -= beside;
+    motions_ = iterated(shifted, count);
+    const ComplexMatrix transposed = shifted.transpose();
+    left_ = iterated(transposed, count).transpose();
+    left_ = Eigen::PartialPivLU<ComplexMatrix>(left_ * motions_).solve(left_).eval();
+    ComplexMatrix T = left_ * A * motions_;
+    rate_ = T.trace() / Real(count);
+    T.diagonal().array() -= rate_;
+    apart_ = T.norm();
+  }
+  std::complex<Real> rate() const { return rate_; }
+  // By how much the rates may differ from it: as T is no multiple of one, and as the entries of A are in doubt.
+  Real doubt(const Matrix& of_entries, Real solving) const {
+    const Matrix W = left_.cwiseAbs(), X = motions_.cwiseAbs();
+    return apart_ + (W * of_entries * X).norm() + solving * W.norm() * X.norm();
+  }
+  // The motions, each with as few parts as possible: those of two bodies that know nothing of each other come out as
+  // the motions of one and of the other.
+  ComplexMatrix motions() const {
+    ComplexMatrix X = motions_;
+    for (Index k = 0; k < X.cols(); ++k) {
+      Index pivot = 0;
+      X.col(k).cwiseAbs().maxCoeff(&pivot);
+      const std::complex<Real> most = X(pivot, k);
+      X.col(k) /= most;
+      for (Index other = 0; other < X.cols(); ++other)
+        if (other != k) X.col(other) -= X(pivot, other) * X.col(k);
+    }
+    return X;
+  }
+
+ private:
+  static ComplexMatrix iterated(const ComplexMatrix& shifted, Index count) {
+    const Eigen::PartialPivLU<ComplexMatrix> solver(shifted);
+    // Columns that are not alike and have a part of every motion.
+    ComplexMatrix X = ComplexMatrix::NullaryExpr(shifted.rows(), count, [](Index i, Index k) {
+      return std::complex<Real>(std::cos(Real(1 + i * (k + 1))), std::sin(Real(2 + k + i * i)));
+    });
+    for (int step = 0; step < 3; ++step) {
+      X = solver.solve(X).eval();
+      for (Index k = 0; k < count; ++k) {
+        for (int twice = 0; twice < 2; ++twice)
+          for (Index j = 0; j < k; ++j) X.col(k) -= X.col(j) * X.col(j).dot(X.col(k));
+        X.col(k).normalize();
+      }
+    }
+    return X;
+  }
+
+  std::complex<Real> rate_ = 0;
+  ComplexMatrix motions_, left_;
+  Real apart_ = 0;
+};
+
+// Takes rates that coincide together where they are known as well so, with motions of as few parts as possible.
+void join_equal(const Matrix& A, const Matrix& doubt, Real solving, Rates& rates) {
+  // Of the size of A: far more than the rounding of long doubles, far less than what rates in doubt of doubles that
+  // disturb each other lie apart.
+  constexpr Real alike = 1e-12L;
+  std::vector<bool> joined(static_cast<std::size_t>(rates.value.size()), false);
+  for (Index m = 0; m < rates.value.size(); ++m) {
+    if (joined[static_cast<std::size_t>(m)]) continue;
+    std::vector<Index> together{m};
+    for (Index k = m + 1; k < rates.value.size(); ++k)
+      if (std::abs(rates.value[k] - rates.value[m]) <= alike * A.norm()) together.push_back(k);
+    if (together.size() == 1) continue;
+    const RatesTogether all(A, rates, together);
+    const auto bound = static_cast<double>(all.doubt(doubt, solving));
+    // Not where they disturb each other: then T is far from a multiple of one.
+    const auto worse = [&](Index k) { return !(bound < rates.doubt[k]); };
+    double largest = 0;
+    for (const Index k : together) largest = std::max(largest, rates.doubt[k]);
+    const bool better = std::ranges::none_of(together, worse) || (std::isfinite(largest) && bound <= 10 * largest);
+    if (!better) continue;
+    // A real rate stays one: its conjugate is among those that coincide.
+    std::complex<Real> rate = all.rate();
+    if (std::abs(rate.imag()) <= alike * A.norm()) rate.imag(0);
+    const ComplexMatrix motions = all.motions();
+    for (std::size_t i = 0; i < together.size(); ++i) {
+      const Index k = together[i];
+      joined[static_cast<std::size_t>(k)] = true;
+      rates.value[k] = rate;
+      rates.doubt[k] = bound;
+      rates.motion.col(k) = motions.col(static_cast<Index>(i)).normalized();
+    }
+  }
+}
+
 }  // namespace
 
 Rates rates_of(const Doubted& A) {
@@ -36,9 +143,13 @@ Rates rates_of(const Doubted& A) {
   Rates rates;
   const Eigen::Index n = even.rows();
   if (n == 0) return rates;
+  const Work cube = static_cast<Work>(n) * static_cast<Work>(n) * static_cast<Work>(n);
+  count_work(40 * cube);
   Eigen::EigenSolver<Matrix> solver(even);
   rates.value = solver.eigenvalues();
+  count_work(20 * cube);
   const ComplexMatrix right = solver.eigenvectors(), left = Eigen::PartialPivLU<ComplexMatrix>(right).inverse();
+  check_budget();
   const Matrix doubt = scale.cwiseInverse().asDiagonal() * A.doubt * scale.asDiagonal();
   const Real solving = 8 * static_cast<Real>(n) * std::numeric_limits<Real>::epsilon() * even.norm();
   rates.doubt.resize(n);
@@ -47,7 +158,9 @@ Rates rates_of(const Doubted& A) {
     const Real most = w.dot(doubt * x) + solving * w.norm() * x.norm();
     rates.doubt[m] = std::isfinite(most) ? static_cast<double>(most) : std::numeric_limits<double>::infinity();
   }
-  rates.motion = scale.asDiagonal() * right;
+  rates.motion = right;
+  join_equal(even, doubt, solving, rates);
+  rates.motion = (scale.asDiagonal() * rates.motion).eval();
   return rates;
 }
 

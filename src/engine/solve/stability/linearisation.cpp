@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 #include "engine/solve/stability/acceleration_slopes.h"
 #include "engine/solve/stability/doubted_rates.h"
+#include "engine/solve/stability/equilibria_beside.h"
 #include "engine/solve/stability/same_motion.h"
 #include "poinsot/engine/solve/stability/near_equations.h"
 
@@ -19,6 +21,10 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // An oscillation is called stable only if its rate is known to this part of itself: the growth is hidden in the error
 // else.
 constexpr double decisive = 1e-7;
+// Of the size of the terms: what cancels in them to less is no force. Poses are found to some 1e-12.
+constexpr Real unfelt = 1e-9L;
+// Of the pace: what is slower rests. Velocities that are solved for are off by some 1e-15 of it.
+constexpr double still = 1e-12;
 
 Matrix matrix(const Rows<double>& rows) {
   const auto n = static_cast<Index>(rows.size());
@@ -60,6 +66,7 @@ class Lineariser {
     }
     A.value.bottomRightCorner(n_, n_) += spin;
     A.doubt += 4 * epsilon * A.value.cwiseAbs();
+    take_out_unseen(A, drift);
     // From here on deviations are in natural units, and rates are parts of the pace.
     Vector scale(2 * n_);
     for (Index k = 0; k < n_; ++k) {
@@ -73,8 +80,14 @@ class Lineariser {
     A.doubt.bottomRows(n_).array() += Real(*unrest);
     Vector coupled = Vector::Zero(2 * n_);
     const DeviationRows rows = rows_of(scale, coupled);
-    const SameMotion same = same_motion(A, rows, displacements(scale));
+    SameMotion same = same_motion(A, rows, displacements(scale));
+    if (rests(result.pace)) {
+      const Matrix beside = equilibria_beside(A, rows, same.elsewhere);
+      same.elsewhere.conservativeResize(2 * n_, same.elsewhere.cols() + beside.cols());
+      same.elsewhere.rightCols(beside.cols()) = beside;
+    }
     const Matrix basis = deviations(rows, same.elsewhere, coupled);
+    result.deviations = static_cast<int>(basis.cols() + same.elsewhere.cols());
     // The error of the basis adds to that of the entries.
     const Matrix size = basis.cwiseAbs();
     const Matrix off = coupled * Matrix::Ones(1, basis.cols());
@@ -132,6 +145,40 @@ class Lineariser {
     leave_out(result, momenta - count);
   }
 
+  // Deviations that differ by an unseen motion are the same. Of these, the one is looked at whose chosen coordinate
+  // does not deviate, in position or velocity: along U, the unseen displacements and velocities, A x is brought back to
+  // it,
+  //
+  //   A -> (1 - U (S U)^-1 S) A,     S the rows of the chosen coordinates.
+  //
+  // That is possible if A U leads to nothing else: no force feels the unseen motion.
+  void take_out_unseen(Doubted& A, const Matrix& drift) {
+    seen_ = Matrix::Identity(2 * n_, 2 * n_);
+    const auto count = static_cast<Index>(motion_.unseen.size());
+    if (count == 0) return;
+    Matrix U = Matrix::Zero(2 * n_, 2 * count), chosen = Matrix::Zero(2 * count, 2 * n_);
+    for (Index i = 0; i < count; ++i) {
+      const UnseenMotion& unseen = motion_.unseen[static_cast<std::size_t>(i)];
+      const Vector along = Eigen::Map<const Eigen::VectorXd>(unseen.along.data(), n_).cast<Real>();
+      // On axes that are displaced along, velocities that stay the same have other components.
+      U.col(2 * i) << along, drift * along;
+      U.col(2 * i + 1).tail(n_) = along;
+      chosen(2 * i, unseen.coordinate) = chosen(2 * i + 1, n_ + unseen.coordinate) = 1;
+    }
+    seen_ -= U * Eigen::ColPivHouseholderQR<Matrix>(chosen * U).solve(chosen);
+    const Matrix size = seen_.cwiseAbs(), sizes = U.cwiseAbs();
+    const Matrix led = seen_ * (A.value * U);
+    const Matrix allowed = size * ((computed * A.doubt + unfelt * A.value.cwiseAbs()) * sizes);
+    if (((led.cwiseAbs() - allowed).array() > 0).any())
+      throw std::runtime_error("near the steady motion a force acts on a turning that moves no mass");
+    A = {seen_ * A.value, size * A.doubt};
+  }
+  bool rests(double pace) const {
+    for (Index k = 0; k < n_; ++k)
+      if (std::abs(motion_.v[static_cast<std::size_t>(k)]) > still * unit(k) * pace) return false;
+    return motion_.spins.empty();
+  }
+
   double unit(Index coordinate) const {
     for (const auto& body : tree_.bodies()) {
       const Index k = coordinate - body.v;
@@ -144,6 +191,14 @@ class Lineariser {
     double fastest = 1 / motion_.time;
     for (Index k = 0; k < n_; ++k)
       fastest = std::max(fastest, std::abs(motion_.v[static_cast<std::size_t>(k)]) / unit(k));
+    if (fastest > 0) return fastest;
+    // At rest without weight springs set it.
+    for (Index i = 0; i < n_; ++i)
+      for (Index k = 0; k < n_; ++k) {
+        const double pull = static_cast<double>(std::abs(slopes_.by_position.value(i, k))) * unit(k) / unit(i);
+        const double brake = static_cast<double>(std::abs(slopes_.by_velocity.value(i, k))) * unit(k) / unit(i);
+        fastest = std::max({fastest, std::sqrt(pull), brake});
+      }
     return fastest;
   }
   // The largest change of a velocity in natural units, as a part of the pace; nothing if it exceeds what the errors
@@ -178,6 +233,11 @@ class Lineariser {
           rows.push_back(row);
           doubts.push_back(0);
         }
+    for (const UnseenMotion& unseen : motion_.unseen)
+      for (const Index part : {Index(unseen.coordinate), n_ + unseen.coordinate}) {
+        rows.push_back(Vector::Unit(2 * n_, part));
+        doubts.push_back(0);
+      }
     const auto add = [&](const Vector& row, const Vector& off) {
       const Vector scaled = row.cwiseProduct(scale);
       const Real size = scaled.norm(), doubt = off.cwiseProduct(scale).norm();
@@ -216,12 +276,19 @@ class Lineariser {
     if (rows.value.rows() > 0) kernel = complement(rows.value.transpose());
     return elsewhere.cols() == 0 ? kernel : Matrix(kernel * complement(kernel.transpose() * elsewhere));
   }
-  // The stated symmetries of the motion as displacements of length one.
+  // The stated symmetries of the motion as displacements of length one, each once: a turn about an axis is the same for
+  // every point of it.
   std::vector<Vector> displacements(const Vector& scale) const {
+    constexpr Real alike = 1e-14L;  // a few times the rounding of their components, which are doubles
     std::vector<Vector> all;
     for (const std::vector<double>& stated : motion_.symmetries) {
-      const Vector x = Eigen::Map<const Eigen::VectorXd>(stated.data(), 2 * n_).cast<Real>().cwiseQuotient(scale);
-      if (x.norm() > 0) all.push_back(x.normalized());
+      Vector x = Eigen::Map<const Eigen::VectorXd>(stated.data(), 2 * n_).cast<Real>();
+      x = (seen_ * x).cwiseQuotient(scale).eval();
+      if (!(x.norm() > 0)) continue;
+      x.normalize();
+      const bool known =
+          std::ranges::any_of(all, [&](const Vector& y) { return (x - y).norm() <= alike || (x + y).norm() <= alike; });
+      if (!known) all.push_back(std::move(x));
     }
     return all;
   }
@@ -247,6 +314,7 @@ class Lineariser {
   const Model<double>& tree_;
   AccelerationSlopes slopes_;
   Index n_;
+  Matrix seen_;  // takes unseen motions out of deviations
 };
 
 template <class Use>

@@ -102,24 +102,52 @@ std::optional<Matrix> parts_among(const Matrix& columns, const Uncertain& A, con
   return parts;
 }
 
+// Two displacements of length one, perpendicular to each other, and what A makes of them.
+struct TurningPair {
+  Vector x, u, led_x, led_u;
+  Vector rounding;  // a bound for the error of led_x and of led_u
+};
+
+// How such a pair turns into itself: the coefficients of A (x u) = (x u) T; nothing if it leads elsewhere too, or does
+// not turn.
+std::optional<Eigen::Matrix<Real, 2, 2>> turning_of(const TurningPair& pair) {
+  Eigen::Matrix<Real, 2, 2> turned;
+  turned << pair.x.dot(pair.led_x), pair.x.dot(pair.led_u), pair.u.dot(pair.led_x), pair.u.dot(pair.led_u);
+  if (!(turned(0, 1) * turned(1, 0) < 0)) return std::nullopt;
+  // The errors of A x and A u pass into the coefficients too.
+  const Vector size = pair.x.cwiseAbs() + pair.u.cwiseAbs();
+  const Vector allowed = pair.rounding + pair.rounding.norm() * size;
+  for (Index i = 0; i < 2; ++i) {
+    const Vector& led = i == 0 ? pair.led_x : pair.led_u;
+    if (!is_within(led - turned(0, i) * pair.x - turned(1, i) * pair.u, allowed)) return std::nullopt;
+  }
+  return turned;
+}
+
 // In a frame that turns, displacements across its axis that lead to the same motion elsewhere go round: pairs of them
 // turn into each other. If the velocities of such displacements are possible as well, these go round at growing
 // distance. Neither says anything about the stability of the motion.
 Matrix goings_round(const Uncertain& A, const DeviationRows& rows, const std::vector<Vector>& displacements,
                     std::vector<double>& frequencies) {
   Matrix found(A.size(), 0);
-  std::vector<Vector> all = displacements;
+  std::vector<Vector> all = displacements, led, rounding;
   std::erase_if(all, [&](const Vector& x) { return !is_possible(rows, x) || is_symmetry(A, x); });
+  for (const Vector& x : all) {
+    led.push_back(A.times(x));
+    rounding.push_back(A.uncertainty(x.cwiseAbs()));
+  }
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = i + 1; k < all.size(); ++k) {
       const Real common = all[i].dot(all[k]);
-      const Vector &x = all[i], y = all[k] - common * x;
-      if (!(y.norm() > 1e-6L)) continue;
-      const Vector u = y.normalized();
+      const Vector across = all[k] - common * all[i];
+      const Real left = across.norm();
+      if (!(left > 1e-6L)) continue;
+      const TurningPair both_displacements{all[i], across / left, led[i], (led[k] - common * led[i]) / left,
+                                           (2 * rounding[i] + rounding[k]) / left};
+      const auto turned = turning_of(both_displacements);
+      if (!turned) continue;
       Matrix pair(A.size(), 2);
-      pair << x, u;
-      const std::optional<Matrix> turned = parts_among(pair, A, pair);
-      if (!turned || !((*turned)(0, 1) * (*turned)(1, 0) < 0)) continue;
+      pair << both_displacements.x, both_displacements.u;
       const auto add = [&](const Matrix& more) {
         const Index before = found.cols();
         found = joined(found, more);

@@ -9,7 +9,7 @@
 #include "poinsot/engine/math/algebra/vector3.h"
 
 namespace poinsot {
-namespace {
+namespace dual_test {
 
 using D = Dual<2>;
 
@@ -166,5 +166,5 @@ TEST(DualLaws, nested_duals_give_second_derivatives) {
   EXPECT_NEAR(f.partial[1].partial[1], -x * x * s + 2.0 * x * x / (y * y * y), 1e-14);
 }
 
-}  // namespace
+}  // namespace dual_test
 }  // namespace poinsot

@@ -8,7 +8,7 @@
 #include "poinsot/engine/math/algebra/matrix3.h"
 
 namespace poinsot {
-namespace {
+namespace pack_test {
 
 template <class P>
 class PackLaws : public ::testing::Test {};
@@ -99,5 +99,5 @@ TYPED_TEST(PackLaws, vectors_and_matrices_of_packs_work_lane_by_lane) {
   }
 }
 
-}  // namespace
+}  // namespace pack_test
 }  // namespace poinsot

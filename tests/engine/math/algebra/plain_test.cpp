@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace poinsot {
-namespace {
+namespace plain_test {
 
 using Jet = Dual<1, Dual<1>>;
 
@@ -55,5 +55,5 @@ TEST(Plain, LiftedNumbersAreConstantsThatKeepTheirOwnDerivatives) {
   EXPECT_EQ(a.x.value + 10 * a.y.value + 100 * a.z.value, 321);
 }
 
-}  // namespace
+}  // namespace plain_test
 }  // namespace poinsot

@@ -11,7 +11,7 @@
 #include "poinsot/engine/math/algebra/quaternion.h"
 
 namespace poinsot {
-namespace {
+namespace rotation_test {
 
 template <class Scalar>
 double defect(const Matrix3<Scalar>& a, const Matrix3<Scalar>& b) {
@@ -179,5 +179,5 @@ TEST(Rotation, defect_tells_reflections_stretchings_and_nan) {
   EXPECT_FALSE(orthonormality_defect(mirror) < 1e300);
 }
 
-}  // namespace
+}  // namespace rotation_test
 }  // namespace poinsot

@@ -11,7 +11,7 @@
 #include "poinsot/engine/math/algebra/dual.h"
 
 namespace poinsot {
-namespace {
+namespace rounded_test {
 
 // Every operation there is, with differences of neighbours that cancel.
 template <class Scalar>
@@ -76,5 +76,5 @@ TEST(Rounded, WhatIsNotThereHasNoRounding) {
   EXPECT_TRUE(std::isinf((x / (x - x)).error));
 }
 
-}  // namespace
+}  // namespace rounded_test
 }  // namespace poinsot

@@ -8,7 +8,7 @@
 #include "poinsot/engine/math/algebra/pack.h"
 
 namespace poinsot {
-namespace {
+namespace sine_cosine_test {
 
 // Error of x in units of the last place of the exact value.
 double ulps(double x, long double exact) {
@@ -58,5 +58,5 @@ TEST(SineCosine, lanes_of_packs_agree_with_double) {
   }
 }
 
-}  // namespace
+}  // namespace sine_cosine_test
 }  // namespace poinsot

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace poinsot {
-namespace {
+namespace spatial_test {
 
 class SpatialLaws : public ::testing::Test {
  protected:
@@ -148,5 +148,5 @@ TEST_F(SpatialLaws, inverse_of_a_symmetric_matrix) {
   }
 }
 
-}  // namespace
+}  // namespace spatial_test
 }  // namespace poinsot

@@ -8,7 +8,7 @@
 #include <random>
 
 namespace poinsot {
-namespace {
+namespace elliptic_functions_test {
 
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
@@ -83,5 +83,5 @@ TEST(JacobiFunctions, pass_on_what_is_not_a_number) {
   EXPECT_TRUE(std::isnan(JacobiFunctions(EllipticParameter<double>{1.5, -0.5}).at(0.2).sn));
 }
 
-}  // namespace
+}  // namespace elliptic_functions_test
 }  // namespace poinsot

@@ -13,7 +13,7 @@
 #include <random>
 
 namespace poinsot {
-namespace {
+namespace elliptic_integrals_test {
 
 template <class Real>
 class EllipticIntegrals : public ::testing::Test {
@@ -125,5 +125,5 @@ TYPED_TEST(EllipticIntegrals, arguments_out_of_range_give_what_is_not_a_number) 
   EXPECT_TRUE(std::isnan(elliptic_complete_first(EllipticParameter<Real>{2, -1})));
 }
 
-}  // namespace
+}  // namespace elliptic_integrals_test
 }  // namespace poinsot

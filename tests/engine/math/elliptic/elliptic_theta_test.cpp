@@ -9,7 +9,7 @@
 #include "poinsot/engine/math/elliptic/elliptic_integrals.h"
 
 namespace poinsot {
-namespace {
+namespace elliptic_theta_test {
 
 using Real = long double;
 using Complex = std::complex<Real>;
@@ -154,5 +154,5 @@ TEST(ThetaSeries, without_nome_are_elementary) {
   EXPECT_NEAR(ratio(-1000), -1, 1e-16);
 }
 
-}  // namespace
+}  // namespace elliptic_theta_test
 }  // namespace poinsot

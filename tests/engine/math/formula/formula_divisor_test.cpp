@@ -7,7 +7,7 @@
 #include "engine/math/formula/formula_polynomial.h"
 
 namespace poinsot::symbolic {
-namespace {
+namespace formula_divisor_test {
 
 constexpr std::size_t variables = 4;
 
@@ -106,5 +106,5 @@ TEST(Moved, WhatDoesNotOccurIsLeftOut) {
   EXPECT_TRUE(Polynomial(variables, Integer(1)).moved({-1, -1, -1, -1}, 0).is_one());
 }
 
-}  // namespace
+}  // namespace formula_divisor_test
 }  // namespace poinsot::symbolic

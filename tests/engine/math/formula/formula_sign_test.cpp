@@ -7,7 +7,7 @@
 #include <random>
 
 namespace poinsot {
-namespace {
+namespace formula_sign_test {
 
 const Formula a = Formula::letter("a", Sign::positive), b = Formula::letter("b", Sign::positive);
 const Formula c = Formula::letter("c", Sign::positive);
@@ -110,5 +110,5 @@ TEST(VanishingFactors, AreWhereTheFormulaVanishes) {
   EXPECT_TRUE(vanishing_factors(a * b / (u * u + c)).empty());
 }
 
-}  // namespace
+}  // namespace formula_sign_test
 }  // namespace poinsot

@@ -12,7 +12,7 @@
 #include "poinsot/engine/work/work.h"
 
 namespace poinsot {
-namespace {
+namespace formula_test {
 
 using testing::Digits50;
 using testing::RandomFormula;
@@ -214,6 +214,7 @@ TEST(Formula, TellsWhatItAssumes) {
   EXPECT_EQ(read("sqrt(m^2*r^4)").assumptions(), List{"m > 0"});
   EXPECT_EQ((read("sqrt(m^2)") + read("sqrt(r^2)") * read("x")).assumptions(), (List{"m > 0", "r > 0"}));
   EXPECT_EQ(read("sqrt(x - m)/2").assumptions(), List{"x - m >= 0"});
+  EXPECT_EQ((read("sqrt(x - m)") + read("sqrt(m^2)")).root_assumptions(), List{"x - m >= 0"});
   EXPECT_EQ(read("sqrt(x^2*m)").assumptions(), List{});
   EXPECT_EQ(read("sqrt(x^2 + x*m + m^2)").assumptions(), List{});
   EXPECT_EQ(read("m*x").assumptions(), List{});
@@ -388,5 +389,5 @@ TEST(Formula, GoesFromThreadToThread) {
   }
 }
 
-}  // namespace
+}  // namespace formula_test
 }  // namespace poinsot

@@ -6,7 +6,7 @@
 #include "engine/math/formula/random_formulas.h"
 
 namespace poinsot {
-namespace {
+namespace formula_text_test {
 
 using testing::RandomFormula;
 
@@ -189,5 +189,5 @@ TEST(FormulaText, SpeaksOtherLanguages) {
   }
 }
 
-}  // namespace
+}  // namespace formula_text_test
 }  // namespace poinsot

@@ -10,7 +10,7 @@
 #include "engine/math/formula/residue.h"
 
 namespace poinsot {
-namespace {
+namespace straight_line_test {
 
 // What a random computation does, on any scalar.
 struct Plan {
@@ -212,5 +212,5 @@ TEST(StraightLine, TakesNoRootForItsNegative) {
   }
 }
 
-}  // namespace
+}  // namespace straight_line_test
 }  // namespace poinsot

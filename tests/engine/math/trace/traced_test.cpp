@@ -12,7 +12,7 @@
 #include "poinsot/engine/math/trace/traced_formula.h"
 
 namespace poinsot {
-namespace {
+namespace traced_test {
 
 double value(const Trace& trace, const Traced& x, const std::vector<double>& inputs) {
   const StraightLine program(trace, {x});
@@ -217,5 +217,5 @@ TEST(TracedExpression, HasTheValueOfTheExpression) {
     EXPECT_NEAR(value(trace, result, {at, 0.7 - at}), value_at(x, {{"a", at}, {"b", 0.7 - at}}), 1e-13);
 }
 
-}  // namespace
+}  // namespace traced_test
 }  // namespace poinsot

@@ -10,7 +10,7 @@
 #include "poinsot/engine/motion/closed_form/torque_free.h"
 
 namespace poinsot {
-namespace {
+namespace free_precession_test {
 
 TEST(FreePrecession, obeys_the_law_of_sines_and_the_cones) {
   RandomMotion random(1);
@@ -54,13 +54,13 @@ TEST(FreePrecession, refuses_what_is_no_body) {
     }
     return "accepted";
   };
-  EXPECT_EQ(message(0, 1, 1, 1), "free_precession: the axial moment is 0.000000; it must be positive and finite");
+  EXPECT_EQ(message(0, 1, 1, 1), "free_precession: the axial moment is 0; it must be positive and finite");
   EXPECT_EQ(message(1, -1, 1, 1),
-            "free_precession: the transverse moment is -1.000000; it must be positive and finite");
+            "free_precession: the transverse moment is -1; it must be positive and finite");
   EXPECT_EQ(message(1, 1, INFINITY, 1), "free_precession: the axial rate is inf; it must be finite");
   EXPECT_EQ(message(1, 1, 1, -2),
-            "free_precession: the transverse rate is -2.000000; it must be finite and not negative");
+            "free_precession: the transverse rate is -2; it must be finite and not negative");
 }
 
-}  // namespace
+}  // namespace free_precession_test
 }  // namespace poinsot

@@ -10,7 +10,7 @@
 #include "poinsot/engine/motion/closed_form/torque_free.h"
 
 namespace poinsot {
-namespace {
+namespace polhode_test {
 
 const Matrix3<double> same = Matrix3<double>::identity();
 
@@ -134,5 +134,5 @@ TEST(Polhode, axes_only_rename_components) {
   }
 }
 
-}  // namespace
+}  // namespace polhode_test
 }  // namespace poinsot

@@ -9,7 +9,7 @@
 #include "engine/motion/closed_form/closed_form_support.h"
 
 namespace poinsot {
-namespace {
+namespace steady_precession_test {
 
 TEST(SteadyPrecession, rates_balance_the_moment_of_the_weight) {
   RandomMotion random(1);
@@ -80,5 +80,5 @@ TEST(SteadyPrecession, sleeping_rate_divides_stable_from_unstable) {
   EXPECT_EQ(least_sleeping_rate({2, 0, 3}), std::numeric_limits<double>::infinity());
 }
 
-}  // namespace
+}  // namespace steady_precession_test
 }  // namespace poinsot

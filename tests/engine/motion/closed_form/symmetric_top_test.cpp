@@ -12,7 +12,7 @@
 #include "poinsot/engine/motion/closed_form/torque_free.h"
 
 namespace poinsot {
-namespace {
+namespace symmetric_top_test {
 
 using Real = long double;
 constexpr double pi = std::numbers::pi;
@@ -423,16 +423,16 @@ TEST(SymmetricTop, refuses_what_is_no_top) {
   };
   const TopState start{1, 0, 0, 0, 0, 1};
   EXPECT_EQ(message({0, 1, 1}, start),
-            "SymmetricTop: the transverse moment of inertia is 0.000000; it must be positive and finite");
+            "SymmetricTop: the transverse moment of inertia is 0; it must be positive and finite");
   EXPECT_EQ(message({1, -1, 1}, start),
-            "SymmetricTop: the axial moment of inertia is -1.000000; it must be finite and not negative");
+            "SymmetricTop: the axial moment of inertia is -1; it must be finite and not negative");
   EXPECT_EQ(message({1, 1, INFINITY}, start),
             "SymmetricTop: the moment of the weight, m g c, is inf; it must be finite");
-  EXPECT_EQ(message({1, 1, 1}, {3.5}), "SymmetricTop: the angle of nutation is 3.500000; it must lie between 0 and pi");
+  EXPECT_EQ(message({1, 1, 1}, {3.5}), "SymmetricTop: the angle of nutation is 3.5; it must lie between 0 and pi");
   EXPECT_EQ(message({1, 1, 1}, {1, NAN}), "SymmetricTop: the rate of nutation is nan; it must be finite");
   const SymmetricTop motion({1, 1, 1}, {1, 1, 0, 0, 0, 1});
   EXPECT_THROW(motion.times_at_nutation(1, 0, 1e12), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace symmetric_top_test
 }  // namespace poinsot

@@ -10,7 +10,7 @@
 #include "engine/motion/closed_form/closed_form_support.h"
 
 namespace poinsot {
-namespace {
+namespace top_cubic_test {
 
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
@@ -123,5 +123,5 @@ TEST(TopCubic, tells_steady_motion) {
   EXPECT_EQ(solve_top_cubic({0, 0, 5, 3, 4}).stiffness, 1);  // b^2 - 2 kappa
 }
 
-}  // namespace
+}  // namespace top_cubic_test
 }  // namespace poinsot

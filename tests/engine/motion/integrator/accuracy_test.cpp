@@ -13,7 +13,7 @@
 #include "poinsot/engine/motion/rotation/rotation.h"
 
 namespace poinsot::testing {
-namespace {
+namespace accuracy_test {
 
 using Numbers = std::vector<double>;
 
@@ -143,5 +143,5 @@ TEST(Accuracy, IsWhatTheToleranceAsksForOnRandomGimbals) {
   errors.expect_within();
 }
 
-}  // namespace
+}  // namespace accuracy_test
 }  // namespace poinsot::testing

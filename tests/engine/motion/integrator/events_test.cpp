@@ -11,7 +11,7 @@
 #include "poinsot/engine/motion/integrator/integrate.h"
 
 namespace poinsot {
-namespace {
+namespace events_test {
 
 using Numbers = std::vector<double>;
 
@@ -251,5 +251,5 @@ TEST(ZeroSearchTest, touching) {
   EXPECT_EQ(touch[0].direction, 0);
 }
 
-}  // namespace
+}  // namespace events_test
 }  // namespace poinsot

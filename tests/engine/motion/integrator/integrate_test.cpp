@@ -14,7 +14,7 @@
 #include "poinsot/engine/model/builder.h"
 
 namespace poinsot {
-namespace {
+namespace integrate_test {
 
 using Numbers = std::vector<double>;
 
@@ -394,5 +394,5 @@ TEST(TreeEquations, a_coordinate_that_is_not_free_is_refused) {
   EXPECT_THROW(tree_equations(model), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace integrate_test
 }  // namespace poinsot

@@ -10,7 +10,7 @@
 #include "poinsot/engine/motion/integrator/integrate.h"
 
 namespace poinsot {
-namespace {
+namespace packed_collocation_test {
 
 using Numbers = std::vector<double>;
 
@@ -158,5 +158,5 @@ TEST(PackedCollocation, NeedsAccelerationsAtEightInstants) {
   EXPECT_THROW(run(half, Numbers{1.0}, IntegrationMethod::automatic), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace packed_collocation_test
 }  // namespace poinsot

@@ -9,7 +9,7 @@
 #include "engine/motion/closed_form/closed_form_support.h"
 
 namespace poinsot {
-namespace {
+namespace phase_test {
 
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
@@ -60,5 +60,5 @@ TEST(CellPhase, without_period_is_the_argument_itself) {
   EXPECT_EQ(place.argument, 2000.25);
 }
 
-}  // namespace
+}  // namespace phase_test
 }  // namespace poinsot

@@ -8,7 +8,7 @@
 #include "poinsot/engine/motion/integrator/integrate.h"
 
 namespace poinsot {
-namespace {
+namespace structure_test {
 
 using Numbers = std::vector<double>;
 
@@ -170,5 +170,5 @@ TEST(StiffMethod, failures_are_those_of_the_equations) {
   EXPECT_THROW(integrate(equations, 0.0, Numbers{0.0}, Numbers{0.0}, 2.0, options), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace structure_test
 }  // namespace poinsot

@@ -9,7 +9,7 @@
 #include "poinsot/engine/motion/mechanism/mechanism_equations.h"
 
 namespace poinsot::testing {
-namespace {
+namespace linkage_test {
 
 using std::numbers::pi;
 
@@ -133,5 +133,5 @@ TEST(Linkage, BennettsLinkageStaysClosedAndKeepsItsEnergy) {
   }
 }
 
-}  // namespace
+}  // namespace linkage_test
 }  // namespace poinsot::testing

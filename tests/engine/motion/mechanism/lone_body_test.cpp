@@ -15,7 +15,7 @@
 #include "poinsot/engine/motion/mechanism/mechanism_equations.h"
 
 namespace poinsot {
-namespace {
+namespace lone_body_test {
 
 using Vector = Vector3<double>;
 using Tensor = SymmetricMatrix3<double>;
@@ -401,5 +401,5 @@ TEST(LoneBody, is_none_under_loads_with_others_or_with_axes_that_do_not_meet) {
   EXPECT_FALSE(LoneBody::find(loaded, held));
 }
 
-}  // namespace
+}  // namespace lone_body_test
 }  // namespace poinsot

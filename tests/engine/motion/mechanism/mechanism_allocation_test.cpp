@@ -5,7 +5,7 @@
 #include "engine/motion/mechanism/sample_mechanisms.h"
 
 namespace poinsot {
-namespace {
+namespace mechanism_allocation_test {
 
 TEST(MechanismAllocation, NoCallOfTheMotionAllocates) {
   if (!counts_allocations) GTEST_SKIP() << "the sanitizer allocates in its own way";
@@ -45,5 +45,5 @@ TEST(MechanismAllocation, NoCallOfTheMotionAllocates) {
   }
 }
 
-}  // namespace
+}  // namespace mechanism_allocation_test
 }  // namespace poinsot

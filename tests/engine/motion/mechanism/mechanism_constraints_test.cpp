@@ -9,7 +9,7 @@
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
 
 namespace poinsot {
-namespace {
+namespace mechanism_constraints_test {
 
 using testing::accelerations_of;
 using testing::FourBar;
@@ -256,5 +256,5 @@ TEST(MechanismConstraints, GivenMotionsThatContradictALoopAreNoticed) {
   EXPECT_GT(dynamics.constraint_misfit(), 1e-3);
 }
 
-}  // namespace
+}  // namespace mechanism_constraints_test
 }  // namespace poinsot

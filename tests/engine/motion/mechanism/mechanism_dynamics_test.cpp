@@ -10,7 +10,7 @@
 #include "poinsot/engine/dynamics/velocity_constraint.h"
 
 namespace poinsot {
-namespace {
+namespace mechanism_dynamics_test {
 
 using testing::accelerations_of;
 using testing::largest_of;
@@ -326,5 +326,5 @@ TEST(MechanismDynamics, MistakesAreRefused) {
   EXPECT_THROW(dynamics.gap(0, one), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace mechanism_dynamics_test
 }  // namespace poinsot

@@ -8,7 +8,7 @@
 #include "poinsot/engine/motion/integrator/integrate.h"
 
 namespace poinsot {
-namespace {
+namespace mechanism_equations_test {
 
 using testing::about;
 using testing::MechanismMaker;
@@ -80,5 +80,5 @@ TEST(MechanismEquations, SizesAreThoseOfTheMechanism) {
   EXPECT_EQ(equations.position_sizes, (std::vector<double>{1, 1, 1, 1, length, length, length, length}));
 }
 
-}  // namespace
+}  // namespace mechanism_equations_test
 }  // namespace poinsot

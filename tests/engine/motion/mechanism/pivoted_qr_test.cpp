@@ -6,7 +6,7 @@
 #include <random>
 
 namespace poinsot::detail {
-namespace {
+namespace pivoted_qr_test {
 
 using Matrix = Eigen::MatrixXd;
 
@@ -74,5 +74,5 @@ TEST(PivotedQr, AnEmptyMatrixHasRankZero) {
   EXPECT_EQ(qr.least_pivot(), 1);
 }
 
-}  // namespace
+}  // namespace pivoted_qr_test
 }  // namespace poinsot::detail

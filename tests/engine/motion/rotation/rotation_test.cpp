@@ -12,7 +12,7 @@
 #include "poinsot/engine/math/algebra/rotation.h"
 
 namespace poinsot {
-namespace {
+namespace rotation_test {
 
 using Numbers = std::vector<double>;
 constexpr Quaternion<double> at_rest{1.0, 0.0, 0.0, 0.0};
@@ -411,5 +411,5 @@ TEST(RotationCollocation, has_order_sixteen) {
   EXPECT_LT(error(16), 2e-13);
 }
 
-}  // namespace
+}  // namespace rotation_test
 }  // namespace poinsot

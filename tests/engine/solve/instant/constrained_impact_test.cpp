@@ -6,7 +6,7 @@
 #include "poinsot/engine/solve/instant/impulse.h"
 
 namespace poinsot::solve {
-namespace {
+namespace constrained_impact_test {
 
 using poinsot::testing::accelerations_of;
 using poinsot::testing::largest_of;
@@ -196,5 +196,5 @@ TEST(ConstrainedImpact, AgreesWithAStiffShortForceAndConservesWhatItMust) {
   EXPECT_GT(counts.free_of_ground, cases_per_test / 200);
 }
 
-}  // namespace
+}  // namespace constrained_impact_test
 }  // namespace poinsot::solve

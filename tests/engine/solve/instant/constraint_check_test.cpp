@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace poinsot::solve {
-namespace {
+namespace constraint_check_test {
 
 using Vector = Vector3<double>;
 using Constraint = VelocityConstraint<double>;
@@ -196,5 +196,5 @@ TEST(ConstraintCheck, AnAxisThatTiltsIsSeen) {
   EXPECT_GT(checked(), 0.1);
 }
 
-}  // namespace
+}  // namespace constraint_check_test
 }  // namespace poinsot::solve

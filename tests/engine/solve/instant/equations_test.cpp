@@ -10,7 +10,7 @@
 #include "poinsot/engine/math/algebra/dual.h"
 
 namespace poinsot::solve {
-namespace {
+namespace equations_test {
 
 using poinsot::testing::Random;
 using poinsot::testing::StatedBody;
@@ -474,6 +474,36 @@ TEST(Equations, AParallelogramLinkage) {
   EXPECT_NE(std::find(names.begin(), names.end(), "the crank"), names.end());
 }
 
+TEST(Equations, TellWhatTheyWereMadeOf) {
+  Random random(7);
+  Trial t(random);
+  VelocityConstraint<double> pin;
+  pin.words = "a pin";
+  pin.on = 0;
+  t.mechanism.constraints = {pin, pin};
+  const auto n = static_cast<std::size_t>(t.tree.velocity_size());
+  const MechanismState state = t.mechanism_state();
+  const auto sources = [](const LinearSystem& system, EquationKind kind) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < system.equations(); ++i)
+      if (system.source(i).kind == kind) found.push_back(system.source(i).index);
+    return found;
+  };
+  const Condition rate{"stated", std::vector<double>(n, 1.0), 2, 1};
+  const LinearSystem velocities = velocity_equations(state, natural_scales(t.mechanism), {rate, rate, rate});
+  EXPECT_EQ(sources(velocities, EquationKind::constraint), (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(sources(velocities, EquationKind::condition), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(velocities.equations(), 5U);
+  const Condition force{"stated", std::vector<double>(force_unknowns(t.mechanism).size(), 1.0), 2, 1};
+  const LinearSystem motion = motion_equations(state, natural_scales(t.mechanism), {force});
+  std::vector<std::size_t> bodies;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(t.tree.body_count()); ++i)
+    if (t.mechanism.takes_part[i]) bodies.insert(bodies.end(), 6, i);
+  EXPECT_FALSE(bodies.empty());
+  EXPECT_EQ(sources(motion, EquationKind::balance), bodies);
+  EXPECT_EQ(sources(motion, EquationKind::condition), std::vector<std::size_t>{0});
+}
+
 TEST(Equations, NaturalScalesAreThoseOfTheMechanism) {
   ModelBuilder<double> builder;
   const MassProperties<double> mass{5, Vector::zero(), SymmetricMatrix3<double>::diagonal(1e-4, 1e-4, 1e-4)};
@@ -527,5 +557,5 @@ TEST(Equations, ASmallBodyBesideALargeOne) {
   }
 }
 
-}  // namespace
+}  // namespace equations_test
 }  // namespace poinsot::solve

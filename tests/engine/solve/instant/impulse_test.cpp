@@ -9,7 +9,7 @@
 #include "poinsot/engine/model/builder.h"
 
 namespace poinsot::solve {
-namespace {
+namespace impulse_test {
 
 using Vector = Vector3<double>;
 
@@ -160,5 +160,5 @@ TEST(Impulse, ARodOnAPinFeelsNothingAtItsCenterOfPercussion) {
   }
 }
 
-}  // namespace
+}  // namespace impulse_test
 }  // namespace poinsot::solve

@@ -10,7 +10,7 @@
 #include "poinsot/engine/dynamics/momentum.h"
 
 namespace poinsot::solve {
-namespace {
+namespace particle_check_test {
 
 using poinsot::testing::Random;
 using Vector = Vector3<double>;
@@ -227,5 +227,5 @@ TEST(ParticleCheck, AParticleOnACircle) {
   EXPECT_GT(claim.checked().newton_euler, 1e-13);
 }
 
-}  // namespace
+}  // namespace particle_check_test
 }  // namespace poinsot::solve

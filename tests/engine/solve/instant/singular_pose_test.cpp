@@ -9,7 +9,7 @@
 #include "poinsot/engine/math/algebra/rotation.h"
 
 namespace poinsot::solve {
-namespace {
+namespace singular_pose_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -92,5 +92,5 @@ TEST(SingularPose, ThatIsNotReachedIsNotTaken) {
   }
 }
 
-}  // namespace
+}  // namespace singular_pose_test
 }  // namespace poinsot::solve

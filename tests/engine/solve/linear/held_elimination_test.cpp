@@ -6,7 +6,7 @@
 #include <random>
 
 namespace poinsot::solve {
-namespace {
+namespace held_elimination_test {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -128,5 +128,5 @@ TEST(HeldElimination, EquationsWithoutUnknownsRemainAsTheyAre) {
   EXPECT_EQ(left->values, (VectorXd{{4, -5}}));
 }
 
-}  // namespace
+}  // namespace held_elimination_test
 }  // namespace poinsot::solve

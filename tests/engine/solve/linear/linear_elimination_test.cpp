@@ -8,7 +8,7 @@
 #include "poinsot/engine/solve/linear/linear_system.h"
 
 namespace poinsot::solve {
-namespace {
+namespace linear_elimination_test {
 
 constexpr std::size_t unknowns = 4, laws = 4, facts = 3;
 
@@ -92,5 +92,5 @@ TEST(LinearElimination, SystemsOfAnotherFormOrWithoutNumbersHaveNone) {
   EXPECT_TRUE(left->values.empty());
 }
 
-}  // namespace
+}  // namespace linear_elimination_test
 }  // namespace poinsot::solve

@@ -8,7 +8,7 @@
 #include <random>
 
 namespace poinsot::solve {
-namespace {
+namespace linear_system_test {
 
 struct Rows {
   Eigen::MatrixXd A;
@@ -287,5 +287,5 @@ TEST(LinearSystem, SolvesBadlyScaledSystemsWithoutBeingToldTheScales) {
   }
 }
 
-}  // namespace
+}  // namespace linear_system_test
 }  // namespace poinsot::solve

@@ -6,7 +6,7 @@
 #include <functional>
 
 namespace poinsot::solve {
-namespace {
+namespace chebyshev_pieces_test {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -106,5 +106,5 @@ TEST(ChebyshevPieces, ACurveOfZerosIsRecognised) {
   EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1]), 5e-3);
 }
 
-}  // namespace
+}  // namespace chebyshev_pieces_test
 }  // namespace poinsot::solve

@@ -6,7 +6,7 @@
 #include <random>
 
 namespace poinsot::solve {
-namespace {
+namespace chebyshev_series_test {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -101,5 +101,5 @@ TEST(ChebyshevSeries, TrimmingDropsNoMoreThanAllowed) {
   EXPECT_EQ(series.coefficient(1, 1)[0], 0.5);
 }
 
-}  // namespace
+}  // namespace chebyshev_series_test
 }  // namespace poinsot::solve

@@ -7,7 +7,7 @@
 #include "engine/solve/roots/roots_problems.h"
 
 namespace poinsot::solve {
-namespace {
+namespace compact_range_test {
 
 const RootRange ranges[] = {{-3, 5, 2}, {4, infinity, 2}, {-infinity, 4, 2}, {-infinity, infinity, 2}};
 
@@ -50,5 +50,5 @@ TEST(CompactRange, TheWeightTurnsGrowthIntoAFiniteLimit) {
   }
 }
 
-}  // namespace
+}  // namespace compact_range_test
 }  // namespace poinsot::solve

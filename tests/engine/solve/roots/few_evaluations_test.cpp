@@ -10,7 +10,7 @@
 #include "poinsot/engine/solve/roots/roots.h"
 
 namespace poinsot::solve {
-namespace {
+namespace few_evaluations_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -128,5 +128,5 @@ TEST(FewEvaluations, ACurveOfRootsIsSeenThroughRoughEquationsToo) {
   EXPECT_EQ(roots.open_unknowns.size(), 2U);
 }
 
-}  // namespace
+}  // namespace few_evaluations_test
 }  // namespace poinsot::solve

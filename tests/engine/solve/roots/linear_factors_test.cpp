@@ -9,7 +9,7 @@
 #include "poinsot/engine/solve/linear/linear_system.h"
 
 namespace poinsot::solve {
-namespace {
+namespace linear_factors_test {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
@@ -246,5 +246,5 @@ TEST(LinearFactors, WhatIsNotFiniteHasNoDerivative) {
   EXPECT_TRUE(std::isnan(derivative.misfit.at(0)));
 }
 
-}  // namespace
+}  // namespace linear_factors_test
 }  // namespace poinsot::solve

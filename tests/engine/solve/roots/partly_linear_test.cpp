@@ -11,7 +11,7 @@
 #include "poinsot/engine/solve/roots/roots.h"
 
 namespace poinsot::solve {
-namespace {
+namespace partly_linear_test {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -167,5 +167,5 @@ TEST(PartlyLinear, RangesOfTheLinearUnknownsCount) {
   EXPECT_NEAR(roots.points[0][2], 4, 1e-12);
 }
 
-}  // namespace
+}  // namespace partly_linear_test
 }  // namespace poinsot::solve

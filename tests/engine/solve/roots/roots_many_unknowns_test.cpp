@@ -8,7 +8,7 @@
 #include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
-namespace {
+namespace roots_many_unknowns_test {
 
 RootProblem of_three(std::function<std::vector<double>(double, double, double)> f) {
   RootProblem problem;
@@ -123,5 +123,5 @@ TEST(RootsOfManyUnknowns, ACurveOfSolutionsIsOpen) {
   EXPECT_NEAR(std::hypot(roots.alternative[0], roots.alternative[1]), 2, 1e-8);
 }
 
-}  // namespace
+}  // namespace roots_many_unknowns_test
 }  // namespace poinsot::solve

@@ -6,7 +6,7 @@
 #include "poinsot/engine/solve/roots/roots.h"
 
 namespace poinsot::solve {
-namespace {
+namespace roots_one_unknown_test {
 
 double product(const std::vector<double>& roots, double x) {
   double value = 1;
@@ -273,5 +273,5 @@ TEST(RootsOfOneUnknown, WhereNoSlopesAreGivenDifferencesAreTaken) {
   EXPECT_GT(calls, 0);
 }
 
-}  // namespace
+}  // namespace roots_one_unknown_test
 }  // namespace poinsot::solve

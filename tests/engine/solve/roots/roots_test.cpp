@@ -8,7 +8,7 @@
 #include "engine/solve/roots/roots_problems.h"
 
 namespace poinsot::solve {
-namespace {
+namespace roots_test {
 
 TEST(Roots, ALinearSystemHasItsOnlySolutionFoundInOneStep) {
   std::mt19937_64 random(3);
@@ -170,5 +170,5 @@ TEST(Roots, CirclesAndLinesMeetInBothPoints) {
   }
 }
 
-}  // namespace
+}  // namespace roots_test
 }  // namespace poinsot::solve

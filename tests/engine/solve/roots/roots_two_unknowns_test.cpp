@@ -8,7 +8,7 @@
 #include "poinsot/engine/solve/roots/roots.h"
 
 namespace poinsot::solve {
-namespace {
+namespace roots_two_unknowns_test {
 
 using Points = std::vector<std::vector<double>>;
 
@@ -274,5 +274,5 @@ TEST(RootsOfTwoUnknowns, WithoutSmoothnessTheSearchFallsBackAndSaysWhere) {
   EXPECT_LT(roots.evaluations, 40000u);
 }
 
-}  // namespace
+}  // namespace roots_two_unknowns_test
 }  // namespace poinsot::solve

@@ -7,7 +7,7 @@
 #include "engine/motion/mechanism/random_mechanisms.h"
 
 namespace poinsot::solve {
-namespace {
+namespace acceleration_slopes_test {
 
 using namespace poinsot::testing;
 
@@ -102,5 +102,5 @@ TEST(AccelerationSlopes, AlongTheMotion) {
   EXPECT_GT(constrained, case_count(150) / 10);
 }
 
-}  // namespace
+}  // namespace acceleration_slopes_test
 }  // namespace poinsot::solve

@@ -8,7 +8,7 @@
 #include <random>
 
 namespace poinsot::solve {
-namespace {
+namespace doubted_rates_test {
 
 // A slow oscillation beside a fast one keeps the accuracy of its own entries.
 TEST(DoubtedRates, ASlowRateBesideAFastOne) {
@@ -58,5 +58,5 @@ TEST(DoubtedRates, RatesThatMeetAreDoubtful) {
   for (Eigen::Index m = 0; m < 2; ++m) EXPECT_GT(4 * rates.doubt[m], static_cast<double>(std::abs(rates.value[m])));
 }
 
-}  // namespace
+}  // namespace doubted_rates_test
 }  // namespace poinsot::solve

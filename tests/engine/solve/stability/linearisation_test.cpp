@@ -11,7 +11,7 @@
 #include "poinsot/engine/model/builder.h"
 
 namespace poinsot::solve {
-namespace {
+namespace linearisation_test {
 
 // A wheel on a torsion spring with a damper: I l^2 + c l + k = 0.
 struct Wheel {
@@ -72,5 +72,5 @@ TEST(Linearisation, NothingIsSaidWhereARateVanishes) {
   EXPECT_EQ(stability(Wheel(2, 0.5, 0).near()), Stability::undecided);
 }
 
-}  // namespace
+}  // namespace linearisation_test
 }  // namespace poinsot::solve

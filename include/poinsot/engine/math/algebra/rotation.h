@@ -68,7 +68,8 @@ Scalar orthonormality_defect(const Matrix3<Scalar>& R) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const Scalar size = E(i, j) < Scalar(0) ? Scalar(-E(i, j)) : E(i, j);
-      if (largest == largest && !(size <= largest)) largest = size;  // what is not a number stays
+      const bool none = largest != largest;  // NOLINT(misc-redundant-expression): so it is not a number, which stays
+      if (!none && !(size <= largest)) largest = size;
     }
   }
   return determinant(R) < Scalar(0) ? Scalar(largest + Scalar(2)) : largest;

@@ -84,6 +84,8 @@ class Formula {
   std::vector<std::string> letters() const;  // in alphabetical order
   // What was assumed when roots were simplified, such as "m > 0" or "g - r*w^2 >= 0", in alphabetical order.
   std::vector<std::string> assumptions() const;
+  // Those among them that something under a root is not negative.
+  std::vector<std::string> root_assumptions() const;
 
   Formula& operator+=(const Formula& b);
   Formula& operator-=(const Formula& b);

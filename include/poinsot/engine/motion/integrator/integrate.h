@@ -84,7 +84,8 @@ struct ErrorEstimate {
 };
 
 struct IntegrationResult {
-  std::string method;  // how it was found, in words: "integrated by Dormand and Prince's method of order 8"
+  std::string method;        // how it was found, in words: "integrated by Dormand and Prince's method of order 8"
+  bool closed_form = false;  // whether the motion is known, so that only rounding separates it from the true one
   Ending ending = Ending::reached_end;
   double time = 0.0;  // s, where it ended
   std::vector<double> q;

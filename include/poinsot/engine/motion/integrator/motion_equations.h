@@ -68,6 +68,6 @@ using LoadFunction = std::function<void(double t, std::span<const double> q, std
 
 // The equations of a tree of bodies all of whose coordinates are free, by the articulated-body algorithm, under gravity
 // and loads. The model must outlive them. Errors: std::invalid_argument if a coordinate is not free.
-MotionEquations tree_equations(const Model<double>& model, LoadFunction loads = {});
+MotionEquations tree_equations(const Model<double>& model, const LoadFunction& loads = {});
 
 }  // namespace poinsot

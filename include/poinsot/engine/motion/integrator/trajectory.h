@@ -70,14 +70,16 @@ class Trajectory {
     double length;
     double end;
     StepForm form;
-    std::size_t first;
+    std::size_t chunk;
+    std::size_t first;  // in the chunk
     std::size_t count;
   };
   int position_size_ = 0;
   int velocity_size_ = 0;
   std::vector<int> quaternions_;
   std::vector<Stored> steps_;
-  std::vector<double> coefficients_;
+  // In chunks, so that a long trajectory is not copied when it grows.
+  std::vector<std::vector<double>> coefficients_;
   std::shared_ptr<const StateFlow> flow_;
 };
 

@@ -2,7 +2,7 @@
 // such that every loop is closed, every cord has the length as drawn, and every contact touches.
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <vector>
 
 #include "poinsot/engine/dynamics/velocity_constraint.h"
@@ -12,9 +12,9 @@ namespace poinsot::solve {
 
 struct Closure {
   std::vector<double> q;
-  double gap = 0;       // the largest distance (m) or angle (rad) that is left
-  double relative = 0;  // the same as a part of the mechanism's length, or of a radian
-  std::string where;    // the words of the constraint that it belongs to
+  double gap = 0;              // the largest distance (m) or angle (rad) that is left
+  double relative = 0;         // the same as a part of the mechanism's length, or of a radian
+  std::size_t constraint = 0;  // the place in the mechanism of the constraint that it belongs to, if anything is open
 };
 
 // Starts from the drawn pose, in which everything is closed. The given coordinates (marked for each entry of q) move

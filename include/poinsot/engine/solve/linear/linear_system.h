@@ -27,6 +27,14 @@ struct LinearSolution {
   bool determined(std::size_t unknown) const;
 };
 
+// Where an equation of mechanics comes from: the kind, and the place among the bodies, the constraints or the stated
+// conditions that it was made of. So nobody has to read it off the words.
+enum class EquationKind { other, balance, constraint, condition };
+struct EquationSource {
+  EquationKind kind = EquationKind::other;
+  std::size_t index = 0;
+};
+
 // Equations sum_j a_ij x_j = b_i. Every unknown and every equation comes with the size of its natural unit in the
 // problem, so that lengths in millimeters and couples in kilonewton meters become numbers near one. The scalar is
 // double, Dual<1> or Formula; solve() works in doubles.
@@ -36,8 +44,10 @@ class LinearSystemOf {
   // A name may be given in parts, which are joined. The parts must not point into the names of this system.
   std::size_t add_unknown(std::initializer_list<std::string_view> name, double scale = 1);
   std::size_t add_unknown(std::string_view name, double scale = 1) { return add_unknown({name}, scale); }
-  std::size_t add_equation(std::initializer_list<std::string_view> words, double scale = 1);
-  std::size_t add_equation(std::string_view words, double scale = 1) { return add_equation({words}, scale); }
+  std::size_t add_equation(std::initializer_list<std::string_view> words, double scale = 1, EquationSource source = {});
+  std::size_t add_equation(std::string_view words, double scale = 1, EquationSource source = {}) {
+    return add_equation({words}, scale, source);
+  }
   // rounding: a coefficient of this size, in its own unit, may be what rounding left of zero and then counts as zero.
   // If left out, it is a small part of the equation's largest coefficient.
   void add(std::size_t equation, std::size_t unknown, const Scalar& coefficient, std::optional<double> rounding = {});
@@ -49,6 +59,7 @@ class LinearSystemOf {
   // The names are valid until something is added.
   std::string_view name(std::size_t unknown) const { return text_of(unknowns_[unknown].name); }
   std::string_view words(std::size_t equation) const { return text_of(equations_[equation].words); }
+  const EquationSource& source(std::size_t equation) const { return equations_[equation].source; }
   // The coefficients a_ij as they were added, in rows, and the right sides b_i.
   std::vector<std::vector<Scalar>> coefficients() const;
   std::vector<Scalar> right_sides() const;
@@ -76,6 +87,7 @@ class LinearSystemOf {
   struct Equation {
     Text words;
     double scale;
+    EquationSource source;
     Scalar right_side{};
     double right_size = 0;  // the sum of the magnitudes added to the right side, where they may cancel
   };

@@ -49,6 +49,9 @@ struct RootProblem {
       slopes;
   // Optional: the smooth equations alone, with `values` left empty, if they take less time than all; otherwise all.
   std::function<std::optional<RootEquations>(const std::vector<double>&)> smooth = {};
+  // Whether equations may have corners, as those of abs, max and norm: they can be linear on either side of one, so
+  // that a few probes do not tell that they are linear.
+  bool corners = false;
   bool costly = false;  // whether an evaluation takes long, as when a motion is followed; then there are few
   // Optional, for such problems: a faster evaluation with an error of about 1e-7, by which roots are located first.
   std::function<std::optional<RootEquations>(const std::vector<double>&)> rough = {};

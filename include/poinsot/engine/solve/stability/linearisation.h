@@ -14,6 +14,16 @@
 
 namespace poinsot::solve {
 
+// A motion that moves no mass and breaks no constraint: the turning of a particle, of a rod about its own line, of a
+// massless arm about the line to what it carries.
+struct UnseenMotion {
+  int coordinate = 0;         // the velocity coordinate by which it is known, which then need not deviate
+  std::vector<double> along;  // the velocities of all coordinates in it, one of this coordinate
+};
+// Those among some coordinates of a mechanism at q, independent of each other.
+std::vector<UnseenMotion> unseen_motions(const Mechanism<double>& mechanism, const std::vector<double>& q,
+                                         const std::vector<int>& coordinates);
+
 // The system near a steady motion. Deviations of coordinates are measured like velocities: for ball and free joints
 // on the body's own axes.
 struct SteadyMotion {
@@ -21,12 +31,14 @@ struct SteadyMotion {
   std::vector<double> q, v;
   std::vector<bool> held;  // for each velocity coordinate, whether its motion is given, so that it does not deviate
   std::vector<std::optional<double>> given;  // the accelerations that do not follow from forces
+  std::vector<UnseenMotion> unseen;          // whose coordinates have given accelerations
   // For bodies on ball or free joints that spin: the twist of the spin on the body's axes, about its axis of
   // symmetry.
   std::vector<std::pair<int, SpatialMotion<double>>> spins;
   // Displacements after which the motion is the same (a turn about the vertical or of a body about its axis of
   // symmetry, a shift in the absence of gravity): deviations of the coordinates, followed by those of the velocities.
   std::vector<std::vector<double>> symmetries;
+  Vector3<double> turning{};    // of the frame in which everything rests but for spins, rad/s on ground axes
   double length = 1, time = 1;  // natural sizes
 };
 
@@ -45,9 +57,11 @@ struct Linearisation {
   // One of each conjugate pair, in order of falling growth rate, without those of the symmetries.
   std::vector<Mode> modes;
   double pace = 0;  // 1/s: that of the fastest motion, or the one set by weights and lengths
+  int deviations = 0;  // how many numbers a deviation has that constraints allow, those of the symmetries among them
 };
 
-// Throws std::runtime_error if accelerations are not determined near the motion.
+// Throws std::runtime_error if accelerations are not determined near the motion, as where springs act on an unseen
+// motion.
 Linearisation linearise(const SteadyMotion& motion);
 
 // The stability of the modes in which a body takes part (for `everything`, of all modes). It is undecided if no mode

@@ -156,6 +156,7 @@ class RemainderSlopes {
     const Remainder<Varied> near = remainder_of(mechanism_, state, a_, y_);
     const auto partials = [](const std::vector<Varied>& list) {
       std::vector<Scalar> result;
+      result.reserve(list.size());
       for (const Varied& x : list) result.push_back(x.partial[0]);
       return result;
     };

@@ -1,21 +1,12 @@
-#include "problem/entries/reader.h"
+#include "problem/keys/reader.h"
 
 #include <algorithm>
 #include <cctype>
 
-#include "problem/entries/keys.h"
+#include "problem/keys/keys.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
-
-namespace {
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
-}  // namespace
 
 Members::Members(const Entry& entry, const std::string& file, std::vector<std::string_view> objects,
                  std::vector<std::string> extra)
@@ -70,9 +61,9 @@ std::optional<bool> Members::boolean(std::string_view key) const {
   fail(*file_, found->mark, "'" + word + "' is neither true nor false");
 }
 
-std::string Members::text(std::string_view key) const {
+std::string Members::text(std::string_view key, const char* when_absent) const {
   const Entry* found = find(key);
-  return found ? scalar_text(*found, *file_, "a text") : "";
+  return found ? scalar_text(*found, *file_, "a text") : when_absent;
 }
 
 const std::string& scalar_text(const Entry& entry, const std::string& file, std::string_view what) {
@@ -105,6 +96,16 @@ Unit read_unit(const Entry& entry, const std::string& file) {
   } catch (const std::invalid_argument& error) {
     fail(file, entry.mark, error.what());
   }
+}
+
+const std::vector<std::pair<Key, Entry>>& named(const Members& members, std::string_view key, const std::string& file) {
+  static const std::vector<std::pair<Key, Entry>> none;
+  const Entry* entry = members.find(key);
+  if (!entry || entry->kind == Entry::Kind::null) return none;
+  if (entry->kind != Entry::Kind::map)
+    fail(file, entry->mark, "expected names under '" + std::string(key) + "'",
+         "write " + std::string(key) + ": {NAME: ...}");
+  return entry->members;
 }
 
 }  // namespace poinsot::problem

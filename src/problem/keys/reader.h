@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "problem/language/diagnostic.h"
@@ -26,7 +27,7 @@ class Members {
   Expression require_expression(std::string_view key, std::string_view example) const;
   std::vector<Expression> list(std::string_view key) const;  // empty when absent
   std::optional<bool> boolean(std::string_view key) const;
-  std::string text(std::string_view key) const;  // "" when absent
+  std::string text(std::string_view key, const char* when_absent = "") const;
   const Entry& entry() const { return *entry_; }
 
  private:
@@ -46,5 +47,8 @@ void check_name(const std::string& name, Mark mark, const std::string& file);
 
 // The items of a list as expressions; throws if the entry is no list.
 std::vector<Expression> expression_list(const Entry& entry, const std::string& file);
+
+// The members of a map whose keys are names of the author's choice; none if the key is absent.
+const std::vector<std::pair<Key, Entry>>& named(const Members& members, std::string_view key, const std::string& file);
 
 }  // namespace poinsot::problem

@@ -1,11 +1,15 @@
-#include "problem/instant/asked_size.h"
+#include "problem/answers/asked_size.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "poinsot/engine/dynamics/momentum.h"
+#include "problem/language/diagnostic.h"
 #include "problem/language/expression_walk.h"
+#include "problem/quantities/asks_model.h"
+#include "problem/results/compare_values.h"
 
 namespace poinsot::problem {
 namespace {
@@ -69,13 +73,12 @@ double size_of_body(const solve::MechanismState& placed, const SolvedInstant& in
          (d.time == 0 ? 1 : std::pow(pace, -d.time / 12.0));
 }
 
-}  // namespace
-
-double asked_size(const SolvedInstant& instant, const Situation& situation, const Ask& ask,
-                  const Dimension& dimension) {
+// The size of a quantity, without regard to how the ask goes on with it.
+double size_of_quantity(const SolvedInstant& instant, const Situation& situation, const Expression& expression,
+                        const Dimension& dimension) {
   if (dimension.time > 0) return 0;
   std::set<std::string> names;
-  for (const Expression& expression : ask.of) collect_all_names(situation, expression, names);
+  collect_all_names(situation, expression, names);
   const Machine& machine = instant.machine();
   const AskedBodies bodies = asked_bodies(machine, names);
   if (names.contains("system") || (bodies.named.empty() && bodies.acted_on.empty()))
@@ -96,6 +99,62 @@ double asked_size(const SolvedInstant& instant, const Situation& situation, cons
   }
   // A small body that moves fast does not turn at that rate.
   return std::min(size, instant.natural_size(dimension));
+}
+
+class AskedSize {
+ public:
+  AskedSize(SolvedInstant& instant, const Situation& situation) : instant_(instant), situation_(situation) {}
+
+  double of(const Expression& expression, const Dimension& dimension, int depth = 0) {
+    constexpr int deepest = 50;  // of names under define: that lead to others
+    if (const Unary* sign = expression.as<Unary>()) return of(sign->operand, dimension, depth);
+    if (const At* at = expression.as<At>()) return of(at->expression, dimension, depth);
+    if (const Member* part = expression.as<Member>()) return of(part->object, dimension, depth);
+    if (const Name* name = expression.as<Name>(); name && name->primes == 0 && depth < deepest)
+      for (const NamedExpression& item : situation_.define)
+        if (item.name == name->name) return of(item.value, dimension, depth + 1);
+    if (const Binary* two = expression.as<Binary>()) {
+      const std::optional<Factor> left = datum(two->left), right = datum(two->right);
+      const char sign = two->operation;
+      if (sign == '+' || sign == '-')
+        return std::max(left ? left->size : of(two->left, dimension, depth),
+                        right ? right->size : of(two->right, dimension, depth));
+      if (sign == '*' && left) return left->size * of(two->right, dimension / left->dimension, depth);
+      if (sign == '*' && right) return of(two->left, dimension / right->dimension, depth) * right->size;
+      if (sign == '/' && right && right->size > 0)
+        return of(two->left, dimension * right->dimension, depth) / right->size;
+    }
+    return size_of_quantity(instant_, situation_, expression, dimension);
+  }
+
+ private:
+  struct Factor {
+    double size = 0;
+    Dimension dimension;
+  };
+  // What asks nothing of the model and has a value.
+  std::optional<Factor> datum(const Expression& expression) {
+    if (asks_model(situation_, expression)) return std::nullopt;
+    try {
+      const Value<double> value = instant_.raw(expression, std::nullopt, nullptr);
+      if (value.is_number() || value.is_vector()) return Factor{size_of(value), value.dimension};
+    } catch (const StatementError&) {
+      // It has a value elsewhere only, as a time of the motion.
+    }
+    return std::nullopt;
+  }
+
+  SolvedInstant& instant_;
+  const Situation& situation_;
+};
+
+}  // namespace
+
+double asked_size(SolvedInstant& instant, const Situation& situation, const Ask& ask, const Dimension& dimension) {
+  double size = 0;
+  for (const Expression& expression : ask.of)
+    size = std::max(size, AskedSize(instant, situation).of(expression, dimension));
+  return size;
 }
 
 }  // namespace poinsot::problem

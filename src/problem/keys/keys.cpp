@@ -1,10 +1,13 @@
-#include "problem/entries/keys.h"
+#include "problem/keys/keys.h"
 
 #include <algorithm>
 #include <array>
 
 namespace poinsot::problem {
 namespace {
+
+// The words of the table are not to be known outside it.
+namespace rows {
 
 using enum KeyType;
 
@@ -215,6 +218,8 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"joint", "planar", vector, "",
      "a normal: sliding along two directions across it and turning about it (slide1, slide2, turn)"},
     {"joint", "screw", vector, "", "an axis: turning about it and advancing by the pitch"},
+    {"joint", "slot", list, "",
+     "two axes: sliding along the first, a slot of from, and turning about the second, a pin of to (slide, turn)"},
     {"joint", "at", vector, "", "a point on the axis; the ground's origin when left out"},
     {"joint", "from", name, "", "the body or frame that holds; ground when left out"},
     {"joint", "to", name, "", "the body that is held"},
@@ -346,6 +351,10 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"expected", "atol", expression, "", "absolute tolerance in unit; zero when left out"},
     {"expected", "source", text, "", "where the value comes from"},
 });
+
+}  // namespace rows
+
+constexpr const auto& table = rows::table;
 
 }  // namespace
 

@@ -1,7 +1,7 @@
 // Makes the JSON Schema of the problem file from the table of keys.
 #include <nlohmann/json.hpp>
 
-#include "problem/entries/keys.h"
+#include "problem/keys/keys.h"
 
 namespace poinsot::problem {
 namespace {
@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 Json reference(std::string_view object) { return Json{{"$ref", "#/$defs/" + std::string(object)}}; }
 
 Json type_of(const LanguageKey& key) {
-  const Json expression = {{"type", {"string", "number"}}};
+  Json expression = {{"type", {"string", "number"}}};
   const Json list = {{"type", "array"}};
   switch (key.type) {
     case KeyType::expression:

@@ -1,8 +1,8 @@
-#include "problem/claims/claim_points.h"
+#include "problem/entries/drawn_letters.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <random>
 
 namespace poinsot::problem {
 namespace {
@@ -52,6 +52,19 @@ Point draw_point(const std::vector<Letter>& letters, int attempt) {
     point[letter.name] = value * letter.unit.factor;
   }
   return point;
+}
+
+double drawn_letter(const Letter& letter, std::mt19937_64& random, int spread) {
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  if (letter.unit.dimension == dimensions::angle) return between(0.2, 1.2);
+  if (spread == 0) return letter.unit.factor * between(0.5, 2);
+  return letter.unit.factor * std::exp(std::min(0.7 + 0.4 * spread, 9.2) * between(-1, 1));
+}
+
+double drawn_near(double value, std::mt19937_64& random) {
+  return value * std::uniform_real_distribution<double>(0.8, 1.25)(random);
 }
 
 }  // namespace poinsot::problem

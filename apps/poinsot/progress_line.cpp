@@ -1,0 +1,55 @@
+#include "progress_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+
+#include "streams.h"
+
+namespace {
+
+constexpr std::chrono::seconds patience{1};
+
+std::string duration(double seconds) {
+  const auto whole = static_cast<long long>(std::ceil(seconds));
+  if (whole < 120) return fmt::format("{} s", whole);
+  if (whole < 7200) return fmt::format("{} min", (whole + 59) / 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+}  // namespace
+
+poinsot::Budget ProgressLine::budget() {
+  poinsot::Budget budget = poinsot::Budget().end_when(&interrupt_flag());
+  if (isatty(STDERR_FILENO) == 1) budget.tell([this](const poinsot::Progress& progress) { show(progress); });
+  return budget;
+}
+
+void ProgressLine::show(const poinsot::Progress& progress) {
+  const double part = progress.part.value_or(0);
+  if (!since_ || progress.doing != doing_ || part < last_part_) {
+    doing_ = progress.doing;
+    since_ = Clock::now();
+    first_part_ = part;
+  }
+  last_part_ = part;
+  if (Clock::now() - begun_ < patience) return;
+  std::string line = progress.part ? fmt::format("{:3.0f} %  {}{}", std::floor(100 * part), doing_, time_left(part))
+                                   : fmt::format("{}, {} so far", doing_, progress.count);
+  const std::size_t length = line.size();
+  if (length < length_) line.append(length_ - length, ' ');
+  length_ = length;
+  write_on_terminal("\r" + line);
+}
+
+std::string ProgressLine::time_left(double part) {
+  const double seconds = std::chrono::duration<double>(Clock::now() - *since_).count();
+  if (!(part > first_part_) || seconds < 0.2) return "";
+  return fmt::format("  {} left", duration(seconds * (1 - part) / (part - first_part_)));
+}
+
+void ProgressLine::erase() {
+  if (length_ > 0) write_on_terminal("\r" + std::string(length_, ' ') + "\r");
+  length_ = 0;
+}

@@ -1,0 +1,32 @@
+// What a search for extremes, zeros and periods needs to know of a motion, beside the number that it looks at.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace poinsot::problem {
+
+class FollowedMotion {
+ public:
+  virtual ~FollowedMotion() = default;
+
+  // Times between which the motion is smooth and changes little, from `from` to `to`, both included.
+  virtual std::vector<double> nodes(double from, double to) = 0;
+  // The end of the motion, if it has one, s.
+  virtual std::optional<double> end() = 0;
+  // How far it has been followed, s.
+  virtual double reached() const = 0;
+  // A time in which the motion changes noticeably, s.
+  virtual double pace_time() const = 0;
+  // A time in which it changes noticeably at the rates that it has had so far, s: longer than the pace time where what
+  // sets the pace moves nothing.
+  virtual double turning_time(double until) = 0;
+  // Whether an endless motion is not followed beyond a time: for the number of its steps, or also for its length.
+  virtual bool followed_by_many_steps(double until) const = 0;
+  virtual bool followed_enough(double until) const = 0;
+  // Whether it loses energy in its last stage and nothing drives it; whether springs can bring it back.
+  virtual bool dissipates() const = 0;
+  virtual bool has_springs() const = 0;
+};
+
+}  // namespace poinsot::problem

@@ -1,0 +1,105 @@
+#include "problem/course/number_along_motion.h"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+
+#include "problem/language/words.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr int per_step = 6;  // samples in a step of the integration
+
+}  // namespace
+
+std::size_t NumberSamples::from(double part) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(time, part * time.back()) - time.begin());
+}
+
+void NumberAlongMotion::unanswered(const std::string& what, const std::string& hint) const {
+  throw UnansweredError(file_, mark_, "'" + words_ + "'" + what, hint);
+}
+
+std::size_t NumberAlongMotion::count_of_samples(double from, double to) const {
+  return motion_.nodes(from, to).size() * per_step;
+}
+
+NumberSamples NumberAlongMotion::samples(double from, double to) const {
+  NumberSamples sampled;
+  const std::vector<double> nodes = motion_.nodes(from, to);
+  if (nodes.size() * per_step > most_samples) {
+    unanswered(" has no answer in the motion up to " + with_digits(to, 4) + " s, and it is too long to go on",
+               motion_.end() ? "let it last shorter" : "say how long the motion lasts: stages: {run: {lasts: 10 s}}");
+  }
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+    for (int k = 0; k < per_step; ++k) sampled.time.push_back(nodes[i] + (nodes[i + 1] - nodes[i]) * k / per_step);
+  sampled.time.push_back(nodes.back());
+  // The samples of an earlier question are the beginning of those for this one.
+  std::size_t known = 0;
+  while (known < sampled.time.size() && known < sampled_.time.size() && sampled.time[known] == sampled_.time[known])
+    sampled.value.push_back(sampled_.value[known++]);
+  for (std::size_t i = known; i < sampled.time.size(); ++i) sampled.value.push_back(number_(sampled.time[i]));
+  if (from == 0) sampled_ = sampled;
+  return sampled;
+}
+
+// The extreme at which the slope vanishes: a zero of the rate, or if that is not known, of differences of sixth
+// order. Nothing if the slope does not change sign.
+std::optional<ExtremeFound> NumberAlongMotion::level_between(double before, double after) const {
+  const double h = 0.05 * (after - before);
+  const auto slope = [&](double t) {
+    if (rate_) return rate_(t);
+    return (45 * (number_(t + h) - number_(t - h)) - 9 * (number_(t + 2 * h) - number_(t - 2 * h)) +
+            (number_(t + 3 * h) - number_(t - 3 * h))) /
+           (60 * h);
+  };
+  if (!rate_ && before - 3 * h < 0) return std::nullopt;
+  try {
+    const double a = slope(before), b = slope(after);
+    if ((a < 0) == (b < 0)) return std::nullopt;
+    std::uintmax_t iterations = 60;
+    const auto bracket = boost::math::tools::toms748_solve(slope, before, after, a, b,
+                                                           boost::math::tools::eps_tolerance<double>(50), iterations);
+    const double time = 0.5 * (bracket.first + bracket.second);
+    return ExtremeFound{number_(time), time};
+  } catch (const StatementError&) {
+    // A difference would reach beyond the end of the motion.
+    return std::nullopt;
+  }
+}
+
+// The only extreme in a bracket, whether there is a corner or not. It is sought in units of the bracket, so that a
+// corner far from time zero is found as precisely as one near it.
+ExtremeFound NumberAlongMotion::outermost_between(double before, double after, bool largest) const {
+  std::uintmax_t iterations = 100;
+  const double half = 0.5 * (after - before), center = 0.5 * (after + before);
+  const auto found = boost::math::tools::brent_find_minima(
+      [&](double x) { return largest ? -number_(center + half * x) : number_(center + half * x); }, -1.0, 1.0, 50,
+      iterations);
+  return {largest ? -found.second : found.second, center + half * found.first};
+}
+
+double NumberAlongMotion::zero_between(double a, double b, double level) const {
+  const auto f = [&](double t) { return number_(t) - level; };
+  const double fa = f(a), fb = f(b);
+  if (fa == 0) return a;
+  if (fb == 0) {
+    // The number may be zero from some time on, as the force of a contact that was lost.
+    double inside = a, outside = b;
+    for (int i = 0; i < 60 && inside < outside; ++i) {
+      const double middle = 0.5 * (inside + outside);
+      if (middle == inside || middle == outside) break;
+      (f(middle) == 0 ? outside : inside) = middle;
+    }
+    return outside;
+  }
+  std::uintmax_t iterations = 100;
+  const auto bracket =
+      boost::math::tools::toms748_solve(f, a, b, fa, fb, boost::math::tools::eps_tolerance<double>(52), iterations);
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+}  // namespace poinsot::problem

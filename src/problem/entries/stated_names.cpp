@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "problem/entries/name_checks.h"
+#include "problem/keys/reader.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
+
+namespace poinsot::problem {
+
+void check_stated_names(const Situation& situation) {
+  const std::vector<std::string> bodies = names_of(situation.bodies);
+  std::vector<std::string> holders{"ground"};
+  holders.insert(holders.end(), bodies.begin(), bodies.end());
+  for (const Frame& frame : situation.frames) {
+    if (std::find(bodies.begin(), bodies.end(), frame.name) != bodies.end())
+      fail(situation.file, frame.mark, "'" + frame.name + "' is both a body and a frame", "rename one of them");
+    holders.push_back(frame.name);
+  }
+  const auto check = [&](const std::string& name, Mark mark, const std::vector<std::string>& known, const char* what) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return;
+    const std::string near = nearest(name, known);
+    const std::string all = joined(known);
+    fail(situation.file, mark, "there is no " + std::string(what) + " '" + name + "'",
+         !near.empty() ? "did you mean '" + near + "'?"
+         : all.empty() ? "the problem has none"
+                       : "known: " + all);
+  };
+  const auto body = [&](const std::string& name, Mark mark) { check(name, mark, bodies, "body"); };
+  const auto holder = [&](const std::string& name, Mark mark) { check(name, mark, holders, "body or frame"); };
+  for (const Frame& frame : situation.frames)
+    if (!frame.rides_on.empty()) body(frame.rides_on, frame.rides_on_mark);
+  if (situation.steady) {
+    holder(situation.steady->frame, situation.steady->frame_mark);
+    for (const Spin& spin : situation.steady->spins) body(spin.body, spin.mark);
+  }
+  for (const Joint& joint : situation.joints) {
+    holder(joint.from, joint.from_mark);
+    if (joint.to == "ground")
+      fail(situation.file, joint.to_mark, "joint '" + joint.name + "' holds the ground",
+           "the ground holds and is not held: write it under from:");
+    body(joint.to, joint.to_mark);
+    if (joint.from == joint.to)
+      fail(situation.file, joint.mark, "joint '" + joint.name + "' joins '" + joint.to + "' to itself");
+  }
+  for (const Contact& contact : situation.contacts) {
+    body(contact.of, contact.of_mark);
+    holder(contact.against, contact.against_mark);
+  }
+  for (const Cord& cord : situation.cords) {
+    holder(cord.from, cord.from_mark);
+    body(cord.to, cord.to_mark);
+  }
+  for_each_stated_law(situation, [&](const auto& law) {
+    for (const LawBody& named : law.bodies())
+      named.may_be_frame ? holder(named.name, named.mark) : body(named.name, named.mark);
+  });
+  for (const Impulse& impulse : situation.impulses) {
+    body(impulse.body, impulse.body_mark);
+    holder(impulse.axes, impulse.axes_mark);
+  }
+  for (const Impact& impact : situation.impacts) {
+    body(impact.of, impact.of_mark);
+    holder(impact.against, impact.against_mark);
+  }
+  for (const Strike& strike : situation.strikes) {
+    body(strike.hits, strike.hits_mark);
+    holder(strike.relative_to, strike.relative_to_mark);
+  }
+  for (const Stage& stage : situation.stages)
+    for (const std::string& load : stage.loads.value_or(std::vector<std::string>{}))
+      check(load, stage.mark, names_of(situation.loads), "load");
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,21 @@
+// How contacts and cords share a load that the statement does not divide among them: only so that none pulls or pushes
+// the wrong way.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "poinsot/engine/solve/linear/linear_system.h"
+
+namespace poinsot::problem {
+
+// Moves a solution, along the directions that its equations leave open, to one in which none of the unknowns named is
+// negative and as many as possible are positive, and leaves open only directions in which this stays so. Returns false,
+// and changes nothing, where there is none, or if an open direction moves one of the first `fixed` unknowns
+// (accelerations, or velocities after a blow): then not only the shares are open.
+bool share_without_pull(solve::LinearSolution& solution, const std::vector<std::size_t>& one_sided, std::size_t fixed);
+
+// Shortens the way from one solution to another so far that no unknown which pushes comes to pull.
+void keep_pushing(const std::vector<double>& from, const std::vector<std::size_t>& one_sided, std::vector<double>& to);
+
+}  // namespace poinsot::problem

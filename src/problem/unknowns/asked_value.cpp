@@ -1,0 +1,179 @@
+#include "problem/unknowns/asked_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
+#include "problem/unknowns/unknown_search.h"
+
+namespace poinsot::problem {
+namespace {
+
+// The times at which what is asked for happens.
+std::vector<double> asked_times(Sample& sample, const Ask& ask) {
+  const auto [situation_index, condition] = situated(sample.statement(), ask.when->condition);
+  const Situation& situation = sample.statement().situations[situation_index];
+  DataScope<double> data(situation, sample.settings()[situation_index]);
+  const double from = ask.when->from ? data.number(*ask.when->from, dimensions::time) : 0;
+  const std::optional<double> to =
+      ask.when->to ? std::optional(data.number(*ask.when->to, dimensions::time)) : std::nullopt;
+  if (to && !(*to > from))
+    fail(situation.file, ask.when->to->mark(), "the span ends before it begins", "write from: 0 s, to: 4 s");
+  std::vector<double> found = sample.motion(situation_index).times(condition, ask.axes, from, to);
+  if (ask.when->first && found.size() > 1) found = {found.front()};
+  if (ask.when->first && found.empty())
+    fail(situation.file, condition.mark(), "'" + to_string(condition) + "' does not happen in this span");
+  return found;
+}
+
+// A table row by row: the value that the row stands for decides the time or the datum at which the columns are asked.
+class AskedTable {
+ public:
+  AskedTable(Sample& sample, const Ask& ask)
+      : sample_(sample),
+        ask_(ask),
+        table_(*ask.table),
+        first_(sample.home_of(ask)),
+        situation_(sample.statement().situations[first_.situation]) {}
+
+  std::vector<Value<double>> values() {
+    const Run run = runs_over();
+    const std::vector<double> rows = row_values();
+    if (run == Run::time && std::any_of(rows.begin(), rows.end(), [](double time) { return time < 0; }))
+      fail(situation_.file, table_.values.mark(), "the motion begins at 0 s: there is no time before it");
+    for (const double row : rows) {
+      if (run == Run::datum)
+        add_row_over_datum(row);
+      else
+        add_row_of_motion(run, row);
+    }
+    return std::move(values_);
+  }
+
+ private:
+  enum class Run { time, coordinate, datum };
+
+  Run runs_over() {
+    const Machine& machine = sample_.instant(first_).machine();
+    std::vector<std::string> known = settable_names(situation_);
+    if (table_.over == "time") return Run::time;
+    if (machine.coordinate(table_.over)) return Run::coordinate;
+    if (std::ranges::find(known, table_.over) != known.end()) return Run::datum;
+    known.emplace_back("time");
+    for (const NamedCoordinate& c : machine.coordinates)
+      if (!c.name.empty()) known.push_back(c.name);
+    fail(situation_.file, table_.over_mark, "'" + table_.over + "' is neither time, nor a coordinate or datum",
+         did_you_mean(table_.over, known));
+  }
+
+  // The values for which there are rows.
+  std::vector<double> row_values() {
+    std::vector<double> rows;
+    constexpr std::size_t most_rows = 10'000;
+    if (const Range* range = table_.values.as<Range>()) {
+      const double from = number(range->from), to = number(range->to), by = std::abs(number(range->step));
+      if (!(by > 0)) fail(situation_.file, range->step.mark(), "the step of a range is not zero");
+      const double span = to - from, count = std::floor(std::abs(span) / by * (1 + 1e-12) + 1e-9);
+      if (count >= static_cast<double>(most_rows))
+        fail(situation_.file, table_.values.mark(), "the table has more than 10 000 rows", "take a larger step");
+      for (std::size_t k = 0; k <= static_cast<std::size_t>(count); ++k)
+        rows.push_back(from + (span < 0 ? -by : by) * static_cast<double>(k));
+      // If the range ends at an extreme of the motion, this end gets a row of its own.
+      if (asks_motion_feature(range->to) && std::abs(rows.back() - to) > 1e-9 * by) rows.push_back(to);
+    } else {
+      for (const Expression& item : table_.values.as<List>()->items) rows.push_back(number(item));
+    }
+    return rows;
+  }
+
+  double number(const Expression& expression) {
+    const Situated asked = sample_.situated_in(expression, first_.situation);
+    const Value<double> value = sample_.value_in(asked.situation, asked.expression);
+    if (!value.is_number()) fail(situation_.file, expression.mark(), "expected a number");
+    if (value.number != 0 || !value.bare) dimension_ = value.dimension;
+    return value.number;
+  }
+
+  void add_row_of_motion(Run run, double row) {
+    for (const NamedExpression& column : table_.columns) {
+      const auto [situation_index, expression] = sample_.situated_in(column.value, first_.situation);
+      Course& motion = sample_.motion(situation_index);
+      const double time = run == Run::time ? row : motion.time_of(table_.over_value, row, table_.over_mark);
+      add(column, motion.value(time, expression, ask_.axes));
+    }
+  }
+
+  // Adds the columns at another value of a datum, for which the unknowns are found anew.
+  void add_row_over_datum(double row) {
+    const Statement& statement = sample_.statement();
+    const Situation& situation = statement.situations.front();
+    AllSettings all = sample_.settings();
+    for (Settings& one : all) one[table_.over] = Value<double>::of_number(row, dimension_);
+    Settings known = all.front();
+    for (const Unknown& unknown : situation.find)
+      if (unknown.name != table_.over) known.erase(unknown.name);
+    UnknownSearch search(statement, known);
+    if (!search.unknowns().empty()) {
+      const RootsFound found = search.find(known);
+      if (found.roots.size() != 1)
+        fail(situation.file, table_.over_mark,
+             found.roots.empty() ? "there is no solution at a value of '" + table_.over + "' in this table"
+                                 : "there are several solutions at a value of '" + table_.over + "' in this table",
+             "narrow the range, or tell by where: which solution is meant");
+      all = found.roots.front();
+    }
+    Sample there(statement, std::move(all), sample_.choice());
+    for (const NamedExpression& column : table_.columns)
+      add(column, there.value_at(there.home(column.value, column.mark), column.value, ask_.axes));
+    note_unphysical(there, row);
+  }
+
+  void add(const NamedExpression& column, Value<double> value) {
+    if (!value.is_number())
+      fail(situation_.file, column.mark, "column '" + column.name + "' is no number",
+           "ask for a component such as .x, or norm(...)");
+    values_.push_back(std::move(value));
+  }
+
+  // Only the first row in which something is unphysical is kept.
+  void note_unphysical(const Sample& there, double row) {
+    for (const auto& [home, solved] : there.instants()) {
+      if (!solved->forces_solved()) continue;
+      const std::vector<std::string> reasons = solved->unphysical();
+      if (reasons.empty()) continue;
+      const Unit unit = sample_.statement().situations[home.situation].habits.unit_for(dimension_);
+      sample_.note_unphysical_row(ask_.name, reasons.front() + ", from the row " + table_.over + " = " +
+                                                 with_digits(row / unit.factor, 6) +
+                                                 (unit.text.empty() ? "" : " " + unit.text) + " on");
+    }
+  }
+
+  Sample& sample_;
+  const Ask& ask_;
+  const Table& table_;
+  const Sample::Home first_;  // the instant at which the table begins
+  const Situation& situation_;
+  Dimension dimension_ = dimensions::time;  // of the values that the table runs over
+  std::vector<Value<double>> values_;       // row by row
+};
+
+}  // namespace
+
+Value<double> asked_value(Sample& sample, const Ask& ask) {
+  if (ask.table) return Value<double>::of_list(AskedTable(sample, ask).values());
+  std::vector<Value<double>> items;
+  if (ask.when) {
+    for (const double time : asked_times(sample, ask))
+      items.push_back(Value<double>::of_number(time, dimensions::time));
+    return ask.when->first ? items.front() : Value<double>::of_list(std::move(items));
+  }
+  for (const Expression& expression : ask.of)
+    items.push_back(sample.value_at(sample.home(expression, ask.mark), expression, ask.axes));
+  return ask.is_list ? Value<double>::of_list(std::move(items)) : items.front();
+}
+
+}  // namespace poinsot::problem
