@@ -34,10 +34,11 @@ TEST(Check, a_sign_matters) {
   EXPECT_EQ(compare(Datum{-3.0}, Datum{3.0}), Lines{"a: -3, expected 3 (off by 6, allowed 3e-6)"});
 }
 
-// The largest answer in the same unit says how large such a quantity is; if there is none, a zero is none but zero.
+// The largest answer in the same unit says how large such a quantity is; where there is none, a zero is held to 1e-9 SI.
 TEST(Check, zero_is_held_to_the_other_answers_in_its_unit) {
   EXPECT_EQ(compare(Datum{0.0}, Datum{0.0}), Lines{});
-  EXPECT_EQ(compare(Datum{1e-300}, Datum{0.0}).size(), 1U);
+  EXPECT_EQ(compare(Datum{0.9e-9}, Datum{0.0}), Lines{});
+  EXPECT_EQ(compare(Datum{1.1e-9}, Datum{0.0}).size(), 1U);
   const auto beside = [](double zero, double size, const std::string& unit) {
     Document document = document_of(found("a", Datum{zero}, "N", Datum{zero}));
     document.solutions.front().answers.push_back(found("b", Datum{size}, unit, Datum{size}));
@@ -48,7 +49,8 @@ TEST(Check, zero_is_held_to_the_other_answers_in_its_unit) {
   for (const double size : {1e-9, 1.0, 1e9}) {
     EXPECT_EQ(beside(0.9e-6 * size, size, "N"), 0U) << size;
     EXPECT_EQ(beside(1.1e-6 * size, size, "N"), 1U) << size;
-    EXPECT_EQ(beside(0.9e-6 * size, size, "m"), 1U) << size;
+    EXPECT_EQ(beside(0.9e-9, size, "m"), 0U) << size;
+    EXPECT_EQ(beside(1.1e-9, size, "m"), 1U) << size;
   }
 }
 
