@@ -32,25 +32,42 @@ function(poinsot_sources variable folder pattern)
   endforeach()
 endfunction()
 
-# poinsot_library(NAME FLOORS floor...): one static library from the sources of the floors, exported as poinsot::NAME.
+# poinsot_compile_together(TARGET): how each target of the sources of rooms is compiled.
+function(poinsot_compile_together target)
+  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX UNITY_BUILD ${POINSOT_UNITY} UNITY_BUILD_MODE GROUP
+                                             UNITY_BUILD_CODE_BEFORE_INCLUDE
+                                             "// NOLINTNEXTLINE(bugprone-suspicious-include)")
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
+                                              "$<INSTALL_INTERFACE:include>"
+                                       PRIVATE "${PROJECT_SOURCE_DIR}/src")
+  poinsot_compile_options(${target})
+endfunction()
+
+# poinsot_library(NAME FLOORS floor... [LESS_OPTIMISED room...]): one static library from the sources of the floors,
+# exported as poinsot::NAME. Rooms that compile long and run short are less optimised.
 function(poinsot_library name)
-  cmake_parse_arguments(arg "" "" "FLOORS" ${ARGN})
+  cmake_parse_arguments(arg "" "" "FLOORS;LESS_OPTIMISED" ${ARGN})
   set(sources)
   foreach(floor ${arg_FLOORS})
     poinsot_sources(floor_sources "${PROJECT_SOURCE_DIR}/src/${floor}" "*.cpp")
     list(APPEND sources ${floor_sources})
   endforeach()
+  if(arg_LESS_OPTIMISED)
+    set(less ${sources})
+    list(JOIN arg_LESS_OPTIMISED "|" rooms)
+    list(FILTER less INCLUDE REGEX "/(${rooms})/[^/]*$")
+    list(REMOVE_ITEM sources ${less})
+    add_library(poinsot_${name}_less_optimised OBJECT ${less})
+    poinsot_compile_together(poinsot_${name}_less_optimised)
+    target_compile_options(poinsot_${name}_less_optimised PRIVATE "$<$<CONFIG:Release>:-O1>")
+    target_link_libraries(poinsot_${name}_less_optimised PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")
+    list(APPEND sources "$<TARGET_OBJECTS:poinsot_${name}_less_optimised>")
+  endif()
   add_library(poinsot_${name} STATIC ${sources})
   add_library(poinsot::${name} ALIAS poinsot_${name})
-  set_target_properties(poinsot_${name} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX
-                                                   UNITY_BUILD ${POINSOT_UNITY} UNITY_BUILD_MODE GROUP
-                                                   UNITY_BUILD_CODE_BEFORE_INCLUDE
-                                                   "// NOLINTNEXTLINE(bugprone-suspicious-include)")
-  target_compile_features(poinsot_${name} PUBLIC cxx_std_20)
-  target_include_directories(poinsot_${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
-                                                    "$<INSTALL_INTERFACE:include>"
-                                             PRIVATE "${PROJECT_SOURCE_DIR}/src")
-  poinsot_compile_options(poinsot_${name})
+  set_target_properties(poinsot_${name} PROPERTIES EXPORT_NAME ${name})
+  poinsot_compile_together(poinsot_${name})
 endfunction()
 
 # poinsot_test(ROOM FOLDER): one test program from FOLDER/**/*_test.cpp below tests/, each test case known to ctest.
