@@ -8,6 +8,7 @@ build_packages=(g++ cmake ninja-build ccache libeigen3-dev libboost-dev libyaml-
   libflint-dev libflint-arb-dev libcli11-dev libhdf5-dev libgtest-dev python3 python3-jsonschema)
 bench_packages=(libbenchmark-dev libsundials-dev python3-venv python3-sympy)
 tidy_packages=(clang-format clang-tidy)
+hunt_packages=(python3 python3-yaml python3-jsonschema)
 fuzz_packages=(clang libclang-rt-14-dev)
 
 say() { printf '%s\n' "$*" >&2; }

@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+"""The hunt: statements, made at random and by changing the examples, and relations that must hold between their answers.
+
+usage: hunt.py PROGRAM [--seconds S | --statements N] [--seed N] [--at I] [--relation NAME] [--workers 1|2] [--kept FOLDER]
+
+Statement I of a relation and a seed is the same everywhere and always. Exit code: 0 nothing was found, 1 something was, 130 interrupted.
+"""
+import argparse
+import collections
+import multiprocessing
+import pathlib
+import random
+import signal
+import sys
+import time
+import zlib
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import report  # noqa: E402
+import statements  # noqa: E402
+from all_relations import RELATIONS, made_statement  # noqa: E402
+from runner import Program  # noqa: E402
+from shrink import shrunk  # noqa: E402
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+# How many statements are drawn until one is found of which a relation says something.
+DRAWS = 40
+worker = None
+
+
+class Worker:
+    def __init__(self, program, root, known):
+        self.program, self.known = Program(program), known
+        self.examples = statements.examples(root)
+
+    def try_one(self, seed, name, index):
+        """Holds a relation for its statement `index` of the seed; the outcome can be sent between processes."""
+        draw, relation = random.Random(f"{seed}/{name}/{index}"), RELATIONS[name]
+        for _ in range(DRAWS):
+            statement = relation.make(draw) if hasattr(relation, "make") else self.statement(draw)
+            inner = draw.randrange(2**32)
+            finds = relation.hold(self.program, statement, random.Random(inner))
+            if finds is not None:
+                if (name, statement.name) not in self.known:
+                    finds = [shrunk(relation, self.program, find, inner) for find in finds[:1]]
+                return index, name, statement.name, finds
+        return index, name, None, []
+
+    def statement(self, draw):
+        """One made at random, or an example: that of the smallest lot, so that a new example takes few others' place."""
+        lot = draw.random()
+        if draw.random() < 0.25:
+            return made_statement(draw)
+        return min(self.examples, key=lambda example: zlib.crc32(f"{lot}/{example.name}".encode()))
+
+
+def start_worker(*arguments):
+    global worker
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    worker = Worker(*arguments)
+
+
+def work(job):
+    return worker.try_one(*job)
+
+
+def known_finds(path):
+    """Finds that are known: relation and example or made statement, of each line that is no comment."""
+    lines = [line for line in path.read_text().splitlines() if line.strip() and not line.startswith("#")] if path.exists() else []
+    return {tuple(line.split()[:2]): " ".join(line.split()[2:]) for line in lines}
+
+
+class Hunt:
+    def __init__(self, options):
+        self.options = options
+        self.names = options.relation or list(RELATIONS)
+        self.tried, self.finds = collections.Counter(), []
+        self.known = {} if options.fresh else known_finds(pathlib.Path(__file__).parent / "known.txt")
+        self.met = set()
+
+    def jobs(self):
+        if self.options.at is not None:
+            yield (self.options.seed, self.names[0], self.options.at)
+            return
+        began, index = time.monotonic(), 0
+        while index < self.options.statements if self.options.statements else time.monotonic() - began < self.options.seconds:
+            yield (self.options.seed, self.names[index % len(self.names)], index // len(self.names))
+            index += 1
+
+    def run(self):
+        options = self.options
+        print(f"Hunting with seed {options.seed}: {', '.join(self.names)}", flush=True)
+        told = time.monotonic()
+        interrupted = False
+        pool = multiprocessing.Pool(options.workers, start_worker, (options.program, ROOT, set(self.known)))
+        try:
+            pending, jobs, more = collections.deque(), self.jobs(), True
+            while pending or more:
+                while more and len(pending) < 2 * options.workers:
+                    job = next(jobs, None)
+                    if job is None:
+                        more = False
+                    else:
+                        pending.append(pool.apply_async(work, (job,)))
+                if pending:
+                    self.take(pending.popleft().get())
+                if time.monotonic() - told > 5:
+                    told = time.monotonic()
+                    print(f"  {sum(self.tried.values())} statements, {len(self.finds)} found", flush=True)
+        except KeyboardInterrupt:
+            interrupted = True
+        finally:
+            pool.terminate()
+            pool.join()
+        self.tell()
+        return 130 if interrupted else 1 if self.finds else 0
+
+    def take(self, outcome):
+        index, relation, name, finds = outcome
+        if name is None:
+            return
+        self.tried[relation] += 1
+        for find in finds:
+            if (relation, name) in self.known:
+                self.met.add((relation, name))
+                continue
+            command = f"./test --hunt --seed {self.options.seed} --relation {relation} --at {index}"
+            path = report.keep(find, pathlib.Path(self.options.kept), len(self.finds) + 1, command)
+            self.finds.append(find)
+            print(f"FOUND {relation}, {name}: {find.words[:400]}\n  {path}\n  {command}", flush=True)
+
+    def tell(self):
+        print("\nStatements for each relation:")
+        for name in self.names:
+            print(f"  {name:12} {self.tried[name]}")
+        if self.options.statements and not self.options.relation and not self.options.fresh:
+            for relation, name in sorted(set(self.known) - self.met):
+                print(f"FOUND no more: {relation}, {name}: take it out of tests/hunt/known.txt")
+                self.finds.append(None)
+        if self.met:
+            print(f"{len(self.met)} that are known (tests/hunt/known.txt)")
+        print(f"{len(self.finds)} found with seed {self.options.seed}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program")
+    parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--statements", type=int, help="as many statements in place of seconds: the same on every machine")
+    parser.add_argument("--seed", type=int, default=None, help="fresh when left out")
+    parser.add_argument("--at", type=int, help="only this statement of the seed for the relation")
+    parser.add_argument("--relation", action="append", choices=list(RELATIONS), help="only these (repeatable)")
+    parser.add_argument("--workers", type=int, default=2, choices=[1, 2])
+    parser.add_argument("--kept", default=str(ROOT / "build/hunt"), help="folder for what is found")
+    parser.add_argument("--fresh", action="store_true", help="tell known finds as well")
+    options = parser.parse_args()
+    if options.at is not None and len(options.relation or []) != 1:
+        parser.error("--at needs one --relation")
+    if options.seed is None:
+        options.seed = random.SystemRandom().randrange(10**6)
+    sys.exit(Hunt(options).run())
+
+
+if __name__ == "__main__":
+    main()
