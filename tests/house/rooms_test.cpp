@@ -184,6 +184,7 @@ TEST(House, tests_stand_in_the_rooms_that_they_test) {
                                      "document/golden",
                                      "fuzz",
                                      "house",
+                                     "hunt",
                                      "install",
                                      "install/engine_client",
                                      "install/problem_client",

@@ -15,6 +15,8 @@ import sys
 import time
 import zlib
 
+# Folders of compiled modules have no place among the sources.
+sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import report  # noqa: E402
 import statements  # noqa: E402

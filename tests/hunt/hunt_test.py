@@ -17,6 +17,8 @@ import unittest
 import zlib
 
 HERE = pathlib.Path(__file__).resolve().parent
+# Folders of compiled modules have no place among the sources.
+sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
 import report  # noqa: E402
 import statements  # noqa: E402
