@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "problem/explanation/explanation_instant.h"
+#include "problem/explanation/held_point.h"
 #include "problem/instant/instant_conditions.h"
 
 namespace poinsot::problem {
@@ -108,7 +109,7 @@ void InstantExplainer::rate_step(ExplainedSection& section, int body, const Expl
 void InstantExplainer::kinetic_steps(const std::string& heading, const System& system, const ExplainedPoint& point) {
   for (const int body : system.plan.bodies) {
     if (!(mechanism().tree.body(body).inertia.mass > 0)) continue;
-    const bool fixed = rests(body, point.position.number);
+    const bool fixed = is_held(figures_.numbers.now, body, point.position.number, solved_.scales().length);
     const ExplainedPoint G = mass_center(body);
     inertia_step(section("Inertia"), body, fixed ? &point : nullptr);
     ExplainedSection& kinetic = section(heading);

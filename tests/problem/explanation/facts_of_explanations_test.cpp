@@ -1,0 +1,159 @@
+// What a worked solution states as a fact is one: points that it calls fixed, and values that are kept.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "poinsot/problem.h"
+#include "poinsot/rendering.h"
+#include "problem/entries/statement.h"
+#include "problem/explanation/held_point.h"
+#include "problem/instant/instant.h"
+
+namespace poinsot::problem {
+namespace facts_of_explanations_test {
+
+struct Drawn {
+  explicit Drawn(const std::string& text)
+      : statement(read_statement(text, "drawn.yaml")),
+        instant(statement.situations.front(), settings, When{}, OpenChoice{}),
+        state(instant.machine().mechanism) {
+    state.set_positions(instant.state().q);
+  }
+  bool held(const std::string& body, const Vector3<double>& place) const {
+    return is_held(state, instant.machine().index.at(body), place, instant.scales().length);
+  }
+
+  Statement statement;
+  Settings settings;
+  SolvedInstant instant;
+  solve::MechanismState state;
+};
+
+std::string explained(const std::string& text) {
+  return to_markdown(poinsot::Problem::from_text(text, "explained.yaml").explain());
+}
+bool says(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
+
+// Pendulums of two links at random angles and sizes: of the first link the pivot is held, of the second no point.
+TEST(HeldPoint, IsThePivotOfTheFirstLinkAlone) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> angle(-180, 180), decades(-6, 6);
+  for (int n = 0; n < 40; ++n) {
+    const double L = std::pow(10, decades(random));
+    const std::string joint = n % 2 == 0 ? "revolute: z" : "ball: O";
+    const Drawn drawn(
+        "given: {L: " + fmt::format("{}", L) + " m}\npoints: {O: [0, 0, 0], A: [0, -L, 0], B: [L, -L, 0]}\n" +
+        "bodies: {one: {rod: [O, A], mass: 1 kg}, two: {rod: [A, B], mass: 1 kg}}\njoints:\n" +
+        "  top: {revolute: z, at: O, to: one, angle: a}\n  elbow: {revolute: z, at: A, from: one, to: two, angle: "
+        "b}\n" +
+        "gravity: -y\ninstants: {now: {a: " + std::to_string(angle(random)) +
+        " deg, b: " + std::to_string(angle(random)) + " deg, a': 0, b': 0}}\nask: {x: acceleration(one)}\n");
+    const auto& motion = drawn.state.workspace().motion;
+    EXPECT_TRUE(drawn.held("one", {0, 0, 0}));
+    EXPECT_TRUE(drawn.held("one", {0, 0, L})) << "on the axis";
+    EXPECT_FALSE(drawn.held("one", {L * 1e-3, 0, 0}));
+    EXPECT_FALSE(drawn.held("two", motion[static_cast<std::size_t>(drawn.instant.machine().index.at("two") + 1)].p));
+    EXPECT_FALSE(drawn.held("two", {0, 0, 0})) << "where the axes of two bodies meet";
+  }
+}
+
+// The ends of a four-bar's rocker: the loop is closed by a constraint, so no joint of the tree holds the rocker.
+TEST(HeldPoint, OfALoopIsWhereItMeetsTheGround) {
+  const Drawn drawn(R"(
+points: {O: [0, 0, 0], A: [0, 0.2 m, 0], B: [0.5 m, 0.4 m, 0], C: [0.6 m, 0, 0]}
+bodies: {crank: {rod: [O, A], mass: 1 kg}, coupler: {rod: [A, B], mass: 1 kg}, rocker: {rod: [B, C], mass: 1 kg}}
+joints:
+  a: {revolute: z, at: O, to: crank, angle: u}
+  b: {revolute: z, at: A, from: crank, to: coupler}
+  c: {revolute: z, at: B, from: coupler, to: rocker}
+  d: {revolute: z, at: C, from: ground, to: rocker}
+gravity: -y
+instants: {now: {u: 0, "u'": 0}}
+ask: {x: acceleration(rocker)}
+)");
+  EXPECT_TRUE(drawn.held("rocker", {0.6, 0, 0}));
+  EXPECT_FALSE(drawn.held("rocker", {0.5, 0.4, 0}));
+  EXPECT_TRUE(drawn.held("crank", {0, 0, 0}));
+  EXPECT_FALSE(drawn.held("coupler", {0, 0.2, 0}));
+}
+
+// The point of a ball on the road has no velocity, but it does not stay.
+TEST(HeldPoint, IsNotThePointOnWhichABallRolls) {
+  const Drawn drawn(R"(
+points: {O: [0, 0, 0], C: [0, 0.1 m, 0]}
+bodies: {ball: {sphere: {center: C, radius: 0.1 m}, mass: 1 kg}}
+contacts: {road: {of: ball, at: O, normal: y, no_slip: true}}
+gravity: -y
+instants: {now: rest}
+ask: {x: acceleration(ball)}
+)");
+  EXPECT_FALSE(drawn.held("ball", {0, 0, 0}));
+  EXPECT_FALSE(drawn.held("ball", {0, 0.1, 0}));
+}
+
+const std::string ladder = R"(
+points: {A: [0, 3 m, 0], B: [4 m, 0, 0]}
+bodies: {ladder: {rod: [A, B], mass: 10 kg}}
+contacts: {wall: {of: ladder, at: A, normal: x}, floor: {of: ladder, at: B, normal: y}}
+gravity: -y
+instants: {now: rest}
+ask: {N: force(floor on ladder).y}
+)";
+
+// From rest all points of a body have no velocity: an end that slides is not therefore fixed.
+TEST(Explanation, CallsNoEndFixedThatSlides) {
+  const std::string text = explained(ladder);
+  EXPECT_TRUE(says(text, "Eqs. 18.1 and 18.23")) << text;
+  EXPECT_FALSE(says(text, "fixed point")) << text;
+  EXPECT_FALSE(says(text, "parallel axes")) << text;
+}
+
+std::string pendulum(double degrees, double damping) {
+  return "points: {O: [0, 0, 0], A: [0, -1 m, 0]}\nbodies: {bar: {rod: [O, A], mass: 1 kg}}\njoints: {pin: {revolute: "
+         "z, "
+         "at: O, to: bar, angle: a, damping: " +
+         std::to_string(damping) + " N*m*s/rad}}\ngravity: -y\ninstants: {now: {a: " + std::to_string(degrees) +
+         " deg, a': 0}}\nask: {R: 'force(pin on bar).y @ 0 s', w: 'a'' @ 2 s'}\n";
+}
+
+TEST(Explanation, CallsThePivotOfAPendulumFixed) {
+  EXPECT_TRUE(says(explained(R"(
+points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {bar: {rod: [O, A], mass: 1 kg}}
+joints: {pin: {ball: O, to: bar}}
+gravity: -y
+instants: {now: rest}
+ask: {R: force(pin on bar).y}
+)"),
+                   "fixed point $O$"));
+}
+
+// Small swings lose little in joules, but it is all that they have.
+TEST(Explanation, TellsAKeptEnergyFromOneThatIsLostSlowly) {
+  for (const double degrees : {60.0, 1.0, 0.01}) {
+    EXPECT_TRUE(says(explained(pendulum(degrees, 0)), "kinetic and potential energy together keep"));
+    EXPECT_FALSE(says(explained(pendulum(degrees, 0.003)), "kinetic and potential energy together"));
+  }
+}
+
+// Of a nutating top the vertical momentum is kept, that on a horizontal axis is not.
+TEST(Explanation, TellsKeptMomentaFromOthers) {
+  const std::string text = explained(R"(
+points: {A: [0, 0, 0], G: [0, 0, -0.36 m]}
+axes: [X, Y, Z]
+bodies: {disk: {disk: {center: G, normal: Z, radius: 180 mm}, mass: 2 kg}}
+joints: {socket: {ball: A, to: disk, angles: [phi: Z, theta: -Y, psi: G->A]}}
+gravity: -Z
+instants: {start: {phi: 0, theta: 90 deg, psi: 0, phi': 0, theta': 0, psi': 50 rad/s}}
+ask: {least: min(theta)}
+)");
+  EXPECT_TRUE(says(text, "on the axis $Z$")) << text;
+  EXPECT_FALSE(says(text, "on the axis $X$")) << text;
+  EXPECT_FALSE(says(text, "on the axis $Y$")) << text;
+}
+
+}  // namespace facts_of_explanations_test
+}  // namespace poinsot::problem
