@@ -125,7 +125,7 @@ void SolvedInstant::solve_blow() {
   }
   hold_nonlinear(System::blow, stated.nonlinear, blow_solution_);
   impulses_ = blow_solution_.value;
-  if (choice_.forces) move_along(blow_solution_, impulses_);
+  if (choice_.forces) move_along(blow_solution_, impulses_, blow_solution_.size > 0 ? blow_solution_.size : 1);
   for (std::size_t k = 0; k < blow_.impacts.size(); ++k)
     if (impulses_[impulses_.size() - blow_.impacts.size() + k] < -rounding(impulses_) && !choice_.forces)
       fail(situation_.file, impact_named(situation_, blow_.impacts[k].name).mark,

@@ -74,7 +74,8 @@ void SolvedInstant::solve_motion_equations(const std::vector<const Fact*>& nonli
   if (!choice_.trial) share_without_pull(*motion_, one_sided_unknowns(accelerations), accelerations);
   unknowns_ = motion_->value;
   if (choice_.forces) {
-    move_along(*motion_, unknowns_);
+    // By about as much as acts here: moved by more, the forces that stay the same would change by its rounding.
+    move_along(*motion_, unknowns_, motion_->size > 0 ? motion_->size : 1);
     keep_pushing(motion_->value, one_sided_unknowns(accelerations), unknowns_);
   }
   const auto n = static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size());
