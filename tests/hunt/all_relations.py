@@ -1,6 +1,13 @@
 """Every relation of the hunt by its name, in the order in which statements are given to them."""
-from relations_measure import Sizes, Units
-from relations_writing import Names, Order
 from random_statements import made_statement  # noqa: F401
+from relations_contacts import Feet
+from relations_matter import Doubled, Massless, Split
+from relations_measure import Sizes, Units
+from relations_motion import Growth, Halfway, MovingFrame
+from relations_space import Shifted, Turned
+from relations_unknowns import Hidden, Letters
+from relations_writing import Names, Order
 
-RELATIONS = {relation.name: relation for relation in (Units(), Sizes(), Order(), Names())}
+RELATIONS = {relation.name: relation for relation in (
+    Units(), Sizes(), Order(), Names(), Split(), Massless(), Doubled(), Letters(), Hidden(), Halfway(), MovingFrame(),
+    Growth(), Turned(), Shifted(), Feet())}

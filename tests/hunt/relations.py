@@ -27,13 +27,14 @@ class Varied:
     """A changed statement, and how its answers follow from those of the statement."""
 
     def __init__(self, statement, expected=None, letters=None, answer_name=lambda name: name, states=True,
-                 relative=None):
+                 relative=None, refusals=True):
         self.statement = statement
         self.expected = expected or (lambda name, value, answer: value)
         self.letters = letters  # in SI units, by name; as in the statement if None
         self.answer_name = answer_name
         self.states = states  # whether what is answered in one is answered in the other
         self.relative = relative
+        self.refusals = refusals  # whether it is a find if the changed statement is refused as input
         self.scales = (1, 1, 1), (1, 1, 1)
 
 
@@ -62,6 +63,8 @@ class Relation:
         if second.fault:
             return [Find(self.name, "fault", second.fault, statement, varied.statement)]
         if second.code == 2 or not second.document:
+            if not varied.refusals:
+                return None
             return [Find(self.name, "refused", second.message, statement, varied.statement)]
         letters = letter_values(statement)
         varied.scales = scales_of(statement), scales_of(varied.statement)

@@ -82,6 +82,23 @@ def examples(root):
     return [statement for statement in found if "ask" in statement.tree or "claim" in statement.tree]
 
 
+def jiggled(statement, draw):
+    """The statement with other values of its data: a new one, of which nobody knows the answers."""
+    tree = deepcopy(statement.tree)
+
+    def change(tokens, path):
+        for token in tokens:
+            if token.unit and token.value and token.unit.text != "%":
+                token.text = f"{float(token.value) * draw.uniform(0.7, 1.4):.4g} {token.unit.text}"
+        return tokens
+
+    if isinstance(tree.get("given"), dict):
+        tree["given"] = mapped_expressions({"given": tree["given"]}, change)["given"]
+    other = statement.with_tree(tree)
+    other.name += "~"
+    return other
+
+
 def prepared(name, text, folder):
     statement = from_text(name, text)
     expected = statement.tree.pop("expect", {})

@@ -1,0 +1,79 @@
+"""Several contacts against one resultant: a block on its feet, and the same block on a table that carries it as a whole."""
+from compare import same, state
+from random_statements import number
+from relations import Find, Relation
+from statements import Statement
+
+
+class Feet(Relation):
+    name = "feet"
+    changes = "a block on three or four feet is held by one joint: the feet together carry what that joint carries"
+    relative = 1e-7
+
+    def make(self, draw):
+        feet = draw.choice([3, 4])
+        half, depth = (round(draw.uniform(0.2, 0.9), 3) for _ in range(2))
+        corners = [(-half, -depth), (half, -depth), (half, depth), (-half, depth)][:feet]
+        height = round(draw.uniform(0.1, 0.8), 3)
+        points = {"G": ["0", f"{height / 2:.4g} m", "0"], "C": [f"{draw.uniform(-1, 1) * half:.3g} m", "0.2 m",
+                                                                         f"{draw.uniform(-1, 1) * depth:.3g} m"]}
+        contacts = {}
+        for index, (x, z) in enumerate(corners):
+            points[f"F{index}"] = [f"{x:.4g} m", "0", f"{z:.4g} m"]
+            contacts[f"foot{index}"] = {"of": "block", "at": f"F{index}", "normal": "y"}
+        sides = [f"{2 * half:.4g} m * x", f"{height} m * y", f"{2 * depth:.4g} m * z"]
+        tree = {"title": "A block on feet", "points": points, "bodies": {"block": {
+            "box": {"center": "G", "sides": sides}, "mass": f"{number(draw, 0.5, 9)} kg"}}, "contacts": contacts, "loads": {
+                "press": {"force": ["0", f"{number(draw, -60, 20)} N", "0"], "at": "C", "body": "block"}},
+            "gravity": "-y", "instants": {"now": "rest"},
+            "ask": {"push": " + ".join(f"force({c} on block).y" for c in contacts),
+                    "tilt_x": " + ".join(f"couple({c} on block about G).x" for c in contacts),
+                    "tilt_z": " + ".join(f"couple({c} on block about G).z" for c in contacts)}}
+        return Statement("made/feet", tree)
+
+    def hold(self, program, statement, random):
+        tree = statement.copy().tree
+        contacts = tree.pop("contacts", {})
+        if len(contacts) < 3 or len(tree.get("ask", {})) < 3:
+            return None
+        tree["joints"] = {"table": {"weld": "G", "to": "block"}}
+        tree["ask"] = {"push": "force(table on block).y", "tilt_x": "couple(table on block about G).x",
+                       "tilt_z": "couple(table on block about G).z"}
+        varied = statement.with_tree(tree)
+        first, second = program.solve(statement), program.solve(varied)
+        for run in (first, second):
+            if run.fault:
+                return [Find(self.name, "fault", run.fault, statement, varied)]
+            if not run.document:
+                return [Find(self.name, "refused", run.message, statement, varied)]
+        by_feet, held = (run.document["solutions"][0]["answers"] for run in (first, second))
+        if any(state(answer) != "found" for answer in held.values()):
+            return [Find(self.name, "weld", str(held), statement, varied)]
+        push, tilt_x, tilt_z = (held[name]["si"] for name in ("push", "tilt_x", "tilt_z"))
+        carried = self.carried(tree, contacts, push, tilt_x, tilt_z)
+        for name, answer in by_feet.items():
+            if carried and state(answer) != "found":
+                return [Find(self.name, f"{name}: state", f"the feet can carry it, but {name} is {state(answer)}: "
+                             f"{answer.get('reason')}", statement, varied)]
+            if carried is False and state(answer) == "found":
+                return [Find(self.name, f"{name}: pull", f"a foot would have to pull, but {name} is {answer['si']}",
+                             statement, varied)]
+            if state(answer) == "found" and not same(answer["si"], held[name]["si"], self.relative, 1e-3):
+                return [Find(self.name, f"{name}: value", f"{name}: {answer['si']} in place of {held[name]['si']}",
+                             statement, varied)]
+        return []
+
+    @staticmethod
+    def carried(tree, contacts, push, tilt_x, tilt_z):
+        """Whether the resultant passes within the feet; None close to an edge."""
+        if abs(push) < 1e-6:
+            return None
+        # The couple about G of a push at (x, z) below it is (-z push, x push).
+        x, z = tilt_z / push, -tilt_x / push
+        feet = [[float(part.split()[0]) for part in tree["points"][contact["at"]][::2]] for contact in contacts.values()]
+        margins = []
+        for (ax, az), (bx, bz) in zip(feet, feet[1:] + feet[:1]):
+            margins.append((bx - ax) * (z - az) - (bz - az) * (x - ax))
+        if any(abs(margin) < 1e-6 for margin in margins):
+            return None
+        return push > 0 and all(margin > 0 for margin in margins)
