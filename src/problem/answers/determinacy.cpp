@@ -152,6 +152,11 @@ class Variation {
     Sample sample(found_.statement, *settings, choice);
     Values values;
     for (std::size_t i = 0; i < asks.size(); ++i) {
+      // Nothing is held against an answer that was not found, and to follow a motion for it may take long.
+      if (!base[i]) {
+        values.emplace_back(std::nullopt);
+        continue;
+      }
       // Open forces have no influence on anything but forces.
       if (choice.forces && !choice.any && choice.gravity == 0 && !choice.velocities && !rests_on_forces(asks[i])) {
         values.push_back(base[i]);

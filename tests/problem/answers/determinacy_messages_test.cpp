@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/entries/random_problems.h"
 #include "problem/formulas/textbook_variations.h"
 
@@ -177,6 +178,28 @@ TEST(Determinacy, AnUnknownFoundFromWhatIsOpen) {
   expect_words(complaint(none, "3 kg", "", "2 rad/s^2"), {"nothing fixes the rate of joint 'mast'"});
   // Of no mass at all the couple would be zero whatever is open.
   EXPECT_EQ(complaint(none, "any", still, "0"), "");
+}
+
+// A question over a motion that has no answer is not asked again with other gravity: here the motion would be followed
+// to see when a shared force, which is zero but for rounding, passes through zero.
+TEST(Determinacy, WhatHasNoAnswerIsNotSoughtAgain) {
+  const Work begin = work_done();
+  const SolvedStatement solved = solve_statement(read_statement(R"(title: two like joints
+points: {A: [-1 ft, 0, 0], B: [1 ft, 0, 0]}
+bodies: {sheet: {polygon: [[6 in, 0, 0], B, [6 in, 0, -6 in]], weight: 2.7 lb}}
+joints:
+  bearings: {revolute: x, at: A, to: sheet, angle: turn, supports: {A: [y, z]}}
+  like_it: {revolute: x, at: A, to: sheet}
+ask: {first: {first_time: reaction(A).z == 0}, alpha: "turn''"}
+)",
+                                                                "test.yaml"),
+                                                 {});
+  // The answers take some ten million units, and following the motion took thousands of times as many.
+  EXPECT_LT(work_done() - begin, 500'000'000);
+  ASSERT_EQ(solved.solutions.size(), 1U);
+  const std::vector<SolvedAsk>& asks = solved.solutions.front().asks;
+  EXPECT_NE(asks[0].reason.find("the rate of 'turn' at joint 'bearings' is unknown"), std::string::npos);
+  EXPECT_NE(asks[1].reason.find(by_gravity), std::string::npos);
 }
 
 }  // namespace determinacy_messages_test
