@@ -3,6 +3,7 @@ from random_statements import made_statement  # noqa: F401
 from relations_contacts import Feet
 from relations_matter import Doubled, Massless, Split
 from relations_measure import Sizes, Units
+from relations_mirror import Mirrored
 from relations_motion import Growth, Halfway, MovingFrame
 from relations_space import Shifted, Turned
 from relations_unknowns import Hidden, Letters
@@ -10,4 +11,4 @@ from relations_writing import Names, Order
 
 RELATIONS = {relation.name: relation for relation in (
     Units(), Sizes(), Order(), Names(), Split(), Massless(), Doubled(), Letters(), Hidden(), Halfway(), MovingFrame(),
-    Growth(), Turned(), Shifted(), Feet())}
+    Growth(), Turned(), Shifted(), Mirrored(), Feet())}

@@ -117,7 +117,7 @@ class Hunt:
         finally:
             pool.terminate()
             pool.join()
-        self.tell()
+        self.tell(interrupted)
         return 130 if interrupted else 1 if self.finds else 0
 
     def take(self, outcome):
@@ -134,11 +134,11 @@ class Hunt:
             self.finds.append(find)
             print(f"FOUND {relation}, {name}: {find.words[:400]}\n  {path}\n  {command}", flush=True)
 
-    def tell(self):
+    def tell(self, interrupted):
         print("\nStatements for each relation:")
         for name in self.names:
             print(f"  {name:12} {self.tried[name]}")
-        if self.options.fixed:
+        if self.options.fixed and not interrupted:
             for relation, name in sorted(set(self.known) - self.met):
                 print(f"FOUND no more: {relation}, {name}: take it out of tests/hunt/known.txt")
                 self.finds.append(None)
