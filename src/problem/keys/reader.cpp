@@ -19,6 +19,10 @@ Members::Members(const Entry& entry, const std::string& file, std::vector<std::s
   for (const auto& [key, value] : entry.members) {
     if (std::find(known.begin(), known.end(), key.text) != known.end()) continue;
     const std::string near = nearest(key.text, known);
+    // A number is no key: in braces the comma of 0,8 begins another entry.
+    if (!key.text.empty() && key.text.front() >= '0' && key.text.front() <= '9')
+      fail(file, key.mark, "a key is expected here, not '" + key.text + "'",
+           "a decimal is written with a point: 0.8, not 0,8");
     fail(file, key.mark, "unknown key '" + key.text + "' in a " + object_,
          near.empty() ? "known keys: " + joined(known) : "did you mean '" + near + "'?");
   }

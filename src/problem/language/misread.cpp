@@ -123,4 +123,9 @@ void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, b
               "write '" + repair + "' to multiply" + call);
 }
 
+std::string undefined_name_hint(const std::string& name, const std::vector<std::string>& known) {
+  if (is_unit_name(name)) return "it is a unit too: one stands behind its number and a blank, as in 3 m/s or 180 rpm";
+  return did_you_mean(name, known);
+}
+
 }  // namespace poinsot::problem

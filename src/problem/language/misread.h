@@ -1,8 +1,9 @@
-// What is said where an expression cannot be read on: what is wrong there and how it is written instead.
+// What is said where an expression cannot be read on or names what is not there: what is wrong and how it is written.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "problem/language/lexer.h"
 #include "problem/language/token_reader.h"
@@ -23,5 +24,9 @@ struct OpenBracket {
 
 // Reports a token that does not continue the expression read before it.
 [[noreturn]] void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, bool in_call);
+
+// What to do about a name that is not defined: the known name that is near to it, or what to know of units; "" if there
+// is nothing to say.
+std::string undefined_name_hint(const std::string& name, const std::vector<std::string>& known);
 
 }  // namespace poinsot::problem

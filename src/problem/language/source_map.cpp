@@ -69,6 +69,15 @@ std::optional<SourceMap::Slip> SourceMap::slip_of_line(std::size_t offset) const
   for (const std::optional<Line>& looked_at : {before, std::optional<Line>(here)}) {
     if (!looked_at || looked_at->words.empty()) continue;
     const std::string_view words = looked_at->words;
+    if (const std::size_t key_end = words.find_first_of(" :=,'\"{}[]");
+        key_end != std::string_view::npos && key_end > 0 && words[key_end] == ' ') {
+      const std::size_t opening = words.find_first_not_of(' ', key_end);
+      if (words[opening] == '{' || words[opening] == '[') {
+        const std::string key(words.substr(0, key_end)), bracket(1, words[opening]);
+        return Slip{looked_at->begin + key_end, "a ':' and a blank are missing behind '" + key + "'",
+                    "write '" + key + ": " + bracket + "...'"};
+      }
+    }
     if (has_colon(words) || words.find_first_of("[]{}'\"|>") != std::string_view::npos || words.starts_with("-"))
       continue;
     std::size_t name = 0;

@@ -12,6 +12,7 @@
 #include "problem/language/evaluate_support.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/language/expression_walk.h"
+#include "problem/language/misread.h"
 #include "problem/language/scalar_value.h"
 #include "problem/language/units.h"
 
@@ -253,9 +254,7 @@ Value<Scalar> DataScope<Scalar>::meaning(const Name& name, const Mark& mark, con
   for (const auto* items : {&situation_.points, &situation_.directions})
     for (const NamedExpression& item : *items) known.push_back(item.name);
   known.insert(known.end(), situation_.axes.begin(), situation_.axes.end());
-  std::string hint = did_you_mean(name.name, known);
-  if (is_unit_name(name.name))
-    hint = "it is a unit too: one stands behind its number and a blank, as in 3 m/s or 180 rpm";
+  const std::string hint = undefined_name_hint(name.name, known);
   evaluator.fail(mark, "'" + name.name + "' is not defined",
                  hint.empty() ? "define it under given:, letters:, points: or directions:" : hint);
 }

@@ -11,6 +11,7 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/language/expression_walk.h"
+#include "problem/language/misread.h"
 #include "problem/language/words.h"
 #include "problem/quantities/quantity_values.h"
 
@@ -227,8 +228,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::name(const Name& name, const Mark& ma
       if (!c.name.empty()) known.push_back(c.name);
     for (const NamedExpression& item : situation_.define) known.push_back(item.name);
     for (const NamedExpression& item : situation_.points) known.push_back(item.name);
-    const std::string hint = did_you_mean(name.name, known);
-    evaluator.fail(mark, "'" + name.name + "' is not defined", hint);
+    evaluator.fail(mark, "'" + name.name + "' is not defined", undefined_name_hint(name.name, known));
   }
   return data_.name(name, mark, Evaluator<Scalar>(data_, situation_.file));
 }

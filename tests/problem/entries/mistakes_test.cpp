@@ -77,6 +77,30 @@ ask: {n: n}
        "test.yaml:1:16: error: 'min' is not defined (it is a unit too: one stands behind its number and a blank, as in "
        "3 m/s or 180 rpm)",
        {}},
+      {"AUnitInPlaceOfAName",
+       R"(points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {bar: {rod: [O, A], mass: 2 kg}}
+joints: {pin: {revolute: z, at: O, to: bar, angle: q}}
+instants: {now: {q: 0, q': 180/min}}
+ask: {a: angular_velocity(bar)}
+)",
+       "test.yaml:4:32: error: 'min' is not defined (it is a unit too: one stands behind its number and a blank, as in "
+       "3 m/s or 180 rpm)",
+       {}},
+      {"ADecimalCommaInBraces",
+       R"(points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {bar: {rod: [O, A], mass: 0,8 kg}}
+ask: {m: mass(bar)}
+)",
+       "test.yaml:2:37: error: a key is expected here, not '8 kg' (a decimal is written with a point: 0.8, not 0,8)",
+       {}},
+      {"AMissingColonBeforeABrace",
+       R"(points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies {bar: {rod: [O, A], mass: 2 kg}}
+ask: {m: mass(bar)}
+)",
+       "test.yaml:2:7: error: a ':' and a blank are missing behind 'bodies' (write 'bodies: {...')",
+       {}},
       {"ASpringOnOneBody",
        R"(points: {O: [0, 0, 0], A: [0, -1 m, 0]}
 bodies: {bar: {rod: [O, A], mass: 2 kg}}
