@@ -78,8 +78,17 @@ Scales natural_scales(const Mechanism<Scalar>& mechanism) {
       scales.length = std::max(scales.length, std::sqrt((I.xx + I.yy + I.zz) / (2 * mass)));
     }
   }
-  for (const Component<Scalar>& component : mechanism.components)
-    points.push_back(plain(point_position(mechanism.tree, workspace, component.at.body, component.at.point)));
+  const auto add_place = [&](const Place<Scalar>& place) {
+    points.push_back(plain(point_position(mechanism.tree, workspace, place.body, place.point)));
+  };
+  for (const Component<Scalar>& component : mechanism.components) {
+    add_place(component.at);
+    if (component.toward) add_place(*component.toward);
+  }
+  for (const SpringLaw<Scalar>& spring : mechanism.springs) {
+    add_place(spring.at);
+    add_place(spring.toward);
+  }
   for (const Vector3<double>& a : points) scales.length = std::max(scales.length, norm(a - points.front()));
   if (!(scales.length > 0)) scales.length = 1;
   if (!(scales.mass > 0)) scales.mass = 1;
