@@ -16,16 +16,21 @@
 namespace poinsot::problem {
 namespace {
 
-// A pose in words: "crank at 180 deg, joint 'B' at 0 deg".
+// A pose in words, if it has any: ": crank at 180 deg, joint 'B' at 0 deg".
 std::string pose_in_words(const std::vector<NamedCoordinate>& coordinates, const IntegrationResult& result) {
   constexpr double degree = std::numbers::pi / 180;
-  std::string words;
+  constexpr std::size_t most_told = 6;
+  std::vector<std::string> words;
   for (const NamedCoordinate& c : coordinates) {
     const double value = result.q[static_cast<std::size_t>(c.position)];
-    words += (words.empty() ? "" : ", ") + (c.name.empty() ? "joint '" + c.joint + "'" : c.name) + " at " +
-             (c.turning ? with_digits(value / degree, 4) + " deg" : with_digits(value, 4) + " m");
+    words.push_back((c.name.empty() ? "joint '" + c.joint + "'" : c.name) + " at " +
+                    (c.turning ? with_digits(value / degree, 4) + " deg" : with_digits(value, 4) + " m"));
   }
-  return words;
+  if (words.empty()) return "";
+  if (words.size() <= most_told + 1) return ": " + joined(words);
+  const std::size_t more = words.size() - most_told;
+  words.resize(most_told);
+  return ": " + joined(words) + " and " + std::to_string(more) + " more";
 }
 
 }  // namespace
@@ -130,7 +135,7 @@ void Course::keep(std::size_t stage, Piece& piece, IntegrationResult& result) {
   if (result.ending == Ending::singular_pose)
     throw UnansweredError(situation_.file, mark_of(stage),
                           words_of(stage) + " comes at " + with_digits(result.time, 6) +
-                              " s to a pose from which it can go on in more than one way, or in none: " +
+                              " s to a pose from which it can go on in more than one way, or in none" +
                               pose_in_words(piece.machine().coordinates, result),
                           "ask for earlier times, or draw the mechanism without this pose on its way");
   if (!result.complete())
