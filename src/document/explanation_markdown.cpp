@@ -113,6 +113,7 @@ std::string answers_section(const Solution& solution) {
     checks.push_back((name == "newton_euler"   ? "Newton-Euler"
                       : name == "energy_drift" ? "energy along the motion"
                       : name == "motion_error" ? "error of the motion"
+                      : name == "roots"        ? "roots by a scan"
                                                : name) +
                      " " + rounded_residual(residual));
   if (!checks.empty())

@@ -194,7 +194,7 @@ class TerminalText {
                             (residual == 0 ? "rounding" : rounded_residual(residual)));
         continue;
       }
-      if (name == "facts") continue;
+      if (name == "facts" || name == "roots") continue;
       std::string words = name == "newton_euler" ? "Newton-Euler" : printable(name);
       std::ranges::replace(words, '_', ' ');
       parts.push_back(words + " " + rounded_residual(residual));
@@ -202,6 +202,9 @@ class TerminalText {
     std::string line = fmt::format("checked on particles: {}", fmt::join(parts, ", "));
     if (const auto facts = checks.find("facts"); facts != checks.end())
       line += "; facts hold to " + rounded_residual(facts->second);
+    if (const auto roots = checks.find("roots"); roots != checks.end())
+      line += "; a scan finds no other roots" +
+              (roots->second == 0 ? std::string() : ", and these within " + rounded_residual(roots->second));
     if (!of_motion.empty()) line += fmt::format("; the motion: {}", fmt::join(of_motion, ", "));
     return line;
   }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <string_view>
 
 #include "poinsot/engine/work/budget.h"
 #include "poinsot/engine/work/work.h"
@@ -87,12 +88,13 @@ class StatementSolver {
       UnknownSearch anew(statement_, settings_);
       found = roots_at_draw(anew, refusal);
     }
-    if (found.roots.empty() && refusal) throw StatementError(*refusal);
+    if (found.roots.empty() && refusal) throw told_of_draw(*refusal, refused_alike_);
     result.warnings = found.warnings;
     if (!open_.empty() && found.roots.empty()) tell_draws(result.warnings);
     for (const AllSettings& root : found.roots) {
       Solution solution = solve_one(root);
       list_unknowns(root, solution);
+      if (found.off_by_scan) solution.checks["roots"] = *found.off_by_scan;
       if (!open_.empty()) {
         leave_to_letters(solution);
         if (found.open.empty()) add_formulas(solution);
@@ -139,14 +141,28 @@ class StatementSolver {
 
   // Returns no roots if the statement makes no sense at the letters (as for an impossible body), and keeps the first
   // reason.
-  RootsFound roots_at_draw(UnknownSearch& search, std::optional<StatementError>& refusal) const {
+  RootsFound roots_at_draw(UnknownSearch& search, std::optional<StatementError>& refusal) {
     try {
       return search.find(settings_with_letters());
     } catch (const StatementError& error) {
       if (open_.empty()) throw;
+      refused_alike_ = refused_alike_ && (!refusal || std::string_view(refusal->what()) == error.what());
       if (!refusal) refusal = error;
       return {};
     }
+  }
+
+  // Numbers in what is told of drawn letters are no data of the author's. An error that is the same at every draw has
+  // none of them.
+  StatementError told_of_draw(const StatementError& error, bool alike) const {
+    if (open_.empty() || alike) return StatementError(error);
+    Diagnostic told = error.diagnostics().front();
+    told.message =
+        "the problem makes no sense at any values drawn for the letters without value; at the first of "
+        "them: " +
+        told.message;
+    if (told.hint.empty()) told.hint = "give letters values by --set";
+    return StatementError(told);
   }
 
   // Adds the values of the letters to warnings that hold at these values only.
@@ -203,8 +219,8 @@ class StatementSolver {
   void hold_later_facts() const {
     for (const Situation& situation : statement_.situations) {
       if (!has_later_facts(situation)) continue;
-      for (const double misfit : later_misfits(situation, settings_, OpenChoice{})) {
-        if (std::abs(misfit) <= 1e-7) continue;
+      for (const FactMisfit& misfit : later_misfits(situation, settings_, OpenChoice{})) {
+        if (std::abs(misfit.value) <= 1e-7) continue;
         const auto later = std::find_if(
             situation.instants.begin(), situation.instants.end(),
             [&](const Instant& instant) { return is_later(situation, instant) && !instant.facts.empty(); });
@@ -309,6 +325,8 @@ class StatementSolver {
   // result. only: the single letter that gets a new value.
   AskValues with_letters(const std::string* only) {
     constexpr int most_draws = 40;
+    std::optional<StatementError> refusal;
+    bool alike = true;
     for (int attempt = 0;; ++attempt) {
       AllSettings settings = base_;
       std::mt19937_64 random(1000 + static_cast<std::uint64_t>(first_draw_ + attempt) + (only ? 500 : 0));
@@ -334,8 +352,13 @@ class StatementSolver {
           base_ = settings;
         }
         return values;
-      } catch (const StatementError&) {
-        if (open_.empty() || !search_.unknowns().empty() || attempt == most_draws) throw;
+      } catch (const StatementError& error) {
+        if (open_.empty() || !search_.unknowns().empty()) throw;
+        alike = alike && (!refusal || std::string_view(refusal->what()) == error.what());
+        if (!refusal) refusal = error;
+        if (attempt < most_draws) continue;
+        if (alike) throw;
+        throw told_of_draw(*refusal, alike);
       }
     }
   }
@@ -346,7 +369,8 @@ class StatementSolver {
   UnknownSearch search_;
   std::vector<Letter> open_;
   AllSettings base_;
-  int first_draw_ = 0;  // the draw of letters at which unknowns have a solution
+  bool refused_alike_ = true;  // whether all draws so far were refused for the same reason
+  int first_draw_ = 0;         // the draw of letters at which unknowns have a solution
   std::unique_ptr<Sample> sample_;
   AskValues asked_;  // the values at sample_
   std::optional<RoundedValues> rounded_;

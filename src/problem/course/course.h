@@ -78,7 +78,7 @@ class Course : public FollowedMotion {
 
   // The time of a later instant, and how far facts fail to hold at a time.
   double time_of_instant(const Instant& instant);
-  std::vector<double> fact_misfits(double time, const std::vector<const Fact*>& facts);
+  std::vector<FactMisfit> fact_misfits(double time, const std::vector<const Fact*>& facts);
 
   // Follows the motion to a time and no further, or to its end if this comes first. Returns the time reached, s.
   double follow(double time);
@@ -98,6 +98,7 @@ class Course : public FollowedMotion {
   // Whether the last stage has dampers and nothing that drives it.
   bool dissipates() const override;
   bool has_springs() const override;
+  double repeats_to(double range) const override;
 
   // Velocities that are open at the start and move no mass, so that they are taken as zero: for each open direction
   // the names of its coordinates. Then the number of directions that the impulses of a blow leave open.
@@ -189,7 +190,8 @@ class Course : public FollowedMotion {
   double pace_time_ = 1;
   Work most_work_ = 60'000'000'000;
   double values_until_ = 0, extremes_until_ = 0;
-  double tolerance_ = 1e-12;  // for a step, relative to natural sizes
+  static constexpr double usual_tolerance = 1e-12;
+  double tolerance_ = usual_tolerance;  // for a step, relative to natural sizes
   std::vector<std::string> happenings_;
   std::optional<double> energy_drift_;
   struct AskedExtreme {
@@ -207,8 +209,8 @@ class Course : public FollowedMotion {
 
 // Whether something is stated about the motion after its start.
 bool has_later_facts(const Situation& situation);
-// How far that fails to hold, in natural units. tolerance: that of the integration, if it may be larger than usual.
-std::vector<double> later_misfits(const Situation& situation, const Settings& settings, const OpenChoice& choice,
-                                  std::optional<double> tolerance = {});
+// How far that fails to hold. tolerance: that of the integration, if it may be larger than usual.
+std::vector<FactMisfit> later_misfits(const Situation& situation, const Settings& settings, const OpenChoice& choice,
+                                      std::optional<double> tolerance = {});
 
 }  // namespace poinsot::problem

@@ -27,6 +27,9 @@ class FollowedMotion {
   // Whether it loses energy in its last stage and nothing drives it; whether springs can bring it back.
   virtual bool dissipates() const = 0;
   virtual bool has_springs() const = 0;
+  // The part of its range to which a number returns where the motion repeats: its error along some periods. range: in
+  // the natural size of such numbers.
+  virtual double repeats_to(double /*range*/) const { return 1e-7; }
 };
 
 }  // namespace poinsot::problem

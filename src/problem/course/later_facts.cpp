@@ -14,13 +14,13 @@ bool has_later_facts(const Situation& situation) {
   });
 }
 
-std::vector<double> later_misfits(const Situation& situation, const Settings& settings, const OpenChoice& choice,
-                                  std::optional<double> tolerance) {
-  std::vector<double> misfits;
+std::vector<FactMisfit> later_misfits(const Situation& situation, const Settings& settings, const OpenChoice& choice,
+                                      std::optional<double> tolerance) {
+  std::vector<FactMisfit> misfits;
   Course motion(situation, settings, choice);
   if (tolerance) motion.set_tolerance(*tolerance);
-  // Trial values may lead to a motion that takes long to follow.
-  if (choice.trial) motion.set_work_limit(1'000'000'000);
+  // Trial values may lead to a motion that takes long to follow. A rough look is worth less.
+  if (choice.trial) motion.set_work_limit(tolerance ? 100'000'000 : 1'000'000'000);
   for (const Instant& instant : situation.instants) {
     const bool later = is_later(situation, instant);
     if (later && instant.found_when) continue;
@@ -31,7 +31,7 @@ std::vector<double> later_misfits(const Situation& situation, const Settings& se
       fail(situation.file, instant.mark, "rest at a later instant is not sought",
            "state the velocities that vanish there");
     if (facts.empty()) continue;
-    const std::vector<double> more = motion.fact_misfits(later ? motion.time_of_instant(instant) : 0, facts);
+    const std::vector<FactMisfit> more = motion.fact_misfits(later ? motion.time_of_instant(instant) : 0, facts);
     misfits.insert(misfits.end(), more.begin(), more.end());
   }
   return misfits;
@@ -52,7 +52,15 @@ double Course::time_of_instant(const Instant& instant) {
   return start_->data_number(instant.when, dimensions::time);
 }
 
-std::vector<double> Course::fact_misfits(double time, const std::vector<const Fact*>& facts) {
+// A tolerance for each step leaves some hundred times as much after some periods, in natural sizes. Small numbers
+// follow larger ones more closely than that, and return as the usual motion does; of a rough one less is expected.
+double Course::repeats_to(double range) const {
+  constexpr double usual = 1e-7, growth = 100;
+  if (tolerance_ <= usual_tolerance) return usual;
+  return std::min(1e-2, std::max(10 * usual, growth * tolerance_ / std::max(range, 1e-300)));
+}
+
+std::vector<FactMisfit> Course::fact_misfits(double time, const std::vector<const Fact*>& facts) {
   std::vector<Expression> sides;
   for (const Fact* fact : facts) sides.insert(sides.end(), {fact->quantity, fact->value});
   const MotionFeatureValues features = features_in(sides, std::nullopt);

@@ -10,10 +10,9 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double repeats_to = 1e-7;  // relative difference with which a motion that repeats must return
 // Change of a constant number, as a part of itself: its error along the motion, 1e-12 for each of a thousand steps.
 constexpr double constant_to = 1e-9;
-constexpr std::size_t most_rises = 40;  // within one period
+constexpr std::size_t most_rises = 40;           // within one period
 constexpr std::size_t samples_of_wait = 60'000;  // until something must happen in a motion without end
 // In the times that the motion takes to change noticeably: a disturbance takes this long to grow. It grows by 1e7 from
 // a nudge in some 16 of its own times, and those are slower than the motion itself by no more than thirty times.
@@ -68,7 +67,7 @@ std::vector<ExtremeFound> MotionFeatures::extremes(const NumberSamples& sampled,
 
 // The outermost extreme, if its value occurs again. It is found among the extremes that may be as far out.
 std::optional<ExtremeFound> MotionFeatures::met_twice(const NumberSamples& sampled, bool largest, double range) const {
-  const double sign = largest ? 1 : -1;
+  const double sign = largest ? 1 : -1, repeats_to = repeated(range);
   std::vector<Rough> rough = rough_extremes(sampled, largest);
   std::stable_sort(rough.begin(), rough.end(),
                    [&](const Rough& a, const Rough& b) { return sign * a.estimate > sign * b.estimate; });
@@ -183,7 +182,7 @@ double MotionFeatures::period() const {
   const double high = highest.value, low = lowest.value;
   if (highest.settled > 0 || lowest.settled > 0) number_.unanswered(" does not repeat: it has no period");
   if (!(high > low)) number_.unanswered(" does not change: it has no period");
-  const double level = 0.5 * (high + low);
+  const double level = 0.5 * (high + low), repeats_to = repeated(high - low);
   const std::optional<double> end = motion_.end();
   for (double until = 8 * motion_.pace_time();; until *= 2) {
     if (end) until = std::min(until, *end);
@@ -304,6 +303,7 @@ std::vector<double> MotionFeatures::times_of_extreme(bool largest, double from, 
   const double until = to ? *to : std::max(best.time * (1 + 1e-9), from) + 2 * motion_.pace_time();
   const NumberSamples sampled = number_.samples(from, motion_.end() ? std::min(until, *motion_.end()) : until);
   const auto [low, high] = std::minmax_element(sampled.value.begin(), sampled.value.end());
+  const double repeats_to = repeated(*high - *low);
   std::vector<double> found;
   if (std::abs(sampled.value.front() - best.value) <= repeats_to * (*high - *low)) found.push_back(from);
   for (const ExtremeFound& one : extremes(sampled, largest))

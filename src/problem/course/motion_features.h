@@ -53,6 +53,10 @@ class MotionFeatures {
     return found;
   }
   ExtremeFound polished(const Rough& rough, bool largest) const;
+  double repeated(double range) const {
+    const double natural = number_.natural_size();
+    return motion_.repeats_to(natural > 0 ? range / natural : range);
+  }
   std::optional<ExtremeFound> nearest_to_zero(const NumberSamples& sampled, std::size_t at) const;
 
   FollowedMotion& motion_;

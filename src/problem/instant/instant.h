@@ -59,6 +59,11 @@ struct MotionState {
   std::vector<bool> acting;  // for each action whether it acts (a slack cord does not); if empty, all do
 };
 
+// How far a stated number is from what is found, and the size of what is stated, at least one; in natural units.
+struct FactMisfit {
+  double value = 0, size = 1;
+};
+
 class SolvedInstant {
  public:
   // Situation and settings must outlive the object. Throws StatementError.
@@ -98,8 +103,8 @@ class SolvedInstant {
                     const MotionFeatureValues& features = {});
   // The value of an expression that is a number, in SI units.
   double number(const Expression& expression, const std::optional<Expression>& axes);
-  // How far the facts fail to hold here, in natural units.
-  std::vector<double> fact_misfits(const std::vector<const Fact*>& facts, const MotionFeatureValues& features = {});
+  // How far the facts fail to hold here.
+  std::vector<FactMisfit> fact_misfits(const std::vector<const Fact*>& facts, const MotionFeatureValues& features = {});
   // The natural size of a quantity of this dimension here.
   double natural_size(const Dimension& dimension) const;
 

@@ -307,9 +307,9 @@ void SolvedInstant::position_facts(const std::vector<const Instant*>& instants) 
   }
 }
 
-std::vector<double> SolvedInstant::fact_misfits(const std::vector<const Fact*>& facts,
-                                                const MotionFeatureValues& features) {
-  std::vector<double> misfits;
+std::vector<FactMisfit> SolvedInstant::fact_misfits(const std::vector<const Fact*>& facts,
+                                                    const MotionFeatureValues& features) {
+  std::vector<FactMisfit> misfits;
   for (const Fact* fact : facts) {
     if (level_of(situation_, fact->quantity) == Level::force) solve_forces();
     QuantityScope<double> scope(machine_, machine_.mechanism.tree, *data_, State<double>{machine_.q, v_});
@@ -318,8 +318,12 @@ std::vector<double> SolvedInstant::fact_misfits(const std::vector<const Fact*>& 
       scope.set_forces(&*mechanism_state_, &unknowns_);
     }
     scope.set_motion_features(features);
-    for (const auto& difference : differences(*fact, scope, situation_.file))
-      misfits.push_back(difference.value / natural_unit(difference.dimension));
+    const Value<double> found = scope.value(fact->quantity);
+    const double size = std::max(std::abs(found.number), norm(found.vector));
+    for (const auto& difference : differences(*fact, scope, situation_.file)) {
+      const double unit = natural_unit(difference.dimension);
+      misfits.push_back({difference.value / unit, std::max(1.0, size / unit)});
+    }
   }
   return misfits;
 }

@@ -13,6 +13,9 @@
 namespace poinsot::problem {
 namespace {
 
+// The part of the size of the terms that rounding leaves of conditions which hold without any amounts.
+constexpr double holds_by_itself = 1e-12;
+
 std::string place_of(const Statement& statement, const Mark& mark) {
   return statement.file + ":" + std::to_string(mark.line) + ":" + std::to_string(mark.column) + ": ";
 }
@@ -49,8 +52,22 @@ RootsFound UnknownSearch::find_with_choices(const UnknownSystem& system, const A
 
 // Tries every choice. Each that has a solution contributes it.
 RootsFound UnknownSearch::find_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice) {
-  // If the conditions hold without any of the amounts, none is needed.
-  if (RootsFound none = find_subset(system, settings, choice, 0); !none.roots.empty() && none.open.empty()) return none;
+  // If the conditions hold without any of the amounts but for rounding, none is needed.
+  if (RootsFound none = find_subset(system, settings, choice, 0, holds_by_itself);
+      !none.roots.empty() && none.open.empty())
+    return none;
+  // What the amounts have to make up for may be tiny beside the terms. So choices that leave any of it are none; only
+  // if all leave some, as rounding may, those that leave least are taken.
+  RootsFound all;
+  for (const double zero : {1e-13, 1e-11, 1e-9}) {
+    all = find_subsets(system, settings, choice, zero);
+    if (!all.roots.empty() || limit_.spent()) return all;
+  }
+  return all;
+}
+
+RootsFound UnknownSearch::find_subsets(const UnknownSystem& system, const AllSettings& settings, const Choice& choice,
+                                       double zero) {
   RootsFound all;
   // If conditions are linear, the least total needs no more amounts than there are independent conditions (a vertex
   // of a linear programme).
@@ -69,7 +86,7 @@ RootsFound UnknownSearch::find_chosen(const UnknownSystem& system, const AllSett
       continue;
     }
     ++tried;
-    RootsFound found = find_subset(system, settings, choice, subset);
+    RootsFound found = find_subset(system, settings, choice, subset, zero);
     if (choice.least_total && !found.open.empty()) continue;  // then a choice of fewer amounts has a solution too
     for (AllSettings& more : found.roots) {
       if (choice.least_total) {
@@ -85,6 +102,7 @@ RootsFound UnknownSearch::find_chosen(const UnknownSystem& system, const AllSett
     if (found.roots.empty()) continue;
     for (const OpenUnknown& unknown : found.open) add_once(all.open, unknown);
     if (found.alternative) all.alternative = found.alternative;
+    if (found.off_by_scan) all.off_by_scan = std::max(all.off_by_scan.value_or(0), *found.off_by_scan);
   }
   const std::string place = place_of(statement_, choice.mark);
   if (left > 0)
@@ -118,7 +136,7 @@ std::string UnknownSearch::nothing_chosen(const UnknownSystem& system, const All
 
 // Finds the unknowns with the amounts set to zero that are not in the subset.
 RootsFound UnknownSearch::find_subset(const UnknownSystem& system, const AllSettings& settings, const Choice& choice,
-                                      std::size_t subset) {
+                                      std::size_t subset, double zero) {
   AllSettings chosen = settings;
   UnknownSystem others = system;
   std::vector<Value<double>> names;
@@ -139,14 +157,14 @@ RootsFound UnknownSearch::find_subset(const UnknownSystem& system, const AllSett
     }
   }
   give(choice.name, Value<double>::of_list(std::move(names)));
-  if (!others.unknowns.empty()) return find_block(others, chosen, false);
+  if (!others.unknowns.empty()) return find_block(others, chosen, false, zero);
   RootsFound nothing_to_find;
   UnknownEquations equations = equations_of(others, chosen);
   const auto values = equations({});
   if (!values) return nothing_to_find;
   double misfit = 0;
   for (double value : values->values) misfit = std::max(misfit, std::abs(value));
-  if (misfit <= 1e-9 * std::max(values->size, 1e-300)) nothing_to_find.roots.push_back(std::move(chosen));
+  if (misfit <= zero * std::max(values->size, 1e-300)) nothing_to_find.roots.push_back(std::move(chosen));
   return nothing_to_find;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <random>
+#include <string_view>
 
 #include "problem/course/course.h"
 #include "problem/instant/instant_conditions.h"
@@ -96,6 +97,11 @@ UnknownEquations::UnknownEquations(const Statement& statement, UnknownSystem sys
         if (slots_[k].unknown.name == square.as<Binary>()->left.as<Name>()->name) add_once(small_, k);
 }
 
+void UnknownEquations::refuse(const StatementError& error) {
+  refused_alike_ = refused_alike_ && (!refusal_ || std::string_view(refusal_->what()) == error.what());
+  if (!refusal_) refusal_ = error;
+}
+
 void UnknownEquations::put(const std::vector<double>& x, AllSettings& settings) const {
   const std::vector<std::size_t> reached = system_.situations();
   for (std::size_t k = 0; k < slots_.size(); ++k) {
@@ -160,7 +166,7 @@ void UnknownEquations::hold_measures() {
     try {
       if (!take_measures(x)) break;
     } catch (const StatementError& error) {
-      refusal_ = error;
+      refuse(error);
     }
   }
 }
@@ -223,6 +229,7 @@ const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<
   bool smooth = true, complete = true;
   const auto add = [](std::vector<double>& list, auto first, auto last) { list.insert(list.end(), first, last); };
   solve::RootEquations& equations = all.equations;
+  std::vector<std::pair<std::size_t, double>> later_sizes;  // by the place of the value
   for (std::size_t i : system_.situations()) {
     const Situation& situation = statement_.situations[i];
     const auto has = [&](Aspect aspect) { return system_.has({i, aspect}); };
@@ -232,7 +239,10 @@ const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<
     };
     if (has(Aspect::later)) {
       GroupConditions& group = group_of(Aspect::later);
-      group.values = later_misfits(situation, trial_[i], choice_, motion_tolerance_);
+      for (const FactMisfit& misfit : later_misfits(situation, trial_[i], choice_, motion_tolerance_)) {
+        group.values.push_back(misfit.value);
+        later_sizes.push_back({equations.values.size() + group.values.size() - 1, misfit.size});
+      }
       group.size = 1;
       if (with_words) group.words.assign(group.values.size(), "what is stated of the motion");
       add(equations.values, group.values.begin(), group.values.end());
@@ -275,6 +285,11 @@ const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<
     }
     equations.size = std::max(equations.size, instant.misfit_size());
   }
+  // What follows from a motion is not measured by the terms of the equations at its start.
+  if (!later_sizes.empty()) {
+    equations.sizes.assign(equations.values.size(), equations.size);
+    for (const auto& [place, size] : later_sizes) equations.sizes[place] = size;
+  }
   if (!complete) all.groups.clear();
   std::sort(all.groups.begin(), all.groups.end(), [&](const GroupConditions& a, const GroupConditions& b) {
     const auto place = [&](const ConditionGroup& group) {
@@ -298,7 +313,7 @@ std::optional<solve::RootEquations> UnknownEquations::exact(const std::vector<do
   } catch (const StatementError& error) {
     // If only these values make no sense, they are outside the range; a statement that makes no sense has values
     // nowhere.
-    refusal_ = error;
+    refuse(error);
     return std::nullopt;
   }
 }
@@ -307,7 +322,7 @@ std::optional<std::vector<GroupConditions>> UnknownEquations::conditions_at(cons
   try {
     return evaluate(x, Wanted::smooth_with_words).groups;
   } catch (const StatementError& error) {
-    refusal_ = error;
+    refuse(error);
     return std::nullopt;
   }
 }

@@ -36,6 +36,7 @@ class UnknownEquations {
 
   const UnknownSystem& system() const { return system_; }
   const std::vector<UnknownSlot>& slots() const { return slots_; }
+  const AllSettings& settings() const { return settings_; }  // without the unknowns of this system
   const std::vector<solve::RootRange>& ranges() const { return ranges_; }
 
   AllSettings settings_at(const std::vector<double>& x) const;
@@ -62,9 +63,11 @@ class UnknownEquations {
 
   // The unknowns whose squares are neglected.
   const std::vector<std::size_t>& without_squares() const { return small_; }
-  // Whether the equations had a value anywhere, and the last reason why they had none.
+  // Whether the equations had a value anywhere, the first reason why they had none, and whether that was the same
+  // wherever they were tried.
   bool makes_sense() const { return makes_sense_; }
   const std::optional<StatementError>& refusal() const { return refusal_; }
+  bool refused_alike() const { return refused_alike_; }
 
  private:
   struct Measures {
@@ -92,6 +95,7 @@ class UnknownEquations {
   std::optional<LinearPart> linear_part(const std::vector<double>& at);
   std::optional<LinearPart> linear_part_by_differences(const std::vector<double>& at);
   bool follows_motion() const;
+  void refuse(const StatementError& error);
   void hold_measures();
   bool take_measures(const std::vector<double>& x);  // returns whether other places may tell more
   // The result is kept for slopes at the same place.
@@ -120,6 +124,7 @@ class UnknownEquations {
   bool makes_sense_ = false;
   bool all_smooth_ = true;  // at all places where this was asked
   std::optional<StatementError> refusal_;
+  bool refused_alike_ = true;
   std::optional<Evaluated> evaluated_;     // the last one evaluated
   std::optional<LinearPart> linear_part_;  // the last one computed
   std::optional<double> motion_tolerance_;

@@ -197,30 +197,55 @@ bool satisfies_where(const Statement& statement, const std::vector<std::size_t>&
   return true;
 }
 
-std::vector<solve::RootRange> ranges_of(const Statement& statement, const UnknownSystem& system,
-                                        const AllSettings& settings, const std::vector<double>& natural) {
+namespace {
+
+// Infinite ranges, narrowed as stated.
+std::vector<solve::RootRange> stated_ranges(const Statement& statement, const UnknownSystem& system,
+                                            const AllSettings& settings) {
   const std::vector<UnknownSlot> slots = system.slots();
-  const std::vector<std::size_t> situations = system.situations();
-  const Situation& situation = statement.situations[situations.empty() ? 0 : situations.front()];
-  std::vector<solve::RootRange> ranges;
-  for (std::size_t k = 0; k < slots.size(); ++k) {
-    solve::RootRange range;
-    // The stated unit of an unknown is its natural size, unless the sizes in the problem are of a very different
-    // order.
-    range.scale = slots[k].unknown.unit.factor;
-    const double ratio = natural[k] / range.scale;
-    if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e4 || ratio < 1e-4)) range.scale = natural[k];
-    range.lower = -infinite;
-    range.upper = infinite;
-    ranges.push_back(range);
-  }
-  for (std::size_t i : situations)
+  std::vector<solve::RootRange> ranges(slots.size(), {-infinite, infinite, 1});
+  for (std::size_t i : system.situations())
     narrow_ranges(statement.situations[i], settings[i], ranges,
                   [&](const std::string& name) -> std::optional<std::size_t> {
                     for (std::size_t k = 0; k < slots.size(); ++k)
                       if (slots[k].unknown.name == name && !slots[k].unknown.vector) return k;
                     return std::nullopt;
                   });
+  return ranges;
+}
+
+}  // namespace
+
+std::vector<std::size_t> lengths_of_doubtful_sign(const Statement& statement, const UnknownSystem& system,
+                                                  const AllSettings& settings) {
+  const std::vector<UnknownSlot> slots = system.slots();
+  const std::vector<std::size_t> situations = system.situations();
+  const Situation& situation = statement.situations[situations.empty() ? 0 : situations.front()];
+  const std::vector<solve::RootRange> ranges = stated_ranges(statement, system, settings);
+  std::vector<std::size_t> doubtful;
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const Unknown& unknown = slots[k].unknown;
+    const bool open = !std::isfinite(ranges[k].lower) && !(ranges[k].upper <= 0);
+    if (open && unknown.unit.dimension == dimensions::length && is_never_negative(statement, situation, unknown) &&
+        !is_extent(situation, unknown.name))
+      doubtful.push_back(k);
+  }
+  return doubtful;
+}
+
+std::vector<solve::RootRange> ranges_of(const Statement& statement, const UnknownSystem& system,
+                                        const AllSettings& settings, const std::vector<double>& natural) {
+  const std::vector<UnknownSlot> slots = system.slots();
+  const std::vector<std::size_t> situations = system.situations();
+  const Situation& situation = statement.situations[situations.empty() ? 0 : situations.front()];
+  std::vector<solve::RootRange> ranges = stated_ranges(statement, system, settings);
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    // The stated unit of an unknown is its natural size, unless the sizes in the problem are of a very different
+    // order.
+    ranges[k].scale = slots[k].unknown.unit.factor;
+    const double ratio = natural[k] / ranges[k].scale;
+    if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e4 || ratio < 1e-4)) ranges[k].scale = natural[k];
+  }
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const Unknown& unknown = slots[k].unknown;
     solve::RootRange& range = ranges[k];

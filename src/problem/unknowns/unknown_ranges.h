@@ -23,6 +23,11 @@ void narrow_ranges(const Situation& situation, const Settings& settings, std::ve
 std::vector<solve::RootRange> ranges_of(const Statement& statement, const UnknownSystem& system,
                                         const AllSettings& settings, const std::vector<double>& natural);
 
+// Which slots are lengths that are taken as not negative although nothing says so: no extent of a shape, no coordinate
+// that stands by itself, and no stated range.
+std::vector<std::size_t> lengths_of_doubtful_sign(const Statement& statement, const UnknownSystem& system,
+                                                  const AllSettings& settings);
+
 // Whether the conditions under `where:` hold, except those on `sought` unknowns without value.
 bool satisfies_where(const Statement& statement, const std::vector<std::size_t>& situations,
                      const AllSettings& settings, const std::set<std::string>& sought);

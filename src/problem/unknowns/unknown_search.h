@@ -25,6 +25,8 @@ struct RootsFound {
   std::vector<OpenUnknown> open;
   std::vector<std::string> warnings;
   std::optional<AllSettings> alternative;  // another solution, if some unknowns are open
+  // How far the roots are from those to which a scan comes, the largest, as a part of themselves, where there was one.
+  std::optional<double> off_by_scan;
 };
 
 class UnknownSearch {
@@ -63,15 +65,20 @@ class UnknownSearch {
   void refine(RootsFound& all, const Find& find) const;
   RootsFound find_with_choices(const UnknownSystem& system, const AllSettings& settings);
   RootsFound find_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice);
+  // zero: the part of the size of the terms below which the conditions hold.
   RootsFound find_subset(const UnknownSystem& system, const AllSettings& settings, const Choice& choice,
-                         std::size_t subset);
+                         std::size_t subset, double zero);
+  // All choices of some of the amounts with which the conditions hold to such a part.
+  RootsFound find_subsets(const UnknownSystem& system, const AllSettings& settings, const Choice& choice, double zero);
   // Explains why no choice has a solution.
   std::string nothing_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice) const;
   double total_of(const Choice& choice, const AllSettings& settings) const;
   RootsFound find_by_blocks(const UnknownSystem& system, const AllSettings& settings);
   // explained: whether a warning says why nothing is found.
-  RootsFound find_block(const UnknownSystem& system, const AllSettings& settings, bool explained = true);
-  RootsFound find_block(UnknownEquations& equations, bool explained = true);
+  // zero: if it is not the usual one, the part of the size of the terms below which the conditions hold.
+  RootsFound find_block(const UnknownSystem& system, const AllSettings& settings, bool explained = true,
+                        std::optional<double> zero = {});
+  RootsFound find_block(UnknownEquations& equations, bool explained = true, std::optional<double> zero = {});
   std::string nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded) const;
   std::optional<StatementError> objection(const AllSettings& root) const;
   void leave_out_nonsense(RootsFound& found) const;

@@ -20,7 +20,7 @@ constexpr double wanted_on_line = 1e-12, wanted_on_square = 1e-7;
 constexpr double rounding_of_fit = 2e-15;  // of the size of the terms
 // Accuracy where noise allows no better, of the size of the terms: a tenth of what counts as zero, or else such a zero
 // could hide in the error.
-constexpr double still_usable = 0.1 * zero_tolerance;
+constexpr double still_usable = 1e-10;
 // the largest slope that far_from_zero reckons with, as a multiple of that of the whole range
 constexpr double steepest = 1e6;
 constexpr double safety = 4;  // factor by which the largest error may exceed those seen at a few places

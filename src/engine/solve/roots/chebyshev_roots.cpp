@@ -182,7 +182,7 @@ class Search {
         resolved_ += part_of_whole(box.piece);
         break;
     }
-    const PieceZeros found = zeros_of_pieces(fit.series, fit.error, zero_tolerance * fit.size);
+    const PieceZeros found = zeros_of_pieces(fit.series, fit.error, function_.problem().zero * fit.size);
     // A curve of solutions is looked for in wide boxes only: in a narrow one a polynomial may have such a curve
     // within its error.
     if (found.curve && width(box.piece) > 1e-3)
@@ -251,7 +251,7 @@ class Search {
         other[i] = part;
         u[k] = compact_.u(place(box, other))[k];
         const auto sample = function_.at(u);
-        zero = zero && sample && sample->values.norm() <= zero_tolerance * std::max(root.size, sample->size);
+        zero = zero && sample && sample->values.norm() <= function_.problem().zero * std::max(root.size, sample->size);
       }
       if (!zero) continue;
       note_open(i);

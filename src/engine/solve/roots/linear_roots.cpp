@@ -144,7 +144,8 @@ std::optional<Roots> linear_roots(RootFunction& function) {
   if (n == 0) {
     Roots roots;
     roots.best_misfit = r0.size() ? r0.cwiseAbs().maxCoeff() : 0;
-    if (r0.norm() <= zero_tolerance * sample->size && sample->misfit <= sample->allowed) roots.points.emplace_back();
+    if (r0.norm() <= function.problem().zero * sample->size && sample->misfit <= sample->allowed)
+      roots.points.emplace_back();
     return roots;
   }
   const auto slopes = wide_slopes(function, u0, *sample);
@@ -166,17 +167,19 @@ std::optional<Roots> linear_roots(RootFunction& function) {
   if (J.rows()) u -= stretch.cwiseProduct(qr.solve(r0));
   VectorXd misfit = r0 + J * (u - u0);
   double size = std::max(slopes->size, r0.norm() + (J * (u - u0)).norm());
-  bool holds = misfit.norm() <= zero_tolerance * std::max(size, 1e-300);
+  double left = misfit.norm();
+  bool holds = misfit.norm() <= function.problem().zero * std::max(size, 1e-300);
   // The solution is refined a few times from where it is: this takes out what rounding has left in the slopes.
   for (int i = 0; holds && i < 3 && J.rows(); ++i) {
     const auto there = function.at(u);
     if (!there || there->values.size() != r0.size()) break;
     size = std::max(size, there->size);
+    left = there->values.norm();
     constexpr double last_digits = 1e-15;  // five roundings of the terms, below which no step gets
     if (i == 2 || there->values.norm() <= last_digits * there->size) {
       // The values may be those of a smoother function in place of the equations. Where it vanishes the equations
       // themselves have to be asked.
-      holds = there->values.norm() <= zero_tolerance * size && there->misfit <= there->allowed;
+      holds = there->values.norm() <= function.problem().zero * size && there->misfit <= there->allowed;
       break;
     }
     u -= stretch.cwiseProduct(qr.solve(there->values));
@@ -187,7 +190,7 @@ std::optional<Roots> linear_roots(RootFunction& function) {
     return roots;
   }
   if (qr.rank() == n) {
-    if (function.inside(u)) roots.points.push_back(function.unscaled(function.clamped(u)));
+    if (function.in_ranges(u, left)) roots.points.push_back(function.unscaled(function.clamped(u)));
     return roots;
   }
 
@@ -212,7 +215,7 @@ std::optional<Roots> linear_roots(RootFunction& function) {
       const VectorXd other = *inside + way * direction;
       const auto there = function.inside(other) ? function.at(other) : std::nullopt;
       if (!there || there->values.size() != r0.size() || there->misfit > there->allowed) continue;
-      if (there->values.norm() > zero_tolerance * std::max(size, there->size)) continue;
+      if (there->values.norm() > function.problem().zero * std::max(size, there->size)) continue;
       roots.alternative = function.unscaled(other);
       break;
     }

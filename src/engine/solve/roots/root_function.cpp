@@ -46,9 +46,14 @@ std::optional<RootSample> RootFunction::keep(const VectorXd& u, const std::optio
   RootSample sample{vector_of(equations->values), equations->size};
   if (!sample.values.allFinite()) return std::nullopt;
   const double misfit = sample.values.size() ? sample.values.cwiseAbs().maxCoeff() : 0;
+  if (equations->sizes.size() == equations->values.size()) {
+    for (std::size_t i = 0; i < equations->sizes.size(); ++i)
+      sample.misfit = std::max(sample.misfit, std::abs(equations->values[i]) / std::max(equations->sizes[i], 1e-300));
+    sample.allowed = problem_.zero;
+  }
   if (!equations->smooth.empty()) {
     sample.misfit = sample.values.norm();
-    sample.allowed = zero_tolerance * sample.size;
+    sample.allowed = problem_.zero * sample.size;
     sample.values = vector_of(equations->smooth);
     sample.size = equations->smooth_size;
     if (!sample.values.allFinite() || !std::isfinite(sample.size)) return std::nullopt;
@@ -135,6 +140,16 @@ bool RootFunction::inside(const VectorXd& u) const {
     if ((range.lower_open && x < range.lower + slack) || (range.upper_open && x > range.upper - slack)) return false;
   }
   return true;
+}
+
+bool RootFunction::in_ranges(const VectorXd& u, double misfit) {
+  if (!inside(u)) return false;
+  const VectorXd end = clamped(u);
+  if (end == u) return true;
+  constexpr double as_good = 100;
+  const double rounding = std::min(1e-12, problem_.zero);
+  const auto there = at(end);
+  return there && there->values.norm() <= std::max(as_good * misfit, rounding * there->size);
 }
 
 VectorXd RootFunction::clamped(const VectorXd& u) const {

@@ -13,16 +13,11 @@
 
 namespace poinsot::solve {
 
-// A misfit below this part of the size of the terms counts as zero. Terms that cancel leave some 1e-14 of rounding in
-// a machine of a few bodies and some 1e-11 where a loop is closed on the way; what is stated to eight digits, as many
-// data are, misses by 1e-9 and more, and is no root.
-inline constexpr double zero_tolerance = 1e-9;
-
 struct RootSample {
   Eigen::VectorXd values;  // of the smooth equations, if the problem has them, else of the equations
   double size = 0;         // the size of the largest term in them
   // The misfit of the equations and how large it may be, where the values are those of smooth equations in their
-  // place.
+  // place, or of different sizes: then it is the largest as a part of its own.
   double misfit = 0, allowed = std::numeric_limits<double>::infinity();
 };
 
@@ -45,6 +40,9 @@ class RootFunction {
   // Whether u lies in the ranges, up to rounding.
   bool inside(const Eigen::VectorXd& u) const;
   Eigen::VectorXd clamped(const Eigen::VectorXd& u) const;  // into the closed ranges
+  // Whether a root with this misfit lies in the ranges: one that lies beyond their end by what counts as rounding must
+  // be as good a root at the end, for beside other unknowns of its kind that may be much.
+  bool in_ranges(const Eigen::VectorXd& u, double misfit);
   std::vector<double> unscaled(const Eigen::VectorXd& u) const;
 
   std::size_t evaluations() const { return evaluations_; }

@@ -21,12 +21,13 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 bool vanishes_with_its_terms(RootFunction& function, const VectorXd& u, const RootSample& sample, double least,
                              double misfit) {
   constexpr double aside = 1e-3;  // of the unknowns: what may be divided by there has lost three digits only
-  if (!(misfit <= aside * zero_tolerance * least)) return false;
+  if (!(misfit <= aside * function.problem().zero * least)) return false;
   for (const double way : {aside, -aside}) {
     const VectorXd beside = function.clamped(u + way * u.cwiseAbs().cwiseMax(1.0));
     if ((beside - u).norm() < 0.5 * aside) continue;
     const auto there = function.at(beside);
-    if (there && misfit <= zero_tolerance * there->size && sample.misfit <= std::max(sample.allowed, there->allowed))
+    if (there && misfit <= function.problem().zero * there->size &&
+        sample.misfit <= std::max(sample.allowed, there->allowed))
       return true;
   }
   return false;
@@ -36,7 +37,8 @@ PolishedRoot judged(RootFunction& function, VectorXd u, RootSample sample, Matri
   PolishedRoot root;
   root.size = std::max(sample.size, (slopes.cwiseAbs() * u.cwiseAbs()).norm());
   const double misfit = sample.values.norm();
-  root.zero = misfit <= zero_tolerance * root.size && sample.misfit <= sample.allowed;
+  root.zero = misfit <= function.problem().zero * root.size && sample.misfit <= sample.allowed;
+  root.part = std::max(misfit / std::max(root.size, 1e-300), function.problem().zero * sample.misfit / sample.allowed);
   // The misfit moves a simple root by misfit / slope. Near a multiple root slope and misfit vanish together, and the
   // quotient is of the order of the distance to the root.
   const VectorXd stretch = u.cwiseAbs().cwiseMax(1.0);
@@ -165,8 +167,8 @@ std::optional<RootFamily> family_through(RootFunction& function, const PolishedR
   return std::nullopt;
 }
 
-bool RootList::add(const RootFunction& function, PolishedRoot root) {
-  if (!function.inside(root.u)) return false;
+bool RootList::add(RootFunction& function, PolishedRoot root) {
+  if (!function.in_ranges(root.u, root.values.norm())) return false;
   for (PolishedRoot& known : roots_) {
     if ((known.u - root.u).norm() > std::max(known.radius, root.radius)) continue;
     if (root.values.norm() * known.size < known.values.norm() * root.size) known = std::move(root);

@@ -15,6 +15,7 @@ struct PolishedRoot {
   Eigen::MatrixXd slopes;
   double size = 0;    // of the terms, at least the sum of |slope * unknown|
   double radius = 0;  // how far from u rounding allows the root to be
+  double part = 0;  // the misfit as a part of the size; where equations have sizes of their own, the largest such part
   bool zero = false;  // whether the equations hold
 };
 
@@ -41,7 +42,7 @@ std::optional<RootFamily> family_through(RootFunction& function, const PolishedR
 class RootList {
  public:
   // Returns whether the root is a new one. Roots outside the ranges are not kept.
-  bool add(const RootFunction& function, PolishedRoot root);
+  bool add(RootFunction& function, PolishedRoot root);
   const std::vector<PolishedRoot>& roots() const { return roots_; }
   // The roots within the ranges, in the units of the problem, in ascending order.
   std::vector<std::vector<double>> points(const RootFunction& function) const;

@@ -19,8 +19,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Two places are one if they differ by less than this part of themselves, or of a thousandth of a natural size: polished
-// ones agree to 1e-9, and roots that differ in their seventh digit only would be told as one in an answer.
+// Two places are one if they differ by less than this part of themselves, or of a thousandth of a natural size:
+// polished ones agree to 1e-9, and roots that differ in their seventh digit only would be told as one in an answer.
 constexpr double one_place = 1e-6, next_to_nothing = 1e-3;
 
 class RootFinder {
@@ -200,17 +200,22 @@ class RootFinder {
     problem.equations = std::exchange(problem.rough, nullptr);
     problem.slopes = nullptr;
     problem.smooth = nullptr;
-    RootFunction rough(problem, function_.limit().left());
+    // A start that leads to where motions take long must not use up what the others need, nor the rough look what it
+    // takes to polish the roots that it finds.
+    constexpr Work of_all = 2, of_rest = 4;
+    RootFunction rough(problem, function_.limit().left() / of_all);
     for (const VectorXd& start : starts_from_few_evaluations(rough)) {
       if (rough.limit().spent()) break;
-      auto root = polish(rough, start, enough);
-      if (!root || root->values.norm() > near_zero * root->size) continue;
+      RootFunction from_here(problem, rough.limit().left() / of_rest);
+      auto root = polish(from_here, start, enough);
+      rough_evaluations_ += from_here.evaluations();
+      if (!root || root->part > near_zero) continue;
       const bool known = std::any_of(found.begin(), found.end(), [&](const PolishedRoot& other) {
         return (other.u - root->u).norm() <= same * (1 + root->u.norm());
       });
       if (!known) found.push_back(std::move(*root));
     }
-    rough_evaluations_ = rough.evaluations();
+    rough_evaluations_ += rough.evaluations();
     return found;
   }
 

@@ -170,5 +170,33 @@ TEST(Roots, CirclesAndLinesMeetInBothPoints) {
   }
 }
 
+// Equations of different sizes must vanish each beside its own terms: far out the first has huge ones, and the second
+// still misses.
+TEST(Roots, TermsOfOneEquationDoNotExcuseAnother) {
+  RootProblem problem;
+  problem.ranges = {{0, infinity, 1}};
+  problem.costly = true;
+  problem.equations = [](const std::vector<double>& x) {
+    RootEquations equations;
+    equations.values = {0, std::atan(x[0] - 4) - 0.5};
+    equations.size = 1 + x[0];
+    equations.sizes = {1 + x[0], 1};
+    return equations;
+  };
+  const Roots roots = find_roots(problem);
+  EXPECT_FALSE(roots.open);
+  ASSERT_EQ(roots.points.size(), 1u);
+  EXPECT_NEAR(roots.points[0][0], 4 + std::tan(0.5), 1e-8);
+}
+
+// A root just beyond an end counts as at the end only if it is as good a root there.
+TEST(Roots, AnEndIsARootOnlyIfTheEquationsHoldThere) {
+  for (const double root : {-1e-10, -3e-10, 0.0, 1e-10}) {
+    RootProblem problem = of_one(0, infinity, [&](double x) { return 1e3 * (x - root); });
+    problem.zero = 1e-13;
+    EXPECT_EQ(find_roots(problem).points.size(), root < 0 ? 0u : 1u) << root;
+  }
+}
+
 }  // namespace roots_test
 }  // namespace poinsot::solve

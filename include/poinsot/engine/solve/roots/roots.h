@@ -35,6 +35,9 @@ struct RootEquations {
   // sought with it and must then satisfy both.
   std::vector<double> smooth = {};
   double smooth_size = 0;
+  // Optional: the size of the terms of each value, where they are of different kinds. Then each must vanish beside its
+  // own.
+  std::vector<double> sizes = {};
 };
 
 struct RootProblem {
@@ -52,6 +55,10 @@ struct RootProblem {
   // Whether equations may have corners, as those of abs, max and norm: they can be linear on either side of one, so
   // that a few probes do not tell that they are linear.
   bool corners = false;
+  // A misfit below this part of the size of the terms counts as zero. Terms that cancel leave some 1e-14 of rounding in
+  // a machine of a few bodies and some 1e-11 where a loop is closed on the way; what is stated to eight digits, as many
+  // data are, misses by 1e-9 and more, and is no root.
+  double zero = 1e-9;
   bool costly = false;  // whether an evaluation takes long, as when a motion is followed; then there are few
   // Optional, for such problems: a faster evaluation with an error of about 1e-7, by which roots are located first.
   std::function<std::optional<RootEquations>(const std::vector<double>&)> rough = {};
@@ -62,6 +69,14 @@ enum class RootSearch {
   certified,        // there are no other roots in the ranges, as far as Roots::reach
   many_starts,      // found from many starts: there may be others
   few_evaluations,  // of equations that are costly to evaluate: there may be others
+};
+
+// What a dense scan, by the equations themselves and not by polynomials, says of the roots of one or two unknowns.
+struct RootScan {
+  std::size_t places = 0;  // at which the equations were evaluated
+  // How far a root that the scan came to lies from the nearest one known, the largest, as a part of its size.
+  double farthest = 0;
+  std::vector<std::vector<double>> missed;  // roots that were not known
 };
 
 // A part of the ranges in which roots could neither be found nor excluded.
@@ -84,8 +99,12 @@ struct Roots {
   std::vector<UnresolvedPart> unresolved;  // why a search for one or two unknowns is not certified
 };
 
-// The equations count as zero if their misfit is below 1e-9 of the sizes of their terms. Roots that are closer than
-// rounding can tell are one. The search ends when `most` work is done: that
+// A second road to the roots, which shares no polynomial, no linearity and no slope with find_roots, only the
+// equations. It does about so much work, but looks at a few dozen places at least. Nothing where the unknowns are more
+// than two, open, or found by following motions.
+std::optional<RootScan> scan_roots(const RootProblem& problem, const Roots& known, Work most);
+
+// Roots that are closer than rounding can tell are one. The search ends when `most` work is done: that
 // of the equations, as far as they count it, and a little for each evaluation.
 Roots find_roots(const RootProblem& problem, Work most = 8'000'000'000);
 

@@ -1,0 +1,282 @@
+// Seeks the unknowns of one system together, and says why where it finds none.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "poinsot/engine/work/work.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
+#include "problem/unknowns/unknown_blocks.h"
+#include "problem/unknowns/unknown_ranges.h"
+#include "problem/unknowns/unknown_search.h"
+
+namespace poinsot::problem {
+namespace {
+
+// The root of the sum of the squared misfits of the equations.
+double misfit(UnknownEquations& equations, const std::vector<double>& x) {
+  const auto found = equations(x);
+  if (!found) return std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for (const double value : found->smooth.empty() ? found->values : found->smooth) sum += value * value;
+  return std::sqrt(sum);
+}
+
+// Sets a value to zero that rounding has left small, if the equations hold as well with zero.
+void round_to_zero(UnknownEquations& equations, std::vector<double>& point) {
+  for (std::size_t k = 0; k < point.size(); ++k) {
+    if (point[k] == 0 || std::abs(point[k]) > 1e-9 * equations.ranges()[k].scale) continue;
+    std::vector<double> zero = point;
+    zero[k] = 0;
+    if (misfit(equations, zero) <= misfit(equations, point)) point = std::move(zero);
+  }
+}
+
+// Angles at both ends of their range may be a whole turn apart. Such points are one pose if the equations have the
+// same values there, and only one is kept.
+std::vector<std::vector<double>> each_pose_once(UnknownEquations& equations,
+                                                const std::vector<std::vector<double>>& points) {
+  constexpr double turn = 6.283185307179586, same = 1e-9;
+  const auto a_turn_apart = [&](const std::vector<double>& a, const std::vector<double>& b) {
+    bool turned = false;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const bool angle = equations.slots()[k].unknown.unit.dimension == dimensions::angle;
+      const bool turns = angle && std::abs(b[k] - a[k] - turn) <= same;
+      if (!turns && std::abs(b[k] - a[k]) > same * equations.ranges()[k].scale) return false;
+      turned = turned || turns;
+    }
+    if (!turned) return false;
+    // The equations must agree near both points too.
+    std::vector<double> here = a, there = b;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const double step = 0.1 * (equations.ranges()[k].upper - equations.ranges()[k].lower);
+      const double move = std::isfinite(step) ? step : 0.1 * equations.ranges()[k].scale;
+      here[k] += move;
+      there[k] += move;
+    }
+    const auto first = equations(here), second = equations(there);
+    if (!first || !second || first->values.size() != second->values.size()) return false;
+    for (std::size_t i = 0; i < first->values.size(); ++i)
+      if (std::abs(first->values[i] - second->values[i]) > same * (first->size + second->size)) return false;
+    return true;
+  };
+  std::vector<std::vector<double>> kept;
+  for (const std::vector<double>& point : points)
+    if (std::none_of(points.begin(), points.end(), [&](const auto& other) { return a_turn_apart(point, other); }))
+      kept.push_back(point);
+  return kept;
+}
+
+std::string values_in_words(const std::vector<UnknownSlot>& slots, const std::vector<double>& x) {
+  std::string words;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const Unit& unit = slots[k].unknown.unit;
+    words += (words.empty() ? "" : ", ") + slots[k].unknown.name +
+             (slots[k].unknown.vector ? std::string(".") + "xyz"[slots[k].component] : "") + " = " +
+             with_digits(x[k] / unit.factor, 4) + (unit.text.empty() ? "" : " " + unit.text);
+  }
+  return words;
+}
+
+// Roots, and how far they are from those to which a scan comes.
+struct Searched {
+  solve::Roots roots;
+  std::optional<double> off_by_scan;
+};
+
+// What a scan finds beside the roots that were certified is a root too, and then nothing is certain.
+Searched searched_roots(const solve::RootProblem& problem, Work most) {
+  const WorkLimit limit(most);
+  const Work begin = work_done();
+  Searched searched{solve::find_roots(problem, most), std::nullopt};
+  solve::Roots& roots = searched.roots;
+  const auto scan = solve::scan_roots(problem, roots, std::min(work_done() - begin, limit.left()));
+  if (!scan) return searched;
+  searched.off_by_scan = scan->farthest;
+  if (scan->missed.empty()) return searched;
+  roots.points.insert(roots.points.end(), scan->missed.begin(), scan->missed.end());
+  std::sort(roots.points.begin(), roots.points.end());
+  roots.search = solve::RootSearch::many_starts;
+  roots.starts = scan->places;
+  return searched;
+}
+
+// Whether one of the points is the same but for signs.
+bool has_twin(const std::vector<double>& point, const std::vector<std::vector<double>>& points) {
+  constexpr double same = 1e-6;
+  return std::ranges::any_of(points, [&](const std::vector<double>& other) {
+    for (std::size_t k = 0; k < point.size(); ++k)
+      if (std::abs(std::abs(point[k]) - std::abs(other[k])) > same * std::abs(point[k])) return false;
+    return true;
+  });
+}
+
+}  // namespace
+
+RootsFound UnknownSearch::find_block(const UnknownSystem& system, const AllSettings& settings, bool explained,
+                                     std::optional<double> zero) {
+  UnknownEquations equations = equations_of(system, settings);
+  return find_block(equations, explained, zero);
+}
+
+RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained, std::optional<double> zero) {
+  RootsFound found;
+  const UnknownSystem& system = equations.system();
+  const std::vector<UnknownSlot>& slots = equations.slots();
+  std::string small;
+  for (std::size_t k : equations.without_squares()) small += (small.empty() ? "" : ", ") + slots[k].unknown.name + "^2";
+  if (!small.empty()) found.warnings.push_back("neglected, as stated: " + small);
+
+  solve::RootProblem problem = equations.problem();
+  if (zero) problem.zero = *zero;
+  const Work begin = work_done();
+  Searched searched = searched_roots(problem, limit_.left());
+  const Work taken = work_done() - begin;
+  std::set<std::string> sought;
+  for (const Unknown& unknown : unknowns_) sought.insert(unknown.name);
+  const auto open_unknown = [&](std::size_t k) {
+    OpenUnknown open{slots[k].unknown.name, std::nullopt};
+    for (const std::size_t situation : system.situations())
+      if (is_own(situation, open.name)) open.situation = situation;
+    return open;
+  };
+  bool excluded = false;
+  const auto keep = [&](const solve::Roots& roots) {
+    for (std::size_t k : roots.open_unknowns) add_once(found.open, open_unknown(k));
+    std::vector<std::vector<double>> kept;
+    for (std::vector<double> point : each_pose_once(equations, roots.points)) {
+      round_to_zero(equations, point);
+      // Points that differ only in open unknowns are the same.
+      const bool again = !roots.open_unknowns.empty() && std::any_of(kept.begin(), kept.end(), [&](const auto& other) {
+        for (std::size_t k = 0; k < point.size(); ++k) {
+          const bool open = std::ranges::find(found.open, open_unknown(k)) != found.open.end();
+          const double size = std::max({std::abs(point[k]), std::abs(other[k]), equations.ranges()[k].scale});
+          if (!open && std::abs(point[k] - other[k]) > 1e-7 * size) return false;
+        }
+        return true;
+      });
+      if (again) continue;
+      AllSettings root = equations.settings_at(point);
+      if (satisfies_where(statement_, system.situations(), root, sought)) {
+        found.roots.push_back(std::move(root));
+        kept.push_back(std::move(point));
+      } else {
+        excluded = true;
+      }
+    }
+  };
+  keep(searched.roots);
+  // Of a length in an expression for a place it is not known whether it may be negative. It is taken as it is usually
+  // meant, but no solution is passed over in silence.
+  const std::vector<std::size_t> doubtful = explained && found.open.empty()
+                                                ? lengths_of_doubtful_sign(statement_, system, equations.settings())
+                                                : std::vector<std::size_t>{};
+  if (!doubtful.empty() && !limit_.spent() && (found.roots.empty() || !problem.costly)) {
+    solve::RootProblem either = problem;
+    for (const std::size_t k : doubtful) either.ranges[k].lower = -std::numeric_limits<double>::infinity();
+    Searched wider = searched_roots(either, found.roots.empty() ? limit_.left() : std::min(limit_.left(), taken));
+    if (found.roots.empty()) {
+      if (!wider.roots.points.empty()) searched = std::move(wider);
+      keep(searched.roots);
+    } else {
+      for (const std::vector<double>& point : wider.roots.points)
+        if (!wider.roots.open && !has_twin(point, searched.roots.points) &&
+            std::ranges::any_of(doubtful, [&](std::size_t k) { return point[k] < 0; }) &&
+            satisfies_where(statement_, system.situations(), equations.settings_at(point), sought))
+          found.warnings.push_back("all conditions hold with " + values_in_words(slots, point) +
+                                   " as well, but a length is taken as not negative: where it may be, give it a range "
+                                   "under where:");
+    }
+  }
+  const solve::Roots& result = searched.roots;
+  if (searched.off_by_scan) found.off_by_scan = searched.off_by_scan;
+  if (!result.alternative.empty()) found.alternative = equations.settings_at(result.alternative);
+  if (!found.roots.empty() && !found.open.empty() && !problem.costly) {
+    const Balance balance = balance_of(equations);
+    if (balance.independent < balance.unknowns) found.warnings.push_back(shortage_in_words(balance.short_of));
+  }
+  if (found.roots.empty()) {
+    if (!equations.makes_sense() && equations.refusal()) {
+      if (equations.refused_alike()) throw StatementError(*equations.refusal());
+      // Numbers in it are those of a trial.
+      Diagnostic refusal = equations.refusal()->diagnostics().front();
+      refusal.message = "the problem makes no sense at any values of " + joined(names_of(system.unknowns)) +
+                        " that were tried; at the first of them: " + refusal.message;
+      throw StatementError(refusal);
+    }
+    if (explained) found.warnings.push_back(nothing_found(equations, result, excluded));
+  } else if (result.search == solve::RootSearch::few_evaluations) {
+    found.warnings.push_back("found from a few motions; others are not excluded");
+  } else if (result.search == solve::RootSearch::many_starts && found.open.empty()) {
+    found.warnings.push_back(
+        "the roots were found " +
+        (result.starts > 0 ? "from " + counted(result.starts, "start") : std::string("by polynomials")) +
+        "; others are not excluded");
+  }
+  return found;
+}
+
+// Reports how roots were sought in vain, and which conditions clash where they come closest to holding.
+std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded) const {
+  const UnknownSystem& system = equations.system();
+  std::string how;
+  bool proved = false;
+  switch (result.search) {
+    case solve::RootSearch::linear:
+      how = "the equations are linear";
+      proved = true;
+      break;
+    case solve::RootSearch::certified:
+      how = "none exist there";
+      proved = true;
+      break;
+    case solve::RootSearch::few_evaluations:
+      how = "sought with a few motions, which exclude none";
+      break;
+    case solve::RootSearch::many_starts:
+      how = result.starts > 0 ? "searched from " + counted(result.starts, "start") + ", which excludes none"
+                              : "searched by polynomials, which leave parts of the ranges unresolved";
+      break;
+  }
+  if (result.search != solve::RootSearch::few_evaluations)
+    if (const Balance balance = balance_of(equations); !balance.surplus.conditions.empty())
+      how += "; " + surplus_in_words(balance.surplus);
+  const std::string conditions = conditions_in_words(statement_, system);
+  const std::string names = joined(names_of(system.unknowns));
+  std::string text = "no values of " + names + " in their ranges " +
+                     (proved ? "satisfy all conditions (" : "were found that satisfy all conditions (") + how + ")";
+  // What ended for the work that it took says nothing of what there is.
+  if (limit_.spent() && !proved)
+    text = "the search for values of " + names + " that satisfy all conditions ended before it was done (" + how +
+           "): whether there are any is not known, and narrower ranges under where: would help";
+  text += (excluded ? " with what stands under where:" : "") + (conditions.empty() ? "" : ": " + conditions);
+  for (const std::size_t i : system.situations())
+    if (!statement_.situations[i].gravity) {
+      text += "; gravity, of which nothing is said, was left out: write gravity: -y or gravity: none";
+      break;
+    }
+  if (result.best.empty()) return text;
+  // If the situation is solved at this place, its error tells what clashes. That needs values for all of its
+  // unknowns.
+  const AllSettings nearest = equations.settings_at(result.best);
+  for (std::size_t i : system.situations()) {
+    const Situation& situation = statement_.situations[i];
+    if (std::any_of(situation.find.begin(), situation.find.end(),
+                    [&](const Unknown& unknown) { return !nearest[i].contains(unknown.name); }))
+      continue;
+    try {
+      SolvedInstant instant(situation, nearest[i], When{0, situation.has_blow()}, choice_);
+      if (system.has({i, Aspect::forces})) instant.solve_forces();
+    } catch (const StatementError& error) {
+      const Diagnostic& clash = error.diagnostics().front();
+      return clash.file + ":" + std::to_string(clash.mark.line) + ":" + std::to_string(clash.mark.column) + ": " +
+             text + "; where they come closest, at " + values_in_words(equations.slots(), result.best) + ", " +
+             clash.message;
+    }
+  }
+  return text;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,131 @@
+// Roots that a search could lose: for a sign that nobody stated, for tolerances measured by something else, for work.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "problem/answers/solve_statement.h"
+
+namespace poinsot::problem {
+namespace lost_roots_test {
+
+SolvedStatement solved(const std::string& text) { return solve_statement(read_statement(text, "test.yaml"), {}); }
+
+std::string warnings_of(const SolvedStatement& solution) {
+  std::string all;
+  for (const std::string& warning : solution.warnings) all += warning + "\n";
+  return all;
+}
+
+std::string particle_along(double angle, const std::string& fact) {
+  return "given: {a: " + std::to_string(angle) +
+         " rad}\nfind: {c: m}\npoints: {O: [0, 0, 0], A: '[c*cos(a) + 1 m, c*sin(a), 0]'}\n"
+         "bodies: {b: {particle: A, mass: 2 kg}}\ngravity: none\nfacts: {" +
+         fact + "}\nask: {c: c}\n";
+}
+
+// c cos(a) + 1 = x: where c must be negative it is.
+TEST(LengthsOfDoubtfulSign, TheOnlyRootIsFoundWhateverItsSign) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> draw(-3, 3);
+  int negative = 0;
+  for (int trial = 0; trial < 30; ++trial) {
+    const double a = std::round(1e3 * draw(random)) / 1e3, x = std::round(1e3 * draw(random)) / 1e3;
+    const double c = (x - 1) / std::cos(a);
+    if (std::abs(std::cos(a)) < 0.05 || std::abs(c) < 1e-3) continue;
+    const SolvedStatement solution = solved(particle_along(a, "center(b).x: " + std::to_string(x) + " m"));
+    ASSERT_EQ(solution.solutions.size(), 1u) << a << " " << x << warnings_of(solution);
+    EXPECT_NEAR(solution.solutions[0].asks[0].value.number, c, 1e-9 * std::abs(c));
+    negative += c < 0;
+  }
+  EXPECT_GT(negative, 5);
+}
+
+// (c cos(a) + 1)^2 + (c sin(a))^2 = 1.5: a root on either side. The negative one is told, and given where it is asked.
+TEST(LengthsOfDoubtfulSign, ARootOfTheOtherSignIsTold) {
+  const std::string fact = "moment_of_inertia(b about z at O): 3 kg*m^2";
+  const SolvedStatement solution = solved(particle_along(0.5, fact));
+  ASSERT_EQ(solution.solutions.size(), 1u);
+  const double c = std::cos(0.5), root = std::sqrt(c * c + 0.5);
+  EXPECT_NEAR(solution.solutions[0].asks[0].value.number, root - c, 1e-9);
+  EXPECT_NE(warnings_of(solution).find("all conditions hold with c = -2.005 m"), std::string::npos)
+      << warnings_of(solution);
+  const SolvedStatement both = solved(particle_along(0.5, fact) + "where: [c > -10 m]\n");
+  ASSERT_EQ(both.solutions.size(), 2u);
+  EXPECT_NEAR(both.solutions[0].asks[0].value.number, -root - c, 1e-9);
+}
+
+// Of two places that mirror one another the length is the positive one, and nothing more is said.
+TEST(LengthsOfDoubtfulSign, ATwinIsNotTold) {
+  const SolvedStatement solution = solved(
+      "find: {c: m}\npoints: {O: [0, 0, 0], A: '[c*cos(20 deg), c*sin(20 deg), 0]'}\n"
+      "bodies: {b: {particle: A, mass: 2 kg}}\ngravity: none\n"
+      "facts: {moment_of_inertia(b about z at O): 8 kg*m^2}\nask: {c: c}\n");
+  ASSERT_EQ(solution.solutions.size(), 1u);
+  EXPECT_NEAR(solution.solutions[0].asks[0].value.number, 2, 1e-9);
+  EXPECT_EQ(warnings_of(solution), "");
+}
+
+// Weights at 80, 200 and 320 degrees that balance an eccentricity, down to some pm in a wheel of 0.2 m.
+TEST(Choices, TheLeastTotalDoesNotDependOnTheSizeOfWhatIsBalanced) {
+  const double s20 = std::sin(20 * M_PI / 180), s80 = std::sin(80 * M_PI / 180), s60 = std::sin(60 * M_PI / 180);
+  for (const char* e : {"0.4e-3", "4e-9", "1e-9", "1e-10", "1e-11", "2e-12"}) {
+    const SolvedStatement solution = solved(std::string("given: {m: 12 kg, R: 200 mm, e: ") + e + R"( m}
+find: {mA: g, mB: g, mC: g}
+points: {O: [0, 0, 0], A: '[0, R*cos(80 deg), R*sin(80 deg)]', B: '[0, R*cos(200 deg), R*sin(200 deg)]', C: '[0, R*cos(320 deg), R*sin(320 deg)]'}
+bodies:
+  wheel: {mass: m, center: [0, e, 0], added: {A: {particle: A, mass: mA}, B: {particle: B, mass: mB}, C: {particle: C, mass: mC}}}
+joints: {axle: {revolute: x, at: O, to: wheel}}
+choose: {fixed: {of: [A, B, C], least: total}}
+instants: {now: {'center(wheel)': [any, 0, 0]}}
+ask: {a: mA, b: mB, c: mC}
+)");
+    ASSERT_EQ(solution.solutions.size(), 1u) << e;
+    const double per = 12 * std::stod(e) / (0.2 * s60);
+    EXPECT_NEAR(solution.solutions[0].asks[0].value.number, per * s20, 1e-3 * per) << e;
+    EXPECT_NEAR(solution.solutions[0].asks[1].value.number, per * s80, 1e-3 * per) << e;
+    EXPECT_EQ(solution.solutions[0].asks[2].value.number, 0) << e;
+  }
+}
+
+// A disk on a hinge of a free shaft, let go level with a spin n: its lowest pose by energy and momentum,
+//   J t'^2 + (J s^2 + I c^2) p^2 = ..., (J s^2 + I c^2) p = J n   with s = sin(t), c = cos(t).
+// Nothing but n > 0 is said of where to look.
+TEST(LaterFacts, ARateIsFoundFromAnExtremeWithoutARange) {
+  const double r = 0.18, d = 0.36, g = 9.81, I = r * r / 2, J = r * r / 4 + d * d;  // by mass; J about the hinge
+  for (const double degrees : {20.0, 30.0, 45.0, 60.0}) {
+    const double t = degrees * M_PI / 180, s = std::sin(t), c = std::cos(t), K = J * s * s + I * c * c;
+    // J n^2 / 2 + g d c = (J n)^2 / (2 K)
+    const double n = std::sqrt(2 * g * d * c / (J * J / K - J));
+    for (const char* where : {"n > 0", "n > 0.5 rad/s", "0 rad/s < n < 1000 rad/s"}) {
+      const SolvedStatement solution = solved(std::string(R"(find: {n: rad/s}
+axes: [X, Y, Z]
+given: {g: 9.81 m/s^2}
+gravity: -Z
+points: {A: [0, 0, 0], G: [0, 0, -0.36 m]}
+bodies: {shaft: massless, disk: {disk: {center: G, normal: Z, radius: 0.18 m}, mass: any}}
+joints:
+  bearing: {revolute: Z, at: A, to: shaft, angle: phi}
+  clevis: {revolute: -Y, at: A, from: shaft, to: disk, angle: theta}
+instants:
+  start: {phi: 0, theta: 90 deg, theta': 0, phi': n, min(theta): )") +
+                                              std::to_string(degrees) + " deg}\nwhere: [" + where + "]\nask: {n: n}\n");
+      ASSERT_EQ(solution.solutions.size(), 1u) << degrees << where << warnings_of(solution);
+      ASSERT_EQ(solution.solutions[0].asks[0].state, AskState::found) << degrees << where;
+      EXPECT_NEAR(solution.solutions[0].asks[0].value.number, n, 1e-7 * n) << degrees << where;
+    }
+  }
+}
+
+// Roots of one or two unknowns have been looked for by a second road.
+TEST(RootsCheck, IsNamedAmongTheChecks) {
+  const SolvedStatement solution = solved(particle_along(0.5, "center(b).x: 3 m"));
+  ASSERT_EQ(solution.solutions.size(), 1u);
+  ASSERT_TRUE(solution.solutions[0].checks.contains("roots"));
+  EXPECT_LT(solution.solutions[0].checks.at("roots"), 1e-9);
+}
+
+}  // namespace lost_roots_test
+}  // namespace poinsot::problem
