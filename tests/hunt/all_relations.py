@@ -1,5 +1,4 @@
 """Every relation of the hunt by its name, in the order in which statements are given to them."""
-from random_statements import made_statement  # noqa: F401
 from relations_contacts import Feet
 from relations_matter import Doubled, Massless, Split
 from relations_measure import Sizes, Units

@@ -20,7 +20,8 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import report  # noqa: E402
 import statements  # noqa: E402
-from all_relations import RELATIONS, made_statement  # noqa: E402
+from all_relations import RELATIONS  # noqa: E402
+from random_statements import made_statement  # noqa: E402
 from runner import Program  # noqa: E402
 from shrink import shrunk  # noqa: E402
 

@@ -22,8 +22,9 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
 import report  # noqa: E402
 import statements  # noqa: E402
-from all_relations import RELATIONS, made_statement  # noqa: E402
+from all_relations import RELATIONS  # noqa: E402
 from language import UNITS, number_text, parse_unit, text_of, tokens_of  # noqa: E402
+from random_statements import made_statement  # noqa: E402
 from relations import si_factor  # noqa: E402
 from runner import Program, Run  # noqa: E402
 from shrink import shrunk  # noqa: E402

@@ -1,6 +1,5 @@
 """What a relation is: a statement is changed in a way of which it is known how the answers must change."""
 import math
-from fractions import Fraction
 
 from compare import RELATIVE, columns_of, exponents_of, number_of, same, sizes, state, tolerance, value_of
 from language import L, M, NotUnderstood, T, parse_unit, tokens_of

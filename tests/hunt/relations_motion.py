@@ -3,7 +3,6 @@ import math
 import re
 
 from compare import same, state
-from language import tokens_of
 from random_statements import made_statement
 from relations import Find, NotApplicable, Relation, SKIP, Varied, scales_of, si_value
 from relations_matter import STABILITY, asked_text, calls

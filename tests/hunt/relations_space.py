@@ -3,10 +3,10 @@ import math
 import re
 from fractions import Fraction
 
-from language import NotUnderstood, Token, number_text, text_of, tokens_of
+from language import Token, number_text, text_of, tokens_of
 from relations import NotApplicable, Relation, SKIP, Varied, scales_of
 from relations_matter import asked_text
-from statements import has_word, mapped_expressions, situations_of
+from statements import has_word, situations_of
 
 # Lists of three whose items are no components: of names, directions or points.
 NO_VECTORS = {"axes", "semi_axes", "of", "while", "where", "loads", "supports", "carries", "rod", "wire", "polygon",
@@ -233,7 +233,7 @@ class Shifted(Relation):
             is_place = False
         if isinstance(node, list):
             if is_place and len(node) == 3 and all(isinstance(item, str) for item in node):
-                return [f"{item} + {b!r} m" if item != "0" else f"{b!r} m" for item, b in zip(node, by)]
+                return [moved_component(item, b) for item, b in zip(node, by)]
             if key in LISTS_OF_PLACES or path[-2:-1] and path[-2] in LISTS_OF_PLACES and key == "#":
                 return [self.moved_place(item, points, by) for item in node]
             return [self.moved(item, points, by, path + ("#",)) for item in node]
@@ -241,7 +241,7 @@ class Shifted(Relation):
 
     def moved_place(self, node, points, by):
         if isinstance(node, list):
-            return [f"{item} + {b!r} m" if item != "0" else f"{b!r} m" for item, b in zip(node, by)]
+            return [moved_component(item, b) for item, b in zip(node, by)]
         share = 1 - self.weight(node, points)
         if abs(share) < 1e-12:
             return node
@@ -280,3 +280,8 @@ class Shifted(Relation):
         if not all(isinstance(value, float | int) for value in values) or abs(values[0] - values[1]) > 1e-12:
             raise NotApplicable
         return values[0]
+
+
+def moved_component(text, by):
+    """A coordinate of a place, moved; of one that may be anything nothing changes."""
+    return text if text == "any" else f"{by!r} m" if text == "0" else f"{text} + {by!r} m"

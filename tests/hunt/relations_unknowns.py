@@ -1,7 +1,7 @@
 """Relations between what is given and what is found: letters in place of numbers, a datum hidden and found again."""
 from compare import same, state
 from language import NotUnderstood, tokens_of
-from relations import (Find, NotApplicable, Relation, SKIP, Varied, letter_values, si_factor, si_value)
+from relations import Find, NotApplicable, Relation, Varied, letter_values, si_factor
 from statements import has_word
 
 

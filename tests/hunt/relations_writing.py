@@ -1,10 +1,7 @@
 """Relations of writing: another order of keys, and other names."""
-import re
-from copy import deepcopy
-
 from language import PREPOSITIONS, UNITS
-from relations import NotApplicable, Relation, SKIP, Varied, letter_values
-from statements import ORDERED, is_fact_key, mapped_expressions, role, situations_of
+from relations import NotApplicable, Relation, Varied, letter_values
+from statements import ORDERED, mapped_expressions, situations_of
 
 # Maps whose keys are names that the file gives.
 NAMED = ("given", "letters", "find", "points", "directions", "frames", "bodies", "joints", "contacts", "cords",

@@ -1,11 +1,10 @@
 """Statements: problem files as trees of text, where they come from, and how they are walked through and written."""
-import pathlib
 import re
 from copy import deepcopy
 
 import yaml
 
-from language import NotUnderstood, tokens_of, text_of
+from language import text_of, tokens_of
 
 # Maps whose order has a meaning: stages follow each other in time.
 ORDERED = {"stages", "over"}
@@ -37,9 +36,6 @@ class Loader(yaml.CBaseLoader if hasattr(yaml, "CBaseLoader") else yaml.BaseLoad
 
 def from_text(name, text, files=None):
     return Statement(name, yaml.load(text, Loader), files)
-
-
-PLAIN = re.compile(r"[A-Za-z0-9_.(\[-][^:#\[\]{},'\"&*!|>%@`\n]*$")
 
 
 def scalar_to_yaml(text):
