@@ -57,6 +57,29 @@ TEST(Composition, SumDoesNotDependOnOrderAndTakesMasslessParts) {
   EXPECT_EQ(couple.inertia_center.zz, -3);
 }
 
+// Parts in one place have that place for their center, and particles there no moment of inertia at all.
+TEST(Composition, PartsInOnePlaceKeepTheirCenterToTheLastDigit) {
+  Random<double> random(61);
+  int off = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector place = random.point();
+    std::vector<Body> bodies;
+    if (random.whole(0, 1) == 1) bodies.push_back(massless<double>());
+    double mass = 0;
+    Vector first_moment = Vector::zero();
+    for (int part = random.whole(1, 5); part > 0; --part) {
+      bodies.push_back(of_mass(shapes::particle(place), random.between(0.1, 20)));
+      mass += bodies.back().mass;
+      first_moment += bodies.back().mass * place;
+    }
+    const Body whole = sum(bodies);
+    ASSERT_EQ(norm(whole.center - place), 0);
+    ASSERT_EQ(testing::largest_entry(whole.inertia_center), 0);
+    off += norm(first_moment / mass - place) > 0;
+  }
+  EXPECT_GT(off, 100) << "by first moments about the origin the center is often off";
+}
+
 TEST(Composition, ParallelAxesBothWays) {
   Random<double> random(7);
   for (int i = 0; i < 1000; ++i) {

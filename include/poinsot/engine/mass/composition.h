@@ -4,6 +4,7 @@
 // Eq. 18.6. R in `rotated` and `transformed` takes components on the old axes to components on the new ones.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "poinsot/engine/mass/inertia_tensors.h"
@@ -21,18 +22,24 @@ constexpr MassProperties<Scalar> massless() {
 // must differ from zero.
 template <class Scalar>
 MassProperties<Scalar> sum(const std::vector<MassProperties<Scalar>>& parts) {
-  // One part keeps its center to the last digit: a particle must not get a moment of inertia from rounding.
-  if (parts.size() == 1) return parts.front();
   MassProperties<Scalar> whole = massless<Scalar>();
+  if (parts.empty()) return whole;
+  constexpr bool compares = requires(bool zero) { zero = whole.mass == Scalar(0); };
+  // Where the parts have one center that of the whole is the same to the last digit, as it is counted from there:
+  // particles in one place must not get a moment of inertia from rounding. Massless parts have none.
+  Vector3<Scalar> first = parts.front().center;
+  if constexpr (compares) {
+    for (std::size_t i = 1; i < parts.size() && parts[i - 1].mass == Scalar(0); ++i) first = parts[i].center;
+  }
   Vector3<Scalar> first_moment = Vector3<Scalar>::zero();
   for (const auto& part : parts) {
     whole.mass += part.mass;
-    first_moment += part.mass * part.center;
+    first_moment += part.mass * (part.center - first);
   }
-  if constexpr (requires(bool zero) { zero = whole.mass == Scalar(0); }) {
-    if (!(whole.mass == Scalar(0))) whole.center = first_moment / whole.mass;
+  if constexpr (compares) {
+    if (!(whole.mass == Scalar(0))) whole.center = first + first_moment / whole.mass;
   } else {
-    whole.center = first_moment / whole.mass;
+    whole.center = first + first_moment / whole.mass;
   }
   for (const auto& part : parts) whole.inertia_center += inertia_about(part, whole.center);
   return whole;
