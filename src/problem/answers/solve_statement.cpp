@@ -143,7 +143,7 @@ class StatementSolver {
   // reason.
   RootsFound roots_at_draw(UnknownSearch& search, std::optional<StatementError>& refusal) {
     try {
-      return search.find(settings_with_letters());
+      return search.find_confirmed(settings_with_letters());
     } catch (const StatementError& error) {
       if (open_.empty()) throw;
       refused_alike_ = refused_alike_ && (!refusal || std::string_view(refusal->what()) == error.what());

@@ -87,11 +87,16 @@ struct Searched {
 };
 
 // What a scan finds beside the roots that were certified is a root too, and then nothing is certain.
-Searched searched_roots(const solve::RootProblem& problem, Work most) {
+// Which searches a scan confirms: none, those that found more than linear equations, or all.
+enum class Confirmed { none, curved, all };
+
+Searched searched_roots(const solve::RootProblem& problem, Work most, Confirmed confirmed) {
   const WorkLimit limit(most);
   const Work begin = work_done();
   Searched searched{solve::find_roots(problem, most), std::nullopt};
   solve::Roots& roots = searched.roots;
+  if (confirmed == Confirmed::none) return searched;
+  if (confirmed == Confirmed::curved && roots.search == solve::RootSearch::linear) return searched;
   const auto scan = solve::scan_roots(problem, roots, std::min(work_done() - begin, limit.left()));
   if (!scan) return searched;
   searched.off_by_scan = scan->farthest;
@@ -132,7 +137,9 @@ RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained
   solve::RootProblem problem = equations.problem();
   if (zero) problem.zero = *zero;
   const Work begin = work_done();
-  Searched searched = searched_roots(problem, limit_.left());
+  // Of choices most fail, and their amounts nearly always enter linearly.
+  const Confirmed confirmed = !confirming_ ? Confirmed::none : explained ? Confirmed::all : Confirmed::curved;
+  Searched searched = searched_roots(problem, limit_.left(), confirmed);
   const Work taken = work_done() - begin;
   std::set<std::string> sought;
   for (const Unknown& unknown : unknowns_) sought.insert(unknown.name);
@@ -176,7 +183,8 @@ RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained
   if (!doubtful.empty() && !limit_.spent() && (found.roots.empty() || !problem.costly)) {
     solve::RootProblem either = problem;
     for (const std::size_t k : doubtful) either.ranges[k].lower = -std::numeric_limits<double>::infinity();
-    Searched wider = searched_roots(either, found.roots.empty() ? limit_.left() : std::min(limit_.left(), taken));
+    Searched wider =
+        searched_roots(either, found.roots.empty() ? limit_.left() : std::min(limit_.left(), taken), confirmed);
     if (found.roots.empty()) {
       if (!wider.roots.points.empty()) searched = std::move(wider);
       keep(searched.roots);

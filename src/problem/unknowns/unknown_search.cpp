@@ -115,6 +115,18 @@ RootsFound UnknownSearch::find(const Settings& settings, const OpenChoice& choic
   throw StatementError(*refusal);
 }
 
+RootsFound UnknownSearch::find_confirmed(const Settings& settings) {
+  confirming_ = true;
+  try {
+    RootsFound found = find(settings);
+    confirming_ = false;
+    return found;
+  } catch (...) {
+    confirming_ = false;
+    throw;
+  }
+}
+
 bool UnknownSearch::gives_way_so(const AllSettings& root) const {
   for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
     const Situation& situation = statement_.situations[i];

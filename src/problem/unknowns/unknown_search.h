@@ -49,6 +49,8 @@ class UnknownSearch {
   // `choice` says how to take what the statement leaves open. The warnings tell what was left out when the time was
   // over.
   RootsFound find(const Settings& settings, const OpenChoice& choice = {});
+  // The same, confirmed by a scan: for what is shown, not for what is only compared with it.
+  RootsFound find_confirmed(const Settings& settings);
 
   // Whether a solution of find() still satisfies the conditions with another choice of what is left open.
   bool still_holds(const AllSettings& root, const OpenChoice& choice);
@@ -88,6 +90,7 @@ class UnknownSearch {
   std::vector<Unknown> unknowns_;
   std::set<std::string> known_;  // those given from outside the file
   OpenChoice choice_;
+  bool confirming_ = false;
   Work most_;
   WorkLimit limit_;  // of the present find()
 };

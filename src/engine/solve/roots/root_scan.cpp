@@ -22,7 +22,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr std::size_t fewest_on_line = 24, most_on_line = 400;
-constexpr std::size_t fewest_on_side = 9, most_on_side = 40;
+constexpr std::size_t fewest_on_side = 7, most_on_side = 40;
 // Two roots are one if they differ by no more than this part of themselves or of a thousandth of a natural size.
 constexpr double one_root = 1e-6, small_root = 1e-3;
 // Infinite ranges are covered evenly up to so many natural sizes, and once more so many decades to either side of one.
