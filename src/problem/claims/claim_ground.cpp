@@ -16,6 +16,11 @@ ClaimGround::ClaimGround(const Situation& situation, const Settings& settings, c
     : situation_(situation), settings_(settings), exact_(exact), unknowns_(unknowns) {
   for (const Letter& letter : situation.letters)
     if (!settings.contains(letter.name)) letters_.push_back(letter);
+  std::vector<std::pair<double, Dimension>> data;
+  for (const NamedExpression& datum : situation.given)
+    if (const Number* number = datum.value.as<Number>())
+      data.emplace_back(number->value * number->unit.factor, number->unit.dimension);
+  sizes_ = drawn_sizes(data);
 }
 
 Settings ClaimGround::with_letters(const Point& point) const {
@@ -45,7 +50,7 @@ void ClaimGround::find_base() {
   Point possible_point;
   const When when{0, situation_.has_blow()};
   for (int attempt = 0; attempt < most_solved_points && !base_; ++attempt) {
-    base_point_ = draw_point(letters_, attempt);
+    base_point_ = draw_point(letters_, attempt, sizes_);
     std::unique_ptr<SolvedInstant> found;
     try {
       // The instant refers to the settings and so needs them at a lasting address.

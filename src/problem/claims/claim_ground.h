@@ -26,6 +26,7 @@ class ClaimGround {
 
   const Situation& situation() const { return situation_; }
   const std::vector<Letter>& letters() const { return letters_; }  // those without value
+  const DrawnSizes& sizes() const { return sizes_; }               // at which letters are drawn
   const Point& base_point() const { return base_point_; }
   // The settings, with the values that letters and unknowns have at a point. Throws StatementError where an unknown
   // has no value there.
@@ -55,6 +56,7 @@ class ClaimGround {
   const FormulaValues& exact_;
   const FormulaValues& unknowns_;
   std::vector<Letter> letters_;
+  DrawnSizes sizes_;
   FormulaValues values_;
   Point base_point_;
   ClaimFaults faults_;

@@ -39,7 +39,7 @@ class NumberTrier {
     const int most = ground_.letters().empty() ? most_points_without_letters : most_solved_points;
     ClaimFaults faults;
     for (int attempt = 0; attempt < most && !found_.refuted && !limit.spent(); ++attempt) {
-      const Point point = draw_point(ground_.letters(), attempt);
+      const Point point = draw_point(ground_.letters(), attempt, ground_.sizes());
       try {
         try_at(point, attempt);
       } catch (const StatementError& error) {
@@ -84,7 +84,7 @@ class NumberTrier {
   // there. Returns whether there was such a point.
   bool try_at_edges(int attempt, const WorkLimit& limit) {
     if (situation_.has_blow() || (claim_.assume.empty() && situation_.assume.empty())) return false;
-    const Point from = draw_point(ground_.letters(), attempt);
+    const Point from = draw_point(ground_.letters(), attempt, ground_.sizes());
     if (!is_assumed_at(from, attempt)) return false;
     for (const Letter& letter : ground_.letters())
       for (const double step : {0.5, 2.0}) {

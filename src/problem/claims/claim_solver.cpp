@@ -75,7 +75,7 @@ class ClaimSolver {
         if (is_positive(letter)) positive.push_back(letter.name);
       worked_ = std::make_unique<WorkedAssumptions>(formulas_->assumptions(), positive);
       letters_ = all_letters();
-      trials_ = std::make_unique<ClaimTrials>(*formulas_, *worked_, letters_);
+      trials_ = std::make_unique<ClaimTrials>(*formulas_, *worked_, letters_, ground_.sizes());
     } catch (const NoFormula&) {
       return formulas_ = nullptr, false;
     } catch (const std::domain_error&) {
@@ -138,8 +138,18 @@ class ClaimSolver {
     if (!numbers.holds || formulas.holds || !formulas.sides) return false;
     const auto [left, right] = *formulas.sides;
     const double apart = same * std::abs(left - right);
-    return std::ranges::any_of(numbers.alike, [&](const auto& sides) {
-      return std::abs(sides.first - left) <= apart && std::abs(sides.second - right) <= apart;
+    return std::ranges::any_of(numbers.alike, [&](const Verdict::Alike& sides) {
+      return std::abs(sides.left - left) <= apart && std::abs(sides.right - right) <= apart;
+    });
+  }
+
+  // Whether the sides with which formulas refute the claim would count as equal among the numbers of this point: a rate
+  // that follows from the weight is nothing beside those of a spin that is drawn a million times faster.
+  static bool too_fine(const Verdict& numbers, const Verdict& formulas) {
+    if (!numbers.holds || numbers.close || formulas.holds || !formulas.sides) return false;
+    const double apart = std::abs(formulas.sides->first - formulas.sides->second);
+    return std::ranges::any_of(numbers.alike, [&](const Verdict::Alike& sides) {
+      return sides.dimension == formulas.dimension && apart <= sides.allowed;
     });
   }
 
@@ -166,6 +176,10 @@ class ClaimSolver {
       // Rounding hides from the numbers what the exact formulas tell.
     } else if (found_alike(*numbers, verdict)) {
       // The numbers have the same two sides, which count as equal beside forces that have no part in them.
+    } else if (too_fine(*numbers, verdict)) {
+      // Formulas that no number confirms refute nothing: another point has to show it.
+      unconfirmed_ = true;
+      return Outcome::skipped;
     } else if (numbers->close ? !verdict.close : numbers->holds != verdict.holds) {
       if (numbers->close) return Outcome::skipped;
       undetermined("formulas and numbers do not agree on it");
@@ -203,6 +217,8 @@ class ClaimSolver {
   }
 
   void finish(bool possible) {
+    if (!possible && unconfirmed_)
+      return undetermined("wherever it fails, it fails by less than the numbers there can confirm");
     if (!possible) {
       const ClaimFaults& faults = ground_.faults();
       undetermined((claim_.assume.empty() && situation_.assume.empty()
@@ -315,6 +331,7 @@ class ClaimSolver {
   bool tell_;
   std::unique_ptr<ClaimInstant> formulas_;
   std::unique_ptr<WorkedAssumptions> worked_;
+  bool unconfirmed_ = false;     // whether formulas refuted the claim at a point where numbers cannot tell
   std::vector<Letter> letters_;  // all letters that may occur in the formulas
   std::unique_ptr<ClaimTrials> trials_;
   bool proved_ = false;

@@ -56,7 +56,7 @@ std::optional<ClaimTrials::Drawn> ClaimTrials::draw(int attempt) {
     if (!one.values().contains(letter.name)) letters.push_back(letter);
   for (const std::string& part : one.letters())
     if (!one.values().contains(part)) letters.push_back({part, {}, {}});
-  Point free = draw_point(letters, attempt);
+  Point free = draw_point(letters, attempt, sizes_);
   // In half of the attempts the new letters are small beside the others.
   if (attempt % 2 == 1)
     for (const std::string& part : one.letters())

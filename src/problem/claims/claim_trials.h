@@ -16,9 +16,11 @@ bool is_positive(const Letter& letter);
 
 class ClaimTrials {
  public:
-  // letters: all that may occur in the formulas. All arguments must outlive the object.
-  ClaimTrials(const ClaimInstant& formulas, const WorkedAssumptions& worked, const std::vector<Letter>& letters)
-      : formulas_(formulas), worked_(worked), letters_(letters) {}
+  // letters: all that may occur in the formulas; sizes: at which they are drawn. The other arguments must outlive the
+  // object.
+  ClaimTrials(const ClaimInstant& formulas, const WorkedAssumptions& worked, const std::vector<Letter>& letters,
+              const DrawnSizes& sizes)
+      : formulas_(formulas), worked_(worked), letters_(letters), sizes_(sizes) {}
 
   // A point at which the assumptions hold, drawn for one of the cases.
   struct Drawn {
@@ -48,6 +50,7 @@ class ClaimTrials {
   const ClaimInstant& formulas_;
   const WorkedAssumptions& worked_;
   const std::vector<Letter>& letters_;
+  DrawnSizes sizes_;
   std::optional<std::vector<Edge>> edges_;
   int exact_equalities_ = 0;  // how often equal sides were compared exactly
 };

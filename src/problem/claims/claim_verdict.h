@@ -17,8 +17,12 @@ struct Verdict {
   std::optional<std::pair<double, double>> sides;  // of the comparison that does not hold
   std::optional<double> difference;  // the difference of the sides, if it was decided exactly and rounding hides it
   Dimension dimension;
-  // The sides that counted as equal though they are not the same numbers.
-  std::vector<std::pair<double, double>> alike;
+  // Sides that counted as equal, since they differ by no more than is allowed beside the natural size of such numbers.
+  struct Alike {
+    double left, right, allowed;
+    Dimension dimension;
+  };
+  std::vector<Alike> alike;
 
   // Adds one comparison of numbers. natural: the natural size of the sides.
   void judge(double left, double right, Relation relation, double natural, const Dimension& of);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "poinsot/engine/math/algebra/spatial.h"
+
 namespace poinsot::problem {
 namespace {
 
@@ -29,10 +31,40 @@ double likely_of_a_body(const Letter& letter, int attempt, double value, Random&
 
 }  // namespace
 
+double DrawnSizes::of(const Dimension& dimension) const {
+  constexpr double whole = 12;  // exponents of dimensions are counted in twelfths
+  return std::pow(length, dimension.length / whole) * std::pow(mass, dimension.mass / whole) *
+         std::pow(time, dimension.time / whole);
+}
+
+// The least logarithms x of the three sizes with A x = b as nearly as can be, where a row of A has the exponents of a
+// datum and b its logarithm: what minimises |A x - b|^2 + |x|^2 / 10^6.
+DrawnSizes drawn_sizes(const std::vector<std::pair<double, Dimension>>& data) {
+  // In decades; and so little that it decides only what the data leave open.
+  constexpr double far = 4, drawn_to_si = 1e-6;
+  SymmetricMatrix3<double> square{};
+  Vector3<double> right{};
+  bool is_far = false;
+  for (const auto& [number, dimension] : data) {
+    const Vector3<double> row{dimension.length / 12.0, dimension.mass / 12.0, dimension.time / 12.0};
+    if (!std::isfinite(number) || number == 0 || norm(row) == 0) continue;
+    const double decades = std::log10(std::abs(number));
+    is_far = is_far || std::abs(decades) > far;
+    square = square + SymmetricMatrix3<double>{row.x * row.x, row.y * row.y, row.z * row.z,
+                                               row.x * row.y, row.y * row.z, row.z * row.x};
+    right = right + decades * row;
+  }
+  if (!is_far) return {};
+  square = square + SymmetricMatrix3<double>::diagonal(drawn_to_si, drawn_to_si, drawn_to_si);
+  const Vector3<double> x = inverse(square) * right;
+  // Whole decades leave the digits of what is drawn as they are.
+  return {std::pow(10, std::round(x.x)), std::pow(10, std::round(x.y)), std::pow(10, std::round(x.z))};
+}
+
 // The first points have small whole numbers, later ones quarters. Angles are multiples of 15 deg or quarters of a
 // radian, now and then more than half a turn. Every other point has values that a rigid body is likely to have; some
 // have large or small numbers.
-Point draw_point(const std::vector<Letter>& letters, int attempt) {
+Point draw_point(const std::vector<Letter>& letters, int attempt, const DrawnSizes& sizes) {
   Random random(7000 + static_cast<std::uint64_t>(attempt));
   Point point;
   for (const Letter& letter : letters) {
@@ -49,7 +81,7 @@ Point draw_point(const std::vector<Letter>& letters, int attempt) {
     if ((letter.either_sign || (angle && attempt % 3 == 2)) && among(random, 0, 1) == 0) value = -value;
     if (letter.either_sign && attempt % 4 == 2 && among(random, 0, 3) == 0) value = 0;
     if (letter.either_sign && attempt % 16 == 12) value = 0;
-    point[letter.name] = value * letter.unit.factor;
+    point[letter.name] = value * letter.unit.factor * sizes.of(letter.unit.dimension);
   }
   return point;
 }

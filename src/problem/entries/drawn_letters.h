@@ -4,6 +4,7 @@
 #include <map>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "problem/entries/statement.h"
@@ -14,8 +15,19 @@ using Point = std::map<std::string, double>;  // in SI units
 
 inline constexpr int simple_points = 60;  // the first points, which have small whole numbers
 
+// The sizes of length, mass and time that letters are drawn at, in SI units.
+struct DrawnSizes {
+  double length = 1, mass = 1, time = 1;
+
+  double of(const Dimension& dimension) const;
+};
+// Those beside which the data of a statement are about one: under a gravity of 1e-11 m/s^2 spins of 1 rad/s are
+// nothing that its tops do. SI units, unless a datum is more than four decades from them, as whoever reads a
+// counterexample expects numbers of the size of units.
+DrawnSizes drawn_sizes(const std::vector<std::pair<double, Dimension>>& data);
+
 // The point of an attempt. It is the same everywhere for the same letters.
-Point draw_point(const std::vector<Letter>& letters, int attempt);
+Point draw_point(const std::vector<Letter>& letters, int attempt, const DrawnSizes& sizes = {});
 
 // A value of about the size of the letter's unit; of an angle, between 0.2 and 1.2 rad. With a larger spread it lies
 // farther from that size, for a statement that makes no sense near it, but never beyond four decades.

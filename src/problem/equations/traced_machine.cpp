@@ -10,6 +10,7 @@
 #include "poinsot/engine/dynamics/convert_mechanism.h"
 #include "poinsot/engine/math/trace/traced_formula.h"
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
+#include "poinsot/engine/solve/instant/equations.h"
 #include "poinsot/engine/work/work.h"
 #include "problem/entries/drawn_letters.h"
 #include "problem/formulas/formula_answers.h"
@@ -205,15 +206,28 @@ std::vector<bool> find_held(const Mechanism<Formula>& mechanism) {
 // The state in which signs are decided. It is close to the drawn or stated pose and not special, but satisfies the
 // constraints, so that redundant constraints are recognised.
 State<double> sample_state(const MachineOf<Formula>& machine) {
+  const Mechanism<double> mechanism =
+      convert_mechanism<double>(machine.mechanism, [](const Formula& x) { return plain(x); });
+  // Some hundredths of a radian or of the machine's length, and rates of about one: no two alike.
+  constexpr double beside = 0.01;
+  const double length = solve::natural_scales(mechanism).length;
   State<double> state;
-  for (std::size_t k = 0; k < machine.q.size(); ++k)
-    state.q.push_back(plain(machine.q[k]) + 0.01 / (1.37 + 0.61 * static_cast<double>(k)));
-  for (int k = 0; k < machine.mechanism.tree.velocity_size(); ++k) state.v.push_back(0.53 + 0.29 * k);
+  for (std::size_t k = 0; k < machine.q.size(); ++k) state.q.push_back(beside / (1.37 + 0.61 * static_cast<double>(k)));
+  for (int k = 0; k < mechanism.tree.velocity_size(); ++k) state.v.push_back(0.53 + 0.29 * k);
+  for (const poinsot::Body<double>& body : mechanism.tree.bodies()) {
+    if (body.joint == JointType::prismatic) state.q[static_cast<std::size_t>(body.q)] *= length;
+    if (body.joint == JointType::prismatic) state.v[static_cast<std::size_t>(body.v)] *= length;
+    for (int k = 0; body.joint == JointType::free && k < 3; ++k) {
+      state.q[static_cast<std::size_t>(body.q + 4 + k)] *= length;
+      state.v[static_cast<std::size_t>(body.v + 3 + k)] *= length;
+    }
+  }
+  for (std::size_t k = 0; k < machine.q.size(); ++k) state.q[k] += plain(machine.q[k]);
   if (machine.mechanism.constraints.empty()) return state;
   State<double> before = state;
   try {
-    MechanismDynamics dynamics(convert_mechanism<double>(machine.mechanism, [](const Formula& x) { return plain(x); }));
-    constexpr double closed = 1e-10;
+    MechanismDynamics dynamics(mechanism);
+    constexpr double closed = 1e-10;  // of natural lengths: Newton's method that arrives leaves 1e-14
     if (dynamics.project(state.q, state.v) <= closed) return state;
     for (std::size_t k = 0; k < machine.q.size(); ++k) state.q[k] = plain(machine.q[k]);
     if (dynamics.project(state.q, state.v) <= closed) return state;

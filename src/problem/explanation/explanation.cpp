@@ -28,7 +28,8 @@ bool stays_number(double value, const Dimension& dimension) {
   if (value == 0) return true;
   if (dimension == dimensions::none) return value == std::round(value);
   const double steps = value / (std::numbers::pi / 12);
-  return dimension == dimensions::angle && std::abs(steps - std::round(steps)) < 1e-9;
+  constexpr double rounding = 1e-9;  // of 15 degrees, of an angle that was stated in radians with nine digits
+  return dimension == dimensions::angle && std::abs(steps - std::round(steps)) < rounding;
 }
 
 class Explainer {

@@ -11,11 +11,13 @@ namespace {
 
 // If the row says only that a single symbol is zero, this symbol.
 std::optional<std::string> vanishing_symbol(const std::vector<ShownTerm>& left, const std::vector<ShownTerm>& right,
-                                            double natural) {
+                                            const Dimension& dimension, double natural,
+                                            const NaturalCoefficient& natural_coefficient) {
   std::optional<std::string> symbol;
   for (const auto* side : {&left, &right})
     for (const ShownTerm& term : *side) {
-      if (is_rounding(term.coefficient.number, term.symbol.empty() ? natural : 1e-2)) continue;
+      const double size = term.symbol.empty() ? natural : natural_coefficient(dimension / term.dimension);
+      if (is_rounding(term.coefficient.number, size)) continue;
       if (symbol || term.symbol.empty() || term.value != 0) return std::nullopt;
       symbol = term.symbol;
     }
@@ -31,7 +33,7 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
   for (const int body : bodies)
     if (mechanism().tree.body(body).inertia.mass > 0) massive.push_back(body);
   // Coordinates that do not move these bodies take no part.
-  const Balance<double> trial = balance_of(figures_.numbers, system.plan, Vector3<double>::zero());
+  const MotionBalance<double> trial = balance_of(figures_.numbers, system.plan, Vector3<double>::zero());
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < system.plan.open.size(); ++i)
     if (norm(trial.motion[i].force) + norm(trial.motion[i].moment) > 0) open.push_back(system.plan.open[i]);
@@ -68,8 +70,8 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
   force_list(free_body, system);
 
   ExplainedSection& equations = section(sudden() ? "Impulse and momentum" : "Component equations");
-  const Balance<double> numbers = balance_of(figures_.numbers, system.plan, point.position.number);
-  std::optional<Balance<Formula>> formulas;
+  const MotionBalance<double> numbers = balance_of(figures_.numbers, system.plan, point.position.number);
+  std::optional<MotionBalance<Formula>> formulas;
   if (figures_.formulas && point.position.formula) {
     try {
       formulas = balance_of(*figures_.formulas, system.plan, *point.position.formula);
@@ -144,11 +146,13 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
     const std::string name = sudden() ? (row < 3 ? axis + "\\text{ components}" : axis + "\\text{ moments}")
                                       : (row < 3 ? "\\Sigma F_{" + axis + "}" : "\\Sigma M_{" + axis + "}");
     const Dimension& dimension = row < 3 ? force_dimension : moment_dimension;
-    if (const std::optional<std::string> alone = vanishing_symbol(left, right, natural_of(dimension))) {
+    if (const std::optional<std::string> alone =
+            vanishing_symbol(left, right, dimension, natural_of(dimension), natural_coefficient())) {
       vanishing.push_back("$" + *alone + "$");
       continue;
     }
-    for (ExplainedEquation& equation : tex_.balance(name, left, right, dimension, natural_of(dimension))) {
+    for (ExplainedEquation& equation :
+         tex_.balance(name, left, right, dimension, natural_of(dimension), natural_coefficient())) {
       if (!situation_.neglect.empty()) {
         // The sides differ by the neglected squares.
         equation.sides.clear();

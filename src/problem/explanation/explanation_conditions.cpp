@@ -38,11 +38,12 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
       const auto& impact = figures.blow.impacts[i];
       return -(impact.restitution * approach_of(*figures.before, impact));
     });
-    ExplainedStep step{"At *" + numbers.blow.impacts[i].name +
-                           "* the points part along the push with $e$ times the "
-                           "speed of approach, $e = " +
-                           tex_.number(numbers.blow.impacts[i].restitution, dimensions::none) + "$:",
-                       tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length)};
+    ExplainedStep step{
+        "At *" + numbers.blow.impacts[i].name +
+            "* the points part along the push with $e$ times the "
+            "speed of approach, $e = " +
+            tex_.number(numbers.blow.impacts[i].restitution, dimensions::none) + "$:",
+        tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length, natural_coefficient())};
     here.steps.push_back(std::move(step));
   }
   for (std::size_t i = 0; i < mechanism().constraints.size(); ++i) {
@@ -83,8 +84,9 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
     });
     std::string words = constraint.words;
     std::replace(words.begin(), words.end(), '\'', '*');
-    ExplainedStep step{"What holds the bodies: " + words + ":",
-                       tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length)};
+    ExplainedStep step{
+        "What holds the bodies: " + words + ":",
+        tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length, natural_coefficient())};
     if (!step.equations.empty()) here.steps.push_back(std::move(step));
   }
 }
@@ -124,8 +126,8 @@ void InstantExplainer::velocity_conditions() {
     if (left.size() < 2 && is_rounding(right.number, noise_size(dimensions::velocity))) continue;
     std::string words = mechanism().constraints[i].words;
     std::replace(words.begin(), words.end(), '\'', '*');
-    ExplainedStep step{words + ":",
-                       tex_.balance("", left, {{right}}, dimensions::velocity, noise_size(dimensions::velocity))};
+    ExplainedStep step{words + ":", tex_.balance("", left, {{right}}, dimensions::velocity,
+                                                 noise_size(dimensions::velocity), natural_coefficient())};
     if (!step.equations.empty()) steps.push_back(std::move(step));
   }
   if (steps.empty()) return;

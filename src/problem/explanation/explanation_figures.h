@@ -94,9 +94,9 @@ struct BalancePlan {
   bool sudden = false;
 };
 
-// The terms of a balance. All are about one point.
+// The terms of the balance of forces and the change of momentum. All are about one point.
 template <class Scalar>
-struct Balance {
+struct MotionBalance {
   std::vector<SpatialForce<Scalar>> unknown;  // for a unit of each unknown
   std::vector<SpatialForce<Scalar>> known;
   std::vector<SpatialForce<Scalar>> weights;  // of each body with mass, in the order of the set
@@ -131,12 +131,12 @@ SpatialForce<Scalar> absorbed_momentum(const InstantFigures<Scalar>& figures,
 }
 
 template <class Scalar>
-Balance<Scalar> balance_of(const InstantFigures<Scalar>& figures, const BalancePlan& plan,
-                           const Vector3<Scalar>& point) {
+MotionBalance<Scalar> balance_of(const InstantFigures<Scalar>& figures, const BalancePlan& plan,
+                                 const Vector3<Scalar>& point) {
   using Wrench = SpatialForce<Scalar>;
   const Mechanism<Scalar>& mechanism = figures.mechanism();
   const solve::MechanismStateOf<Scalar>& placed = plan.sudden ? *figures.before : figures.now;
-  Balance<Scalar> balance;
+  MotionBalance<Scalar> balance;
   for (const UnknownForce& force : plan.unknown) {
     Wrench one = force.kind == UnknownForce::Kind::component
                      ? placed.component_wrench(mechanism.components[force.index])

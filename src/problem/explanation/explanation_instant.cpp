@@ -11,7 +11,9 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double formula_tolerance = 1e-8;  // relative difference allowed between a formula and its number
+// Relative difference allowed between a formula and its number. Numbers that rest on unknowns are found to 1e-9; a
+// formula that is not that of the number is off in its first digits.
+constexpr double formula_tolerance = 1e-8;
 
 }  // namespace
 
@@ -34,9 +36,7 @@ InstantExplainer::InstantExplainer(const Situation& situation, SolvedInstant& so
 Shown InstantExplainer::confirmed(double number, const std::optional<Formula>& formula) const {
   if (!formula) return {number, std::nullopt};
   try {
-    const double value = formula->is_zero() ? 0 : value_at(*formula, letters_);
-    const double size = std::max(std::abs(value), std::abs(number));
-    if (std::abs(value - number) <= formula_tolerance * size + 1e-11) return {formula->is_zero() ? 0 : number, formula};
+    if (has_value(*formula, letters_, number, formula_tolerance)) return {formula->is_zero() ? 0 : number, formula};
   } catch (const std::exception&) {
     // If the formula cannot be evaluated, only the number is shown.
   }

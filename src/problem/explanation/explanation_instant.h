@@ -78,6 +78,11 @@ class InstantExplainer {
     }
   }
   Shown confirmed(double number, const std::optional<Formula>& formula) const;
+  // A hundredth of the unit of each dimension that the machine sets: arms and masses that count beside others.
+  NaturalCoefficient natural_coefficient() const {
+    constexpr double part = 1e-2;
+    return [this](const Dimension& dimension) { return part * natural_unit(solved_.scales(), dimension); };
+  }
   double noise_size(const Dimension& dimension) const;
   Shown clean(Shown value, const Dimension& dimension) const;
   ShownVector clean(ShownVector value, const Dimension& dimension) const;

@@ -128,7 +128,7 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system) 
         "the weight of *" + body_name(body) + "* at $" + center_label(body) + "$" +
         (tex_.can_show(weight) ? ": " + tex_.inline_equation("m\\mathbf{g}", weight, dimensions::force) : ""));
   }
-  const Balance<double> balance = balance_of(figures_.numbers, system.plan, Vector3<double>::zero());
+  const MotionBalance<double> balance = balance_of(figures_.numbers, system.plan, Vector3<double>::zero());
   for (std::size_t i = 0; i < system.plan.known.size(); ++i) {
     const Action& action = mechanism().actions[system.plan.known[i].action];
     const SpatialForce<double>& wrench = balance.known[i];

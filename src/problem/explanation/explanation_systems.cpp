@@ -153,7 +153,7 @@ bool InstantExplainer::determines(const std::vector<std::set<int>>& systems) con
   const std::vector<std::size_t> open = open_coordinates();
   for (const std::set<int>& bodies : systems) {
     const BalancePlan plan = plan_for(bodies);
-    const Balance<double> balance = balance_of(figures_.numbers, plan, Vector3<double>::zero());
+    const MotionBalance<double> balance = balance_of(figures_.numbers, plan, Vector3<double>::zero());
     for (std::size_t row = 0; row < 6; ++row) {
       const std::size_t equation = equations.add_equation("balance", row < 3 ? force : force * scales.length);
       for (std::size_t i = 0; i < plan.unknown.size(); ++i) {
@@ -203,7 +203,7 @@ bool InstantExplainer::has_pure_equation(const std::set<int>& bodies) const {
   const BalancePlan plan = plan_for(bodies);
   const std::optional<ExplainedPoint> point = best_point(plan);
   if (!point) return false;
-  const Balance<double> balance = balance_of(figures_.numbers, plan, point->position.number);
+  const MotionBalance<double> balance = balance_of(figures_.numbers, plan, point->position.number);
   for (std::size_t row = 0; row < 6; ++row) {
     double unknown = 0, other = std::abs(entry(balance.rest, row));
     for (const auto& one : balance.unknown) unknown = std::max(unknown, std::abs(entry(one, row)));

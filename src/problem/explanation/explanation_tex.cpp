@@ -15,6 +15,8 @@ constexpr std::size_t longest_beside_number = 64;  // in characters of plain tex
 constexpr std::size_t longest_alone = 600;
 // In characters of plain text, for an equation in symbols beside the same in numbers.
 constexpr std::size_t longest_line = 150;
+// Numbers of an instant are good to some 1e-12 of their natural size. With a tenth of this, rounding of long chains
+// would be shown as a force of 3e-16 N; what is a billionth of the natural size is real and is shown.
 constexpr double rounding = 1e-10;
 constexpr int shown_digits = 6;
 
@@ -95,6 +97,24 @@ double size_of(const Vector3<double>& v) { return std::max({std::abs(v.x), std::
 
 }  // namespace
 
+bool has_value(const Formula& formula, const LetterValues& letters, double value, double tolerance) {
+  const double found = formula.is_zero() ? 0 : value_at(formula, letters);
+  const double apart = std::abs(found - value);
+  if (apart <= tolerance * std::max(std::abs(found), std::abs(value))) return true;
+  // Where terms cancel, by as much as the formula changes when each letter changes in its last digits: some ten times
+  // the part to which the numbers of an instant are good.
+  constexpr double last_digits = 1e-11;
+  double allowed = 0;
+  LetterValues moved = letters;
+  for (auto& [name, letter] : moved) {
+    const double own = letter;
+    letter *= 1 + last_digits;
+    allowed += std::abs(value_at(formula, moved) - found);
+    letter = own;
+  }
+  return apart <= allowed;
+}
+
 bool is_rounding(double value, double size) { return !(std::abs(value) > rounding * size); }
 
 ExplanationTex::ExplanationTex(const Situation& situation, std::vector<std::string> open)
@@ -162,7 +182,9 @@ bool ExplanationTex::fits_units(const Shown& value, const Dimension& dimension) 
   if (letters_.empty() || value.formula->is_zero()) return true;
   try {
     const double shown = value.number / unit(dimension).factor;
-    return std::abs(value_at(*value.formula, letters_) - shown) <= 1e-7 * std::abs(shown) + 1e-11;
+    // A number with a unit that stands in a formula shows in its first digits: units differ by factors of ten and more.
+    constexpr double same_units = 1e-7;
+    return has_value(*value.formula, letters_, shown, same_units);
   } catch (const std::exception&) {
     return false;
   }
@@ -276,14 +298,16 @@ std::string ExplanationTex::inline_equation(const std::string& symbol, const Sho
 }
 
 std::string ExplanationTex::side_in_numbers(const std::vector<ShownTerm>& terms, const Dimension& dimension,
-                                            double natural, double& sum, double& size) const {
+                                            double natural, const NaturalCoefficient& natural_coefficient, double& sum,
+                                            double& size) const {
   std::string side;
   for (const ShownTerm& term : terms) {
-    // A coefficient is left out if its largest possible contribution is rounding.
-    if (is_rounding(term.coefficient.number * (term.symbol.empty() ? 1 : term.value), natural) &&
-        (term.symbol.empty() || is_rounding(term.coefficient.number, 1e-2)))
-      continue;
     const Dimension of_coefficient = dimension / term.dimension;
+    // A coefficient is left out if it is rounding, and its contribution too: that of a symbol that is zero tells
+    // nothing.
+    if (is_rounding(term.coefficient.number * (term.symbol.empty() ? 1 : term.value), natural) &&
+        (term.symbol.empty() || is_rounding(term.coefficient.number, natural_coefficient(of_coefficient))))
+      continue;
     append_term(side, number(term.coefficient.number, of_coefficient), term.symbol);
     const double amount = rounded(term.coefficient.number, of_coefficient) * term.value;
     sum += amount;
@@ -320,11 +344,12 @@ std::vector<ExplainedSymbol> ExplanationTex::symbols_in(const std::vector<ShownT
 
 std::vector<ExplainedEquation> ExplanationTex::balance(const std::string& name, const std::vector<ShownTerm>& left,
                                                        const std::vector<ShownTerm>& right, const Dimension& dimension,
-                                                       double natural) const {
+                                                       double natural,
+                                                       const NaturalCoefficient& natural_coefficient) const {
   std::vector<ExplainedEquation> equations;
   double left_sum = 0, right_sum = 0, size = 0;
-  const std::string left_numbers = side_in_numbers(left, dimension, natural, left_sum, size);
-  const std::string right_numbers = side_in_numbers(right, dimension, natural, right_sum, size);
+  const std::string left_numbers = side_in_numbers(left, dimension, natural, natural_coefficient, left_sum, size);
+  const std::string right_numbers = side_in_numbers(right, dimension, natural, natural_coefficient, right_sum, size);
   if (left_numbers == "0" && right_numbers == "0") return {};
   const auto has_letters = [&](const std::vector<ShownTerm>& terms) {
     return std::any_of(terms.begin(), terms.end(), [](const ShownTerm& term) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ struct ShownTerm {
   double value = 1;
   Dimension dimension{};  // that of the symbol
 };
+
+using NaturalCoefficient = std::function<double(const Dimension&)>;
 
 class ExplanationTex {
  public:
@@ -78,10 +81,11 @@ class ExplanationTex {
   std::string inline_equation(const std::string& symbol, const ShownVector& value, const Dimension& dimension) const;
 
   // The equation name: left = right, in symbols if all coefficients have short formulas, and then in numbers. There
-  // is none if both sides vanish or nothing can be shown. natural: numbers far below this are rounding, in SI units.
+  // is none if both sides vanish or nothing can be shown. Numbers far below `natural` are rounding, and coefficients of
+  // symbols far below what natural_coefficient gives for their dimension, in SI units.
   std::vector<ExplainedEquation> balance(const std::string& name, const std::vector<ShownTerm>& left,
                                          const std::vector<ShownTerm>& right, const Dimension& dimension,
-                                         double natural) const;
+                                         double natural, const NaturalCoefficient& natural_coefficient) const;
 
   // The formula alone; nothing if it is too long to read.
   static std::optional<std::string> formula(const Formula& formula);
@@ -99,7 +103,7 @@ class ExplanationTex {
   std::optional<std::string> formula_tex(const Shown& value, const Dimension& dimension) const;
   bool fits_units(const Shown& value, const Dimension& dimension) const;
   std::string side_in_numbers(const std::vector<ShownTerm>& terms, const Dimension& dimension, double natural,
-                              double& sum, double& size) const;
+                              const NaturalCoefficient& natural_coefficient, double& sum, double& size) const;
   std::optional<std::string> side_in_symbols(const std::vector<ShownTerm>& terms, const Dimension& dimension) const;
   std::vector<ExplainedSymbol> symbols_in(const std::vector<ShownTerm>& left,
                                           const std::vector<ShownTerm>& right) const;
@@ -115,5 +119,9 @@ class ExplanationTex {
 
 // Whether a number is nothing but rounding beside another.
 bool is_rounding(double value, double size);
+
+// Whether a formula has this value, but for a part `tolerance` of it and for the rounding of its terms, which may
+// cancel.
+bool has_value(const Formula& formula, const LetterValues& letters, double value, double tolerance);
 
 }  // namespace poinsot::problem

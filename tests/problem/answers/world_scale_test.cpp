@@ -1,6 +1,7 @@
 // No tolerance is a metre, a kilogram or a second by itself: the same problem a million times smaller, lighter or
 // faster has the same answers, scaled by their dimensions, and the same verdicts.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -162,6 +163,70 @@ TEST(WorldScale, RandomProblemsFromNanometresToGigametres) {
     for (const auto& [name, residual] : b.checks) ASSERT_LT(residual, 1e-9) << name << "\n" << there;
     if (HasFatalFailure()) return;
   }
+}
+
+struct ClaimVerdicts {
+  std::vector<std::string> reasons;
+  std::vector<bool> found, hold;
+};
+ClaimVerdicts verdicts_at(const std::string& folder, const std::string& name, const WorldScale& scale) {
+  const fs::path file = fs::path(POINSOT_SOURCE_DIR) / "examples" / folder / name;
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  Statement statement = read_statement(scaled_text(text.str(), scale), file.string());
+  statement.asks.clear();
+  ClaimVerdicts verdicts;
+  if (statement.claims.empty()) return verdicts;
+  const auto& cases = statement.expected;
+  const SolvedStatement solved =
+      solve_statement(statement, cases.empty() ? decltype(cases.front().sets){} : cases.front().sets);
+  for (const SolvedClaim& claim : solved.solutions.front().claims) {
+    verdicts.reasons.push_back(claim.reason);
+    verdicts.found.push_back(claim.state == AskState::found);
+    verdicts.hold.push_back(claim.holds);
+  }
+  return verdicts;
+}
+
+// Standard gravity beside letters without values: that it is a million times weaker or stronger does not change what
+// is true of all tops.
+TEST(WorldScale, ClaimsHaveTheSameVerdictsAtEverySizeWeightAndPace) {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const TextbookItem& item : textbook())
+    if (!falls_short(item.name) && item.text.find("\nclaim:") != std::string::npos)
+      files.emplace_back("textbook", item.name);
+  for (const char* name : {"kovalevskaya.yaml", "goryachev-chaplygin.yaml", "lagrange-top.yaml"})
+    files.emplace_back("published", name);
+  EXPECT_GE(files.size(), 15U);
+  for (const auto& [folder, name] : files) {
+    const ClaimVerdicts base = verdicts_at(folder, name, {});
+    for (const double far : {1e-6, 1e6})
+      for (const WorldScale& scale : {WorldScale{far, 1, 1}, WorldScale{1, far, 1}, WorldScale{1, 1, far}}) {
+        const ClaimVerdicts other = verdicts_at(folder, name, scale);
+        const std::string where =
+            fmt::format("{} at lengths, masses, times by {:g}, {:g}, {:g}", name, scale.length, scale.mass, scale.time);
+        EXPECT_EQ(base.found, other.found) << where << ": " << fmt::format("{}", fmt::join(other.reasons, "; "));
+        EXPECT_EQ(base.hold, other.hold) << where;
+      }
+  }
+}
+
+// A massless link between turning and sliding parts counts as light beside them in any unit of length.
+TEST(WorldScale, AGovernorSwingsAtEverySize) {
+  const fs::path file = fs::path(POINSOT_SOURCE_DIR) / "examples" / "published" / "watt-governor.yaml";
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  for (const double length : {1e-9, 1e-6, 1.0, 1e6, 1e9})
+    for (const double mass : {1e-12, 1.0, 1e12})
+      for (const double time : {1e-6, 1.0, 1e6}) {
+        const Solution found = solved(scaled_text(text.str(), {length, mass, time}));
+        const double part = (2 + 3) * 9.81 / (2 * 0.4 * 12 * 12), square = 1 - part * part;  // cos(b), sin(b)^2
+        ASSERT_EQ(found.asks[1].state, AskState::found) << length << " " << mass << " " << time << found.asks[1].reason;
+        EXPECT_NEAR(found.asks[1].value.items.at(0).number * time, 12 * std::sqrt(2 * square / (2 + 2 * 3 * square)),
+                    1e-8);
+      }
 }
 
 // An energy that is not that of the stated rate is refused, however slow or small the world is.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -52,6 +53,36 @@ TEST(DrawnLetters, HaveTheSizeOfTheirUnitAndLeaveItWithTheSpread) {
   EXPECT_LT(most, std::exp(9.2) * (1 + 1e-12));
   EXPECT_LT(least, 1e-3);
   EXPECT_GT(most, 1e3);
+}
+
+// Whatever the data, in units of the sizes found they are about one; and the sizes stay those of units where they can.
+TEST(DrawnLetters, AreDrawnAtTheSizeOfTheData) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> decades(-9, 9), part(0.5, 2);
+  for (int i = 0; i < 200; ++i) {
+    const double length = std::pow(10, decades(random)), mass = std::pow(10, decades(random)),
+                 time = std::pow(10, decades(random));
+    std::vector<std::pair<double, Dimension>> data{{part(random) * length / (time * time), dimensions::acceleration},
+                                                   {part(random) * mass, dimensions::mass},
+                                                   {part(random), dimensions::angle}};
+    if (i % 2 == 0) data.emplace_back(part(random) * length, dimensions::length);
+    const DrawnSizes sizes = drawn_sizes(data);
+    const bool far = std::ranges::any_of(data, [](const auto& datum) { return std::abs(std::log10(datum.first)) > 4; });
+    for (const auto& [value, dimension] : data) {
+      const double beside = std::abs(std::log10(value / sizes.of(dimension)));
+      EXPECT_LT(far ? beside : std::abs(sizes.of(dimension) - 1), 1.9) << value;
+      EXPECT_TRUE(far || sizes.of(dimension) == 1);
+    }
+    if (far && i % 2 == 0) {
+      EXPECT_NEAR(std::log10(time / sizes.time), 0, 1.5);
+    }
+    const std::vector<Letter> letters{letter_in("k", "N/m"), letter_in("w", "rad/s", true)};
+    for (int attempt = 0; attempt < 20; ++attempt) {
+      const Point plain = draw_point(letters, attempt), drawn = draw_point(letters, attempt, sizes);
+      for (const Letter& letter : letters)
+        EXPECT_DOUBLE_EQ(drawn.at(letter.name), plain.at(letter.name) * sizes.of(letter.unit.dimension));
+    }
+  }
 }
 
 TEST(DrawnLetters, StayNearAValueThatMadeSense) {

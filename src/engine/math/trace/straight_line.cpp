@@ -174,7 +174,7 @@ class FactoredTrace {
     const Trace::Node& node = nodes_[i];
     switch (node.operation) {
       case Op::constant:
-        return traced_constant(node.value, node.residue);
+        return traced_constant(node.value, node.residue, node.rounding);
       case Op::input:
         return inputs_[node.input];
       case Op::add: {

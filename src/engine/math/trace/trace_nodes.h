@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/math/formula/residue.h"
+#include "poinsot/engine/math/algebra/rounded.h"
 #include "poinsot/engine/math/trace/traced.h"
 
 namespace poinsot {
@@ -17,6 +18,9 @@ struct Trace::Node {
   double value = 0;             // of a constant; else at the sample
   std::uint32_t input = 0;      // which variable
   symbolic::Residue residue{};  // at random points
+  double rounding = 0;          // how far the value may be off
+
+  Rounded rounded() const { return {value, rounding}; }
 };
 
 struct Trace::State {
@@ -30,8 +34,14 @@ struct Trace::State {
 // An operation on its operands, recorded; `second` counts for operations on two. Not for constants and inputs.
 Traced operated(TracedOperation operation, const Traced& first, const Traced& second);
 
-// A constant of a value with its residue, in the trace that is being recorded.
-Traced traced_constant(double value, const symbolic::Residue& residue);
+// Whether two values at the sample are those of one number: apart by no more than their rounding. Equal residues alone
+// do not tell, since a root may have taken another sign in the field; and a part of the values would not tell either,
+// where the root is small beside the rest.
+inline bool same_at_sample(const Rounded& a, const Rounded& b) { return (a - b).may_vanish(); }
+
+// A constant of a value with its residue, in the trace that is being recorded. rounding: how far the value is off
+// beyond its last digit.
+Traced traced_constant(double value, const symbolic::Residue& residue, double rounding = 0);
 // The residue of a whole number or decimal without sign, digit by digit: "12", "0.25".
 symbolic::Residue residue_of_digits(const std::string& digits);
 

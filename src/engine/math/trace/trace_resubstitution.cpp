@@ -194,18 +194,18 @@ class Search {
     }
   }
 
-  // At both points of the field; and at the sample, where roots may have taken another sign.
+  // At both points of the field; and at the sample.
   bool has_value_of(Index x, const Recipe& recipe) const {
     const auto residue = [&](const Traced& y) {
       const Residue& r = nodes_[y.node()].residue;
       return y.negative() ? -r : r;
     };
     const auto number = [&](const Traced& y) {
-      return y.negative() ? -nodes_[y.node()].value : nodes_[y.node()].value;
+      const Rounded size = nodes_[y.node()].rounded();
+      return y.negative() ? -size : size;
     };
     if (!(made(recipe, residue) == nodes_[x].residue)) return false;
-    const double value = made(recipe, number), own = nodes_[x].value;
-    return std::fabs(value - own) <= 1e-3 * std::max({std::fabs(value), std::fabs(own), 1e-9});
+    return same_at_sample(made(recipe, number), nodes_[x].rounded());
   }
 
   // Everything that is computed from x, and x.
@@ -329,7 +329,7 @@ class Rebuilding {
   }
   Traced computed(const Trace::Node& node) {
     if (circular_) return Traced();
-    if (node.operation == Op::constant) return traced_constant(node.value, node.residue);
+    if (node.operation == Op::constant) return traced_constant(node.value, node.residue, node.rounding);
     if (node.operation == Op::input) return Traced();
     const Traced first = now(node.first), second = now(node.second);
     // In a circle operands are zeros, by which nothing can be divided.

@@ -1,7 +1,9 @@
 #include "poinsot/engine/math/trace/traced.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -43,6 +45,42 @@ bool find_fraction(double x, std::int64_t& numerator, std::int64_t& denominator)
   return false;
 }
 
+// How far the value of an operation, computed in doubles, may be off.
+double rounding_of(Op operation, const Rounded& a, const Rounded& b, double value) {
+  const auto beside = [](const Rounded& sine) { return sqrt((Rounded(1) - sine) * (Rounded(1) + sine)); };
+  const auto error = [&]() -> long double {
+    switch (operation) {
+      case Op::constant:
+      case Op::input:
+        return 0;
+      case Op::add:
+        return (a + b).error;
+      case Op::multiply:
+        return (a * b).error;
+      case Op::divide:
+        return (a / b).error;
+      case Op::square_root:
+        return sqrt(a).error;
+      case Op::sine:
+        return sine_cosine(a).sine.error;
+      case Op::cosine:
+        return sine_cosine(a).cosine.error;
+      case Op::arc_sine:
+        return atan2(a, beside(a)).error;
+      case Op::arc_cosine:
+        return atan2(beside(a), a).error;
+      case Op::arc_tangent:
+        return atan2(a, Rounded(1)).error;
+      case Op::arc_tangent_2:
+        return atan2(a, b).error;
+      case Op::absolute:
+        return a.error;
+    }
+    return 0;
+  };
+  return static_cast<double>(error()) + std::numeric_limits<double>::epsilon() * std::fabs(value);
+}
+
 // Of a positive finite number.
 Residue residue_of(double x) {
   std::int64_t n = 0, d = 0;
@@ -75,6 +113,7 @@ struct TraceAccess {
     const double size = node(x).value;
     return x.negative() ? -size : size;
   }
+  static Rounded rounded(const Traced& x) { return {value(x), x.node() == 0 ? 0 : node(x).rounding}; }
   static Residue residue(const Traced& x) {
     if (x.node() == 0) return Residue();
     const Residue& r = node(x).residue;
@@ -84,7 +123,7 @@ struct TraceAccess {
   static bool is_one(const Traced& x) { return x.node() == 1; }
 
   // The same value somewhere in the trace, if there is one.
-  static bool find(const Residue& r, double value, Traced& found) {
+  static bool find(const Residue& r, const Rounded& value, Traced& found) {
     if (r.is_zero()) {
       found = Traced();
       return true;
@@ -95,10 +134,7 @@ struct TraceAccess {
     const Trace::Node& node = t.nodes[it->second];
     const bool negative = !(node.residue == r);
     if (negative && !(node.residue == -r)) return false;
-    // Roots may have taken another sign than in the field.
-    const double other = negative ? -node.value : node.value;
-    const double apart = std::fabs(other - value), size = std::fabs(other) + std::fabs(value);
-    if (apart > 1e-3 * size && size > 1e-9) return false;
+    if (!same_at_sample(negative ? -node.rounded() : node.rounded(), value)) return false;
     found = Traced(it->second, negative);
     return true;
   }
@@ -116,9 +152,10 @@ struct TraceAccess {
     return Traced(id, false);
   }
   static Traced found_or_added(Op operation, const Traced& a, const Traced& b, double value, const Residue& r) {
+    const double rounding = rounding_of(operation, rounded(a), rounded(b), value);
     Traced found;
-    if (find(r, value, found)) return found;
-    if (!r.is_unit()) return add({operation, a, b, value, 0, r});
+    if (find(r, {value, rounding}, found)) return found;
+    if (!r.is_unit()) return add({operation, a, b, value, 0, r, rounding});
     const std::uint64_t direction = direction_hash(r);
     Trace::State& t = trace();
     if (const auto it = t.directions.find(direction); it != t.directions.end()) {
@@ -126,7 +163,9 @@ struct TraceAccess {
       const Traced other(it->second, false);
       const double ratio = value / TraceAccess::value(other);
       const Residue factor = r * inverse(residue(other));
-      const SmallFraction fraction = small_fraction(ratio < 0 ? -factor : factor, std::fabs(ratio), 1e-9);
+      // Of values that may have cancelled; the residue tells which fraction it is, the value only which of its signs.
+      constexpr double ratio_of_values = 1e-9;
+      const SmallFraction fraction = small_fraction(ratio < 0 ? -factor : factor, std::fabs(ratio), ratio_of_values);
       if (fraction.denominator != 0) {
         const double size = static_cast<double>(fraction.numerator) / static_cast<double>(fraction.denominator);
         const Traced coefficient = traced_constant(ratio < 0 ? -size : size, factor);
@@ -134,16 +173,20 @@ struct TraceAccess {
         if (!plain_product) return coefficient * other;
       }
     }
-    const Traced added = add({operation, a, b, value, 0, r});
+    const Traced added = add({operation, a, b, value, 0, r, rounding});
     t.directions.emplace(direction, added.node());
     return added;
   }
 
-  static Traced constant(double value, const Residue& r) {
+  static Traced constant(double value, const Residue& r, double rounding) {
     Traced found;
-    if (find(r, value, found) && constant(found)) return found;
-    if (value < 0) return -add({Op::constant, {}, {}, -value, 0, -r});
-    return add({Op::constant, {}, {}, value, 0, r});
+    if (find(r, {value, rounding}, found) && constant(found)) return found;
+    if (value < 0) return -add({Op::constant, {}, {}, -value, 0, -r, rounding});
+    return add({Op::constant, {}, {}, value, 0, r, rounding});
+  }
+  // An operation on constants.
+  static Traced constant(Op operation, const Traced& a, const Traced& b, double value, const Residue& r) {
+    return r.is_zero() ? Traced() : constant(value, r, rounding_of(operation, rounded(a), rounded(b), value));
   }
 
   // f(x), opaque: known by its argument.
@@ -160,7 +203,7 @@ struct TraceAccess {
     if (!std::isfinite(value)) throw std::domain_error("a number of a traced computation is not finite");
     if (value == 0) return Traced();
     const Residue r = residue_of(std::fabs(value));
-    return constant(value, value < 0 ? -r : r);
+    return constant(value, value < 0 ? -r : r, rounding_of(Op::constant, {}, {}, value));
   }
 };
 thread_local Trace::State* TraceAccess::current = nullptr;
@@ -228,8 +271,9 @@ Traced operated(TracedOperation operation, const Traced& first, const Traced& se
   return {};
 }
 
-Traced traced_constant(double value, const Residue& residue) {
-  return residue.is_zero() ? Traced() : TraceAccess::constant(value, residue);
+Traced traced_constant(double value, const Residue& residue, double rounding) {
+  if (residue.is_zero()) return Traced();
+  return TraceAccess::constant(value, residue, std::max(rounding, rounding_of(Op::constant, {}, {}, value)));
 }
 
 Residue residue_of_digits(const std::string& digits) {
@@ -275,7 +319,7 @@ Traced operator+(const Traced& a, const Traced& b) {
   if (a.node() == b.node() && a.negative() != b.negative()) return Traced();
   const double value = TraceAccess::value(a) + TraceAccess::value(b);
   const Residue r = TraceAccess::residue(a) + TraceAccess::residue(b);
-  if (TraceAccess::constant(a) && TraceAccess::constant(b)) return traced_constant(value, r);
+  if (TraceAccess::constant(a) && TraceAccess::constant(b)) return TraceAccess::constant(Op::add, a, b, value, r);
   if (a.node() == b.node()) return Traced(2) * a;
   // The first operand is positive, and the earlier one where both are.
   const bool turned = a.negative() && b.negative();
@@ -297,7 +341,7 @@ Traced operator*(const Traced& a, const Traced& b) {
   const double value = TraceAccess::value(first) * TraceAccess::value(second);
   const Residue r = TraceAccess::residue(first) * TraceAccess::residue(second);
   if (TraceAccess::constant(first)) {
-    if (TraceAccess::constant(second)) return with_sign(traced_constant(value, r));
+    if (TraceAccess::constant(second)) return with_sign(TraceAccess::constant(Op::multiply, first, second, value, r));
     // Of several constant factors one is left.
     const Trace::Node inner = TraceAccess::node(second);
     if (inner.operation == Op::multiply && TraceAccess::constant(inner.first))
@@ -320,8 +364,9 @@ Traced operator/(const Traced& a, const Traced& b) {
                                       : Residue::random(divisor.hash() + 3 * TraceAccess::residue(above).hash());
   const double value = TraceAccess::value(above) / TraceAccess::value(below);
   if (TraceAccess::constant(below)) {
-    if (TraceAccess::constant(above)) return with_sign(traced_constant(value, r));
-    return with_sign(traced_constant(1 / TraceAccess::value(below), inverse(divisor)) * above);
+    if (TraceAccess::constant(above)) return with_sign(TraceAccess::constant(Op::divide, above, below, value, r));
+    const double factor = 1 / TraceAccess::value(below);
+    return with_sign(TraceAccess::constant(Op::divide, Traced(1), below, factor, inverse(divisor)) * above);
   }
   return with_sign(TraceAccess::found_or_added(Op::divide, above, below, value, r));
 }
@@ -341,12 +386,13 @@ Traced sqrt(const Traced& x) {
   }
   const auto root = square_root(square);
   const Residue r = root ? *root : Residue::random(square.hash() ^ function_seed);
-  if (constant) return traced_constant(value, r);
+  if (constant) return TraceAccess::constant(Op::square_root, x, {}, value, r);
   // Of a square that is known, whatever signs its roots at the two points have.
   if (root) {
+    const double rounding = rounding_of(Op::square_root, TraceAccess::rounded(x), {}, value);
     for (const Residue& candidate : {*root, -*root, other_sign(*root), -other_sign(*root)}) {
       Traced known;
-      if (!TraceAccess::find(candidate, value, known)) continue;
+      if (!TraceAccess::find(candidate, {value, rounding}, known)) continue;
       TraceAccess::trace().assumed_positive.push_back(known);
       return known;
     }

@@ -24,6 +24,7 @@ class Tableau {
       basis_.push_back(unknowns_ + i);
     }
     const double largest = table_.size() > 0 ? table_.cwiseAbs().maxCoeff() : 0;
+    largest_right_ = b.size() > 0 ? b.cwiseAbs().maxCoeff() : 0;
     zero_ = nothing * std::max(largest, std::numeric_limits<double>::min());
   }
 
@@ -35,7 +36,7 @@ class Tableau {
     double left = 0;
     for (Index i = 0; i < rows(); ++i)
       if (basis_[static_cast<std::size_t>(i)] >= unknowns_) left += right_side(i);
-    if (left > feasible * (1 + table_.col(table_.cols() - 1).cwiseAbs().maxCoeff())) return false;
+    if (left > feasible * largest_right_) return false;
     for (Index i = 0; i < rows(); ++i) {
       if (basis_[static_cast<std::size_t>(i)] < unknowns_) continue;
       Index best = 0;
@@ -84,7 +85,8 @@ class Tableau {
  private:
   // Rounding of the sums over a few dozen terms; ten times more would take small forces beside large ones for zero.
   static constexpr double nothing = 1e-11;
-  // What is left of the equations where they are fulfilled up to that rounding, through as many exchanges.
+  // What is left of the equations where they are fulfilled up to that rounding, as a part of the largest right side:
+  // a hundred exchanges may each add the rounding of one.
   static constexpr double feasible = 1e-9;
 
   Index rows() const { return table_.rows(); }
@@ -105,6 +107,7 @@ class Tableau {
   Eigen::MatrixXd table_;
   std::vector<Index> basis_;
   double zero_ = 0;
+  double largest_right_ = 0;  // of the right sides as they were given
 };
 
 }  // namespace

@@ -19,6 +19,12 @@ using Index = Eigen::Index;
 // In units in which coordinates have inertia one and rows and columns of constraints and components length one: what
 // counts as a repetition of others. Points of loops are closed to 1e-14 and drawn to about 1e-12.
 constexpr Real repeats = 1e-9L;
+// Inertia of what moves no mass, as a part of the largest: so little that what bears the load of masses is not taken
+// for idle beside it, and so much that the square root of it stands far above what counts as a repetition.
+constexpr Real light = 1e-4L;
+// What of an acceleration may be left open: a part of it that rounding of directions leaves, which `repeats` magnifies
+// no more than a thousandfold.
+constexpr Real left_open = 1e-6L;
 
 Matrix values(const Rows<Rounded>& rows, Index columns) {
   Matrix A(static_cast<Index>(rows.size()), columns);
@@ -62,7 +68,9 @@ Real inverse_length(const Vector& x) { return x.norm() > 0 ? 1 / x.norm() : 0; }
 // K, inverted as far as it goes, of the coordinates whose accelerations follow from forces.
 class ForceEquations {
  public:
-  ForceEquations(const EquationMatrices<Rounded>& matrices, const std::vector<Index>& free, Index components)
+  // units: the natural sizes of the free coordinates, 1 rad or a length.
+  ForceEquations(const EquationMatrices<Rounded>& matrices, const std::vector<Index>& free, const Vector& units,
+                 Index components)
       : n_(static_cast<Index>(free.size())), constraints_(static_cast<Index>(matrices.J.size())) {
     const auto n = static_cast<Index>(matrices.M.size());
     Doubted C = doubted(matrices.C, components), J = doubted(matrices.J, n);
@@ -76,7 +84,7 @@ class ForceEquations {
       (K_.*part).topRightCorner(n_, components) = sign * (C.*part)(free, Eigen::all);
       (K_.*part).bottomLeftCorner(constraints_, n_) = (J.*part)(Eigen::all, free);
     }
-    invert();
+    invert(units);
   }
 
   // K (da, dy) = -left, with what left and K are off by.
@@ -88,16 +96,17 @@ class ForceEquations {
   }
 
  private:
-  void invert() {
+  void invert(const Vector& units) {
     const Index components = K_.value.cols() - n_;
     Vector row(K_.value.rows()), column(K_.value.cols());
-    // What moves no mass takes part by its constraints: it counts as light.
+    // What moves no mass takes part by its constraints: it counts as light beside the most that a natural change of
+    // any coordinate moves.
     Real inertia = 0;
-    for (Index k = 0; k < n_; ++k) inertia = std::max(inertia, K_.value(k, k));
+    for (Index k = 0; k < n_; ++k) inertia = std::max(inertia, K_.value(k, k) * units[k] * units[k]);
+    if (!(inertia > 0)) inertia = 1;
     for (Index k = 0; k < n_; ++k)
-      row[k] = column[k] = 1 / std::sqrt(K_.value(k, k) > K_.doubt(k, k) ? K_.value(k, k)
-                                         : inertia > 0                   ? Real(1e-4L) * inertia
-                                                                         : 1);
+      row[k] = column[k] =
+          K_.value(k, k) > K_.doubt(k, k) ? 1 / std::sqrt(K_.value(k, k)) : units[k] / std::sqrt(light * inertia);
     for (Index i = 0; i < constraints_; ++i)
       row[n_ + i] = inverse_length(K_.value.row(n_ + i).head(n_).transpose().cwiseProduct(column.head(n_)));
     for (Index i = 0; i < components; ++i)
@@ -109,7 +118,7 @@ class ForceEquations {
     const Matrix inverse = decomposition.pseudoInverse();
     // (1 - K^+ K) keeps what the equations leave open.
     const Matrix open = Matrix::Identity(even.cols(), even.cols()) - inverse * even;
-    if (n_ > 0 && open.topRows(n_).cwiseAbs().maxCoeff() > 1e-6L)
+    if (n_ > 0 && open.topRows(n_).cwiseAbs().maxCoeff() > left_open)
       throw std::runtime_error("the accelerations near the steady motion are not determined");
     inverse_ = column.asDiagonal() * inverse * row.asDiagonal();
   }
@@ -120,6 +129,15 @@ class ForceEquations {
 };
 
 }  // namespace
+
+double natural_size_of(const SteadyMotion& motion, Index coordinate) {
+  for (const auto& body : motion.mechanism->tree.bodies()) {
+    const Index k = coordinate - body.v;
+    if (k < 0 || k >= velocity_size(body.joint)) continue;
+    return body.joint == JointType::prismatic || (body.joint == JointType::free && k >= 3) ? motion.length : 1;
+  }
+  return 1;
+}
 
 AccelerationSlopes acceleration_slopes(const SteadyMotion& motion) {
   const Mechanism<Rounded> mechanism = convert_mechanism<Rounded>(*motion.mechanism, Rounded::stated);
@@ -137,7 +155,9 @@ AccelerationSlopes acceleration_slopes(const SteadyMotion& motion) {
   }
   const auto count = static_cast<Index>(free.size());
   const EquationMatrices<Rounded> matrices = equation_matrices(mechanism, state.q);
-  const ForceEquations equations(matrices, free, components);
+  Vector units(count);
+  for (Index i = 0; i < count; ++i) units[i] = natural_size_of(motion, free[static_cast<std::size_t>(i)]);
+  const ForceEquations equations(matrices, free, units, components);
   // The part of a remainder that the free accelerations and the components must make zero.
   const auto to_solve = [&](const Remainder<Rounded>& remainder) {
     const Doubted forces = column_of(remainder.forces), changes = column_of(remainder.changes);

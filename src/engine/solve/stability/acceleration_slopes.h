@@ -22,6 +22,9 @@ struct AccelerationSlopes {
   std::vector<bool> binds_positions;
 };
 
+// The natural size of a change of a coordinate: 1 rad or the length of the motion.
+double natural_size_of(const SteadyMotion& motion, Eigen::Index coordinate);
+
 // Throws std::runtime_error if the accelerations are not determined.
 AccelerationSlopes acceleration_slopes(const SteadyMotion& motion);
 

@@ -25,6 +25,9 @@ constexpr double decisive = 1e-7;
 constexpr Real unfelt = 1e-9L;
 // Of the pace: what is slower rests. Velocities that are solved for are off by some 1e-15 of it.
 constexpr double still = 1e-12;
+// Of a mode of length one: a coordinate that moves by less takes no part in it. Modes are known to about the rounding
+// of their equations over the distance of the rates, which is seldom below 1e-8.
+constexpr double takes_part = 1e-7;
 
 Matrix matrix(const Rows<double>& rows) {
   const auto n = static_cast<Index>(rows.size());
@@ -179,14 +182,7 @@ class Lineariser {
     return motion_.spins.empty();
   }
 
-  double unit(Index coordinate) const {
-    for (const auto& body : tree_.bodies()) {
-      const Index k = coordinate - body.v;
-      if (k < 0 || k >= velocity_size(body.joint)) continue;
-      return body.joint == JointType::prismatic || (body.joint == JointType::free && k >= 3) ? motion_.length : 1;
-    }
-    return 1;
-  }
+  double unit(Index coordinate) const { return natural_size_of(motion_, coordinate); }
   double pace() const {
     double fastest = 1 / motion_.time;
     for (Index k = 0; k < n_; ++k)
@@ -204,6 +200,8 @@ class Lineariser {
   // The largest change of a velocity in natural units, as a part of the pace; nothing if it exceeds what the errors
   // of the pose and the velocities explain: then the motion is not steady. A: the matrix before the spin is added.
   std::optional<double> unrest_of(const Matrix& spin, const Matrix& A, double pace) const {
+    // Of the terms. What is stated of a steady motion may be found by a search to 1e-9, and a rate that is solved for
+    // at a shallow root a hundred times worse. A precession that is a thousandth too fast is refused all the same.
     constexpr double closely = 1e-7;
     const Vector v = Eigen::Map<const Eigen::VectorXd>(motion_.v.data(), n_).cast<Real>();
     const Eigen::VectorXd change = (slopes_.a + spin * v).cast<double>();
@@ -306,7 +304,7 @@ class Lineariser {
   bool moves(int body, const Eigen::VectorXd& size) const {
     for (int i = body; i != ground; i = tree_.body(i).parent)
       for (int k = tree_.body(i).v; k < tree_.body(i).v + velocity_size(tree_.body(i).joint); ++k)
-        if (size[k] > 1e-7 || size[n_ + k] > 1e-7) return true;
+        if (size[k] > takes_part || size[n_ + k] > takes_part) return true;
     return false;
   }
 

@@ -66,6 +66,46 @@ TEST(Traced, TakesTheRootOfASquareAsItIsAtTheSampleAndSaysSo) {
   EXPECT_FALSE(sqrt(a * a + b) == a);
 }
 
+// Which sign a root has at the sample does not depend on the unit that the sample is measured in, nor on what it is
+// added to.
+TEST(Traced, TellsRootsOfEitherSignAtEverySize) {
+  for (const double size : {1e-30, 1e-12, 1e-6, 1.0, 1e6, 1e30}) {
+    Trace trace;
+    const TraceScope scope(trace);
+    const Traced a = trace.input(-0.5 * size), b = trace.input(2 * size);
+    EXPECT_EQ(sqrt(a * a), -a) << size;
+    EXPECT_EQ(sqrt((a - b) * (a - b)), b - a) << size;
+    EXPECT_EQ(sqrt(a * a * b * b), -(a * b)) << size;
+    EXPECT_FALSE(sqrt(a * a) == a) << size;
+  }
+  for (const double size : {1e-9, 1e-6, 1e-3}) {
+    // The root is a small part of the sum that it stands in.
+    Trace trace;
+    const TraceScope scope(trace);
+    const Traced a = trace.input(-size), b = trace.input(1.25);
+    const Traced above = b + a, below = b - a;
+    EXPECT_EQ(b + sqrt(a * a), below) << size;
+    EXPECT_FALSE(b + sqrt(a * a) == above) << size;
+    EXPECT_EQ(sqrt(below * below), below) << size;
+  }
+}
+
+// What cancels to nothing but rounding is one number however it is computed.
+TEST(Traced, FindsWhatIsEqualThoughItCancels) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> part(0.3, 2);
+  for (int run = 0; run < 100; ++run) {
+    Trace trace;
+    const TraceScope scope(trace);
+    const double x = part(random), y = part(random), near = x * (1 + 1e-13 * part(random));
+    const Traced a = trace.input(x), b = trace.input(near), c = trace.input(y);
+    EXPECT_EQ((a - b) * c, a * c - b * c);
+    EXPECT_EQ((a - b) * (a + b), a * a - b * b);
+    EXPECT_EQ((a - b) / c + sin(c), sin(c) + a / c - b / c);
+    EXPECT_FALSE(a * c == b * c);
+  }
+}
+
 TEST(Traced, RefusesWhatHasNoValue) {
   Trace trace;
   const TraceScope scope(trace);
