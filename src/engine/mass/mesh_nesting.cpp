@@ -14,11 +14,16 @@ namespace {
 
 using Vector = Vector3<double>;
 
-constexpr double most_work = 5e7;        // solid angles of triangles
-constexpr std::size_t most_points = 64;  // of one surface
-constexpr double depth = 1e-6;           // of a point below its triangle, of the triangle's size
-constexpr double near_corner = 1e-3;     // of a point, of the way to the middle of the triangle
-constexpr double clearly_whole = 0.02;   // how near a winding number must be to a whole one
+constexpr double most_work = 5e7;        // solid angles of triangles: a second or two
+constexpr std::size_t most_points = 64;  // of one surface, which are tried until one is clearly in or out
+// Of a point below its triangle, as a part of the triangle's size: thinner walls than a millionth of their triangles
+// would be pierced, and rounding of far coordinates is a millionth of that.
+constexpr double depth = 1e-6;
+// Of a point, as a part of the way to the middle of the triangle, for where the middle lies on another surface.
+constexpr double near_corner = 1e-3;
+// How near a winding number must be to a whole one: it is a half where the point lies on a surface, and off by rounding
+// only where it does not; a surface with a hole of two percent of a sphere is seen to be open.
+constexpr double clearly_whole = 0.02;
 
 constexpr const char* inside_out = "is inside out and no cavity in another part: reverse the corners of its triangles";
 constexpr const char* doubled =

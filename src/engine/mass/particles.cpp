@@ -22,7 +22,9 @@ std::vector<Particle<Scalar>> six_particles(const MassProperties<Scalar>& body) 
   std::vector<Particle<Scalar>> particles;
   for (std::size_t i = 0; i < 3; ++i) {
     const Scalar mean_square = half_trace - moments[i];
-    if (!(mean_square >= Scalar(-1e-9) * moments.z) || !std::isfinite(mean_square)) {
+    constexpr double rounded_data =
+        1e-9;  // of the largest moment, for a flat body whose moments were rounded to ten digits
+    if (!(mean_square >= Scalar(-rounded_data) * moments.z) || !std::isfinite(mean_square)) {
       throw std::invalid_argument(
           fmt::format("no particles have the principal moments {:.10g}, {:.10g}, {:.10g} m^2 per unit mass: each must "
                       "be at most the sum of the two others",

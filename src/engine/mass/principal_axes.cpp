@@ -11,12 +11,15 @@ namespace {
 template <class Scalar>
 using Axes = std::array<Vector3<Scalar>, 3>;
 
+// How much larger than another a component must be so that the choice does not depend on rounding: directions are good
+// to 1e-15 over the distance of the moments, and to the root of that where two of these meet.
+constexpr double clearly = 1e-9;
+
 template <class Scalar>
 std::size_t largest_component(const Vector3<Scalar>& v) {
   std::size_t largest = 0;
   for (std::size_t i = 1; i < 3; ++i) {
-    // A later component must be clearly larger, so that ties do not depend on rounding.
-    if (std::abs(v[i]) > std::abs(v[largest]) * Scalar(1 + 1e-9)) largest = i;
+    if (std::abs(v[i]) > std::abs(v[largest]) * Scalar(1 + clearly)) largest = i;
   }
   return largest;
 }
@@ -31,7 +34,7 @@ template <class Scalar>
 Vector3<Scalar> across(const Vector3<Scalar>& axis) {
   std::size_t flattest = 0;
   for (std::size_t i = 1; i < 3; ++i) {
-    if (std::abs(axis[i]) < std::abs(axis[flattest]) * Scalar(1 - 1e-9)) flattest = i;
+    if (std::abs(axis[i]) < std::abs(axis[flattest]) * Scalar(1 - clearly)) flattest = i;
   }
   const Vector3<Scalar> unit = Vector3<Scalar>::unit(flattest);
   return normalized(unit - dot(unit, axis) * axis);

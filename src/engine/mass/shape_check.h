@@ -13,7 +13,8 @@
 
 namespace poinsot::shape_faults {
 
-// Below this part of the largest length a length is zero to rounding.
+// Below this part of the largest length a length is zero to rounding: lengths are differences of coordinates that were
+// carried through units and expressions. A sheet of one atom on a kilometre is ten times thicker.
 inline constexpr double zero_length = 1e-12;
 
 // A point in a message.
@@ -93,7 +94,8 @@ class ShapeCheck {
   }
   ShapeCheck& turn(std::string_view what, double angle) {
     require(std::isfinite(angle), ShapeRule::finite_values, "{} is {}; it must be a finite number", what, angle);
-    return require(angle > 0 && angle <= 2 * std::numbers::pi * (1 + 1e-9), ShapeRule::angle_range,
+    constexpr double decimals = 1e-9;  // 6.283185307, as people write a full turn, is one
+    return require(angle > 0 && angle <= 2 * std::numbers::pi * (1 + decimals), ShapeRule::angle_range,
                    "{} is {:.10g} rad; it must be more than zero and at most a full turn, 2 pi", what, angle);
   }
 

@@ -15,8 +15,13 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double same_tolerance = 1e-9;     // relative difference between two choices up to which an answer is the same
-constexpr double refound_tolerance = 1e-7;  // the same if unknowns are found anew
+// Relative difference between two choices up to which an answer is the same. Rounding makes 1e-12 of it in long chains
+// of bodies; what is open enters an answer by more than this wherever it is varied by its own size.
+constexpr double same_tolerance = 1e-9;
+// The same if unknowns are found anew, to 1e-9 of themselves and worse where roots nearly meet.
+constexpr double refound_tolerance = 1e-7;
+// Of the natural size of an ask, where an answer is next to nothing beside its terms: ten times their rounding.
+constexpr double rounding_of_terms = 1e-11;
 
 using Values = std::vector<std::optional<WatchedValue>>;
 
@@ -131,7 +136,7 @@ class Variation {
   // The size of an unknown in the solution, which must have it. One that is next to nothing beside the others of its
   // kind, or beside what is natural to the machine, is found to a part of these.
   double size_of_unknown(const Unknown& unknown, std::size_t situation) const {
-    constexpr double next_to_nothing = 1e-6;
+    constexpr double next_to_nothing = 1e-6;  // of the others: it then counts as a millionth of them
     const auto& base = std::as_const(found_.settings[situation]);
     double beside = 0;
     for (const auto& [home, instant] : found_.sample.instants())
@@ -219,7 +224,7 @@ class Variation {
   // Massless turning changes a motion by no more than the error with which it is followed; only a larger difference
   // counts.
   bool differs_beyond_following(std::size_t i, const std::optional<WatchedValue>& other) const {
-    constexpr double following = 1e-5;
+    constexpr double following = 1e-5;  // as motion_tolerance in answer_checks.cpp
     const std::optional<WatchedValue>& base = found_.asked.values[i];
     if (!base || !differs(found_, i, other)) return false;
     if (!other) return true;
@@ -327,7 +332,7 @@ class Variation {
 double same_answer_tolerance(const AnswersFound& found, std::size_t index, const Value<double>& a,
                              const Value<double>& b) {
   return (found.search.unknowns().empty() ? same_tolerance : refound_tolerance) * std::max(size_of(a), size_of(b)) +
-         1e-11 * found.natural_sizes[index];
+         rounding_of_terms * found.natural_sizes[index];
 }
 
 namespace {
@@ -338,8 +343,10 @@ bool is_rounding(const AnswersFound& found, std::size_t index, const Value<doubl
   const Ask& ask = found.statement.asks[index];
   if (ask.table || ask.when || ask.extremum || !found.sample.motions().empty()) return false;
   const double natural = found.sample.instant_of(ask).natural_size(dimension_of(a));
-  if (!same(a, b, 1e-11 * natural)) return false;
-  return same(a, b, 1e2 * found.rounded.spread(ask, a));
+  if (!same(a, b, rounding_of_terms * natural)) return false;
+  // The three roundings that were tried are a sample: other values of what is open may add up worse.
+  constexpr double beyond_sample = 1e2;
+  return same(a, b, beyond_sample * found.rounded.spread(ask, a));
 }
 
 }  // namespace
@@ -352,7 +359,7 @@ bool differs(const AnswersFound& found, std::size_t index, const std::optional<W
   for (std::size_t k = 0; k < base->deciding.size(); ++k) {
     const Value<double>&a = base->deciding[k], &b = other->deciding[k];
     const double natural = found.sample.instant_of(found.statement.asks[index]).natural_size(dimension_of(a));
-    if (!same(a, b, same_tolerance * std::max(size_of(a), size_of(b)) + 1e-11 * natural)) return true;
+    if (!same(a, b, same_tolerance * std::max(size_of(a), size_of(b)) + rounding_of_terms * natural)) return true;
   }
   // Without unknowns, motions and deciding values the comparison of rounded numbers is sharper than one by sizes.
   const bool told = base->deciding.empty() && found.search.unknowns().empty() && found.sample.motions().empty();

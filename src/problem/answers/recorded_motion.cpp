@@ -16,7 +16,8 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double recording_tolerance = 1e-8;  // relative misfit allowed in the check with particles
+// Relative misfit allowed in the check with particles, as for answers (answer_checks.cpp).
+constexpr double recording_tolerance = 1e-8;
 // A block is long enough that setting up its equations costs little, and short enough that nobody waits long for its
 // end.
 constexpr double most_block_rows = 500;
@@ -123,8 +124,11 @@ void RecordedMotion::Parts::read_times() {
   if (!ends && !record.lasts)
     fail(statement.file, record.mark, "the motion has no end", "say how long it is recorded: for: 10 s");
   if (std::isinf(last)) return;
-  const double count = std::floor(last / every * (1 + 1e-12) + 1e-9);
-  if (count > 1e15)
+  // The last row is not lost by the rounding of a step that goes into the time; a count is a whole number among
+  // doubles.
+  constexpr double rounding = 1e-12, of_a_row = 1e-9, most_rows = 1e15;
+  const double count = std::floor(last / every * (1 + rounding) + of_a_row);
+  if (count > most_rows)
     fail(statement.file, record.every.mark(), "the recording would have more rows than can be counted",
          "take a larger step");
   rows = static_cast<std::uint64_t>(count) + 1;
@@ -216,7 +220,8 @@ RecordedBlock RecordedMotion::block(std::uint64_t first_row, const RecordedState
     const double reached = motion.follow(parts.time_of(last ? end_row - 1 : end_row));
     const bool over = motion.is_over();
     // The last instant belongs to the motion, even if rounding puts it behind the end.
-    const double allowed = reached * (1 + 1e-12);
+    constexpr double rounding = 1e-12;
+    const double allowed = reached * (1 + rounding);
     if (over && !last) ++end_row;
 
     RecordedBlock block;

@@ -40,11 +40,11 @@ std::optional<MotionError> Course::error(double until) {
   MotionError error;
   if (in_closed_form_) {
     // A closed form has only the rounding of its rates, which grows with time.
-    constexpr double noticed = 1e-9;
+    constexpr double noticed = 1e-9;  // of the size: beyond what answers are shown to
     error.angle = error.relative = std::numeric_limits<double>::epsilon() * until / pace_time_;
     return error.relative > noticed ? std::optional(error) : std::nullopt;
   }
-  constexpr int instants = 200;
+  constexpr int instants = 200;  // at which the two motions are compared: some ten for each swing of a long motion
   until = std::min(until, reached());
   const double length = start_->natural_size(dimensions::length);
   try {

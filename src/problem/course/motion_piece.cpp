@@ -71,7 +71,9 @@ void Course::Piece::set_up_dynamics() {
     std::vector<double> accelerations(now_.v.size());
     dynamics_->accelerations(now_.q, now_.v, accelerations);
     const double couple = motion_.start_->natural_size(dimensions::force * dimensions::length);
-    if (std::abs(dynamics_->held_effort(*massless)) > 1e-9 * couple)
+    constexpr double no_couple =
+        1e-9;  // of the natural one: what sums of moments about a line leave, magnified by arms
+    if (std::abs(dynamics_->held_effort(*massless)) > no_couple * couple)
       fail(motion_.situation_.file, motion_.mark_of(stage_),
            "a couple acts on " + machine_.mechanism.coordinate_names[static_cast<std::size_t>(*massless)] +
                ", which moves no mass",
@@ -93,6 +95,8 @@ void Course::Piece::set_up_dynamics() {
 // Loads and given motions may jump at the ends of their span. There they have the values just inside.
 double Course::Piece::inside(double time) const {
   if (!motion_.timed_) return time;
+  // More than the last place of a time, and so little that a load that grows by its own size in the span is right to
+  // the last digits.
   const double margin =
       1e-13 * (span_.end - span_.begin) + 1e-15 * std::max(std::abs(span_.begin), std::abs(span_.end));
   return std::clamp(time, span_.begin + margin, std::max(span_.begin + margin, span_.end - margin));
@@ -162,10 +166,12 @@ bool Course::Piece::add_ending(const Expression& condition) {
     event.value(piece.start_time(), before.q, before.v);  // for the size of what is compared
   }
   const double value = event.value(now_.time, now_.q, now_.v);
-  if (now_.time == now_.start && sense_of(comparison->relations.front()) * value > 1e-11 * compared_size_)
+  // Of the sizes that are compared: the state in which a stage has ended is good to the tolerance of a motion, 1e-12.
+  constexpr double of_sizes = 1e-11;
+  if (now_.time == now_.start && sense_of(comparison->relations.front()) * value > of_sizes * compared_size_)
     throw UnansweredError(file, condition.mark(), "what ends " + motion_.words_of(stage_) + " holds from its start on",
                           "turn the comparison round, or leave the stage out");
-  if (now_.time > now_.start && std::abs(value) <= 1e-11 * compared_size_) return false;
+  if (now_.time > now_.start && std::abs(value) <= of_sizes * compared_size_) return false;
   events_.push_back(std::move(event));
   event_action_.push_back(std::nullopt);
   event_limit_.push_back(nullptr);
@@ -209,7 +215,10 @@ std::optional<std::size_t> Course::Piece::add_holds() {
     std::optional<Event> event = acting_[action] ? slack(k) : taut(component);
     if (!event) continue;
     event->terminal = true;
-    if (acting_[action] && event->value(now_.time, now_.q, now_.v) < -1e-9 * event->size) return action;
+    // A cord or contact that carries nothing goes on: its force is then rounding, of forces a thousand times larger
+    // too.
+    constexpr double no_pull = 1e-9;
+    if (acting_[action] && event->value(now_.time, now_.q, now_.v) < -no_pull * event->size) return action;
     events_.push_back(std::move(*event));
     event_action_.emplace_back(action);
     event_limit_.push_back(nullptr);

@@ -95,9 +95,10 @@ std::vector<double> Course::nodes(double from, double to) {
       for (std::size_t i = 0; i < piece.step_count(); ++i) {
         const StepView step = piece.step(i);
         if (step.end <= from || step.start >= to) continue;
-        // The steps of a closed form may be long.
+        // The steps of a closed form may be long: whole multiples of the natural time, but for rounding.
+        constexpr double rounding = 1e-9;
         const double span = step.end - step.start, natural = step.flow ? step.flow->natural_time() : INFINITY;
-        const double parts = std::max(1.0, std::ceil(span / natural * (1 - 1e-9)));
+        const double parts = std::max(1.0, std::ceil(span / natural * (1 - rounding)));
         const double first = std::max(0.0, std::floor((from - step.start) / span * parts));
         for (std::size_t part = 0; first + static_cast<double>(part) < parts; ++part) {
           const double time = step.start + span * ((first + static_cast<double>(part)) / parts);
@@ -136,10 +137,12 @@ MotionFeatureValues Course::features_in(const std::vector<Expression>& expressio
 
 void Course::tell_how(const ExtremeFound& found, const Call& call) {
   const std::string words = call.function + "(" + to_string(call.arguments.front().value) + ")";
+  constexpr double rounding_of_times = 1e-12;  // which are sums over the steps
   std::string note;
   if (found.settled > 0) {
     note = words + " was told from " + with_digits(found.settled, 4) + " s of a motion that does not repeat";
-  } else if (const std::optional<double> last = end(); last && found.time > 0 && found.time >= *last * (1 - 1e-12)) {
+  } else if (const std::optional<double> last = end();
+             last && found.time > 0 && found.time >= *last * (1 - rounding_of_times)) {
     note = words + " is at the end of the motion, at " + with_digits(*last, 4) + " s";
   }
   if (!note.empty() && std::ranges::find(happenings_, note) == happenings_.end()) happenings_.push_back(note);

@@ -46,8 +46,9 @@ Driving::Span Course::smooth_span(std::size_t stage, double until) {
     driving_[stage] = std::make_unique<Driving>(situation_, settings_, loads, now.start, lasts, pace_time_, looks_);
   }
   Driving::Span span = driving_[stage]->span_from(now.time);
-  // A remainder this short would be rounding.
-  if (span.end > until - 1e-13 * std::abs(until)) span.end = until;
+  // A remainder of some hundred units in the last place would be rounding.
+  constexpr double no_time = 1e-13;
+  if (span.end > until - no_time * std::abs(until)) span.end = until;
   return span;
 }
 
@@ -113,6 +114,8 @@ void Course::run(std::size_t stage, double until) {
 void Course::keep(std::size_t stage, Piece& piece, IntegrationResult& result) {
   methods_.insert(result.method);
   in_closed_form_ = in_closed_form_ && result.closed_form;
+  // Sine of the angle between the two lines. A motion whose steps have become too short for rounding is as near as that
+  // if it is gimbal lock that stops it; elsewhere the reason is another.
   constexpr double nearly = 1e-3;
   if (!result.complete())
     if (const auto lock = gimbal_lock(piece.machine(), result.q, nearly))

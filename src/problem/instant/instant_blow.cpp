@@ -32,8 +32,9 @@ void SolvedInstant::solve_blow() {
         std::vector<double> moved = v_;
         for (std::size_t k = 0; k < moved.size(); ++k) moved[k] += velocities_.open[d][k];
         mechanism_state_->set_velocities(moved);
+        constexpr double noticed = 1e-9;  // of a natural rate, which an open direction has that moves the impact at all
         const bool depends =
-            std::abs(approach(*mechanism_state_, impact) - toward) > 1e-9 * scales_.length / scales_.time;
+            std::abs(approach(*mechanism_state_, impact) - toward) > noticed * scales_.length / scales_.time;
         mechanism_state_->set_velocities(v_);
         if (!depends) continue;
         std::string names;
@@ -59,6 +60,7 @@ void SolvedInstant::solve_blow() {
   std::vector<std::size_t> one_sided;
   for (const Component<double>& component : mechanism.components)
     if (component.one_sided) one_sided.push_back(static_cast<std::size_t>(component.action));
+  // Each set of those that act is solved for: four thousand sets take a second.
   if (one_sided.size() > 12)
     fail(situation_.file, place_of_blow(situation_), "more than 12 cords and contacts in one blow are too many");
   const std::size_t n = static_cast<std::size_t>(mechanism.tree.velocity_size());
@@ -107,7 +109,9 @@ void SolvedInstant::solve_blow() {
         rate += row[k] * solution.value[k];
         size += std::abs(row[k] * solution.value[k]);
       }
-      good = constraint.kind == VelocityConstraintKind::cord_length ? rate <= 1e-9 * size : rate >= -1e-9 * size;
+      constexpr double of_terms = 1e-9;  // what sums of velocities leave that are solved for, to 1e-11 at worst
+      good =
+          constraint.kind == VelocityConstraintKind::cord_length ? rate <= of_terms * size : rate >= -of_terms * size;
     }
     if (!good && !last && !choice_.trial) continue;
     if (!good && !choice_.trial) {

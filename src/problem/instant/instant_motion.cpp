@@ -49,7 +49,8 @@ bool turns_nothing(const Machine& machine, int coordinate) {
     const double moment = k == 0 ? I.xx : k == 1 ? I.yy : I.zz;
     const double size =
         I.xx + I.yy + I.zz + norm_squared(body.inertia.first_moment) / std::max(body.inertia.mass, 1e-300);
-    return moment <= 1e-12 * size || size == 0;
+    constexpr double no_inertia = 1e-12;  // rods have some 1e-16 about their own line, wires of a micrometre 1e-11
+    return moment <= no_inertia * size || size == 0;
   }
   return false;
 }

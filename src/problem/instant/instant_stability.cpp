@@ -17,13 +17,19 @@ namespace {
 using Vector = Vector3<double>;
 using Twist = SpatialMotion<double>;
 
+// Of moments, sines and lengths: what is the same or nothing but for data that are stated to nine digits. The
+// symmetries that follow from it are looked at once more by their effect on the equations (same_motion.h).
+constexpr double nine_digits = 1e-9;
+
 // The axes of symmetry of a body's inertia about its mass center: three for a body whose moments are all equal.
 std::vector<Vector> symmetry_axes(const SpatialInertia<double>& I) {
   if (!(I.mass > 0)) return {};
   const Vector c = I.first_moment / I.mass;
   const auto principal = principal_axes(I.inertia - I.mass * unit_mass_inertia(c));
   const Vector& m = principal.moments;
-  const auto equal = [&](std::size_t a, std::size_t b) { return std::abs(m[a] - m[b]) <= 1e-9 * (m[0] + m[1] + m[2]); };
+  const auto equal = [&](std::size_t a, std::size_t b) {
+    return std::abs(m[a] - m[b]) <= nine_digits * (m[0] + m[1] + m[2]);
+  };
   if (equal(0, 1) && equal(1, 2)) return {Vector::unit(0), Vector::unit(1), Vector::unit(2)};
   std::vector<Vector> axes;
   for (std::size_t k = 0; k < 3; ++k)
@@ -78,7 +84,7 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
       throw UnansweredError(unknown_surface(situation_, machine_, constraint));
     if (!constraint.carried_by) continue;
     const Vector normal = mechanism_state_->direction(constraint.surface_axis);
-    if (constraint.shape_unknown || norm(cross(turning, normal)) > 1e-9 * norm(turning))
+    if (constraint.shape_unknown || norm(cross(turning, normal)) > nine_digits * norm(turning))
       throw UnansweredError(situation_.file, mark,
                             "how a contact moves near the steady motion is not known: it lies on a curved surface (" +
                                 constraint.words + ")",
@@ -128,7 +134,7 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
     // their own axes.
     const std::vector<Vector> alike = symmetry_axes(body.inertia);
     const bool unseen = alike.size() != 1 ? alike.size() == 3 || !(body.inertia.mass > 0)
-                                          : norm(cross(own, alike.front())) <= 1e-9 * norm(own);
+                                          : norm(cross(own, alike.front())) <= nine_digits * norm(own);
     if (norm(own) > 0 && unseen) motion.spins.emplace_back(i, about(own, center_of(i)));
   }
 
@@ -147,9 +153,10 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
   std::vector<Vector> axes{Vector::unit(0), Vector::unit(1), Vector::unit(2)};
   // The axis of the frame and the vertical are added, in case the axes are drawn differently, and directions
   // perpendicular to them.
+  constexpr double drawn = 1e-12;  // sine between axes that are the same but for the rounding of how they were drawn
   const auto add_axis = [&](const Vector& axis) {
     const bool known =
-        std::any_of(axes.begin(), axes.end(), [&](const Vector& other) { return norm(cross(axis, other)) <= 1e-12; });
+        std::any_of(axes.begin(), axes.end(), [&](const Vector& other) { return norm(cross(axis, other)) <= drawn; });
     if (!known) axes.push_back(axis);
   };
   for (const Vector& along : {turning, tree.gravity()}) {
@@ -200,7 +207,7 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
           const Vector change = direction_on_body(tree, w, i, cross(turn, B.v));
           for (std::size_t k = 0; k < 3; ++k) velocities[static_cast<std::size_t>(body.v) + 3 + k] = change[k];
         }
-        possible = std::abs(left) <= 1e-9 * std::max(size, 1e-300);
+        possible = std::abs(left) <= nine_digits * std::max(size, 1e-300);
         any = true;
       }
       if (possible && any) add_symmetry(positions, velocities);
@@ -218,7 +225,7 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
     if (own_axes.size() == 3) {
       // If all axes are axes of symmetry, those of its spin and those through the points that hold it are used.
       const auto add = [&](const Vector& direction) {
-        if (norm(direction) > 1e-9 * scales_.length) own_axes.push_back(normalized(direction));
+        if (norm(direction) > nine_digits * scales_.length) own_axes.push_back(normalized(direction));
       };
       const Vector c = center_of(i);
       add(c);

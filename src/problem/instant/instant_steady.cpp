@@ -28,8 +28,10 @@ bool turns_unseen(const Model<Scalar>& tree, int body, double length) {
   const SymmetricMatrix3<double> central = plain(I.inertia - I.mass * unit_mass_inertia(center));
   const Vector3<double> c = plain(center);
   const double size = central.xx + central.yy + central.zz, off = std::abs(c.x) + std::abs(c.y);
-  return off <= 1e-9 * (length + std::abs(c.z)) && std::abs(central.xx - central.yy) <= 1e-9 * size &&
-         std::abs(central.xy) + std::abs(central.yz) + std::abs(central.zx) <= 1e-9 * size;
+  // Of lengths and of the moments: data may be stated to nine digits. A rotor that is out of balance by more is felt.
+  constexpr double balanced = 1e-9;
+  return off <= balanced * (length + std::abs(c.z)) && std::abs(central.xx - central.yy) <= balanced * size &&
+         std::abs(central.xy) + std::abs(central.yz) + std::abs(central.zx) <= balanced * size;
 }
 
 template <class Scalar>

@@ -35,7 +35,10 @@ bool foretell(const Conditions<Scalar>& conditions, const std::vector<Scalar>& x
       size += std::abs(plain(conditions[i].coefficients[k]) * plain(x[k]));
     }
     const double value = plain(values[i].value);
-    if (!(std::abs(value - plain(linear)) <= 1e-9 * (size + std::abs(value)))) return false;
+    // Of the terms, of which a linear fact is foretold to 1e-14. At the farthest place, 1e12, the square of an unknown
+    // shows beside the unknown itself with a factor of 1e-21.
+    constexpr double foretold = 1e-9;
+    if (!(std::abs(value - plain(linear)) <= foretold * (size + std::abs(value)))) return false;
   }
   return true;
 }
@@ -43,7 +46,7 @@ bool foretell(const Conditions<Scalar>& conditions, const std::vector<Scalar>& x
 // Whether values change by clearly more than their rounding.
 template <class Values>
 bool notice(const Values& from, const Values& to) {
-  constexpr double seen = 1e-6;
+  constexpr double seen = 1e-6;  // of the value, so that ten digits of the change are left
   for (std::size_t i = 0; i < from.size(); ++i) {
     const double base = plain(from[i].value), change = plain(to[i].value) - base;
     if (!(std::abs(change) >= seen * std::abs(base))) return false;

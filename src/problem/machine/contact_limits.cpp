@@ -28,15 +28,19 @@ std::optional<double> left_of_surface(const ContactLimit& limit, const solve::Me
   return dot(normalized(*reach), state.direction({constraint->on, limit.middle})) - limit.cosine;
 }
 
+// Of a cosine and of the turning: what rounding leaves where a motion has stopped at the edge of a surface, whose place
+// is found to 1e-12 of an angle and whose cosine near its end to no more than that.
+constexpr double nothing = 1e-9;
+
 bool goes_beyond(const ContactLimit& limit, const solve::MechanismState& state) {
   const std::optional<double> left = left_of_surface(limit, state);
-  if (!left || *left > 1e-9) return false;
+  if (!left || *left > nothing) return false;
   const VelocityConstraint<double>& constraint = *touching(limit, state.mechanism());
   const Workspace<double>& now = state.workspace();
   const Vector u = normalized(*detail::reach_of_rolling(state.mechanism().tree, now, constraint));
   const Vector w = angular_velocity(now, constraint.on) - angular_velocity(now, constraint.from);
   const Vector middle = state.direction({constraint.on, limit.middle});
-  return dot(u, cross(w, middle)) < -1e-9 * norm(w);
+  return dot(u, cross(w, middle)) < -nothing * norm(w);
 }
 
 bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& state) {
@@ -46,7 +50,7 @@ bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& state)
   const Vector w = angular_velocity(now, constraint->on) - angular_velocity(now, constraint->from);
   const Vector n = state.direction(constraint->along);
   return std::ranges::any_of(limit.straight, [&](const Vector& side) {
-    return std::abs(dot(cross(w, state.direction({constraint->on, side})), n)) > 1e-9 * norm(w);
+    return std::abs(dot(cross(w, state.direction({constraint->on, side})), n)) > nothing * norm(w);
   });
 }
 

@@ -311,11 +311,12 @@ Scalar DataScope<Scalar>::gravity_size() {
   if (const NamedExpression* item = find_named(situation_.given, "g")) {
     Scalar g = number(name_expression("g", item->mark), dimensions::acceleration);
     if (!(plain(g) > 0)) fail(situation_.file, item->mark, "g must be positive");
+    constexpr double same_size = 1e-9;  // components of a tilted gravity may be stated to nine digits
     const List* vector = situation_.gravity ? situation_.gravity->as<List>() : nullptr;
     if (vector && vector->items.size() == 3) {
       const Value<Scalar> gravity = value(*situation_.gravity);
       if (gravity.is_vector() && !gravity.bare && same_kind(gravity.dimension, dimensions::acceleration) &&
-          std::abs(plain(norm(gravity.vector)) - plain(g)) > 1e-9 * plain(g))
+          std::abs(plain(norm(gravity.vector)) - plain(g)) > same_size * plain(g))
         fail(situation_.file, situation_.gravity->mark(), "gravity and the g under given: differ in size",
              "state one of them, or gravity: -y");
     }

@@ -14,6 +14,9 @@
 namespace poinsot::problem {
 namespace {
 
+constexpr double no_time = 1e-13;  // of a time: some hundred units in its last place
+// Of a span, how far inside its ends it is looked at: at a corner itself either side's value may come.
+constexpr double just_inside = 1e-9;
 constexpr int most_halvings = 20;            // of the time between two samples
 constexpr std::size_t most_looks = 100'000;  // samples in one part of the motion
 constexpr double bend = 0.02;          // change of slope allowed between two samples, as a part of a function's range
@@ -181,7 +184,8 @@ void Driving::refine(const Look& before, const Look& after, std::vector<double>&
 bool Driving::is_polynomial(const std::vector<Look>& looks, const std::vector<double>& least,
                             const std::vector<double>& most) {
   constexpr std::size_t nodes = 5;
-  constexpr double closely = 1e-10;  // of the range of the values
+  // Of the range of the values: a hundredth of what a motion is followed to in a thousand steps.
+  constexpr double closely = 1e-10;
   const double begin = looks.front().time, length = looks.back().time - begin;
   std::vector<std::size_t> at;
   for (std::size_t n = 0; n < nodes; ++n) at.push_back(n * (looks.size() - 1) / (nodes - 1));
@@ -213,7 +217,7 @@ std::vector<Driving::Span> Driving::spans(double from, double to) {
   std::vector<double> ends = corners(from, to);
   ends.insert(ends.begin(), from);
   ends.push_back(to);
-  const double least_span = 1e-13 * (std::abs(from) + std::abs(to));
+  const double least_span = no_time * (std::abs(from) + std::abs(to));
   // Each stretch between corners is sampled by itself, so that no corner hides behind another.
   std::vector<std::vector<Look>> looks;
   std::vector<double> least, most;
@@ -221,7 +225,7 @@ std::vector<Driving::Span> Driving::spans(double from, double to) {
   std::vector<double> kept{from};
   for (std::size_t i = 1; i < ends.size(); ++i) {
     if (ends[i] - kept.back() <= least_span) continue;
-    const double begin = kept.back(), end = ends[i], inside = 1e-9 * (end - begin);
+    const double begin = kept.back(), end = ends[i], inside = just_inside * (end - begin);
     const auto count = std::max<std::size_t>(
         4, static_cast<std::size_t>(std::ceil(static_cast<double>(looks_) * (end - begin) / (to - from))));
     std::vector<Look>& here = looks.emplace_back();
@@ -275,7 +279,7 @@ Driving::Span Driving::span_from(double time) {
     auto known = known_.find(part);
     if (known == known_.end()) known = known_.emplace(part, spans(from, to)).first;
     for (const Span& span : known->second)
-      if (time < span.end - 1e-13 * std::abs(span.end))
+      if (time < span.end - no_time * std::abs(span.end))
         return {std::max(time, span.begin), span.end, span.largest_step};
   }
 }

@@ -19,7 +19,10 @@ Place<Scalar> impulse_place(const MachineDraft<Scalar>& draft, const std::string
 }
 
 // Whether a number lies between 0 and 1, up to the rounding of one that was found.
-bool is_part(double x) { return x >= -1e-9 && x <= 1 + 1e-9; }
+bool is_part(double x) {
+  constexpr double found_to = 1e-9;  // by the search for unknowns
+  return x >= -found_to && x <= 1 + found_to;
+}
 
 std::string number_in_words(double x) { return with_digits(x, 6); }
 

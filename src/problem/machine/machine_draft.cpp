@@ -29,7 +29,9 @@ template <class Scalar>
 std::string MachineDraft<Scalar>::direction_name(const Vector3<Scalar>& direction) const {
   const Vector3<double> d = plain(direction);
   for (std::size_t k = 0; k < 3; ++k)
-    if (std::abs(std::abs(d[k]) - 1) < 1e-9) return situation.axes[k];
+    if (constexpr double off = 1e-9;  // which is an angle of nine seconds: three digits of a direction do not show it
+        std::abs(std::abs(d[k]) - 1) < off)
+      return situation.axes[k];
   return "[" + with_digits(d.x, 3) + ", " + with_digits(d.y, 3) + ", " + with_digits(d.z, 3) + "]";
 }
 
@@ -110,7 +112,9 @@ std::pair<Vector3<Scalar>, Vector3<Scalar>> across(const Vector3<Scalar>& u) {
   using Vector = Vector3<Scalar>;
   std::size_t smallest = 0;
   for (std::size_t i = 1; i < 3; ++i)
-    if (std::abs(plain(u[i])) < std::abs(plain(u[smallest])) - 1e-12) smallest = i;
+    if (constexpr double clearly = 1e-12;  // so that rounding of a unit vector does not choose between equal components
+        std::abs(plain(u[i])) < std::abs(plain(u[smallest])) - clearly)
+      smallest = i;
   const Vector first = normalized(Vector::unit(smallest) - dot(Vector::unit(smallest), u) * u);
   return {first, cross(u, first)};
 }

@@ -11,6 +11,10 @@
 namespace poinsot::problem {
 namespace {
 
+// Sine between two directions that were meant as one: both may be stated to nine digits. What hangs on such a pair is
+// determined to no digit.
+constexpr double same_direction = 1e-9;
+
 // The directions, as drawn, of the forces and couples that a joint can carry.
 template <class Scalar>
 struct Carried {
@@ -85,7 +89,7 @@ void add_support(MachineDraft<Scalar>& draft, const Joint& joint, const Support&
   const auto add = [&](const std::vector<std::pair<std::string, Vector3<Scalar>>>& list, bool couple) {
     for (std::size_t i = 0; i < list.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j)
-        if (norm(plain(cross(list[i].second, list[j].second))) < 1e-9)
+        if (norm(plain(cross(list[i].second, list[j].second))) < same_direction)
           fail(draft.situation.file, support.mark,
                "support '" + support.name + "' lists the direction " + list[i].first + " twice");
       draft.add_component(action, list[i].first, couple, at, {from, list[i].second});
@@ -142,7 +146,8 @@ template <class Scalar>
 std::pair<Vector3<Scalar>, Vector3<Scalar>> in_plane(const Vector3<Scalar>& normal) {
   auto [first, second] = across(normal);
   for (std::size_t k = 0; k < 3; ++k)
-    if (std::abs(std::abs(plain(normal[k])) - 1) < 1e-12) {
+    if (constexpr double off = 1e-12;  // an angle of a microradian, within which the axes of the drawing are meant
+        std::abs(std::abs(plain(normal[k])) - 1) < off) {
       const Vector3<Scalar> one = Vector3<Scalar>::unit(k == 0 ? 1 : 0);
       first = normalized(one - dot(one, normal) * normal);
       second = cross(normal, first);
@@ -199,7 +204,7 @@ JointAxes<Scalar> axes_of(const MachineDraft<Scalar>& draft, const Joint& joint)
              "write " + kind + ": [x, y]");
       axes.at = at();
       for (const Expression& item : list->items) listed.push_back(draft.data.direction(item));
-      if (norm(plain(cross(listed[0], listed[1]))) < 1e-9)
+      if (norm(plain(cross(listed[0], listed[1]))) < same_direction)
         fail(draft.situation.file, joint.place.mark(),
              "the axes of the " + kind + " joint '" + joint.name + "' are parallel");
       break;

@@ -58,9 +58,7 @@ class MassReader {
     return value;
   }
   // A value for what is left open, as large as what is stated, so that neither drowns in the other's rounding.
-  Scalar open(const Dimension& dimension) {
-    return Scalar(any_(dimension) * stated_size(data_, dimension));
-  }
+  Scalar open(const Dimension& dimension) { return Scalar(any_(dimension) * stated_size(data_, dimension)); }
   // A weight under mass: or a mass under weight: is a common mistake and gets a message of its own.
   Scalar mass_of(const Expression& expression, const std::string& owner) {
     if (!is_any(expression)) {
@@ -175,7 +173,8 @@ BodyMassOf<Scalar> MassReader<Scalar>::of_shapes() {
   } else if (body_.amount.mass || body_.amount.weight) {
     const Scalar total =
         body_.amount.mass ? mass_of(*body_.amount.mass, owner) : weight_of(*body_.amount.weight, owner);
-    if (std::abs(plain(total - stated_mass)) > 1e-9 * std::abs(plain(total)))
+    constexpr double same_mass = 1e-9;  // of the whole: thirds of it are stated with nine digits
+    if (std::abs(plain(total - stated_mass)) > same_mass * std::abs(plain(total)))
       fail(file(), body_.mark, "the masses of the parts of " + owner + " do not add up to its mass",
            "leave one of them out");
   }

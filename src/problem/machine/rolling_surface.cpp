@@ -37,7 +37,8 @@ RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data
       const Vector foot = center_of_mass + dot(p_OC - center_of_mass, axis) * axis;
       // If the point is on the axis, up to rounding, the circle is a point, and its radius has no derivative.
       const Vector r = p_OC - foot;
-      const bool beside = norm(plain(r)) > 1e-12 * (norm(plain(p_OC)) + norm(plain(center_of_mass)));
+      constexpr double rounding = 1e-12;  // of the places, which were computed from data
+      const bool beside = norm(plain(r)) > rounding * (norm(plain(p_OC)) + norm(plain(center_of_mass)));
       return {ContactShape::round, foot, axis, beside ? norm(r) : Scalar(0), 0, {}, -1};
     }
     return {ContactShape::unknown, {}, {}, Scalar(0), 0, {}, -1};
@@ -48,7 +49,7 @@ RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data
 
 template <class Scalar>
 bool normal_fits(const RollingSurface<Scalar>& surface, const Vector3<Scalar>& place, const Vector3<Scalar>& normal) {
-  constexpr double tolerance = 1e-6;
+  constexpr double tolerance = 1e-6;  // a sine: places are given with the six digits of a figure
   if (surface.shape != ContactShape::round || !(plain(surface.radius) > 0)) return true;
   const Vector3<double> radius = plain(place - surface.center) / plain(surface.radius), n = plain(normal);
   const Vector3<double> axis = plain(surface.axis);

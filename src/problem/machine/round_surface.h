@@ -12,7 +12,8 @@
 
 namespace poinsot::problem {
 
-// Of the radius: what lies closer than this to a surface is on it.
+// Of the radius: what lies closer than this to a surface is on it, since places are given with the six digits of a
+// figure.
 constexpr double on_round_surface = 1e-6;
 
 template <class Scalar>

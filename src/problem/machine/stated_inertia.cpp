@@ -30,7 +30,8 @@ class InertiaReader {
     Vector a[3];
     for (int i = 0; i < 3; ++i) a[i] = source_.data.direction(inertia.axes[i]);
     for (int i = 0; i < 3; ++i)
-      if (std::abs(plain(dot(a[i], a[(i + 1) % 3]))) > 1e-9)
+      if (constexpr double right_angle = 1e-9;  // cosine: directions may be stated to nine digits
+          std::abs(plain(dot(a[i], a[(i + 1) % 3]))) > right_angle)
         fail(file(), inertia.axes[i].mark(), "the axes are not at right angles");
     if (plain(dot(a[0], cross(a[1], a[2]))) < 0)
       fail(file(), inertia.mark, "the axes are not right-handed", "reverse one of them");

@@ -94,7 +94,7 @@ template std::optional<double> gap_to_sides(const Body&, DataScope<Formula>&, co
 template <class Scalar>
 std::vector<Vector3<double>> straight_directions(const Body& body, DataScope<Scalar>& data, const Vector3<double>& C,
                                                  const Vector3<double>& n) {
-  constexpr double across = 1e-6;
+  constexpr double across = 1e-6;  // cosine to the normal, of sides between corners that a figure gives to six digits
   std::optional<std::vector<Vector>> fewest;
   for (const auto* list : {&body.parts, &body.added})
     for (const Part& part : *list) {

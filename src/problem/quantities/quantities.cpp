@@ -73,7 +73,8 @@ Matrix3<Scalar> QuantityScope<Scalar, Base>::axes_of(const Expression& expressio
       d[i] = normalized(value.vector);
     }
     for (std::size_t i = 0; i < 3; ++i)
-      if (std::abs(plain(dot(d[i], d[(i + 1) % 3]))) > 1e-9)
+      if (constexpr double right_angle = 1e-9;  // cosine: directions may be stated to nine digits
+          std::abs(plain(dot(d[i], d[(i + 1) % 3]))) > right_angle)
         evaluator.fail(expression.mark(), "the axes are not at right angles");
     if (plain(dot(d[0], cross(d[1], d[2]))) < 0) evaluator.fail(expression.mark(), "the axes are not right-handed");
     return Matrix3<Scalar>::from_columns(d[0], d[1], d[2]);

@@ -22,8 +22,12 @@ struct Revolution {
   Vector3<Scalar> axis;
 };
 
+// Of the largest moment: moments that are the same but for data stated to nine digits. The axes of moments that differ
+// by less are known to no digit.
+constexpr double equal_moments = 1e-9;
+
 Revolution<double> revolution_of(const SymmetricMatrix3<double>& I) {
-  const PrincipalAxes<double> principal = principal_axes(I, 1e-9);
+  const PrincipalAxes<double> principal = principal_axes(I, equal_moments);
   const auto axis = static_cast<std::size_t>(principal.symmetry_axis);
   if (principal.symmetry != InertiaSymmetry::axisymmetric) return {principal.symmetry, 0, 0, {}};
   return {principal.symmetry, principal.moments[axis], principal.moments[axis == 0 ? 1 : 0],
@@ -184,7 +188,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
     if (decided_negative(dot(axis, w))) axis = -axis;
     if (const Expression* about = call.argument("about")) {
       const Result sense = evaluator(*about);
-      if (!sense.is_vector() || plain(norm(cross(sense.vector, axis))) > 1e-6 * plain(norm(sense.vector)))
+      constexpr double same_axis = 1e-6;  // sine: an axis that is stated with the six digits of a figure
+      if (!sense.is_vector() || plain(norm(cross(sense.vector, axis))) > same_axis * plain(norm(sense.vector)))
         evaluator.fail(about->mark(),
                        "'" + to_string(*about) + "' is not the axis of revolution of '" + to_string(what) + "'");
       if (decided_negative(dot(sense.vector, axis))) axis = -axis;
@@ -210,9 +215,9 @@ Value<Scalar> QuantityScope<Scalar, Base>::poinsot_construction(const Call& call
                                                                 const Evaluator<Scalar>& evaluator, int body,
                                                                 const Vector& H, const Vector& w) {
   const std::string_view f = call.function;
-  const PrincipalAxes<double> principal = principal_axes(current_mass(body).inertia_center, 1e-9);
+  const PrincipalAxes<double> principal = principal_axes(current_mass(body).inertia_center, equal_moments);
   const Vector3<double>& I = principal.moments;
-  const auto equal = [&](std::size_t a, std::size_t b) { return std::abs(I[a] - I[b]) <= 1e-9 * I[2]; };
+  const auto equal = [&](std::size_t a, std::size_t b) { return std::abs(I[a] - I[b]) <= equal_moments * I[2]; };
   if (f == "axis_stability") {
     // These belong to the smallest, the intermediate and the largest moment. If two moments are equal, a rotation
     // about one of their axes drifts to the others when it is disturbed.
@@ -235,8 +240,10 @@ Value<Scalar> QuantityScope<Scalar, Base>::poinsot_construction(const Call& call
                towards_smallest = I.x * (I.y - I.x) * own.x * own.x;
   const double size = I.z * (I.z - I.x) * norm_squared(own);
   const double around = norm(cross(w, H)) / (norm(w) * norm(H));
-  if (around <= 1e-9) return Result::of_text("a point: the rotation about a principal axis");
-  if (std::abs(towards_largest - towards_smallest) <= 1e-9 * size)
+  // A sine, and a part of the largest that the difference can be: what data of nine digits leave of zero.
+  constexpr double nine_digits = 1e-9;
+  if (around <= nine_digits) return Result::of_text("a point: the rotation about a principal axis");
+  if (std::abs(towards_largest - towards_smallest) <= nine_digits * size)
     return Result::of_text("on the separatrix, towards the intermediate axis");
   return Result::of_text(towards_largest > towards_smallest ? "around the axis of the largest moment"
                                                             : "around the axis of the smallest moment");

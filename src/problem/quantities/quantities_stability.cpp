@@ -32,7 +32,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::holding(const Call& call, const Evalu
       push = plain((*unknowns_)[first + k]);
       acts = true;
     }
-    return Result::of_truth(acts && push >= -1e-12 * largest);
+    constexpr double no_pull = 1e-12;  // of the largest force: the rounding of equations of a few dozen terms
+    return Result::of_truth(acts && push >= -no_pull * largest);
   }
   const std::string all = joined(known);
   const std::string hint = did_you_mean(to_string(what), known);

@@ -160,7 +160,7 @@ class AngleCoordinates final : public BodyCoordinates {
   bool winds() const override { return true; }
 
  private:
-  static constexpr double parallel = 1e-14;
+  static constexpr double parallel = 1e-14;  // the sine between axes that are the same but for rounding
 
   // From where the second axis stands in the body with the third angle zero.
   double third_angle(const Matrix3<double>& R, const Vector& second) const {

@@ -92,7 +92,7 @@ class TopRotation final : public RotationFlow {
     const double upper = std::hypot(q.w, q.z), lower = std::hypot(q.x, q.y);
     start.nutation = 2 * std::atan2(lower, upper);
     start.axial_rate = w.z;
-    constexpr double vertical = 1e-15;
+    constexpr double vertical = 1e-15;  // the sine of half the angle: rounding of a unit quaternion
     const double half_sum = std::atan2(q.z, q.w), half_difference = std::atan2(q.x, q.y);
     if (lower < vertical || upper < vertical) {
       // The line of nodes is free: all that the axis moves is nutation.
@@ -303,7 +303,7 @@ void BodyFlow::reach(double from, std::span<const double> start, double to, std:
   BodyPose pose;
   rotation_->advance(from, coordinates_->read(start), to, pose);
   place(pose, to, start, state);
-  constexpr int deepest = 30;
+  constexpr int deepest = 30;  // halvings, by which an axis goes by the pole within a billionth of the time
   if (!coordinates_->winds() || coordinates_->turned(start, state) <= 1 || depth == deepest) return;
   const std::vector<double> first(start.begin(), start.end());
   std::vector<double> middle(state.size());

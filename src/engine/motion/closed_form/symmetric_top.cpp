@@ -227,7 +227,7 @@ void SymmetricTop::set_up_nutation(const TopCubic& cubic, const TopCubicData& da
   mean_spin_rate_ = static_cast<double>(inverted_ ? lower_mean - upper_mean : upper_mean - lower_mean);
   // A fast spin swallows the digits of that sum of two rates. Where its integrand is smooth, the mean rate of
   // precession is its mean at equal steps, right to exp(-samples).
-  constexpr int samples = 64;
+  constexpr int samples = 64;  // which leave exp(-64)
   if (lattice.trigonometric() && pi * std::min(y1, y2) > K) {
     double total = 0;
     for (int i = 0; i < samples; ++i) {

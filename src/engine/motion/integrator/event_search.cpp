@@ -13,8 +13,15 @@ namespace poinsot {
 
 namespace {
 
+// Of the polynomials that stand for an event's value within a step: that of the step's own polynomials.
 constexpr int degree = 8;
+// Of a step: a value that swings more than a few hundred times in a step that follows the motion is noise.
 constexpr int most_halvings = 7;
+// Of the values on a piece: what the last three coefficients of its polynomial may add up to. Extremes and zeros are
+// then off by a hundredth of the piece at most, the root of this where two meet, and are refined on the value itself.
+constexpr double largest_tail = 1e-4;
+// Of half a piece: the zero of the polynomial, from which that of the value is sought.
+constexpr double zero_to = 1e-12;
 using Coefficients = std::array<double, degree + 1>;
 
 // cos(pi k/8), from the start of the piece (-1) to its end (1).
@@ -80,7 +87,7 @@ std::vector<double> polynomial_zeros(const double* p, int top) {
     const double at_high = evaluate(p, top, high);
     if (at_high == 0.0 && i + 2 < marks.size()) zeros.push_back(high);
     if (!(at_low * at_high < 0.0)) continue;
-    for (int k = 0; k < 40 && high - low > 1e-12; ++k) {
+    for (int k = 0; k < 40 && high - low > zero_to; ++k) {
       const double middle = 0.5 * (low + high);
       const double value = evaluate(p, top, middle);
       if ((value < 0.0) == (at_low < 0.0)) {
@@ -132,7 +139,7 @@ class Finder {
     double rest = 2.0 * tail;
     for (int k = 1; k <= degree; ++k) rest += std::fabs(c[k]);
     if (std::fabs(c[0]) > rest + search_.touch) return;
-    if (tail > 1e-4 * largest && halvings < most_halvings) {
+    if (tail > largest_tail * largest && halvings < most_halvings) {
       const double middle = 0.5 * (a + b);
       scan(a, at_a, middle, values[degree / 2], halvings + 1);
       scan(middle, values[degree / 2], b, at_b, halvings + 1);

@@ -58,7 +58,10 @@ class GaussStep {
   // of one sign, and a drift. scale: what counts as 1.
   StepOutcome solve(RightSide& right_side, double t, std::span<const double> y, double h,
                     std::span<const double> scale) {
+    // Rounds contract by half at the longest steps that are chosen, so that fifty reach the last digit; four times as
+    // many are for steps that are stated.
     constexpr int most_iterations = 200;
+    // Of the natural size of a component: sums over eight stages and the accelerations stir this much.
     constexpr double rounding = 400.0 * std::numeric_limits<double>::epsilon();
     double last_change = std::numeric_limits<double>::infinity();
     int without_progress = 0;
@@ -215,6 +218,7 @@ class GaussCollocation final : public FlowMethod {
     if (h == 0.0) {
       std::vector<double> rate(n_);
       right_side_(first_, y_, rate);
+      // An explicit method's first step is cautious: one of order 16 is mostly ten times too short.
       h = 10.0 * first_step(right_side_, first_, y_, rate, scale_.allowed(), span, 16);
       for (int attempt = 0; attempt < 12; ++attempt) {
         h = std::min(h, std::fabs(span));
@@ -225,6 +229,7 @@ class GaussCollocation final : public FlowMethod {
           continue;
         }
         const double error = step_.estimated_error(scale_.allowed());
+        // Below rounding an error tells nothing: at most ten times longer by this estimate, which then is bounded by 3.
         const double factor = 0.9 * std::pow(std::max(error, 1e-16), -1.0 / 16.0);
         if (factor >= 1.0 && (factor < 1.2 || h == std::fabs(span) || attempt > 6)) break;
         h *= std::clamp(factor, 0.3, 3.0);
@@ -232,8 +237,11 @@ class GaussCollocation final : public FlowMethod {
       const double worst = largest_error(std::copysign(h, span));
       if (worst > 1.0) h *= std::max(0.1, 0.9 * std::pow(worst, -1.0 / 16.0));
     }
-    const double count = std::ceil(std::fabs(span) / h * (1.0 - 1e-12));
-    if (!(count < 1e15)) return StepOutcome::too_small;
+    // A stated step goes into the span as often as its digits say, not once more by rounding; and a count has to be a
+    // whole number among doubles.
+    constexpr double rounding_of_count = 1e-12, most_steps = 1e15;
+    const double count = std::ceil(std::fabs(span) / h * (1.0 - rounding_of_count));
+    if (!(count < most_steps)) return StepOutcome::too_small;
     count_ = std::max<std::int64_t>(1, static_cast<std::int64_t>(count));
     h_ = span / static_cast<double>(count_);
     return StepOutcome::advanced;
@@ -241,7 +249,7 @@ class GaussCollocation final : public FlowMethod {
 
   // Of the first steps of this length, over what is allowed; infinite if one cannot be made.
   double largest_error(double h) {
-    constexpr int looks = 32;
+    constexpr int looks = 32;  // steps: a swing of the motion takes some ten of this order
     std::vector<double> y = y_;
     std::vector<double> carry(n_);
     double largest = 0.0;

@@ -135,6 +135,8 @@ bool Run::find_events(StepView& step, std::vector<double>& y_end) {
   };
   std::vector<Found> found;
   const double sense = step.length > 0.0 ? 1.0 : -1.0;
+  // How near the start of a step a zero is still that of the start: what leaves zero with the fourth power of the time
+  // is there far below the tolerance, as a part of what it comes to in the step.
   const double resolution = 1e-3 * std::pow(options_.tolerance, 0.25) * std::fabs(step.length);
   for (std::size_t i = 0; i < events_.size(); ++i) {
     const Event& event = events_[i];

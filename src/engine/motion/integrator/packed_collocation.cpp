@@ -86,6 +86,7 @@ class PackedCollocation final : public FlowMethod {
       }
       const double error = step_.find_series(scale_.allowed());
       series_length_ = h;
+      // No longer than by a hundredth of the tolerance at the sixteenth power, however small the error.
       const double by_error = 0.8 * std::pow(std::max(error, 1e-32), -1.0 / order);
       calm_steps_ = by_error > 1.1 ? calm_steps_ + 1 : 0;
       if (error > 1.0) {

@@ -49,11 +49,12 @@ struct StepEnd {
 };
 // A step of size |h|, at most `largest`, from t towards the limit: no further than that, and no tiny last step, but two
 // equal ones instead.
+inline constexpr double rounding_of_step = 1e-12;  // of a step: times are sums of thousands of them
 inline StepEnd step_towards(double limit, double t, double h, double largest) {
   const double left = limit - t;
   StepEnd step;
   step.h = std::copysign(std::min(std::fabs(h), largest), left);
-  step.at_limit = std::fabs(step.h) >= std::fabs(left) * (1.0 - 1e-12);
+  step.at_limit = std::fabs(step.h) >= std::fabs(left) * (1.0 - rounding_of_step);
   if (!step.at_limit && 2.0 * std::fabs(step.h) > std::fabs(left)) step.h = 0.5 * left;
   step.time = step.at_limit ? limit : t + step.h;
   step.h = step.time - t;
@@ -64,7 +65,7 @@ inline StepEnd step_towards(double limit, double t, double h, double largest) {
 // Goes from one time to another by steps step(t, h), halved where that cannot make one. Returns whether it arrives.
 template <class Step>
 bool step_by_halves(double from, double to, const Step& step) {
-  constexpr int most_attempts = 60;
+  constexpr int most_attempts = 60;  // halvings: below that a step does not move the time
   double t = from;
   double h = to - from;
   for (int attempt = 0; t != to && attempt < most_attempts; ++attempt) {
@@ -72,7 +73,7 @@ bool step_by_halves(double from, double to, const Step& step) {
       h *= 0.5;
       continue;
     }
-    t = std::fabs(to - t) <= std::fabs(h) * (1.0 + 1e-12) ? to : t + h;
+    t = std::fabs(to - t) <= std::fabs(h) * (1.0 + rounding_of_step) ? to : t + h;
     h = to - t;
   }
   return t == to;

@@ -88,7 +88,7 @@ class BackwardDifferentiation final : public StepMethod {
     // Errors of the projection are errors of the step all the same.
     good = good && CVodeSetProjErrEst(solver, false) == CV_SUCCESS;
     if (first_ > 0.0) good = good && CVodeSetInitStep(solver, std::copysign(first_, limit - t)) == CV_SUCCESS;
-    // Steps that short never end: they are a failure.
+    // Steps of some fifty units in the last place of the time never end: they are a failure.
     const double shortest = 1e-14 * std::max({std::fabs(t), std::fabs(limit), std::fabs(limit - t)});
     good = good && CVodeSetMinStep(solver, std::min(shortest, std::fabs(limit - t))) == CV_SUCCESS;
     if (largest_ > 0.0) good = good && CVodeSetMaxStep(solver, largest_) == CV_SUCCESS;

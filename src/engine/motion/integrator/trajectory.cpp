@@ -53,7 +53,9 @@ void Trajectory::state(double t, std::span<double> q, std::span<double> v) const
   const double last = end_time();
   const double low = std::min(first, last);
   const double high = std::max(first, last);
-  const double slack = 1e-12 * std::max({high - low, std::fabs(low), std::fabs(high)});
+  // A time that was computed from the same data in another way is off by some roundings of a sum.
+  constexpr double rounding = 1e-12;
+  const double slack = rounding * std::max({high - low, std::fabs(low), std::fabs(high)});
   if (!(t >= low - slack && t <= high + slack))
     throw std::out_of_range(
         fmt::format("Trajectory: asked for the state at {} s, but the motion runs from {} s to {} s", t, first, last));
@@ -88,6 +90,8 @@ State<double> Trajectory::state(double t) const {
 void Trajectory::append(const StepView& step) {
   const std::size_t count = step.coefficients.size();
   if (coefficients_.empty() || coefficients_.back().size() + count > coefficients_.back().capacity()) {
+    // Numbers of a chunk: half a megabyte, so that what lies idle of the last one is little; and a kilobyte, for
+    // motions of a few steps.
     constexpr std::size_t most = 65'536, fewest = 128;
     const std::size_t before = coefficients_.empty() ? 0 : coefficients_.back().size();
     coefficients_.emplace_back().reserve(std::max(std::clamp(2 * before, fewest, most), count));

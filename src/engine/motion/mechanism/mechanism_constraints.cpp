@@ -9,14 +9,27 @@
 namespace poinsot {
 namespace {
 
-// In scaled units, in which rows have length one: what counts as dependent when independent rows are selected, and when
-// the selected ones meet a singular pose.
+// In scaled units, in which rows have length one: what counts as dependent when independent rows are selected. The
+// poses in which that is done are closed to 1e-9 at worst; rows that repeat others there differ by as much.
 constexpr double selection_tolerance = 1e-8;
+// The same when the selected ones meet a singular pose: the next pose may be anything but that itself, so that only
+// rounding of poses that are closed to 1e-15, magnified by the rows, counts.
 constexpr double singular_tolerance = 1e-11;
+// Of natural lengths or rad: a pose that is closed by more is none in which rows can be compared.
+constexpr double closed_to_compare = 1e-9;
+// Of its natural size: a row that moves nothing free has only rounding left.
+constexpr double empty_row = 1e-11;
+// Of the row of one that repeats others: a share in it that is less is none. Shares are known to the gap over the
+// tolerance of the selection.
+constexpr double takes_share = 1e-7;
+// Of a radian or the machine's length: how far from the drawn pose rows are compared once more. So far that what is
+// singular by chance in a drawing is so no more, and so near that the loops close again.
+constexpr double beside_drawing = 0.03;
 // Of the constraints where they are most independent. Rates along a branch that crosses another one are known to the
-// rounding of gaps over the square of this.
+// rounding of gaps over the square of this, 1e-15/1e-7: to eight digits, and with a third of it to seven.
 constexpr double lost_independence = 3e-4;
-// In natural lengths or rad: what given motions tear apart.
+// In natural lengths or rad: what given motions tear apart. Steps leave gaps of 1e-12, which Newton's method closes to
+// 1e-15; a loop that can no longer close opens by the square of the step beyond its end.
 constexpr double open_gap = 1e-6;
 
 }  // namespace
@@ -52,8 +65,7 @@ void MechanismDynamics::Parts::factor_rows(const std::vector<int>& constraints, 
       scaled += out[f] * out[f];
       natural += std::pow(entry * (turns[free[f]] ? 1 : length), 2);
     }
-    // Of a row that moves nothing free, only rounding is left.
-    const bool empty = !(std::sqrt(natural) > 1e-11 * unit_of(constraints[c]));
+    const bool empty = !(std::sqrt(natural) > empty_row * unit_of(constraints[c]));
     row_size[i] = std::sqrt(scaled);
     for (std::size_t f = 0; f < free.size(); ++f) out[f] = empty ? 0 : out[f] / row_size[i];
     classes[c] = positions_first && binds_positions(mechanism.constraints[i]);
@@ -77,7 +89,7 @@ void MechanismDynamics::Parts::adopt_chosen() {
     for (int i = 0; i < qr.rank(); ++i) rest[static_cast<std::size_t>(i)] = qr.R(i, k);
     qr.solve_upper(rest.data());
     for (int i = 0; i < qr.rank(); ++i)
-      if (std::abs(rest[static_cast<std::size_t>(i)]) > 1e-7)
+      if (std::abs(rest[static_cast<std::size_t>(i)]) > takes_share)
         shared[static_cast<std::size_t>(factored[static_cast<std::size_t>(qr.chosen(i))])] = 1;
     shared[static_cast<std::size_t>(factored[static_cast<std::size_t>(qr.chosen(k))])] = 1;
   }
@@ -101,7 +113,7 @@ void MechanismDynamics::Parts::select_rows() {
   int most = -1;
   for (int attempt = 0; attempt < 4; ++attempt) {
     state.q = saved_q;
-    if (close_positions(false) > 1e-9 && attempt > 0) continue;
+    if (close_positions(false) > closed_to_compare && attempt > 0) continue;
     choose_here();
     if (attempt > 0) {
       for (std::size_t f = 0; f < free.size(); ++f) motion[f] = part(random);
@@ -113,9 +125,9 @@ void MechanismDynamics::Parts::select_rows() {
         largest = std::max(largest, std::abs(motion[f] * scale[f] / (turns[free[f]] ? 1 : length)));
       if (!(largest > 0)) break;
       std::fill(step.begin(), step.end(), 0.0);
-      for (std::size_t f = 0; f < free.size(); ++f) step[free[f]] = 0.03 * motion[f] * scale[f] / largest;
+      for (std::size_t f = 0; f < free.size(); ++f) step[free[f]] = beside_drawing * motion[f] * scale[f] / largest;
       integrate_position<double>(mechanism.tree, state.q, step, 1.0);
-      if (close_positions(false) > 1e-9) continue;
+      if (close_positions(false) > closed_to_compare) continue;
       choose_here();
     }
     if (qr.rank() < most) continue;
@@ -157,8 +169,10 @@ double MechanismDynamics::Parts::natural_gap(int constraint) const {
 // selected constraints, else with all that are independent where it stands. Returns the largest gap left.
 double MechanismDynamics::Parts::close_positions(bool chosen_only) {
   const Model<double>& tree = mechanism.tree;
+  // Newton's method doubles the digits and ends where rounding stops it; forty halvings are what a start beside a
+  // singular pose takes.
   constexpr int most_steps = 40;
-  constexpr double closed = 1e-15;
+  constexpr double closed = 1e-15;  // in natural lengths: a few units in the last place
   const std::vector<int>& candidates = chosen_only ? selected : acting_rows;
   double best = 0;
   for (int count = 0;; ++count) {
@@ -201,7 +215,9 @@ double MechanismDynamics::Parts::close_positions(bool chosen_only) {
     double largest = 0;
     for (std::size_t f = 0; f < free.size(); ++f)
       largest = std::max(largest, std::abs(motion[f] * scale[f] / (turns[free[f]] ? 1 : length)));
-    const double part = largest > 0.5 ? 0.5 / largest : 1;
+    // A longer step would leave the linear equations behind: half a radian or half the machine.
+    constexpr double longest = 0.5;
+    const double part = largest > longest ? longest / largest : 1;
     std::fill(step.begin(), step.end(), 0.0);
     for (std::size_t f = 0; f < free.size(); ++f) step[free[f]] = part * motion[f] * scale[f];
     integrate_position<double>(tree, state.q, step, 1.0);

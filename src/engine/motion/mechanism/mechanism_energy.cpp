@@ -74,6 +74,7 @@ std::vector<OpenCoordinate> MechanismDynamics::open_coordinates(std::span<const 
     p.acting_columns.reserve(p.links.size());
   }
   const std::size_t rank = static_cast<std::size_t>(p.qr.rank()), left = p.free.size() - rank;
+  constexpr double takes_part = 1e-9;  // of a direction of length one: what is less takes no part in it
   std::vector<OpenCoordinate> found;
   std::vector<double> direction(p.free.size()), solved(p.free.size() + p.links.size());
   for (int k = p.force_qr.rank(); k < p.force_qr.columns(); ++k) {
@@ -86,13 +87,13 @@ std::vector<OpenCoordinate> MechanismDynamics::open_coordinates(std::span<const 
       if (place < left)
         direction[rank + place] = value;
       else
-        force_enters = force_enters || std::abs(value) > 1e-9;
+        force_enters = force_enters || std::abs(value) > takes_part;
     };
     for (int i = 0; i < p.force_qr.rank(); ++i) set(i, -solved[i]);
     set(k, 1);
     p.qr.apply(direction.data());
     for (std::size_t f = 0; f < p.free.size(); ++f) {
-      if (!(std::abs(direction[f]) > 1e-9)) continue;
+      if (!(std::abs(direction[f]) > takes_part)) continue;
       const int coordinate = p.free[f];
       const auto same = [&](const OpenCoordinate& open) { return open.coordinate == coordinate; };
       if (std::none_of(found.begin(), found.end(), same)) found.push_back({coordinate, !force_enters});

@@ -48,7 +48,10 @@ Mechanism<double> with_held(Mechanism<double> mechanism, const std::vector<char>
 
 // Two vectors that were made from the same data: apart by the rounding of a few operations on numbers of a size, and at
 // most by ten times less than what a joint's place could be told apart by in a drawing of eleven digits.
-bool same(const Vector& a, const Vector& b, double size) { return norm(a - b) <= 1e-12 * (size + norm(a)); }
+bool same(const Vector& a, const Vector& b, double size) {
+  constexpr double drawn = 1e-12;  // points and directions are computed from data, in a few hundred roundings
+  return norm(a - b) <= drawn * (size + norm(a));
+}
 
 }  // namespace
 

@@ -326,8 +326,8 @@ class Iteration {
 template <bool HasTorque>
 RotationStep solve(const PrincipalBody& body, const RotationState& state, double t, double h, double momentum_size,
                    double accuracy) {
-  constexpr int most_iterations = 40;
-  constexpr double rounding = 1e-16;
+  constexpr int most_iterations = 40;  // at a contraction of one half, twelve digits
+  constexpr double rounding = 1e-16;   // of angles and of the momentum
   Iteration<HasTorque> iteration(body, state, t, h, momentum_size);
   RotationStep step;
   double last = 0.0;

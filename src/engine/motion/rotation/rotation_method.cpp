@@ -22,8 +22,10 @@ double largest_momentum(const Rotor& rotor, const RotationState& state, double s
 // What a step by quadrature leaves of the energy turns up as a wrong rate of the spin, whose angle then goes off with
 // the time: the energy from before is given back, where a turn by at most a hundred times the tolerance does it. Near a
 // rotation about a principal axis, where next to no turn changes the energy, nothing is done.
+// The turn is a rotation to first order, which a thousandth of a radian still is to six digits.
 void give_back_energy(const PrincipalBody& body, double energy, double tolerance, RotationState& end) {
-  if (body.keeps_energy()) body.restore_energy(end, energy, std::min(100.0 * tolerance, 1e-3));
+  constexpr double times_tolerance = 100.0, largest_turn = 1e-3;
+  if (body.keeps_energy()) body.restore_energy(end, energy, std::min(times_tolerance * tolerance, largest_turn));
 }
 
 double root_16(double x) { return std::sqrt(std::sqrt(std::sqrt(std::sqrt(x)))); }
@@ -194,7 +196,8 @@ class EqualSteps {
       evaluations += RotationSplitting::torques_per_step;
       return true;
     }
-    constexpr double to_rounding = 1e-18;
+    constexpr double to_rounding =
+        1e-18;  // of the increments: less than they can change, so that rounds go on to the end
     const RotationStep step = rotation_step(body_, state, t, h, momentum_size, to_rounding);
     evaluations += 8 * step.iterations;
     if (step.converged) state = step.end;
@@ -242,8 +245,11 @@ class RotationInEqualSteps final : public RotationSteps {
     if (span == 0.0) return StepOutcome::advanced;
     momentum_size_ = largest_momentum(*rotor_, state_, span);
     const double h = stated_ > 0.0 ? stated_ : chosen_step(span);
-    const double count = std::ceil(span / h * (1.0 - 1e-12));
-    if (!(count < 1e15)) return StepOutcome::too_small;
+    // A stated step goes into the span as often as its digits say, not once more by rounding; and a count has to be a
+    // whole number among doubles.
+    constexpr double rounding_of_count = 1e-12, most_steps = 1e15;
+    const double count = std::ceil(span / h * (1.0 - rounding_of_count));
+    if (!(count < most_steps)) return StepOutcome::too_small;
     count_ = std::max<std::int64_t>(1, static_cast<std::int64_t>(count));
     h_ = (limit - t) / static_cast<double>(count_);
     return StepOutcome::advanced;
@@ -265,7 +271,7 @@ class RotationInEqualSteps final : public RotationSteps {
   // The longest step that differs by no more than the tolerance from two of half its length, here and on the way of as
   // many steps as show a swing of the motion.
   double chosen_step(double span) {
-    constexpr int looks = 32;
+    constexpr int looks = 32;  // steps: a swing of the motion takes some ten of this order
     double h = std::min(span, natural_step(rotor_->principal, state_, first_, span));
     const double sense = limit_ > first_ ? 1.0 : -1.0;
     RotationState state = state_;

@@ -90,6 +90,8 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
       const auto place = static_cast<std::size_t>(body.q + k);
       if (given[place]) largest = std::max(largest, std::abs(target[place]) / (shift ? length : 1));
     }
+  // At least four, so that a small change too starts with a straight line that is none of the drawn pose; at most what
+  // twenty radians take, since whoever states more turns means an angle that has gone round, and its loop has closed.
   const int steps = static_cast<int>(std::clamp(std::ceil(largest / step_size), 4.0, 400.0));
   std::vector<double> before = result.q;
   for (int step = 1; step <= steps; ++step) {
@@ -104,6 +106,8 @@ Closure close_pose(const Mechanism<double>& mechanism, const std::vector<double>
     before = last;
     for (std::size_t k = 0; k < target.size(); ++k)
       if (given[k]) result.q[k] = target[k] * step / steps;
+    // Newton's method doubles the digits: six rounds are enough on the way. At a pose in which the loop could part each
+    // round only halves what is left, and the last digit takes fifty.
     const int most = step == steps ? 60 : 6;
     double previous = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < most; ++iteration) {
@@ -169,7 +173,8 @@ void update_contacts(Mechanism<Scalar>& mechanism, const MechanismStateOf<Scalar
     const Vector was = state.position(c.at) - point_position(tree, w, c.on, c.center);
     // A change that is nothing but rounding must not move the point, but its derivatives count.
     Vector change = *r - was;
-    if (norm(plain(change)) < 1e-12 * plain(c.radius)) change = change - lifted<Scalar>(plain(change));
+    constexpr double rounding = 1e-12;  // of the radius, beside which it may be carried far
+    if (norm(plain(change)) < rounding * plain(c.radius)) change = change - lifted<Scalar>(plain(change));
     if (vanishes(change.x) && vanishes(change.y) && vanishes(change.z)) continue;
     c.at.point += direction_on_body(tree, w, c.on, change);
     for (Component<Scalar>& component : mechanism.components)

@@ -76,7 +76,8 @@ SpatialForce<Scalar> MechanismStateOf<Scalar>::drive_wrench(const Drive<Scalar>&
   }
   // If the axes lie in one plane there is no such couple, and the couple along the motor's own axis is taken.
   const Scalar about_own = dot(couple, d);
-  return {std::abs(plain(about_own)) < 1e-9 ? d : couple / about_own, Vector3<Scalar>::zero()};
+  constexpr double in_one_plane = 1e-9;  // the cosine to the axis across the others: rounding of directions, magnified
+  return {std::abs(plain(about_own)) < in_one_plane ? d : couple / about_own, Vector3<Scalar>::zero()};
 }
 
 template <class Scalar>

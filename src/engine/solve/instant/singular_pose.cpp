@@ -104,6 +104,8 @@ Eigen::VectorXd step_to_rank(LoopsInPose& pose, const std::vector<double>& q, co
   b.head(rank) = -U.leftCols(rank).transpose() * loops.gap;
   const Eigen::MatrixXd left = U_zero.transpose() * loops.rates * V_zero;
   b.tail(conditions) = -left.reshaped();
+  // Of a radian or the length of the machine: central differences of rates, which are good to 1e-15, have errors of
+  // step^2 = 1e-8 and 1e-15/step = 1e-11. Newton's method on the next pose makes up for them.
   constexpr double step = 1e-4;
   for (Eigen::Index k = 0; k < n; ++k) {
     const Eigen::VectorXd by = step * Eigen::VectorXd::Unit(n, k);
@@ -111,7 +113,9 @@ Eigen::VectorXd step_to_rank(LoopsInPose& pose, const std::vector<double>& q, co
     A.col(k).tail(conditions) = (U_zero.transpose() * slope * V_zero).reshaped();
   }
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least(A.rows(), A.cols());
-  least.setThreshold(1e-7);
+  // What depends on others but for the errors of those slopes.
+  constexpr double repeats = 1e-7;
+  least.setThreshold(repeats);
   least.compute(A);
   return least.solve(b);
 }

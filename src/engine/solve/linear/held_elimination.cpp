@@ -35,7 +35,9 @@ Determinant determinant_of(const Eigen::PartialPivLU<MatrixXd>& lu) {
 }  // namespace
 
 HeldPivots pivots_of(const MatrixXd& A, double rank_tolerance, const std::vector<bool>& late) {
-  constexpr double good_size = 1e-6;  // a pivot of this size is good: entries are near one after scaling
+  // A pivot of this size is good, since entries are near one after scaling: it costs six digits of sixteen at most, and
+  // is taken in the order in which rows come rather than for a larger one elsewhere.
+  constexpr double good_size = 1e-6;
   HeldPivots pivots;
   pivots.rows = Eigen::PermutationMatrix<Eigen::Dynamic>(A.rows());
   pivots.columns = Eigen::PermutationMatrix<Eigen::Dynamic>(A.cols());
@@ -109,7 +111,9 @@ std::optional<Remainder> remainder_of(const HeldPivots& pivots, const MatrixXd& 
     // Where y itself is the small difference of larger terms, their rounding reaches the remainder through A21 A11^-1
     // and has to be allowed for in its size.
     const VectorXd cancelling = B.topLeftCorner(rank, rank).cwiseAbs() * y.cwiseAbs() + c.head(rank).cwiseAbs();
-    if (rest > 0 && terms.maxCoeff() < 1e-9 * cancelling.maxCoeff()) {
+    // That matters only where they are larger by more than a remainder's tolerance for zero can bear.
+    constexpr double beside = 1e-9;
+    if (rest > 0 && terms.maxCoeff() < beside * cancelling.maxCoeff()) {
       MatrixXd shares = A21.transpose();  // becomes (A21 A11^-1)^T with the rows in the order of the factors
       lu.matrixLU().triangularView<Eigen::Upper>().transpose().solveInPlace(shares);
       lu.matrixLU().triangularView<Eigen::UnitLower>().transpose().solveInPlace(shares);
@@ -121,7 +125,10 @@ std::optional<Remainder> remainder_of(const HeldPivots& pivots, const MatrixXd& 
       const MatrixXd X = lu.solve(A12), S = B.bottomRightCorner(rest, open) - A21 * X;
       const double size = std::max(1.0, (A21.cwiseAbs() * X.cwiseAbs()).maxCoeff());
       const double smallest = lu.matrixLU().diagonal().cwiseAbs().minCoeff();
-      if (smallest > 1e-8 && S.cwiseAbs().maxCoeff() > 1e-6 * size) return std::nullopt;
+      // Of pivots near one, and of the terms of S: with pivots that have half of the digits, S has the other half, of
+      // which a hundredth is left to what it was multiplied by.
+      constexpr double sound_pivot = 1e-8, vanishing = 1e-6;
+      if (smallest > sound_pivot && S.cwiseAbs().maxCoeff() > vanishing * size) return std::nullopt;
     }
     VectorXd placed = VectorXd::Zero(A.cols());
     placed.head(rank) = y;

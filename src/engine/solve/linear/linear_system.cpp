@@ -14,8 +14,16 @@
 namespace poinsot::solve {
 namespace {
 
+// The misfit of the least-squares solution, as a part of the terms, from which equations contradict one another. What
+// is stated to nine digits fits; a well posed system leaves 1e-14, and one at the edge of what has a rank 1e-11. With
+// a tenth of this, data that were rounded to nine digits would clash.
 constexpr double conflict_tolerance = 1e-9;
+// The equations that miss by less than this part of the largest misfit take no part in a contradiction.
+constexpr double no_part = 1e-6;
+// Of the largest entry of a direction along which a solution may move: an unknown that moves by less is determined.
+// Directions are known to rounding over the least pivot, at worst 1e-16/1e-11 of themselves, but mostly to 1e-14.
 constexpr double open_tolerance = 1e-9;
+// Each sweep takes the square root of what scales are apart (Ruiz): after eight, 1e100 is down to a factor of 2.5.
 constexpr int scaling_sweeps = 8;
 
 }  // namespace
@@ -218,7 +226,7 @@ LinearFactors::LinearFactors(const LinearSystemOf<Scalar>& system) : parts_(std:
     if (!(solution.residual <= conflict_tolerance)) {
       const double worst = misfit.cwiseAbs().maxCoeff();
       for (Eigen::Index i = 0; i < m; ++i)
-        if (!(std::abs(misfit[i]) <= 1e-6 * worst)) solution.conflict.push_back(static_cast<std::size_t>(i));
+        if (!(std::abs(misfit[i]) <= no_part * worst)) solution.conflict.push_back(static_cast<std::size_t>(i));
     }
   }
   for (Eigen::Index j = 0; j < n; ++j) solution.value[static_cast<std::size_t>(j)] = x[j] * parts.column[j];

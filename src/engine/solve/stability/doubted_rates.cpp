@@ -85,6 +85,8 @@ class RatesTogether {
     ComplexMatrix X = ComplexMatrix::NullaryExpr(shifted.rows(), count, [](Index i, Index k) {
       return std::complex<Real>(std::cos(Real(1 + i * (k + 1))), std::sin(Real(2 + k + i * i)));
     });
+    // Each step of inverse iteration takes out the part that other motions have, by 1e12 over the distance of their
+    // rates: two are enough, and the third is for rates that are in the way.
     for (int step = 0; step < 3; ++step) {
       X = solver.solve(X).eval();
       for (Index k = 0; k < count; ++k) {

@@ -4,7 +4,8 @@ namespace poinsot::solve {
 namespace {
 
 using Index = Eigen::Index;
-// Of the length of rows and columns: what depends on others but for rounding. Points of loops are drawn to 1e-12.
+// Of the length of rows and columns: what depends on others but for rounding. Points of loops are drawn to 1e-12, so
+// that a hundredth of this would take their rounding for a row of its own.
 constexpr Real depends = 1e-9L;
 
 Index rank_of(const Matrix& A) {

@@ -17,6 +17,8 @@ constexpr Real within = 1e-9L;
 class Uncertain {
  public:
   explicit Uncertain(const Doubted& A) : A_(A.value) {
+    // Of the terms, beside ten times the bounds of their rounding, which do not know of poses that are solved to 1e-12
+    // and of facts that hold to 1e-9.
     constexpr Real closely = 1e-9L;
     doubt_of_terms_ = 10 * A.doubt + closely * A_.cwiseAbs();
     const Index n = A_.rows() / 2;
@@ -141,7 +143,8 @@ Matrix goings_round(const Uncertain& A, const DeviationRows& rows, const std::ve
       const Real common = all[i].dot(all[k]);
       const Vector across = all[k] - common * all[i];
       const Real left = across.norm();
-      if (!(left > 1e-6L)) continue;
+      constexpr Real one_direction = 1e-6L;  // what is left of one beside the other has lost six digits by then
+      if (!(left > one_direction)) continue;
       const TurningPair both_displacements{all[i], across / left, led[i], (led[k] - common * led[i]) / left,
                                            (2 * rounding[i] + rounding[k]) / left};
       const auto turned = turning_of(both_displacements);
@@ -162,7 +165,8 @@ Matrix goings_round(const Uncertain& A, const DeviationRows& rows, const std::ve
       // The velocities must go round at the same rate as the displacements. (Velocities of a turned body wobble and
       // do not.)
       const std::optional<Matrix> drifted = parts_among(both, A, drifts);
-      if (drifted && (drifted->bottomRows(2) - *turned).norm() <= 1e-6L * turned->norm()) add(drifts);
+      constexpr Real same_rate = 1e-6L;  // of entries that are known to `closely` and divided by what is left
+      if (drifted && (drifted->bottomRows(2) - *turned).norm() <= same_rate * turned->norm()) add(drifts);
     }
   return found;
 }
@@ -181,7 +185,7 @@ Matrix leading_to(Matrix elsewhere, const Uncertain& A, const DeviationRows& row
 
 Matrix complement(const Matrix& columns) {
   Eigen::ColPivHouseholderQR<Matrix> qr(columns);
-  qr.setThreshold(1e-9L);
+  qr.setThreshold(within);
   const Matrix Q = qr.householderQ() * Matrix::Identity(columns.rows(), columns.rows());
   return Q.rightCols(columns.rows() - qr.rank());
 }

@@ -23,9 +23,12 @@ constexpr Real step = 1e-5L;
 // Rates below this part of the pace may belong to displacements that change nothing: where several vanish together,
 // their errors are roots of those of the equations.
 constexpr Real slow = 1e-2L;
-// A rate of this road that is this far from all of the other's has none among them.
+// A rate of this road that is this far from all of the other's, as a part of the pace, has none among them. Differences
+// leave 1e-8 in simple rates and the root of that where two nearly meet; a forgotten term of the equations moves a rate
+// in its first digits.
 constexpr Real missing = 1e-3L;
-// Of the forces and of the stiffness: an imbalance that displaces the motion by less is rounding of the pose.
+// Of the forces and of the stiffness: an imbalance that displaces the motion by less is rounding of the pose, which is
+// off by the root of rounding where two positions of rest nearly meet.
 constexpr Real in_balance = 1e-6L;
 // Of the largest inertia: what is rounding.
 constexpr Real no_size = 1e-14L;
