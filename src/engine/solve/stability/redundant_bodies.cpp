@@ -145,11 +145,10 @@ bool RedundantBodies::read_joint(int i) {
   const auto meet = [&](const Place3& d) {
     gaps_.push_back([apart, d](const Displacements& at) { return d.dot(apart(at)); });
   };
-  // Two directions, one on each body, that stay perpendicular. Gaps of angles are arcs as long as the machine, so that
-  // they count beside those of places in any unit of length.
+  // Two directions, one on each body, that stay perpendicular.
   const auto square = [&](const Place3& own, const Place3& other) {
     gaps_.push_back([this, i, parent, own, other](const Displacements& at) {
-      return motion_.length * turned(i, at, own).dot(turned(parent, at, other));
+      return turned(i, at, own).dot(turned(parent, at, other));
     });
   };
   const auto stay_on_line = [&] {
@@ -196,8 +195,7 @@ bool RedundantBodies::read_held(int i) {
     if (!motion_.held[static_cast<std::size_t>(k)] && !unseen) continue;
     const int parent = body.parent;
     if (body.joint == JointType::revolute) {
-      gaps_.push_back(
-          [this, i, parent, z](const Displacements& at) { return motion_.length * turned_about(i, parent, at, z); });
+      gaps_.push_back([this, i, parent, z](const Displacements& at) { return turned_about(i, parent, at, z); });
     } else if (body.joint == JointType::prismatic) {
       gaps_.push_back([this, i, parent, z, origin](const Displacements& at) {
         return turned(parent, at, z).dot(moved(i, at, origin) - moved(parent, at, origin));
@@ -206,7 +204,7 @@ bool RedundantBodies::read_held(int i) {
       const Place3 axis = axes.col(k - body.v);
       gaps_.push_back([this, i, parent, axis](const Displacements& at) {
         const Turn3 R = at[index(parent)].turn.transpose() * at[index(i)].turn;
-        return motion_.length * axis.dot(Place3(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1))) / 2;
+        return axis.dot(Place3(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1))) / 2;
       });
     } else {
       const Place3 axis = axes.col(k - body.v - 3);
@@ -225,7 +223,7 @@ bool RedundantBodies::read_constraints() {
       case VelocityConstraintKind::angular:
         gaps_.push_back([this, on, from, d](const Displacements& at) {
           const Turn3 R = at[index(from)].turn.transpose() * at[index(on)].turn;
-          return motion_.length * d.dot(Place3(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1))) / 2;
+          return d.dot(Place3(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1))) / 2;
         });
         break;
       case VelocityConstraintKind::cord_length: {
