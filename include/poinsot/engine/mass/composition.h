@@ -25,21 +25,27 @@ MassProperties<Scalar> sum(const std::vector<MassProperties<Scalar>>& parts) {
   MassProperties<Scalar> whole = massless<Scalar>();
   if (parts.empty()) return whole;
   constexpr bool compares = requires(bool zero) { zero = whole.mass == Scalar(0); };
-  // Where the parts have one center that of the whole is the same to the last digit, as it is counted from there:
-  // particles in one place must not get a moment of inertia from rounding. Massless parts have none.
-  Vector3<Scalar> first = parts.front().center;
+  // Parts in one place have their center there to the last digit: particles must not get a moment of inertia from
+  // rounding. Counted from there the rate of the center is right too, over dual numbers.
+  Vector3<Scalar> from = Vector3<Scalar>::zero();
   if constexpr (compares) {
-    for (std::size_t i = 1; i < parts.size() && parts[i - 1].mass == Scalar(0); ++i) first = parts[i].center;
+    std::size_t first = 0;
+    while (first + 1 < parts.size() && parts[first].mass == Scalar(0)) ++first;
+    bool together = true;
+    for (std::size_t i = first + 1; i < parts.size() && together; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        together = together && (parts[i].mass == Scalar(0) || parts[i].center[k] == parts[first].center[k]);
+    if (together) from = parts[first].center;
   }
   Vector3<Scalar> first_moment = Vector3<Scalar>::zero();
   for (const auto& part : parts) {
     whole.mass += part.mass;
-    first_moment += part.mass * (part.center - first);
+    first_moment += part.mass * (part.center - from);
   }
   if constexpr (compares) {
-    if (!(whole.mass == Scalar(0))) whole.center = first + first_moment / whole.mass;
+    if (!(whole.mass == Scalar(0))) whole.center = from + first_moment / whole.mass;
   } else {
-    whole.center = first + first_moment / whole.mass;
+    whole.center = from + first_moment / whole.mass;
   }
   for (const auto& part : parts) whole.inertia_center += inertia_about(part, whole.center);
   return whole;

@@ -226,7 +226,8 @@ class Scan {
     auto first = at(start);
     if (!first) return;
     ScannedPlace here = std::move(*first);
-    for (int i = 0; i < 12 && here.values.norm() > 1e-15 * here.size; ++i) {
+    constexpr int most_steps = 30;  // which gain a digit each at worst, and two where the slopes have been learnt
+    for (int i = 0; i < most_steps && here.values.norm() > 1e-15 * here.size; ++i) {
       const VectorXd step = slopes.completeOrthogonalDecomposition().solve(-here.values);
       if (!step.allFinite() || step.norm() > 10 * (1 + here.u.norm())) return;
       const auto next = at(function_.clamped(here.u + step));
