@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
+#include "poinsot/engine/math/formula/formula_decision.h"
 #include "poinsot/engine/solve/instant/equations.h"
 #include "problem/formulas/formula_unknowns.h"
 #include "problem/results/compare_values.h"
@@ -61,13 +63,22 @@ Value<Formula> exact_setting(const Situation& situation, const std::string& name
 }
 
 FormulaInstant& FormulaAnswers::instant(const Sample::Home& home) {
-  if (const auto known = instants_.find(home); known != instants_.end()) return *known->second;
+  if (const auto known = instants_.find(home); known != instants_.end()) {
+    for (const Formula& sign : signs_[home]) note_sign(sign);
+    return *known->second;
+  }
   if (const auto failed = no_instant_.find(home); failed != no_instant_.end()) throw NoFormula(failed->second);
   const Situation& situation = statement_.situations[home.situation];
   if (home.time || home.ending || home.instant > (situation.has_blow() ? 1U : 0U))
     throw NoFormula("it is reached by a motion, which is followed by numbers");
   try {
-    auto found = std::make_unique<FormulaInstant>(situation, values_[home.situation], numbers_.instant(home));
+    std::unique_ptr<FormulaInstant> found;
+    {
+      const DecisionScope decisions;
+      found = std::make_unique<FormulaInstant>(situation, values_[home.situation], numbers_.instant(home));
+      signs_[home] = decisions.signs();
+    }
+    for (const Formula& sign : signs_[home]) note_sign(sign);
     return *(instants_[home] = std::move(found));
   } catch (const std::exception& error) {
     no_instant_[home] = error.what();
@@ -82,9 +93,10 @@ Value<Formula> FormulaAnswers::at_home(const Sample::Home& home, const Expressio
   });
 }
 
-Value<Formula> FormulaAnswers::value(const Ask& ask) {
+DecidedFormula FormulaAnswers::value(const Ask& ask) {
   if (ask.table || ask.when || ask.extremum) throw NoFormula("it is found by numbers");
   return or_no_formula([&] {
+    const DecisionScope decisions;
     std::vector<Value<Formula>> items;
     for (const Expression& expression : ask.of) {
       if (asks_motion_feature(expression)) throw NoFormula("the motion is followed by numbers");
@@ -92,8 +104,22 @@ Value<Formula> FormulaAnswers::value(const Ask& ask) {
     }
     Value<Formula> value = ask.is_list ? Value<Formula>::of_list(std::move(items)) : items.front();
     if (!has_numbers_only(value)) throw NoFormula("truths and words have no formula");
-    return value;
+    return DecidedFormula{std::move(value), decisions.signs()};
   });
+}
+
+DecidedFormula FormulaAnswers::at_start(std::size_t situation, const Expression& expression) {
+  return or_no_formula([&] {
+    const DecisionScope decisions;
+    Value<Formula> value = at_home(numbers_.start_of(situation), expression, std::nullopt);
+    return DecidedFormula{std::move(value), decisions.signs()};
+  });
+}
+
+std::vector<Formula> FormulaAnswers::signs_of_instants() const {
+  std::vector<Formula> all;
+  for (const auto& [home, signs] : signs_) all.insert(all.end(), signs.begin(), signs.end());
+  return all;
 }
 
 std::string holding_words(const std::string& action, bool cord) {
@@ -148,17 +174,26 @@ std::vector<std::string> neglected_letters(const Situation& situation, const For
   return letters;
 }
 
-bool agrees(const Value<Formula>& formula, const Value<double>& value, const LetterValues& letters, double tolerance,
-            double natural) {
+double misfit_of(const Value<Formula>& formula, const Value<double>& value, const LetterValues& letters,
+                 double natural) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   const std::vector<Formula> formulas = numbers_of(formula);
   const std::vector<double> numbers = numbers_of(value);
-  if (formulas.size() != numbers.size()) return false;
-  const double size = size_of(value);
+  if (formulas.size() != numbers.size()) return infinite;
+  const double size = size_of(value) + 1e-2 * natural;
+  double misfit = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const double difference = value_at(formulas[i], letters) - numbers[i];
-    if (!(std::abs(difference) <= tolerance * size + 1e-2 * tolerance * natural)) return false;
+    const double difference = std::abs(value_at(formulas[i], letters) - numbers[i]);
+    // Where nothing has a size, only what is equal agrees.
+    const double part = difference == 0 ? 0 : difference / size;
+    if (!(part <= misfit)) misfit = std::isnan(part) ? infinite : part;
   }
-  return true;
+  return misfit;
+}
+
+bool agrees(const Value<Formula>& formula, const Value<double>& value, const LetterValues& letters, double tolerance,
+            double natural) {
+  return misfit_of(formula, value, letters, natural) <= tolerance;
 }
 
 void take_zeros(const Value<Formula>& formula, Value<double>& value) {

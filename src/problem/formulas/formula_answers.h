@@ -53,6 +53,13 @@ struct OneSidedForce {
 // An assumption in words: "the cord 'c' stays taut".
 std::string holding_words(const std::string& action, bool cord);
 
+// A formula and what was decided on the way to it: each of these signs is taken to be everywhere what it is at the
+// point of decisions.
+struct DecidedFormula {
+  Value<Formula> value;
+  std::vector<Formula> signs;
+};
+
 // All formulas of one solution.
 class FormulaAnswers {
  public:
@@ -62,7 +69,11 @@ class FormulaAnswers {
       : statement_(statement), values_(values), numbers_(numbers) {}
 
   // Throws NoFormula with the reason.
-  Value<Formula> value(const Ask& ask);
+  DecidedFormula value(const Ask& ask);
+  // The sides of a comparison at the start of a situation, after its blow if it has one.
+  DecidedFormula at_start(std::size_t situation, const Expression& expression);
+  // What was decided on the way to all instants that were needed.
+  std::vector<Formula> signs_of_instants() const;
   // The forces of all instants that were solved with their forces.
   std::vector<OneSidedForce> one_sided_forces() const;
   // Solves everything that the situations state, so that remainders() is complete.
@@ -78,16 +89,20 @@ class FormulaAnswers {
   const std::vector<FormulaValues>& values_;
   Sample& numbers_;
   std::map<Sample::Home, std::unique_ptr<FormulaInstant>> instants_;
-  std::map<Sample::Home, std::string> no_instant_;  // why an instant has no formulas, once this was tried
+  std::map<Sample::Home, std::vector<Formula>> signs_;  // decided on the way to an instant
+  std::map<Sample::Home, std::string> no_instant_;      // why an instant has no formulas, once this was tried
 };
 
-// Whether a formula has the given value at values of the letters: up to a relative `tolerance`, or a small part of
-// this times `natural` where its terms cancel.
+// How far a formula is from the given value at values of the letters: as a part of the value, or of a hundredth of
+// `natural` where its terms cancel; infinite where the formula has no value.
+double misfit_of(const Value<Formula>& formula, const Value<double>& value, const LetterValues& letters,
+                 double natural);
+// Whether that is no more than the tolerance.
 bool agrees(const Value<Formula>& formula, const Value<double>& value, const LetterValues& letters, double tolerance,
             double natural);
 
-// Gives a value what its formula, which has no letters, knows of its zeros: which numbers vanish exactly, and which were
-// taken for rounding and do not vanish.
+// Gives a value what its formula, which has no letters, knows of its zeros: which numbers vanish exactly, and which
+// were taken for rounding and do not vanish.
 void take_zeros(const Value<Formula>& formula, Value<double>& value);
 
 // The formula with other formulas in place of letters.

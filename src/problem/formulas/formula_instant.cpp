@@ -180,16 +180,24 @@ void FormulaInstant::note_who_acts() const {
 }
 
 void FormulaInstant::solve_forces() {
-  if (forces_solved_) return;
-  if (!no_forces_.empty()) throw NoFormula(no_forces_);
-  forces_solved_ = true;
-  try {
-    find_forces();
-  } catch (const std::exception& error) {
-    forces_solved_ = false;
-    no_forces_ = error.what();
-    throw;
+  if (!forces_solved_) {
+    if (!no_forces_.empty()) throw NoFormula(no_forces_);
+    forces_solved_ = true;
+    std::optional<DecisionScope> decisions;
+    if (notes_decisions()) decisions.emplace();
+    try {
+      find_forces();
+    } catch (const std::exception& error) {
+      forces_solved_ = false;
+      no_forces_ = error.what();
+      throw;
+    }
+    if (decisions) signs_of_forces_ = decisions->signs();
+    if (decisions && decisions->zeros_by_digits()) forces_by_digits_ = true;
   }
+  // Whoever asks for forces rests on these, whether they are solved for it or were before.
+  for (const Formula& sign : signs_of_forces_) note_sign(sign);
+  if (forces_by_digits_) note_zero_by_digits();
 }
 
 void FormulaInstant::find_forces() {

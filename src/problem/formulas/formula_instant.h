@@ -96,6 +96,9 @@ class FormulaInstant {
   };
   std::optional<Present> present_;
   std::string no_forces_;  // why forces have no formulas, once this was tried
+  // What was decided on the way to them.
+  std::vector<Formula> signs_of_forces_;
+  bool forces_by_digits_ = false;
   std::vector<Formula> remainders_;
 };
 

@@ -5,8 +5,13 @@
 #include <numbers>
 #include <random>
 
+#include "poinsot/engine/math/formula/formula_sign.h"
+#include "poinsot/engine/math/formula/formula_text.h"
 #include "poinsot/engine/work/work.h"
 #include "problem/formulas/formula_answers.h"
+#include "problem/formulas/letter_scan.h"
+#include "problem/language/expression_walk.h"
+#include "problem/language/words.h"
 #include "problem/quantities/quantity_functions.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/asked_value.h"
@@ -14,11 +19,14 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr std::size_t most_points = 24;
+constexpr std::size_t most_points = 24;        // at which the statement is solved by numbers
+constexpr std::size_t most_scanned = 10;       // of these, where all letters are far from their ordinary values
+constexpr std::size_t condition_points = 250;  // at which the formula of a condition is looked at
+constexpr int most_confirmations = 3;          // of what it shows, by numbers
+constexpr double branch_tolerance = 1e-6;  // relative difference of answers from which they are on different branches
+// The search far off may take as much as the formulas took, and this in any case.
+constexpr Work least_far_work = 20'000'000;
 constexpr Work most_far_work = 400'000'000;
-constexpr int most_condition_points = 200;  // at which a formula is looked at
-constexpr int most_confirmations = 3;       // of what it shows, by numbers
-constexpr double branch_tolerance = 1e-6;   // relative difference of answers from which they are on different branches
 
 // A point at which letters have values far from the ordinary. `only` names the letter if it is a single one.
 struct FarPoint {
@@ -28,76 +36,132 @@ struct FarPoint {
 
 bool is_angle(const Letter& letter) { return letter.unit.dimension == dimensions::angle; }
 
-std::vector<FarPoint> far_points(const std::vector<Letter>& open, const LetterValues& base) {
-  std::vector<FarPoint> points;
-  std::mt19937_64 random(6100);
-  const auto part = [&] { return std::uniform_real_distribution<double>(-1, 1)(random); };
-  const auto moved = [&](const Letter& letter, double value) {
-    FarPoint point{base, letter.name};
-    point.letters[letter.name] = value;
-    points.push_back(std::move(point));
-  };
+std::vector<FarPoint> far_points(const std::vector<Letter>& open, const LetterValues& base, const LetterScan& scan) {
+  std::vector<FarPoint> single;
   for (const Letter& letter : open) {
+    const auto moved = [&](double value) {
+      FarPoint point{base, letter.name};
+      point.letters[letter.name] = value;
+      single.push_back(std::move(point));
+    };
     const double value = base.at(letter.name);
     if (is_angle(letter)) {
-      for (const double quadrant : {2.3, -2.2, -0.8}) moved(letter, quadrant);
+      for (const double quadrant : {2.3, -2.2, -0.8}) moved(quadrant);
       continue;
     }
-    for (const double far : {1e2, 1e-2, 1e4, 1e-4}) moved(letter, far * value);
-    if (letter.either_sign) moved(letter, -value);
+    for (const double far : {1e2, 1e-2, 1e4, 1e-4}) moved(far * value);
+    if (letter.either_sign) moved(-value);
   }
-  // Finally points at which all letters are far from their ordinary values.
-  for (int i = 0; i < 4; ++i) {
-    FarPoint point{base, ""};
-    for (const Letter& letter : open) {
-      double& value = point.letters[letter.name];
-      value = is_angle(letter) ? std::numbers::pi * part() : value * std::pow(10, 1.5 * part());
-      if (letter.either_sign && part() < 0) value = -value;
-    }
-    points.push_back(std::move(point));
+  std::vector<FarPoint> points;
+  for (std::size_t k = 0; k < most_scanned; ++k) points.push_back({scan.point(k), ""});
+  if (points.size() + single.size() > most_points) {
+    std::mt19937_64 random(6100);
+    std::shuffle(single.begin(), single.end(), random);
+    single.resize(most_points - points.size());
   }
-  if (points.size() > most_points) {
-    std::shuffle(points.begin(), points.end(), random);
-    points.resize(most_points);
-  }
+  points.insert(points.end(), single.begin(), single.end());
   return points;
 }
 
 class FarSearch {
  public:
-  FarSearch(const FormulaTask& task, const std::vector<OneSidedForce>& forces, Solution& solution)
-      : task_(task), solution_(solution), forces_(forces) {}
+  FarSearch(const FormulaTask& task, const FormulaGrounds& grounds, Solution& solution)
+      : task_(task),
+        solution_(solution),
+        grounds_(grounds),
+        base_(letters_of(task)),
+        scan_(task.open, base_),
+        limit_(std::clamp(grounds.work, least_far_work, most_far_work)) {}
 
   void run() {
-    LetterValues base;
-    for (const Letter& letter : task_.open) base[letter.name] = task_.settings.front().at(letter.name).number;
-    const WorkLimit limit(most_far_work);
-    for (const FarPoint& point : far_points(task_.open, base)) {
-      if (limit.spent()) break;
-      const AllSettings settings = settings_at(point.letters);
-      Sample sample(task_.statement, settings, OpenChoice{});
-      for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
-        try {
-          hold(i, point, sample);
-        } catch (const StatementError&) {
-          // The statement makes no sense at this point.
-        } catch (const std::domain_error&) {
-          take_back(i, point);
-        }
-      }
+    for (const Ask& ask : task_.statement.asks) at_instant_.push_back(is_at_instant(task_, ask));
+    collect_conditions();
+    for (const FarPoint& point : far_points(task_.open, base_, scan_)) {
+      if (limit_.spent()) break;
+      hold_at(point, {});
     }
-    const bool any = std::any_of(solution_.asks.begin(), solution_.asks.end(),
-                                 [](const SolvedAsk& ask) { return ask.formula.has_value(); });
-    for (const OneSidedForce& force : forces_)
-      if (any) look_where_negative(force, base);
+    if (has_formulas())
+      for (const OneSidedForce& force : grounds_.forces) look_where_negative(force);
+    for (std::size_t k = 0; k < conditions_.size(); ++k) look_where_it_fails(k);
+    for (const std::vector<std::size_t>& any : doubtful_)
+      if (std::ranges::none_of(any, [&](std::size_t k) { return conditions_[k].needed; }))
+        for (const std::size_t k : any) conditions_[k].needed = true;
+    tell_conditions();
+    if (!misfit_) return;
+    double& check = solution_.checks["formulas"];
+    check = std::max(check, *misfit_);
   }
 
  private:
+  // What is positive where formulas hold.
+  struct Condition {
+    Formula positive;
+    std::vector<std::size_t> asks;  // whose formulas rest on it
+    bool bound = false;             // of an unknown, so that there is no such solution beyond it
+    bool needed = false;
+  };
+
+  static LetterValues letters_of(const FormulaTask& task) {
+    LetterValues base;
+    for (const Letter& letter : task.open) base[letter.name] = task.settings.front().at(letter.name).number;
+    return base;
+  }
+  bool has_formula(std::size_t i) const { return solution_.asks[i].formula.has_value() && at_instant_[i]; }
+  bool has_formulas() const {
+    for (std::size_t i = 0; i < solution_.asks.size(); ++i)
+      if (has_formula(i)) return true;
+    return false;
+  }
+
+  void collect_conditions() {
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < solution_.asks.size(); ++i)
+      if (has_formula(i)) all.push_back(i);
+    for (const Formula& bound : grounds_.bounds) conditions_.push_back({bound, all, true});
+    for (const std::size_t i : all)
+      for (const Formula& sign : grounds_.signs[i]) {
+        if (seen_sign(sign).sign > 0) continue;
+        const auto known = std::ranges::find(conditions_, sign, &Condition::positive);
+        if (known == conditions_.end())
+          conditions_.push_back({sign, {i}});
+        else if (std::ranges::find(known->asks, i) == known->asks.end())
+          known->asks.push_back(i);
+      }
+  }
+
+  // Solves the statement at a point and holds the answers against it, all of them if none are named.
+  void hold_at(const FarPoint& point, const std::vector<std::size_t>& asks) {
+    const std::optional<AllSettings> settings = settings_at(point.letters);
+    if (!settings) return;
+    Sample sample(task_.statement, *settings, OpenChoice{});
+    for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
+      if (!asks.empty() && std::ranges::find(asks, i) == asks.end()) continue;
+      try {
+        hold(i, point, sample);
+      } catch (const StatementError&) {
+        // Either the statement makes no sense at this point, or what it states cannot be with these unknowns.
+        if (has_formula(i) && makes_sense_but_for_what_is_stated(*settings, i)) disagree(i, point);
+      } catch (const std::domain_error&) {
+        disagree(i, point);
+      }
+    }
+  }
+
+  bool makes_sense_but_for_what_is_stated(const AllSettings& settings, std::size_t i) const {
+    try {
+      Sample sample(task_.statement, settings, OpenChoice{.trial = true});
+      asked_value(sample, task_.statement.asks[i]);
+      return true;
+    } catch (const StatementError&) {
+      return false;
+    }
+  }
+
   void hold(std::size_t i, const FarPoint& point, Sample& sample) {
     const Ask& ask = task_.statement.asks[i];
     SolvedAsk& solved = solution_.asks[i];
     const bool fixed = solved.state == AskState::found && !solved.formula;
-    if (ask.table || ask.when || ask.extremum || (!fixed && !solved.formula)) return;
+    if (!at_instant_[i] || (!fixed && !solved.formula)) return;
     if (solved.state != AskState::found && solved.state != AskState::needs_letters) return;
     const Value<double> value = asked_value(sample, ask);
     SolvedInstant& instant = sample.instant_of(ask);
@@ -105,9 +169,31 @@ class FarSearch {
       return;
     if (!confirmed_by_particles(sample)) return;
     const double natural = instant.natural_size(dimension_of(value));
-    const bool agree = solved.formula ? agrees(*solved.formula, value, point.letters, branch_tolerance, natural)
-                                      : same(solved.value, value, branch_tolerance * size_of(value) + 1e-8 * natural);
-    if (!agree) take_back(i, point);
+    if (solved.formula) {
+      const double misfit = misfit_of(*solved.formula, value, point.letters, natural);
+      if (!(misfit <= branch_tolerance))
+        disagree(i, point);
+      else
+        misfit_ = std::max(misfit_.value_or(0), misfit);
+    } else if (!same(solved.value, value, branch_tolerance * size_of(value) + 1e-8 * natural)) {
+      take_back(i, point);
+    }
+  }
+
+  // The formula of an ask is another one at a point: either because something that was decided is otherwise there, or
+  // because it holds for some values only.
+  void disagree(std::size_t i, const FarPoint& point) {
+    std::vector<std::size_t> failing;
+    for (std::size_t k = 0; k < conditions_.size(); ++k)
+      if (std::ranges::find(conditions_[k].asks, i) != conditions_[k].asks.end() &&
+          !(value_at(conditions_[k].positive, point.letters) > 0))
+        failing.push_back(k);
+    if (failing.empty()) return take_back(i, point);
+    if (std::ranges::any_of(failing, [&](std::size_t k) { return conditions_[k].needed; })) return;
+    if (failing.size() == 1)
+      conditions_[failing.front()].needed = true;
+    else
+      doubtful_.push_back(std::move(failing));
   }
 
   void take_back(std::size_t i, const FarPoint& point) {
@@ -121,6 +207,77 @@ class FarSearch {
       if (concerned && std::find(solved.letters.begin(), solved.letters.end(), letter.name) == solved.letters.end())
         solved.letters.push_back(letter.name);
     }
+  }
+
+  // Looks for letters at which a condition fails, and sees by numbers whether the formulas then fail with it.
+  void look_where_it_fails(std::size_t k) {
+    const Condition& condition = conditions_[k];
+    const auto fails = [&](const Condition& one, const LetterValues& letters) {
+      return value_at(one.positive, letters) <= 0;
+    };
+    int confirmations = 0;
+    // First where nothing else fails, so that what is seen comes from this condition.
+    for (const bool alone : {true, false})
+      for (std::size_t i = 0; i < condition_points && confirmations < most_confirmations; ++i) {
+        if (condition.needed || limit_.spent()) return;
+        const LetterValues letters = scan_.point(most_scanned + i);
+        if (!fails(condition, letters)) continue;
+        if (alone && std::ranges::any_of(conditions_, [&](const Condition& other) {
+              return &other != &condition && fails(other, letters);
+            }))
+          continue;
+        if (condition.bound) {
+          if (settings_at(letters)) conditions_[k].needed = true;
+          continue;
+        }
+        ++confirmations;
+        hold_at({letters, ""}, condition.asks);
+      }
+  }
+
+  void tell_conditions() {
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < solution_.asks.size(); ++i)
+      if (has_formula(i)) all.push_back(i);
+    for (const Condition& condition : conditions_) {
+      if (!condition.needed) continue;
+      std::vector<std::string> names;
+      std::size_t concerned = 0;
+      for (const std::size_t i : all)
+        if (std::ranges::find(condition.asks, i) != condition.asks.end()) {
+          names.push_back("'" + task_.statement.asks[i].name + "'");
+          ++concerned;
+        }
+      if (concerned == 0) continue;
+      const std::string words = shortest(condition.positive) + " > 0";
+      tell(concerned == all.size() ? words : words + " for " + listed(names));
+    }
+  }
+  // Without the factors that have no part in the sign, as far as this is shorter. Tangents of half angles, in which
+  // formulas are factored, are for sums only.
+  std::string shortest(const Formula& positive) const {
+    const auto tried = [](const Formula& x, Formula& best, std::string& words) {
+      std::string own = text(x);
+      if (own.size() >= words.size() || own.find("tan(") != std::string::npos) return;
+      words = std::move(own);
+      best = x;
+    };
+    Formula best = positive;
+    std::string words = text(best);
+    tried(sign_part(positive, false), best, words);
+    for (const Letter& letter : task_.open) {
+      if (letter.either_sign || is_angle(letter)) continue;
+      const Formula factor = formula_of(letter).number, start = best;
+      for (const int power : {-3, -2, -1, 1, 2}) tried(start * pow(factor, power), best, words);
+    }
+    const Formula start = best;
+    for (int number = 2; number <= 12; ++number)
+      for (const Formula& factor : {Formula(number), Formula(1) / Formula(number)}) tried(start * factor, best, words);
+    return words;
+  }
+  void tell(const std::string& assumption) {
+    auto& all = solution_.assumptions;
+    if (std::find(all.begin(), all.end(), assumption) == all.end()) all.push_back(assumption);
   }
 
   static const std::string& name_of(const SolvedInstant& instant, const SolvedInstant::OneSidedFault& fault) {
@@ -140,7 +297,7 @@ class FarSearch {
     auto& all = solution_.assumptions;
     if (std::find(all.begin(), all.end(), assumption) != all.end()) return;
     all.push_back(assumption);
-    for (const OneSidedForce& force : forces_)
+    for (const OneSidedForce& force : grounds_.forces)
       if (force.assumption == assumption && !(force.home < home) && !(home < force.home) &&
           value_at(force.value, letters) < 0) {
         solution_.conditions.push_back({assumption, force.value});
@@ -150,24 +307,18 @@ class FarSearch {
 
   // Looks for letters at which the tension of a cord or the push of a contact is negative by its formula, and
   // confirms this by numbers.
-  void look_where_negative(const OneSidedForce& force, const LetterValues& base) {
+  void look_where_negative(const OneSidedForce& force) {
     auto& all = solution_.assumptions;
     if (std::find(all.begin(), all.end(), force.assumption) != all.end()) return;
-    std::mt19937_64 random(6300);
-    const auto part = [&] { return std::uniform_real_distribution<double>(-1, 1)(random); };
     int confirmations = 0;
-    for (int i = 0; i < most_condition_points && confirmations < most_confirmations; ++i) {
-      LetterValues letters = base;
-      for (const Letter& letter : task_.open) {
-        double& value = letters[letter.name];
-        value = is_angle(letter) ? std::numbers::pi * part() : value * std::pow(10, 1.5 * part());
-        if (letter.either_sign && part() < 0) value = -value;
-      }
+    for (std::size_t i = 0; i < condition_points && confirmations < most_confirmations; ++i) {
+      const LetterValues letters = scan_.point(most_scanned + i);
       if (!(value_at(force.value, letters) < 0)) continue;
       ++confirmations;
       try {
-        const AllSettings settings = settings_at(letters);
-        Sample sample(task_.statement, settings, OpenChoice{});
+        const std::optional<AllSettings> settings = settings_at(letters);
+        if (!settings) continue;
+        Sample sample(task_.statement, *settings, OpenChoice{});
         SolvedInstant& instant = sample.instant(force.home);
         instant.solve_forces();
         for (const SolvedInstant::OneSidedFault& fault : instant.one_sided_faults())
@@ -178,23 +329,41 @@ class FarSearch {
     }
   }
 
-  AllSettings settings_at(const LetterValues& letters) const {
+  // The settings with these letters and what the unknowns then are; nothing where a formula of these has no value.
+  std::optional<AllSettings> settings_at(const LetterValues& letters) const {
     AllSettings settings = task_.settings;
     for (Settings& one : settings)
       for (const Letter& letter : task_.open)
         one[letter.name] = Value<double>::of_number(letters.at(letter.name), letter.unit.dimension);
+    for (const UnknownFormula& unknown : grounds_.unknowns) {
+      Value<double> value = task_.settings[unknown.situation.value_or(0)].at(unknown.name);
+      if (unknown.value.is_number()) value.number = value_at(unknown.value.number, letters);
+      for (std::size_t k = 0; unknown.value.is_vector() && k < 3; ++k)
+        value.vector[k] = value_at(unknown.value.vector[k], letters);
+      if (!std::isfinite(size_of(value))) return std::nullopt;
+      for (std::size_t i = 0; i < settings.size(); ++i)
+        if (unknown.situation.value_or(i) == i) settings[i][unknown.name] = value;
+    }
     return settings;
   }
 
   const FormulaTask& task_;
   Solution& solution_;
-  const std::vector<OneSidedForce>& forces_;
+  const FormulaGrounds& grounds_;
+  const LetterValues base_;
+  const LetterScan scan_;
+  const WorkLimit limit_;
+  std::vector<bool> at_instant_;  // of each ask
+  std::vector<Condition> conditions_;
+  std::vector<std::vector<std::size_t>> doubtful_;  // conditions of which one at least is needed
+  std::optional<double> misfit_;
 };
 
 }  // namespace
 
-void hold_far_off(const FormulaTask& task, const std::vector<OneSidedForce>& forces, Solution& solution) {
-  if (task.unknowns.empty() && task.sample.motions().empty()) FarSearch(task, forces, solution).run();
+void hold_far_off(const FormulaTask& task, const FormulaGrounds& grounds, Solution& solution) {
+  // Unknowns without formulas are what they are at the first values of the letters only.
+  if (task.unknowns.empty() || !grounds.unknowns.empty()) FarSearch(task, grounds, solution).run();
 }
 
 }  // namespace poinsot::problem

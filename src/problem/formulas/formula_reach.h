@@ -8,11 +8,11 @@
 
 namespace poinsot::problem {
 
-// Solves the statement at letters far from their ordinary values: each alone up to 10^4 times larger and smaller,
-// with reversed sign, with angles in every quadrant. A formula that does not agree there is withdrawn. An answer
-// without formula that changes depends on the letters. If a cord would push or a contact pull, the solution assumes
-// that it does not, and gives the formula of the force if it is among `forces`. This is done for statements without
-// unknowns and motions.
-void hold_far_off(const FormulaTask& task, const std::vector<OneSidedForce>& forces, Solution& solution);
+// Solves the statement at letters far from their ordinary values: all of them over six decades, each alone, with
+// reversed sign, with angles in every quadrant. What the formulas rest on and what fails there, with the formula or
+// because a cord would push or a contact pull, becomes an assumption of the solution, with its formula; a formula that
+// does not agree for no such reason is withdrawn. An answer without formula that changes depends on the letters. The
+// largest difference that was left is the check "formulas". Laws of motions and searches are not concerned.
+void hold_far_off(const FormulaTask& task, const FormulaGrounds& grounds, Solution& solution);
 
 }  // namespace poinsot::problem

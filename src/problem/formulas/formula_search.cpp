@@ -5,10 +5,13 @@
 #include <random>
 #include <set>
 
+#include "poinsot/engine/math/formula/formula_sign.h"
 #include "problem/entries/drawn_letters.h"
 #include "problem/formulas/formula_unknowns.h"
 #include "problem/formulas/law_search.h"
+#include "problem/quantities/quantity_functions.h"
 #include "problem/unknowns/asked_value.h"
+#include "problem/unknowns/unknown_ranges.h"
 #include "problem/unknowns/unknown_search.h"
 
 namespace poinsot::problem {
@@ -47,6 +50,7 @@ class FormulaSearch {
         if (ask.state == AskState::needs_letters) ask.no_formula = *reason;
       return;
     }
+    grounds_.signs.resize(task_.statement.asks.size());
     std::set<std::string> assumptions;
     const ProgressTeller progress("looking for formulas");
     const std::size_t count = task_.statement.asks.size();
@@ -65,20 +69,75 @@ class FormulaSearch {
     solution_.assumptions.assign(assumptions.begin(), assumptions.end());
   }
 
-  std::vector<OneSidedForce> one_sided_forces() const {
-    return task_.unknowns.empty() ? answers_.one_sided_forces() : std::vector<OneSidedForce>{};
+  FormulaGrounds grounds() {
+    for (OneSidedForce& force : answers_.one_sided_forces()) {
+      try {
+        force.value = substituted(force.value, unknowns_);
+        grounds_.forces.push_back(std::move(force));
+      } catch (const std::domain_error&) {
+        // With the formulas of the unknowns it has no value.
+      }
+    }
+    return std::move(grounds_);
   }
 
  private:
   Value<Formula> formula_of_ask(std::size_t i) {
     const Ask& ask = task_.statement.asks[i];
-    Value<Formula> formula = in_letters(answers_.value(ask));
+    const DecidedFormula found = answers_.value(ask);
+    Value<Formula> formula = in_letters(found.value);
     const std::vector<Formula> remainders = answers_.remainders();
     if (std::any_of(remainders.begin(), remainders.end(),
                     [&](const Formula& rest) { return !substituted(rest, unknowns_).is_zero(); }))
       throw NoFormula("what is stated holds for special values of the letters only");
+    grounds_.signs[i] = positive(found.signs);
     confirm(formula, i);
     return formula;
+  }
+
+  // What was decided, in letters and such that it is positive where it was.
+  std::vector<Formula> positive(const std::vector<Formula>& signs) const {
+    std::vector<Formula> all;
+    for (const Formula& sign : signs) {
+      Formula one = substituted(sign, unknowns_);
+      if (one.is_number()) continue;
+      if (plain(one) < 0) one = -one;
+      if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(std::move(one));
+    }
+    return all;
+  }
+  // Whether what was decided for an ask is so at other values of the letters.
+  bool decided_alike(std::size_t i, const LetterValues& letters) const {
+    return std::all_of(grounds_.signs[i].begin(), grounds_.signs[i].end(),
+                       [&](const Formula& sign) { return value_at(sign, letters) > 0; });
+  }
+
+  // The bounds of the unknowns: those that are stated, and those of what is never negative.
+  void find_bounds() {
+    const auto add = [&](const Formula& positive) {
+      const Formula bound = substituted(positive, unknowns_);
+      if (!bound.is_number() && plain(bound) > 0 && seen_sign(bound).sign <= 0 &&
+          std::find(grounds_.bounds.begin(), grounds_.bounds.end(), bound) == grounds_.bounds.end())
+        grounds_.bounds.push_back(bound);
+    };
+    for (std::size_t i = 0; i < task_.statement.situations.size(); ++i) {
+      for (const Expression& condition : task_.statement.situations[i].where) {
+        const Comparison* comparison = condition.as<Comparison>();
+        for (std::size_t k = 0; comparison && k < comparison->relations.size(); ++k) try {
+            const Formula rise = answers_.at_start(i, comparison->operands[k + 1]).value.number -
+                                 answers_.at_start(i, comparison->operands[k]).value.number;
+            const Relation relation = comparison->relations[k];
+            add(relation == Relation::less || relation == Relation::less_equal ? rise : -rise);
+          } catch (const NoFormula&) {
+            // Such a bound is looked at by numbers.
+          } catch (const std::domain_error&) {
+          }
+      }
+    }
+    for_each_unknown([&](const Unknown& unknown, std::size_t situation, const std::string&) {
+      if (!unknown.vector && is_never_negative(task_.statement, task_.statement.situations[situation], unknown))
+        add(value_of(task_.statement, unknown, situation).number);
+    });
   }
 
   // What an answer depends on, and what of it is zero, its formula knows exactly. Numbers cannot tell a letter that
@@ -122,9 +181,11 @@ class FormulaSearch {
         solved.situation = situation;
       }
       solved.formula = in_letters(value_of(task_.statement, unknown, situation));
+      grounds_.unknowns.push_back({unknown.name, solved.situation, *solved.formula});
       all.push_back(std::move(solved));
     });
     solution_.unknowns = std::move(all);
+    find_bounds();
   }
 
   // Visits each unknown once, or once for each situation if it belongs to situations.
@@ -163,6 +224,8 @@ class FormulaSearch {
     const Ask& ask = task_.statement.asks[i];
     while (checkpoints_.size() <= draws) draw();
     for (const Checkpoint& point : checkpoints_) {
+      // Where another branch is taken, this formula says nothing.
+      if (&point != &checkpoints_.front() && !decided_alike(i, point.letters)) continue;
       bool same = false;
       try {
         same = agrees(formula, asked_value(*point.sample, ask), point.letters,
@@ -278,6 +341,7 @@ class FormulaSearch {
   std::map<std::string, Formula> unknowns_;
   std::vector<FormulaValues> values_;
   FormulaAnswers answers_;
+  FormulaGrounds grounds_;
   std::vector<Checkpoint> checkpoints_;
   std::mt19937_64 random_{4000};
 };
@@ -294,8 +358,22 @@ bool confirmed_by_particles(Sample& sample) {
   });
 }
 
-std::vector<OneSidedForce> find_formulas(const FormulaTask& task, Solution& solution) {
+bool is_at_instant(const FormulaTask& task, const Ask& ask) {
+  if (ask.table || ask.when || ask.extremum) return false;
+  if (task.sample.motions().empty()) return true;
+  if (std::ranges::any_of(ask.of, asks_motion_feature)) return false;
+  try {
+    Sample alone(task.statement, task.settings, OpenChoice{});
+    asked_value(alone, ask);
+    return alone.motions().empty();
+  } catch (const StatementError&) {
+    return false;
+  }
+}
+
+FormulaGrounds find_formulas(const FormulaTask& task, Solution& solution) {
   const FormulaLimitScope limits({most_formula_terms, most_formula_work});
+  const Work begin = work_done();
   // Signs that are decided on the way are decided as at the numbers of the first solution.
   LetterValues point;
   for (const Letter& letter : task.open) point[letter.name] = task.settings.front().at(letter.name).number;
@@ -310,9 +388,10 @@ std::vector<OneSidedForce> find_formulas(const FormulaTask& task, Solution& solu
   const PlainPointScope decisions(std::move(point));
   FormulaSearch search(task, solution);
   search.run();
-  std::vector<OneSidedForce> forces = search.one_sided_forces();
+  FormulaGrounds grounds = search.grounds();
+  grounds.work = work_done() - begin;
   find_laws(task, solution);
-  return forces;
+  return grounds;
 }
 
 }  // namespace poinsot::problem

@@ -6,6 +6,7 @@
 
 #include "poinsot/engine/work/work.h"
 #include "problem/formulas/formula_answers.h"
+#include "problem/formulas/law_reach.h"
 #include "problem/formulas/scaling_law.h"
 #include "problem/instant/open_words.h"
 #include "problem/language/words.h"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr Work most_work_each = 400'000'000;  // of a trial, of which there are some twenty
 constexpr std::size_t most_changes_each = 50;
+constexpr Work least_reach_work = 20'000'000;  // on holding laws far from where they were found
 
 bool has_numbers(const Value<double>& value) {
   if (value.is_list()) return !value.items.empty() && std::ranges::all_of(value.items, has_numbers);
@@ -42,14 +44,18 @@ class LawSearch {
   }
 
   void run() {
+    const Work begin = work_done();
     std::vector<std::size_t> wanted;
     for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
       const SolvedAsk& ask = solution_.asks[i];
       if (ask.state == AskState::needs_letters && !ask.formula && !task_.statement.asks[i].table &&
           has_numbers(ask.value))
         wanted.push_back(i);
+      if (ask.state == AskState::found && !ask.formula && has_numbers(ask.value) &&
+          !is_at_instant(task_, task_.statement.asks[i]))
+        fixed_.push_back(i);
     }
-    if (wanted.empty()) return;
+    if (wanted.empty() && fixed_.empty()) return;
     const std::map<std::string, double>& checks = solution_.checks;
     const double error = checks.contains("motion_error") ? checks.at("motion_error") : 0;
     LetterValues base;
@@ -62,6 +68,7 @@ class LawSearch {
                          [this](const LetterValues& letters) { return answers_at(letters); });
     for (const std::size_t i : wanted) add_law(trials, i);
     for (std::size_t k = 0; k < unknowns_.size(); ++k) add_unknown(trials, k, names);
+    hold_far_off(wanted, base, std::max(1e-6, 16 * error), work_done() - begin);
   }
 
  private:
@@ -108,6 +115,68 @@ class LawSearch {
         solution_.assumptions.push_back(words);
   }
 
+  // Tries the laws, and what is said to be the same for all letters, where letters are far from where they were found.
+  // What holds on one side only gets the condition, or is withdrawn.
+  void hold_far_off(const std::vector<std::size_t>& wanted, const LetterValues& base, double tolerance, Work spent) {
+    std::vector<HeldLaw> laws;
+    for (const std::size_t i : wanted)
+      if (solution_.asks[i].formula) laws.push_back({i, *solution_.asks[i].formula});
+    for (const std::size_t i : fixed_) laws.push_back({i, as_formula(solution_.asks[i].value)});
+    for (std::size_t k = 0; k < unknowns_.size(); ++k)
+      if (const SolvedUnknown* known = listed_unknown(k)) laws.push_back({solution_.asks.size() + k, *known->formula});
+    if (laws.empty()) return;
+    double misfit = 0;
+    const std::vector<LawReach> reaches = reach_of(
+        laws, task_.open, base, [this](const LetterValues& letters) { return answers_at(letters); }, tolerance,
+        std::max(spent, least_reach_work), misfit);
+    for (std::size_t n = 0; n < laws.size(); ++n) take(laws[n], reaches[n]);
+    double& check = solution_.checks["formulas"];
+    check = std::max(check, misfit);
+  }
+  void take(const HeldLaw& law, const LawReach& reach) {
+    if (!reach.fails) return;
+    const bool of_ask = law.answer < solution_.asks.size();
+    const std::string name =
+        of_ask ? task_.statement.asks[law.answer].name : unknowns_[law.answer - solution_.asks.size()].unknown->name;
+    if (reach.condition) {
+      solution_.assumptions.push_back(*reach.condition + " for '" + name + "'");
+      return;
+    }
+    if (!of_ask) {
+      const SolvedUnknown* withdrawn = listed_unknown(law.answer - solution_.asks.size());
+      std::erase_if(solution_.unknowns, [&](const SolvedUnknown& known) { return &known == withdrawn; });
+      return;
+    }
+    SolvedAsk& ask = solution_.asks[law.answer];
+    std::string where;
+    for (const Letter& letter : task_.open)
+      where += (where.empty() ? "" : ", ") + letter.name + " = " +
+               with_digits(reach.fails->at(letter.name) / letter.unit.factor, 3) +
+               (letter.unit.text.empty() ? "" : " " + letter.unit.text);
+    ask.no_formula = "what was found holds for some values of the letters only, not at " + where;
+    ask.formula.reset();
+    ask.formula_road.clear();
+    ask.state = AskState::needs_letters;
+    if (ask.letters.empty())
+      for (const Letter& letter : task_.open) ask.letters.push_back(letter.name);
+  }
+  const SolvedUnknown* listed_unknown(std::size_t k) const {
+    const auto found = std::ranges::find_if(solution_.unknowns, [&](const SolvedUnknown& known) {
+      return known.own_name == unknowns_[k].unknown->name && known.formula && !known.formula_road.empty() &&
+             (!known.situation || *known.situation == unknowns_[k].situation);
+    });
+    return found == solution_.unknowns.end() ? nullptr : &*found;
+  }
+  static Value<Formula> as_formula(const Value<double>& value) {
+    if (value.is_number()) return Value<Formula>::of_number(Formula(value.number), value.dimension);
+    if (value.is_vector())
+      return Value<Formula>::of_vector({Formula(value.vector.x), Formula(value.vector.y), Formula(value.vector.z)},
+                                       value.dimension);
+    std::vector<Value<Formula>> items;
+    for (const Value<double>& item : value.items) items.push_back(as_formula(item));
+    return Value<Formula>::of_list(std::move(items));
+  }
+
   void add_unknown(ScalingTrials& trials, std::size_t k, const std::vector<std::string>& letters) {
     const Unknown& unknown = *unknowns_[k].unknown;
     const std::size_t situation = unknowns_[k].situation;
@@ -135,7 +204,8 @@ class LawSearch {
     Sample sample(task_.statement, *settings, choice);
     for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
       const Ask& ask = task_.statement.asks[i];
-      if (solution_.asks[i].state != AskState::needs_letters || ask.table) continue;
+      const bool fixed = std::ranges::find(fixed_, i) != fixed_.end();
+      if ((solution_.asks[i].state != AskState::needs_letters && !fixed) || ask.table) continue;
       try {
         answers[i] = ask.extremum ? ExtremumSearch(task_.statement, ask, *settings, choice).find().value
                                   : asked_value(sample, ask);
@@ -203,6 +273,7 @@ class LawSearch {
   const FormulaTask& task_;
   Solution& solution_;
   std::vector<Sought> unknowns_;
+  std::vector<std::size_t> fixed_;   // asks over a motion that no letter was seen to change
   std::optional<std::size_t> root_;  // the index of this solution's root, in ascending order
   std::size_t roots_ = 0;
 };

@@ -311,6 +311,16 @@ double SolvedInstant::natural_size(const Dimension& d) const {
       const double force = std::max(norm(wrench.force), norm(wrench.moment) / scales_.length);
       pace = std::max(pace, std::sqrt(force / (scales_.mass * scales_.length)));
     }
+  // What comes to rest in a blow had a pace before it, and impulses that cancel would have given one.
+  if (before_) {
+    for (const BodyMotion<double>& motion : before_->workspace().motion)
+      pace = std::max({pace, norm(motion.w), norm(motion.v) / scales_.length});
+    for (std::size_t i = 0; !impulses_.empty() && i < machine_.mechanism.actions.size(); ++i) {
+      const SpatialForce<double> wrench = solve::action_impulse(*before_, blow_, impulses_, i);
+      const double impulse = std::max(norm(wrench.force), norm(wrench.moment) / scales_.length);
+      pace = std::max(pace, impulse / (scales_.mass * scales_.length));
+    }
+  }
   return natural_unit(d) * (d.time == 0 ? 1 : std::pow(pace, -d.time / 12.0));
 }
 
@@ -379,9 +389,7 @@ SolvedInstant::Residuals SolvedInstant::check() const {
   if (!mechanism.constraints.empty()) {
     solve::ConstraintClaim claim{scales_.length, pace(), motion_.has_value(), {}};
     if (before_) {
-      // What comes to rest in a blow is measured by the motion before it, and what gives way in the blow may part.
-      for (const BodyMotion<double>& motion : before_->workspace().motion)
-        claim.pace = std::max({claim.pace, norm(motion.w), norm(motion.v) / scales_.length});
+      // What gives way in the blow may part.
       for (const bool acts : blow_acting_) claim.lets_go.push_back(!acts);
     }
     residuals.constraints = solve::check_constraints(machine_.links, mechanism.constraints, claim, machine_.q, v_, a);

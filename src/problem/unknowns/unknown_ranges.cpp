@@ -98,14 +98,6 @@ bool is_chosen_push(const Statement& statement, const Situation& situation, cons
   });
 }
 
-bool is_never_negative(const Statement& statement, const Situation& situation, const Unknown& unknown) {
-  if (unknown.vector) return false;
-  const Dimension& d = unknown.unit.dimension;
-  if (d == dimensions::mass || d == dimensions::time) return true;
-  if (d == dimensions::length) return is_extent(situation, unknown.name) || !is_coordinate(situation, unknown.name);
-  return is_resistance(situation, unknown.name) || is_chosen_push(statement, situation, unknown.name);
-}
-
 // Whether the expression asks for a quantity of the model, and not for data and unknowns only.
 bool asks_quantity(const Situation& situation, const Expression& expression) {
   Situation bare = situation;
@@ -123,6 +115,14 @@ Value<double> quantity_at(const Situation& situation, const Settings& settings, 
 }
 
 }  // namespace
+
+bool is_never_negative(const Statement& statement, const Situation& situation, const Unknown& unknown) {
+  if (unknown.vector) return false;
+  const Dimension& d = unknown.unit.dimension;
+  if (d == dimensions::mass || d == dimensions::time) return true;
+  if (d == dimensions::length) return is_extent(situation, unknown.name) || !is_coordinate(situation, unknown.name);
+  return is_resistance(situation, unknown.name) || is_chosen_push(statement, situation, unknown.name);
+}
 
 void narrow_ranges(const Situation& situation, const Settings& settings, std::vector<solve::RootRange>& ranges,
                    const SlotOf& slot_of) {

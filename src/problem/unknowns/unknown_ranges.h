@@ -28,6 +28,9 @@ std::vector<solve::RootRange> ranges_of(const Statement& statement, const Unknow
 std::vector<std::size_t> lengths_of_doubtful_sign(const Statement& statement, const UnknownSystem& system,
                                                   const AllSettings& settings);
 
+// Whether an unknown is a number that nature does not let be negative: a mass, a duration, the length of a body.
+bool is_never_negative(const Statement& statement, const Situation& situation, const Unknown& unknown);
+
 // Whether the conditions under `where:` hold, except those on `sought` unknowns without value.
 bool satisfies_where(const Statement& statement, const std::vector<std::size_t>& situations,
                      const AllSettings& settings, const std::set<std::string>& sought);

@@ -1,0 +1,235 @@
+#include "problem/formulas/law_reach.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "poinsot/engine/math/formula/formula_text.h"
+#include "poinsot/engine/work/budget.h"
+#include "problem/formulas/formula_answers.h"
+#include "problem/formulas/letter_groups.h"
+#include "problem/formulas/letter_scan.h"
+#include "problem/language/diagnostic.h"
+#include "problem/results/compare_values.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr std::size_t most_scanned_laws = 12;  // points at which all letters are far from their ordinary values
+constexpr Work slower = 6;                     // a point may take so many times what the base took, and this besides:
+constexpr Work in_any_case = 5'000'000;
+constexpr Work closing_in = 3;  // times as much work may go into the bounds
+constexpr int most_halvings = 40;
+constexpr int largest_guess = 12;      // denominator of a bound that is guessed
+constexpr double simple_to = 1e-3;     // relative distance at which a guess is tried on either side
+constexpr double closed_in = 1e-6;     // relative distance of the two ends between which a bound lies
+constexpr double beside_bound = 0.02;  // of a bound: where it is tried, on either side
+
+// No more than so much work is done while it lives: the end is thrown as that of a budget.
+class WorkScope {
+ public:
+  explicit WorkScope(Work most)
+      : scope_(Budget()
+                   .by_clock([] { return Budget::Clock::time_point{} + std::chrono::nanoseconds(work_done()); })
+                   .end_after(std::chrono::nanoseconds(most))) {}
+
+ private:
+  BudgetScope scope_;
+};
+
+class Reach {
+ public:
+  Reach(const std::vector<HeldLaw>& laws, const std::vector<Letter>& letters, const LetterValues& base,
+        const ScalingTrials::Solve& solve, double tolerance, Work most, double& misfit)
+      : laws_(laws),
+        letters_(letters),
+        base_(base),
+        solve_(solve),
+        scan_(letters, base),
+        tolerance_(tolerance),
+        misfit_(misfit),
+        most_(most),
+        limit_(most) {}
+
+  std::vector<LawReach> found() {
+    const Work begin = work_done();
+    keep(base_);
+    each_ = slower * (work_done() - begin) + in_any_case;
+    for (const LetterValues& letters : far_points()) {
+      if (limit_.spent()) break;
+      keep(letters);
+    }
+    std::vector<LawReach> all;
+    // To close a bound in takes as many points again; few laws need it.
+    limit_ = WorkLimit(closing_in * most_);
+    for (std::size_t k = 0; k < laws_.size(); ++k) all.push_back(reach(k));
+    return all;
+  }
+
+ private:
+  // For each law whether it holds there; nothing where there is no answer.
+  using Holds = std::vector<std::optional<bool>>;
+  struct Tried {
+    LetterValues letters;
+    Holds holds;
+  };
+
+  std::vector<LetterValues> far_points() const {
+    std::vector<LetterValues> points;
+    const auto moved = [&](const Letter& letter, double value) {
+      points.push_back(base_);
+      points.back()[letter.name] = value;
+    };
+    for (const Letter& letter : letters_)
+      if (letter.either_sign) moved(letter, -base_.at(letter.name));
+    for (const double far : {20.0, 0.05})
+      for (const Letter& letter : letters_)
+        if (letter.unit.dimension != dimensions::angle) moved(letter, far * base_.at(letter.name));
+    for (std::size_t i = 0; i < most_scanned_laws; ++i) points.push_back(scanned(i));
+    return points;
+  }
+  // Angles keep to the first quadrant: what a law is beyond it has been seen where it was found.
+  LetterValues scanned(std::size_t index) const {
+    LetterValues values = scan_.point(index);
+    for (const Letter& letter : letters_)
+      if (letter.unit.dimension == dimensions::angle) {
+        double& angle = values[letter.name];
+        angle = 0.15 + 1.25 * (angle / std::numbers::pi + 1) / 2;
+      }
+    return values;
+  }
+
+  Holds at(const LetterValues& letters) {
+    Holds holds(laws_.size());
+    ScalingTrials::Answers answers;
+    try {
+      const WorkScope scope(each_);
+      answers = solve_(letters);
+    } catch (const BudgetEnded&) {
+      // Either this point takes too long, or the caller waits no longer.
+      check_budget();
+      return holds;
+    } catch (const StatementError&) {
+      return holds;
+    } catch (const NoFormula&) {
+      return holds;
+    }
+    for (std::size_t k = 0; k < laws_.size(); ++k) {
+      const std::optional<Value<double>>& value = answers.at(laws_[k].answer);
+      if (!value) continue;
+      const double misfit = misfit_of(laws_[k].law, *value, letters, size_of(*value));
+      holds[k] = misfit <= tolerance_;
+      if (*holds[k]) misfit_ = std::max(misfit_, misfit);
+    }
+    return holds;
+  }
+  void keep(const LetterValues& letters) { tried_.push_back({letters, at(letters)}); }
+
+  LawReach reach(std::size_t k) {
+    const auto fails = std::ranges::find_if(tried_, [&](const Tried& one) { return one.holds[k] == false; });
+    if (fails == tried_.end()) return {};
+    LawReach result;
+    result.fails = fails->letters;
+    if (tried_.front().holds[k] != true) return result;
+    for (const Letter& letter : letters_)
+      if (letter.either_sign && parts(k, [&](const LetterValues& at) { return at.at(letter.name) < 0; })) {
+        const Formula x = formula_of(letter).number;
+        result.condition = text(base_.at(letter.name) > 0 ? x : -x) + " > 0";
+        return result;
+      }
+    for (const LetterGroup& group : groups_of(letters_)) {
+      const auto condition = bound_by(k, group);
+      if (!condition) continue;
+      result.condition = condition;
+      return result;
+    }
+    return result;
+  }
+  // Whether the law fails at just those points at which something is true.
+  template <class True>
+  bool parts(std::size_t k, const True& is_true) const {
+    return std::ranges::all_of(
+        tried_, [&](const Tried& one) { return !one.holds[k].has_value() || *one.holds[k] != is_true(one.letters); });
+  }
+
+  std::optional<std::string> bound_by(std::size_t k, const LetterGroup& group) {
+    double low_holds = INFINITY, high_holds = 0, low_fails = INFINITY, high_fails = 0;
+    for (const Tried& one : tried_) {
+      if (!one.holds[k].has_value()) continue;
+      const double value = group.at(one.letters);
+      (*one.holds[k] ? low_holds : low_fails) = std::min(*one.holds[k] ? low_holds : low_fails, value);
+      (*one.holds[k] ? high_holds : high_fails) = std::max(*one.holds[k] ? high_holds : high_fails, value);
+    }
+    const bool below = high_holds < low_fails;
+    if (!below && !(high_fails < low_holds)) return std::nullopt;
+    double holds = below ? high_holds : low_holds, fails = below ? low_fails : high_fails;
+    const std::optional<Formula> found = closed(k, group, holds, fails);
+    if (!found) return std::nullopt;
+    const double bound = plain(*found);
+    // The bound is the same whatever the other letters are, or it is none of this group alone.
+    int confirmed = 0;
+    for (std::size_t i = most_scanned_laws; i < 3 * most_scanned_laws && confirmed < 3; ++i) {
+      if (limit_.spent()) return std::nullopt;
+      const LetterValues other = scanned(i);
+      const auto inside = at(group.moved(other, bound * (below ? 1 - beside_bound : 1 + beside_bound)))[k];
+      const auto outside = at(group.moved(other, bound * (below ? 1 + beside_bound : 1 - beside_bound)))[k];
+      if (!inside.has_value() || !outside.has_value()) continue;
+      if (!*inside || *outside) return std::nullopt;
+      ++confirmed;
+    }
+    if (confirmed == 0) return std::nullopt;
+    const Formula positive = group.below(*found);
+    return text(below ? positive : -positive) + " > 0";
+  }
+  // The bound between two values of a group, with the other letters as at the base: a simple number that parts them, or
+  // the one that is closed in. Just at a bound there is often no answer, or a motion that takes for ever.
+  std::optional<Formula> closed(std::size_t k, const LetterGroup& group, double holds, double fails) {
+    const auto holds_at = [&](double value) {
+      return limit_.spent() ? std::nullopt : at(group.moved(base_, value))[k];
+    };
+    std::optional<double> guessed;
+    for (int i = 0; i < most_halvings && std::abs(holds - fails) > closed_in * holds; ++i) {
+      const double simple = simplest_between(std::min(holds, fails), std::max(holds, fails));
+      if (simple != guessed && simple > 0) {
+        guessed = simple;
+        const double aside = holds < fails ? -simple_to : simple_to;
+        if (holds_at(simple * (1 + aside)) == true && holds_at(simple * (1 - aside)) == false)
+          return simple_number(simple, closed_in);
+      }
+      const double middle = std::sqrt(holds * fails);
+      const std::optional<bool> there = holds_at(middle);
+      if (!there) return std::nullopt;
+      (*there ? holds : fails) = middle;
+    }
+    return simple_number(std::sqrt(holds * fails), 10 * closed_in);
+  }
+  // The fraction of smallest denominator between two numbers; 0 if it is not small.
+  static double simplest_between(double low, double high) {
+    for (int below = 1; below <= largest_guess; ++below)
+      if (const double above = std::floor(low * below) + 1; above < high * below) return above / below;
+    return 0;
+  }
+
+  const std::vector<HeldLaw>& laws_;
+  const std::vector<Letter>& letters_;
+  const LetterValues& base_;
+  const ScalingTrials::Solve& solve_;
+  const LetterScan scan_;
+  const double tolerance_;
+  double& misfit_;
+  const Work most_;
+  WorkLimit limit_;
+  Work each_ = 4'000'000'000;  // that a point may take; of the base, what any may
+  std::vector<Tried> tried_;   // the base first
+};
+
+}  // namespace
+
+std::vector<LawReach> reach_of(const std::vector<HeldLaw>& laws, const std::vector<Letter>& letters,
+                               const LetterValues& base, const ScalingTrials::Solve& solve, double tolerance, Work most,
+                               double& misfit) {
+  return Reach(laws, letters, base, solve, tolerance, most, misfit).found();
+}
+
+}  // namespace poinsot::problem

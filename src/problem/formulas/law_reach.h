@@ -1,0 +1,34 @@
+// Holds laws that were found near some values of the letters against numbers far from these.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "poinsot/engine/work/work.h"
+#include "problem/formulas/scaling_trials.h"
+
+namespace poinsot::problem {
+
+// What an answer is said to be: a law, or the same number whatever the letters are.
+struct HeldLaw {
+  std::size_t answer = 0;  // its place among the answers of the trials
+  Value<Formula> law;
+};
+
+struct LawReach {
+  std::optional<std::string> condition;  // under which the law holds: "4*g - L*w^2 > 0"
+  std::optional<LetterValues> fails;     // where it does not, if no condition was found
+};
+
+// Solves the problem at letters far from the base: each a hundred times larger and smaller, of the other sign, and all
+// together over six decades. Where a law fails it looks for the condition under which it holds: a group of letters
+// without dimension that is on one side of a bound wherever the law holds and on the other wherever it fails, or the
+// sign of a letter. The bound is closed in and the condition tried at other letters. misfit: the largest relative
+// difference where the laws hold. most: the work that this may take; what takes far more than at the base is left out.
+std::vector<LawReach> reach_of(const std::vector<HeldLaw>& laws, const std::vector<Letter>& letters,
+                               const LetterValues& base, const ScalingTrials::Solve& solve, double tolerance, Work most,
+                               double& misfit);
+
+}  // namespace poinsot::problem
