@@ -194,7 +194,7 @@ class TerminalText {
                             (residual == 0 ? "rounding" : rounded_residual(residual)));
         continue;
       }
-      if (name == "facts" || name == "roots") continue;
+      if (name == "facts" || name == "roots" || name == "formulas") continue;
       std::string words = name == "newton_euler" ? "Newton-Euler" : printable(name);
       std::ranges::replace(words, '_', ' ');
       parts.push_back(words + " " + rounded_residual(residual));
@@ -205,6 +205,8 @@ class TerminalText {
     if (const auto roots = checks.find("roots"); roots != checks.end())
       line += "; a scan finds no other roots" +
               (roots->second == 0 ? std::string() : ", and these within " + rounded_residual(roots->second));
+    if (const auto formulas = checks.find("formulas"); formulas != checks.end())
+      line += "; formulas agree with numbers to " + rounded_residual(formulas->second);
     if (!of_motion.empty()) line += fmt::format("; the motion: {}", fmt::join(of_motion, ", "));
     return line;
   }

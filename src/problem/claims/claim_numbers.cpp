@@ -1,9 +1,11 @@
 #include "problem/claims/claim_numbers.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "poinsot/engine/work/work.h"
+#include "problem/claims/claim_attack.h"
 #include "problem/claims/claim_letters.h"
 #include "problem/language/diagnostic.h"
 #include "problem/unknowns/sample.h"
@@ -12,7 +14,8 @@ namespace poinsot::problem {
 namespace {
 
 constexpr Work most_number_work = 10'000'000'000;  // of the samples of a claim
-constexpr int most_motions = 10;     // points from which a claim that is meant along the motion is followed in time
+constexpr int most_motions = 10;  // points from which a claim that is meant along the motion is followed in time
+constexpr Work most_attack_work = 300'000'000;  // on making smaller by what a claim holds
 constexpr int most_edge_starts = 4;  // points from which letters are moved, one by one, to where the assumptions end
 constexpr int most_edge_steps = 6, most_edge_halvings = 10;
 // Without letters only what the statement leaves open can vary.
@@ -51,6 +54,7 @@ class NumberTrier {
       if (limit.spent()) break;
       tried += try_at_edges(attempt, limit);
     }
+    if (found_.possible && !found_.refuted && !states_equality(claim_.of)) attack(most);
     // If the samples all failed before any assumption could be evaluated, the reason is not in the values, and it is
     // reported.
     const bool assumes = !claim_.assume.empty() || !situation_.assume.empty();
@@ -111,7 +115,47 @@ class NumberTrier {
     return true;
   }
 
+  // Goes on from the points tried to where the claim holds more and more narrowly.
+  void attack(int starts) {
+    std::optional<Verdict> last;
+    ClaimAttack attack(
+        ground_.letters(),
+        [&](const Point& point) -> std::optional<double> {
+          last.reset();
+          try {
+            last = verdict_at(point, most_motions);
+          } catch (const StatementError&) {
+            // There the situation has no solution.
+          }
+          if (!last || (last->close && last->holds)) return std::nullopt;
+          return last->holds ? std::max(last->margin, std::numeric_limits<double>::min()) : 0;
+        },
+        [](const Point&) { return true; }, most_attack_work);
+    std::vector<Point> from;
+    for (int attempt = 0; attempt < starts; ++attempt) from.push_back(draw_point(ground_.letters(), attempt, ground_.sizes()));
+    const std::optional<Point> failing = attack.from(from);
+    found_.tried += attack.tried();
+    if (failing) try_at(*failing, most_motions);
+  }
+
   void try_at(const Point& point, int attempt) {
+    ++found_.tried;
+    const std::optional<Verdict> verdict = verdict_at(point, attempt);
+    if (!verdict) return;
+    if (verdict->close && verdict->holds) {
+      found_.close = true;
+      return;
+    }
+    found_.possible = true;
+    if (!verdict->holds)
+      found_.refuted = {point, *verdict};
+    else
+      found_.most_modes = std::max(found_.most_modes, modes_);
+  }
+
+  // Nothing where an assumption fails or only just holds.
+  std::optional<Verdict> verdict_at(const Point& point, int attempt) {
+    modes_ = 0;
     const Settings settings = ground_.with_letters(point);
     const OpenChoice choice = choice_of(attempt);
     SolvedInstant start(situation_, settings, When{0, situation_.has_blow()}, choice);
@@ -132,20 +176,13 @@ class NumberTrier {
     for (const Expression& expression : situation_.assume) judge(assumed, expression, std::nullopt);
     for (const Expression& expression : claim_.assume) judge(assumed, expression, claim_.axes);
     understood_ = true;
-    if (!assumed.holds || assumed.close) return;
+    if (!assumed.holds || assumed.close) return std::nullopt;
     Verdict verdict;
     for (const Expression& expression : claim_.of) judge(verdict, expression, claim_.axes);
     if (verdict.holds && attempt < most_motions && is_along_motion(situation_, claim_))
       verdict = further_on(settings, choice);
-    if (verdict.close && verdict.holds) {
-      found_.close = true;
-      return;
-    }
-    found_.possible = true;
-    if (!verdict.holds)
-      found_.refuted = {point, verdict};
-    else if (claims_stability(situation_, claim_))
-      found_.most_modes = std::max(found_.most_modes, modes_of(situation_, start));
+    if (verdict.holds && !verdict.close && claims_stability(situation_, claim_)) modes_ = modes_of(situation_, start);
+    return verdict;
   }
 
   // A claim along the motion is also tried later, where the pose is another one.
@@ -170,6 +207,7 @@ class NumberTrier {
   const Claim& claim_;
   ClaimGround& ground_;
   bool understood_ = false;
+  std::size_t modes_ = 0;  // of a steady motion at the last point
   NumberTrials found_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "poinsot/engine/math/formula/formula_decision.h"
 #include "poinsot/engine/work/work.h"
+#include "problem/claims/claim_attack.h"
 #include "problem/claims/claim_letters.h"
 #include "problem/claims/claim_numbers.h"
 #include "problem/claims/claim_rates.h"
@@ -24,6 +25,8 @@ constexpr int confirming_points = 2;  // at which numbers must confirm a proof
 constexpr Work most_sample_work = 10'000'000'000;
 constexpr int most_edge_points = 4;  // from which edges are looked for
 constexpr Work most_telling_work = 1'000'000'000;
+constexpr Work most_attack_work = 300'000'000;  // on making smaller by what a claim without proof holds
+constexpr std::size_t most_attack_starts = 60;
 
 class ClaimSolver {
  public:
@@ -202,9 +205,11 @@ class ClaimSolver {
     const WorkLimit limit(most_sample_work);
     // As long as this exists, a formula that vanishes at one point only is not taken for zero.
     const DecisionScope elsewhere;
+    std::vector<ClaimTrials::Drawn> starts;
     for (int attempt = 0; attempt < most_points && !limit.spent(); ++attempt) {
       const std::optional<ClaimTrials::Drawn> drawn = trials_->draw(attempt);
       if (!drawn) continue;
+      if (starts.size() < most_attack_starts) starts.push_back(*drawn);
       const Outcome outcome = try_at(*drawn, confirmed_points, possible);
       if (outcome == Outcome::decided && !proved_) return;
       if (outcome == Outcome::decided && result_.state == AskState::undetermined) return;
@@ -213,7 +218,39 @@ class ClaimSolver {
       for (const ClaimTrials::Drawn& edge : trials_->at_edges(*drawn, attempt / 3))
         if (try_at(edge, confirmed_points, possible) == Outcome::decided) return;
     }
+    if (!proved_ && possible)
+      for (const WorkedCase& one : worked_->cases())
+        if (attack(one, starts, confirmed_points, possible)) return;
     finish(possible);
+  }
+
+  // Looks for a point of a case at which the claim fails. Returns whether that decided it.
+  bool attack(const WorkedCase& one, const std::vector<ClaimTrials::Drawn>& starts, int& confirmed_points,
+              bool& possible) {
+    ClaimAttack attack(
+        trials_->free_letters(one),
+        [&](const Point& free) -> std::optional<double> {
+          const std::optional<ClaimTrials::Drawn> drawn = trials_->at(one, free);
+          if (!drawn) return std::nullopt;
+          if (decided_alike(drawn->point)) return trials_->margin(*drawn);
+          // The formulas are of another branch than the one there.
+          if (takes_derivatives(situation_, claim_) || ground_.neglects() || states_equality(claim_.of))
+            return std::nullopt;
+          const std::optional<Verdict> numbers = ground_.verdict_at(claim_, formulas_->formulas(), drawn->point);
+          return numbers ? std::optional(numbers->margin) : std::nullopt;
+        },
+        [&](const Point& free) {
+          const std::optional<ClaimTrials::Drawn> drawn = trials_->at(one, free);
+          return drawn && ground_.verdict_at(claim_, formulas_->formulas(), drawn->point).has_value();
+        },
+        most_attack_work);
+    std::vector<Point> from;
+    for (const ClaimTrials::Drawn& start : starts)
+      if (start.of == &one) from.push_back(start.free);
+    const std::optional<Point> failing = attack.from(from);
+    if (!failing) return false;
+    const std::optional<ClaimTrials::Drawn> drawn = trials_->at(one, *failing);
+    return drawn && try_at(*drawn, confirmed_points, possible) == Outcome::decided;
   }
 
   void finish(bool possible) {

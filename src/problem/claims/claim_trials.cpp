@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "poinsot/engine/math/formula/formula_sign.h"
 #include "poinsot/engine/work/work.h"
@@ -51,17 +52,38 @@ std::optional<ClaimTrials::Drawn> ClaimTrials::draw(int attempt) {
   const std::vector<WorkedCase>& cases = worked_.cases();
   if (cases.empty()) return std::nullopt;
   const WorkedCase& one = cases[attempt % 3 != 0 ? 0 : static_cast<std::size_t>(attempt / 3) % cases.size()];
-  std::vector<Letter> letters;
-  for (const Letter& letter : letters_)
-    if (!one.values().contains(letter.name)) letters.push_back(letter);
-  for (const std::string& part : one.letters())
-    if (!one.values().contains(part)) letters.push_back({part, {}, {}});
-  Point free = draw_point(letters, attempt, sizes_);
+  Point free = draw_point(free_letters(one), attempt, sizes_);
   // In half of the attempts the new letters are small beside the others.
   if (attempt % 2 == 1)
     for (const std::string& part : one.letters())
       if (free.contains(part)) free[part] /= 4;
   return completed(one, std::move(free));
+}
+
+std::vector<Letter> ClaimTrials::free_letters(const WorkedCase& one) const {
+  std::vector<Letter> letters;
+  for (const Letter& letter : letters_)
+    if (!one.values().contains(letter.name)) letters.push_back(letter);
+  for (const std::string& part : one.letters())
+    if (!one.values().contains(part)) letters.push_back({part, {}, {}});
+  return letters;
+}
+
+std::optional<double> ClaimTrials::margin(const Drawn& drawn) {
+  auto [identities, fresh] = identities_.try_emplace(drawn.of);
+  if (fresh)
+    for (const ClaimTerm& term : formulas_.terms())
+      identities->second.push_back(term.comparison.relation == Relation::equal &&
+                                   is_identity(*drawn.of, term.comparison));
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < formulas_.terms().size(); ++k) {
+    if (identities->second[k]) continue;
+    const FormulaComparison& comparison = formulas_.terms()[k].comparison;
+    const double left = value_at(comparison.left, drawn.point), right = value_at(comparison.right, drawn.point);
+    if (!std::isfinite(left) || !std::isfinite(right)) return std::nullopt;
+    least = std::min(least, margin_of(left, right, comparison.relation));
+  }
+  return least;
 }
 
 std::optional<ClaimTrials::Drawn> ClaimTrials::completed(const WorkedCase& one, Point free, bool edge) {

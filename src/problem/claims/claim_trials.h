@@ -2,6 +2,7 @@
 // which both sides of a comparison are equal.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,12 @@ class ClaimTrials {
   // the others are kept. Where an assumption allows equality, its sides are made equal too.
   std::vector<Drawn> at_edges(const Drawn& from, int attempt);
 
+  // The letters of a case that are free, and the point with these values; nothing where an assumption fails.
+  std::vector<Letter> free_letters(const WorkedCase& one) const;
+  std::optional<Drawn> at(const WorkedCase& one, Point free) { return completed(one, std::move(free)); }
+  // How far the claim is from failing at a point; nothing where a side has no value.
+  std::optional<double> margin(const Drawn& drawn);
+
   // Whether the claim holds at a point.
   Verdict verdict(const Drawn& drawn);
 
@@ -52,7 +59,8 @@ class ClaimTrials {
   const std::vector<Letter>& letters_;
   DrawnSizes sizes_;
   std::optional<std::vector<Edge>> edges_;
-  int exact_equalities_ = 0;  // how often equal sides were compared exactly
+  std::map<const WorkedCase*, std::vector<bool>> identities_;  // of each case: which terms have identical sides
+  int exact_equalities_ = 0;                                   // how often equal sides were compared exactly
 };
 
 }  // namespace poinsot::problem

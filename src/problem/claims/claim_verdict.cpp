@@ -19,10 +19,34 @@ constexpr double equal_tolerance = 1e-9;
 
 }  // namespace
 
+double margin_of(double left, double right, Relation relation) {
+  const double size = std::max(std::abs(left), std::abs(right));
+  const double rise = size > 0 ? (right - left) / size : 0;
+  switch (relation) {
+    case Relation::equal:
+      return equal_tolerance - std::abs(rise);
+    case Relation::less:
+    case Relation::less_equal:
+      return rise;
+    case Relation::greater:
+    case Relation::greater_equal:
+      break;
+  }
+  return -rise;
+}
+
+bool states_equality(const std::vector<Expression>& claimed) {
+  return std::ranges::any_of(claimed, [](const Expression& expression) {
+    const Comparison* comparison = expression.as<Comparison>();
+    return comparison && std::ranges::find(comparison->relations, Relation::equal) != comparison->relations.end();
+  });
+}
+
 void Verdict::judge(double left, double right, Relation relation, double natural, const Dimension& of) {
   const double size = std::max({std::abs(left), std::abs(right), natural});
   const double allowed = equal_tolerance * size;
   const bool equal = std::abs(left - right) <= allowed;
+  if (relation != Relation::equal || !equal) margin = std::min(margin, margin_of(left, right, relation));
   if (equal) alike.push_back({left, right, allowed, of});
   bool holds_here = false;
   switch (relation) {

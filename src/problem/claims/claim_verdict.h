@@ -1,6 +1,7 @@
 // The verdict on a claim at a single point.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,6 +18,9 @@ struct Verdict {
   std::optional<std::pair<double, double>> sides;  // of the comparison that does not hold
   std::optional<double> difference;  // the difference of the sides, if it was decided exactly and rounding hides it
   Dimension dimension;
+  // How far the comparison that holds most narrowly is from failing, as a part of its sides; not positive where it
+  // fails.
+  double margin = std::numeric_limits<double>::infinity();
   // Sides that counted as equal, since they differ by no more than is allowed beside the natural size of such numbers.
   struct Alike {
     double left, right, allowed;
@@ -29,6 +33,12 @@ struct Verdict {
   // Adds a comparison that is known exactly not to hold.
   void refute(double left, double right, const Dimension& of);
 };
+
+// The margin of a single comparison.
+double margin_of(double left, double right, Relation relation);
+
+// Whether one of these is an equation. Far from ordinary values the numbers of its sides differ by rounding.
+bool states_equality(const std::vector<Expression>& claimed);
 
 // Evaluates `X @ before` in claims about the state after a blow.
 using ClaimElsewhere = SolvedInstant::Elsewhere;

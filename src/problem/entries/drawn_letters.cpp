@@ -67,7 +67,12 @@ DrawnSizes drawn_sizes(const std::vector<std::pair<double, Dimension>>& data) {
 Point draw_point(const std::vector<Letter>& letters, int attempt, const DrawnSizes& sizes) {
   Random random(7000 + static_cast<std::uint64_t>(attempt));
   Point point;
-  for (const Letter& letter : letters) {
+  // By name, so that the order of a file has no part in it.
+  std::vector<const Letter*> by_name;
+  for (const Letter& letter : letters) by_name.push_back(&letter);
+  std::ranges::sort(by_name, {}, [](const Letter* letter) -> const std::string& { return letter->name; });
+  for (const Letter* each : by_name) {
+    const Letter& letter = *each;
     double value = attempt < simple_points ? among(random, 1, 3 + attempt / 10) : among(random, 1, 24) / 4.0;
     const bool angle = letter.unit.dimension == dimensions::angle;
     if (attempt % 2 == 1) value = likely_of_a_body(letter, attempt, value, random);

@@ -1,0 +1,127 @@
+#include "problem/claims/claim_attack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "problem/formulas/letter_scan.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr std::size_t scanned_points = 200;  // all over six decades
+constexpr std::size_t most_narrowed = 6;     // places from which the margin is made smaller
+constexpr int most_rounds = 30;
+constexpr double first_step = 2;        // in powers of ten; of an angle in radians
+constexpr double last_step = 1e-4;      // the search ends where such steps bring nothing
+constexpr double farthest = 1e8;        // times the unit of a letter, and as small a part of it
+constexpr int random_moves = 6;         // of all letters together, in each round
+constexpr double margin_gained = 1e-9;  // a part of the margin; what gains less is no gain
+
+bool is_angle(const Letter& letter) { return letter.unit.dimension == dimensions::angle; }
+
+}  // namespace
+
+ClaimAttack::ClaimAttack(std::vector<Letter> letters, Margin margin, MakesSense makes_sense, Work most)
+    : letters_(std::move(letters)), margin_(std::move(margin)), makes_sense_(std::move(makes_sense)), limit_(most) {
+  std::ranges::sort(letters_, {}, &Letter::name);
+}
+
+// The place, if its margin is below a bound and the statement makes sense there.
+std::optional<ClaimAttack::Place> ClaimAttack::look(Point point, double below) {
+  ++tried_;
+  const std::optional<double> margin = margin_(point);
+  if (!margin || !(*margin < below) || !makes_sense_(point)) return std::nullopt;
+  return Place{std::move(point), *margin};
+}
+
+std::optional<Point> ClaimAttack::from(const std::vector<Point>& starts) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (letters_.empty()) return std::nullopt;
+  LetterValues units;
+  for (const Letter& letter : letters_) units[letter.name] = letter.unit.factor;
+  const LetterScan scan(letters_, units);
+  std::vector<Place> places;
+  const auto add = [&](const Point& point) {
+    if (std::optional<Place> place = look(point, infinite)) places.push_back(std::move(*place));
+  };
+  for (const Point& point : starts) {
+    if (limit_.spent()) break;
+    add(point);
+  }
+  for (std::size_t i = 0; i < scanned_points && !limit_.spent(); ++i) add(scan.point(i));
+  std::ranges::stable_sort(places, {}, &Place::margin);
+  if (places.size() > most_narrowed) places.resize(most_narrowed);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (places[k].margin > 0) narrow(places[k], k);
+    if (places[k].margin <= 0) return places[k].point;
+  }
+  return std::nullopt;
+}
+
+// Takes the best of all moves in each round; where none is better, the steps become shorter.
+void ClaimAttack::narrow(Place& place, std::size_t seed) {
+  std::mt19937_64 random(9000 + seed);
+  double step = first_step;
+  for (int round = 0; round < most_rounds && step > last_step && place.margin > 0; ++round) {
+    std::vector<Point> all = moves(place.point, step);
+    for (int i = 0; i < random_moves; ++i) {
+      Point moved = place.point;
+      for (const Letter& letter : letters_) {
+        const double part = std::uniform_real_distribution<double>(-1, 1)(random);
+        double& value = moved[letter.name];
+        value = is_angle(letter) ? value + part * step : value * std::pow(10, part * step);
+      }
+      all.push_back(std::move(moved));
+    }
+    bool better = false;
+    for (Point& point : all) {
+      if (limit_.spent()) return;
+      if (std::optional<Place> found = look(std::move(point), place.margin - margin_gained * std::abs(place.margin))) {
+        place = std::move(*found);
+        better = true;
+        if (place.margin <= 0) return;
+      }
+    }
+    if (!better) step /= 4;
+  }
+}
+
+std::vector<Point> ClaimAttack::moves(const Point& from, double step) const {
+  std::vector<Point> all;
+  const auto add = [&](const Letter& letter, double value) {
+    const double size = std::abs(value) / letter.unit.factor;
+    const bool signed_or_angle = letter.either_sign || is_angle(letter);
+    if (!std::isfinite(value) || size > farthest || (!signed_or_angle && !(size > 1 / farthest && value > 0))) return;
+    Point moved = from;
+    moved[letter.name] = value;
+    all.push_back(std::move(moved));
+  };
+  for (const Letter& letter : letters_) {
+    const double value = from.at(letter.name);
+    if (is_angle(letter)) {
+      for (const double turn : {step, -step}) add(letter, value + turn);
+      continue;
+    }
+    for (const double power : {step, -step}) add(letter, value * std::pow(10, power));
+    if (letter.either_sign) {
+      add(letter, -value);
+      if (value != 0) add(letter, 0);
+    }
+    std::vector<double> others;  // of the same kind
+    for (const Letter& other : letters_)
+      if (other.name != letter.name && other.unit.dimension == letter.unit.dimension)
+        others.push_back(from.at(other.name));
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      add(letter, others[i]);
+      for (std::size_t k = i + 1; k < others.size(); ++k) {
+        add(letter, others[i] + others[k]);
+        add(letter, std::abs(others[i] - others[k]));
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace poinsot::problem
