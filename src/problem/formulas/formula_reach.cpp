@@ -258,13 +258,17 @@ class FarSearch {
   std::string shortest(const Formula& positive) const {
     const auto tried = [](const Formula& x, Formula& best, std::string& words) {
       std::string own = text(x);
-      if (own.size() >= words.size() || own.find("tan(") != std::string::npos) return;
+      if (own.size() >= words.size()) return;
       words = std::move(own);
       best = x;
     };
     Formula best = positive;
     std::string words = text(best);
-    tried(sign_part(positive, false), best, words);
+    const std::vector<std::string> letters = positive.letters();
+    const bool turns = std::ranges::any_of(task_.open, [&](const Letter& letter) {
+      return is_angle(letter) && std::ranges::find(letters, letter.name) != letters.end();
+    });
+    if (!turns) tried(sign_part(positive, false), best, words);
     for (const Letter& letter : task_.open) {
       if (letter.either_sign || is_angle(letter)) continue;
       const Formula factor = formula_of(letter).number, start = best;
