@@ -13,10 +13,12 @@ namespace {
 constexpr std::size_t scanned_points = 200;  // all over six decades
 constexpr std::size_t most_narrowed = 6;     // places from which the margin is made smaller
 constexpr int most_rounds = 30;
-constexpr double first_step = 2;        // in powers of ten; of an angle in radians
-constexpr double last_step = 1e-4;      // the search ends where such steps bring nothing
-constexpr double farthest = 1e8;        // times the unit of a letter, and as small a part of it
-constexpr int random_moves = 6;         // of all letters together, in each round
+constexpr double first_step = 2;    // in powers of ten; of an angle in radians
+constexpr double last_step = 1e-4;  // the search ends where such steps bring nothing
+constexpr double farthest = 1e8;    // times the unit of a letter, and as small a part of it
+constexpr int random_moves = 6;     // of all letters together, in each round
+constexpr int neighbours = 6;
+constexpr double aside = 1e-5;          // of each letter: far more than moments are out of true by the rounding of data
 constexpr double margin_gained = 1e-9;  // a part of the margin; what gains less is no gain
 
 bool is_angle(const Letter& letter) { return letter.unit.dimension == dimensions::angle; }
@@ -55,9 +57,25 @@ std::optional<Point> ClaimAttack::from(const std::vector<Point>& starts) {
   if (places.size() > most_narrowed) places.resize(most_narrowed);
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (places[k].margin > 0) narrow(places[k], k);
-    if (places[k].margin <= 0) return places[k].point;
+    if (places[k].margin <= 0 && stands(places[k].point)) return places[k].point;
   }
   return std::nullopt;
+}
+
+// Whether the claim fails all around a point as well. A body that counts as possible by the rounding of its data only
+// has a moment that is negative by as much, and next to it there are none that are possible and fail.
+bool ClaimAttack::stands(const Point& point) {
+  std::mt19937_64 random(9500);
+  for (int i = 0; i < neighbours; ++i) {
+    Point moved = point;
+    for (const Letter& letter : letters_) {
+      const double part = aside * std::uniform_real_distribution<double>(-1, 1)(random);
+      double& value = moved[letter.name];
+      value = is_angle(letter) ? value + part : value * (1 + part);
+    }
+    if (!look(std::move(moved), std::numeric_limits<double>::min())) return false;
+  }
+  return true;
 }
 
 // Takes the best of all moves in each round; where none is better, the steps become shorter.

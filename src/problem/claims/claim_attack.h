@@ -35,6 +35,7 @@ class ClaimAttack {
     double margin = 0;
   };
   std::optional<Place> look(Point point, double below);
+  bool stands(const Point& point);
   void narrow(Place& place, std::size_t seed);
   std::vector<Point> moves(const Point& from, double step) const;
 

@@ -132,7 +132,8 @@ class NumberTrier {
         },
         [](const Point&) { return true; }, most_attack_work);
     std::vector<Point> from;
-    for (int attempt = 0; attempt < starts; ++attempt) from.push_back(draw_point(ground_.letters(), attempt, ground_.sizes()));
+    for (int attempt = 0; attempt < starts; ++attempt)
+      from.push_back(draw_point(ground_.letters(), attempt, ground_.sizes()));
     const std::optional<Point> failing = attack.from(from);
     found_.tried += attack.tried();
     if (failing) try_at(*failing, most_motions);
