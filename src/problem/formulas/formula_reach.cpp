@@ -12,6 +12,7 @@
 #include "problem/formulas/letter_scan.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
+#include "problem/machine/masses.h"
 #include "problem/quantities/quantity_functions.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/asked_value.h"
@@ -149,6 +150,13 @@ class FarSearch {
 
   bool makes_sense_but_for_what_is_stated(const AllSettings& settings, std::size_t i) const {
     try {
+      // Trials do not mind bodies that cannot be.
+      for (std::size_t k = 0; k < settings.size(); ++k) {
+        const Situation& situation = task_.statement.situations[k];
+        DataScope<double> data(situation, settings[k]);
+        for (const Body& body : situation.bodies)
+          body_mass<double>(body, data, [](const Dimension&) { return 1.0; });
+      }
       Sample sample(task_.statement, settings, OpenChoice{.trial = true});
       asked_value(sample, task_.statement.asks[i]);
       return true;
