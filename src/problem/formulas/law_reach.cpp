@@ -56,10 +56,9 @@ class Reach {
     const Work begin = work_done();
     keep(base_);
     each_ = slower * (work_done() - begin) + in_any_case;
-    for (const LetterValues& letters : far_points()) {
-      if (limit_.spent()) break;
-      keep(letters);
-    }
+    for (const FarPoint& point : far_points())
+      if (!limit_.spent() || (!point.much.empty() && left_out(point.much))) keep(point.letters, point.much);
+    see_what_matters();
     std::vector<LawReach> all;
     // To close a bound in takes as many points again; few laws need it.
     limit_ = WorkLimit(closing_in * most_);
@@ -73,21 +72,68 @@ class Reach {
   struct Tried {
     LetterValues letters;
     Holds holds;
+    std::vector<double> misfit;  // of each law that holds
+    std::string much;            // the letter that alone is much larger or smaller than at the base
   };
 
-  std::vector<LetterValues> far_points() const {
-    std::vector<LetterValues> points;
-    const auto moved = [&](const Letter& letter, double value) {
-      points.push_back(base_);
-      points.back()[letter.name] = value;
+  // A point far from the base. `much` names the letter that alone is much larger or smaller there, if it is a single
+  // one.
+  struct FarPoint {
+    LetterValues letters;
+    std::string much{};
+  };
+  std::vector<FarPoint> far_points() const {
+    std::vector<FarPoint> points;
+    const auto moved = [&](const Letter& letter, double value, bool much) {
+      points.push_back({base_, much ? letter.name : ""});
+      points.back().letters[letter.name] = value;
     };
     for (const Letter& letter : letters_)
-      if (letter.either_sign) moved(letter, -base_.at(letter.name));
+      if (letter.either_sign) moved(letter, -base_.at(letter.name), false);
     for (const double far : {20.0, 0.05})
       for (const Letter& letter : letters_)
-        if (letter.unit.dimension != dimensions::angle) moved(letter, far * base_.at(letter.name));
-    for (std::size_t i = 0; i < most_scanned_laws; ++i) points.push_back(scanned(i));
+        if (letter.unit.dimension != dimensions::angle) moved(letter, far * base_.at(letter.name), true);
+    for (std::size_t i = 0; i < most_scanned_laws; ++i) points.push_back({scanned(i)});
     return points;
+  }
+
+  static bool stands_in(const std::string& letter, const Value<Formula>& law) {
+    const auto in = [&](const Formula& x) { return std::ranges::count(x.letters(), letter) > 0; };
+    if (law.is_list())
+      return std::ranges::any_of(law.items, [&](const Value<Formula>& item) { return stands_in(letter, item); });
+    return law.is_vector() ? in(law.vector.x) || in(law.vector.y) || in(law.vector.z) : in(law.number);
+  }
+  // Whether a law held where this letter alone, or with others, is much larger or smaller.
+  bool held_far(std::size_t k, const std::string& letter) const {
+    constexpr double much = 10;
+    return std::ranges::any_of(tried_, [&](const Tried& one) {
+      const double times = std::abs(one.letters.at(letter) / base_.at(letter));
+      return one.holds[k] == true && (times > much || times < 1 / much);
+    });
+  }
+  // The first letter that a law leaves out without having been tried far off; "" if there is none.
+  std::string untried(std::size_t k) const {
+    for (const Letter& letter : letters_)
+      if (letter.unit.dimension != dimensions::angle && !stands_in(letter.name, laws_[k].law) &&
+          !held_far(k, letter.name))
+        return letter.name;
+    return "";
+  }
+  bool left_out(const std::string& letter) const {
+    return std::ranges::any_of(laws_, [&](const HeldLaw& one) { return !stands_in(letter, one.law); });
+  }
+  // A letter that a law leaves out may matter by less than the tolerance as far as it was tried. Where it alone is
+  // large or small on one side, the answer then differs by far more than rounding, which the other side shows.
+  void see_what_matters() {
+    constexpr double far_more = 100, rounding = 1e-9;
+    for (std::size_t k = 0; k < laws_.size(); ++k)
+      for (Tried& one : tried_) {
+        if (one.much.empty() || one.holds[k] != true || stands_in(one.much, laws_[k].law)) continue;
+        for (const Tried& other : tried_)
+          if (&other != &one && other.much == one.much && other.holds[k] == true &&
+              one.misfit[k] > std::max(rounding, far_more * other.misfit[k]))
+            one.holds[k] = false;
+      }
   }
   // Angles keep to the first quadrant: what a law is beyond it has been seen where it was found.
   LetterValues scanned(std::size_t index) const {
@@ -102,6 +148,7 @@ class Reach {
 
   Holds at(const LetterValues& letters) {
     Holds holds(laws_.size());
+    misfits_.assign(laws_.size(), 0);
     ScalingTrials::Answers answers;
     try {
       const WorkScope scope(each_);
@@ -120,15 +167,19 @@ class Reach {
       if (!value) continue;
       const double misfit = misfit_of(laws_[k].law, *value, letters, size_of(*value));
       holds[k] = misfit <= tolerance_;
+      misfits_[k] = misfit;
       if (*holds[k]) misfit_ = std::max(misfit_, misfit);
     }
     return holds;
   }
-  void keep(const LetterValues& letters) { tried_.push_back({letters, at(letters)}); }
+  void keep(const LetterValues& letters, const std::string& much = "") {
+    Holds holds = at(letters);
+    tried_.push_back({letters, std::move(holds), misfits_, much});
+  }
 
   LawReach reach(std::size_t k) {
     const auto fails = std::ranges::find_if(tried_, [&](const Tried& one) { return one.holds[k] == false; });
-    if (fails == tried_.end()) return {};
+    if (fails == tried_.end()) return {{}, {}, untried(k)};
     LawReach result;
     result.fails = fails->letters;
     if (tried_.front().holds[k] != true) return result;
@@ -220,8 +271,9 @@ class Reach {
   double& misfit_;
   const Work most_;
   WorkLimit limit_;
-  Work each_ = 4'000'000'000;  // that a point may take; of the base, what any may
-  std::vector<Tried> tried_;   // the base first
+  Work each_ = 4'000'000'000;    // that a point may take; of the base, what any may
+  std::vector<Tried> tried_;     // the base first
+  std::vector<double> misfits_;  // of the laws at the point tried last
 };
 
 }  // namespace

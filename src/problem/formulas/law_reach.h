@@ -20,6 +20,9 @@ struct HeldLaw {
 struct LawReach {
   std::optional<std::string> condition;  // under which the law holds: "4*g - L*w^2 > 0"
   std::optional<LetterValues> fails;     // where it does not, if no condition was found
+  // A letter that the law leaves out though there was no answer where it is much larger or smaller: it may matter
+  // there.
+  std::string untried{};
 };
 
 // Solves the problem at letters far from the base: each a hundred times larger and smaller, of the other sign, and all
@@ -27,6 +30,8 @@ struct LawReach {
 // without dimension that is on one side of a bound wherever the law holds and on the other wherever it fails, or the
 // sign of a letter. The bound is closed in and the condition tried at other letters. misfit: the largest relative
 // difference where the laws hold. most: the work that this may take; what takes far more than at the base is left out.
+// A letter that a law leaves out is tried in any case, since near the base it may matter less than the answers are
+// exact.
 std::vector<LawReach> reach_of(const std::vector<HeldLaw>& laws, const std::vector<Letter>& letters,
                                const LetterValues& base, const ScalingTrials::Solve& solve, double tolerance, Work most,
                                double& misfit);

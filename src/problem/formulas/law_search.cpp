@@ -134,7 +134,7 @@ class LawSearch {
     check = std::max(check, misfit);
   }
   void take(const HeldLaw& law, const LawReach& reach) {
-    if (!reach.fails) return;
+    if (!reach.fails && reach.untried.empty()) return;
     const bool of_ask = law.answer < solution_.asks.size();
     const std::string name =
         of_ask ? task_.statement.asks[law.answer].name : unknowns_[law.answer - solution_.asks.size()].unknown->name;
@@ -149,11 +149,13 @@ class LawSearch {
     }
     SolvedAsk& ask = solution_.asks[law.answer];
     std::string where;
-    for (const Letter& letter : task_.open)
+    for (const Letter& letter : reach.fails ? task_.open : std::vector<Letter>{})
       where += (where.empty() ? "" : ", ") + letter.name + " = " +
                with_digits(reach.fails->at(letter.name) / letter.unit.factor, 3) +
                (letter.unit.text.empty() ? "" : " " + letter.unit.text);
-    ask.no_formula = "what was found holds for some values of the letters only, not at " + where;
+    ask.no_formula = reach.fails ? "what was found holds for some values of the letters only, not at " + where
+                                 : "what was found does not hang on " + reach.untried +
+                                       " nearby, but there is no answer at much larger and smaller ones to confirm it";
     ask.formula.reset();
     ask.formula_road.clear();
     ask.state = AskState::needs_letters;

@@ -302,6 +302,32 @@ ask: {jet: fired, t: tB}
     }
 }
 
+// A disk of a millimetre on a cord of twenty metres swings as a particle does, to nine digits: it hangs on its radius
+// all the same.
+TEST(FormulaRegimes, a_letter_that_matters_little_nearby_is_not_left_out) {
+  const Solution disk = solve_statement(read_statement(R"(
+letters: {r: mm}
+given: {L: 20 m}
+points: {A: [0, 0, 0], G: [0, -L, 0]}
+bodies: {disk: {disk: {center: G, normal: z, radius: r}, mass: 1 kg}}
+joints: {pin: {revolute: z, at: A, to: disk, angle: q}}
+gravity: -y
+instants: {start: {q: 60 deg, "q'": 0}}
+ask: {fast: max(q'), weight: max(weight(disk)*q)}
+)",
+                                                       "disk.yaml"),
+                                        {})
+                            .solutions.at(0);
+  for (const SolvedAsk& ask : {disk.asks[0]})
+    if (ask.formula) {
+      EXPECT_EQ(ask.formula->number.letters(), std::vector<std::string>{"r"});
+    } else {
+      EXPECT_EQ(ask.state, AskState::needs_letters);
+    }
+  // What does not hang on it is a number for all radii.
+  EXPECT_EQ(disk.asks[1].state, AskState::found) << disk.asks[1].no_formula;
+}
+
 // A formula that numbers hold up is a check by name.
 TEST(FormulaRegimes, the_check_is_named) {
   const Solution beam = solve_statement(read_statement(branches[0], "beam.yaml"), {}).solutions.at(0);
