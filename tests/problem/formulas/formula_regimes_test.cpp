@@ -263,9 +263,10 @@ TEST(FormulaRegimes, what_is_given_holds_wherever_what_is_told_of_it_does) {
 
 TEST(FormulaRegimes, laws_of_motions_tell_the_bound_on_whose_side_they_hold) {
   for (const char* file : motions) {
-    const Tally one = compare(file, testing::case_count(25), 0.8, 1e-6);
-    EXPECT_GT(one.compared, testing::case_count(10)) << file;
-    EXPECT_GT(one.beyond, testing::case_count(2)) << file;
+    // As many under the sanitizers, or none would lie beyond the bounds.
+    const Tally one = compare(file, 25, 0.8, 1e-6);
+    EXPECT_GT(one.compared, 10) << file;
+    EXPECT_GT(one.beyond, 2) << file;
   }
 }
 
