@@ -34,7 +34,8 @@ TEST(Check, a_sign_matters) {
   EXPECT_EQ(compare(Datum{-3.0}, Datum{3.0}), Lines{"a: -3, expected 3 (off by 6, allowed 3e-6)"});
 }
 
-// The largest answer in the same unit says how large such a quantity is; where there is none, a zero is held to 1e-9 SI.
+// The largest answer in the same unit says how large such a quantity is; where there is none, a zero is held to 1e-9
+// SI.
 TEST(Check, zero_is_held_to_the_other_answers_in_its_unit) {
   EXPECT_EQ(compare(Datum{0.0}, Datum{0.0}), Lines{});
   EXPECT_EQ(compare(Datum{0.9e-9}, Datum{0.0}), Lines{});

@@ -35,7 +35,7 @@ class Recorded : public ::testing::Test {
  protected:
   Recorded()
       : folder_(fs::path(::testing::TempDir()) / ("poinsot_recording_" + std::to_string(::getpid()) +
-                                                ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+                                                  ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
     fs::create_directories(folder_);
   }
   ~Recorded() override { fs::remove_all(folder_); }

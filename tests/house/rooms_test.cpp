@@ -178,16 +178,8 @@ TEST(House, callers_of_problems_have_three_headers) {
 }
 
 TEST(House, tests_stand_in_the_rooms_that_they_test) {
-  const std::set<std::string> others{".",
-                                     "apps",
-                                     "docs",
-                                     "document/golden",
-                                     "fuzz",
-                                     "house",
-                                     "hunt",
-                                     "install",
-                                     "install/engine_client",
-                                     "install/problem_client",
+  const std::set<std::string> others{".",      "apps", "docs",    "document/golden",       "fuzz",
+                                     "house",  "hunt", "install", "install/engine_client", "install/problem_client",
                                      "threads"};
   for (const auto& [folder, paths] : files_by_folder(fs::path(POINSOT_SOURCE_DIR) / "tests")) {
     EXPECT_TRUE(is_room(folder) || others.contains(folder)) << folder;

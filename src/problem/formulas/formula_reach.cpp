@@ -154,8 +154,7 @@ class FarSearch {
       for (std::size_t k = 0; k < settings.size(); ++k) {
         const Situation& situation = task_.statement.situations[k];
         DataScope<double> data(situation, settings[k]);
-        for (const Body& body : situation.bodies)
-          body_mass<double>(body, data, [](const Dimension&) { return 1.0; });
+        for (const Body& body : situation.bodies) body_mass<double>(body, data, [](const Dimension&) { return 1.0; });
       }
       Sample sample(task_.statement, settings, OpenChoice{.trial = true});
       asked_value(sample, task_.statement.asks[i]);

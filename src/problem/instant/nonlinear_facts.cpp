@@ -75,7 +75,8 @@ void SolvedInstant::hold_nonlinear(System system, const std::vector<const Fact*>
                                    const solve::LinearSolution& solution) {
   nonlinear_[system] = facts;
   const bool motion = system == System::motion;
-  constexpr double same_along = 1e-9;  // of the sides: along an open direction a fact stays what it is, but for rounding
+  // Of the sides: along an open direction a fact stays what it is, but for rounding.
+  constexpr double same_along = 1e-9;
   for (const Fact* fact : facts) {
     const FactSides sides = sides_of(*fact, system, solution.value);
     for (const std::vector<double>& direction : solution.open) {

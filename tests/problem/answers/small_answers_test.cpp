@@ -72,12 +72,12 @@ TEST(SmallAnswers, KnowTheCoupleOnALargeStation) {
 TEST(SmallAnswers, KnowForcesBesideSharedOnesAtAnyLoad) {
   for (int power = -20; power <= 20; power += 4) {
     const std::string g = "1e" + std::to_string(power) + " m/s^2";
-    const Solution found = solution_of(
-        "title: a shaft\ngiven: {m: 10 kg, L: 1.2 m, g: " + g +
-        "}\npoints: {A: [0, 0, 0], B: [L, 0, 0]}\n"
-        "bodies: {bar: {cylinder: {center: (A + B)/2, axis: x, radius: 20 mm, length: L}, mass: m}}\n"
-        "joints: {shaft: {revolute: x, at: A, to: bar, rate: 0, supports: {A: thrust, B: [x, y, z]}}}\n"
-        "gravity: -y\nask: {all: force(shaft on bar), half: reaction(A).y, shared: reaction(A).x}\n");
+    const Solution found =
+        solution_of("title: a shaft\ngiven: {m: 10 kg, L: 1.2 m, g: " + g +
+                    "}\npoints: {A: [0, 0, 0], B: [L, 0, 0]}\n"
+                    "bodies: {bar: {cylinder: {center: (A + B)/2, axis: x, radius: 20 mm, length: L}, mass: m}}\n"
+                    "joints: {shaft: {revolute: x, at: A, to: bar, rate: 0, supports: {A: thrust, B: [x, y, z]}}}\n"
+                    "gravity: -y\nask: {all: force(shaft on bar), half: reaction(A).y, shared: reaction(A).x}\n");
     EXPECT_NEAR(found.asks[0].value.vector.y, 10 * std::pow(10, power), 1e-9 * std::pow(10, power)) << g;
     EXPECT_NEAR(found.asks[1].value.number, 5 * std::pow(10, power), 1e-9 * std::pow(10, power)) << g;
     EXPECT_EQ(found.asks[2].state, AskState::undetermined) << g;

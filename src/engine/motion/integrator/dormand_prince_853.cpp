@@ -22,7 +22,8 @@ double first_step(RightSide& right_side, double t, std::span<const double> y, st
   const bool moves = state_size > 0.0 && rate_size > 0.0;
   double h = moves ? std::min(0.01 * state_size / rate_size, length) : 1e-6 * length;
   // Rates and their rates are compared in a unit of time that stands for the second of the book: some times that in
-  // which the state changes by as much as it is. The tolerance is so much smaller than one that its size hardly matters.
+  // which the state changes by as much as it is. The tolerance is so much smaller than one that its size hardly
+  // matters.
   const double unit = moves ? 256.0 * h : length;
   std::vector<double> ahead(n);
   std::vector<double> rate_ahead(n);

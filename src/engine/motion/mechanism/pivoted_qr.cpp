@@ -17,8 +17,8 @@ void PivotedQr::reserve(int most_rows, int most_columns) {
 
 namespace {
 
-// x less its part along a reflector: `lead` in row k, below it the rows of a. What does not change over many x is handed
-// in, so that it stays in registers.
+// x less its part along a reflector: `lead` in row k, below it the rows of a. What does not change over many x is
+// handed in, so that it stays in registers.
 inline void reflect(const double* a, double lead, double factor, int k, int rows, double* x) {
   double sum = lead * x[k];
   for (int i = k + 1; i < rows; ++i) sum += a[i] * x[i];

@@ -28,8 +28,8 @@ std::optional<Place> place_at(RootFunction& function, double u) {
 
 // Narrows a change of sign down by false position (Illinois' variant), until the bracket is small.
 double narrowed_down(RootFunction& function, Place a, Place b, Index component) {
-  // Newton's method starts from here and doubles the digits in each step, so that four are enough; a value that is known
-  // from a motion followed to 1e-9 is zero to seven.
+  // Newton's method starts from here and doubles the digits in each step, so that four are enough; a value that is
+  // known from a motion followed to 1e-9 is zero to seven.
   constexpr double narrow = 1e-4, small = 1e-7;
   double at_a = a.sample.values[component], at_b = b.sample.values[component];
   for (int i = 0; i < 12 && std::abs(b.u - a.u) > narrow * std::max(std::abs(a.u), std::abs(b.u)); ++i) {

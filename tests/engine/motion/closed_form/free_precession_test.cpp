@@ -55,11 +55,9 @@ TEST(FreePrecession, refuses_what_is_no_body) {
     return "accepted";
   };
   EXPECT_EQ(message(0, 1, 1, 1), "free_precession: the axial moment is 0; it must be positive and finite");
-  EXPECT_EQ(message(1, -1, 1, 1),
-            "free_precession: the transverse moment is -1; it must be positive and finite");
+  EXPECT_EQ(message(1, -1, 1, 1), "free_precession: the transverse moment is -1; it must be positive and finite");
   EXPECT_EQ(message(1, 1, INFINITY, 1), "free_precession: the axial rate is inf; it must be finite");
-  EXPECT_EQ(message(1, 1, 1, -2),
-            "free_precession: the transverse rate is -2; it must be finite and not negative");
+  EXPECT_EQ(message(1, 1, 1, -2), "free_precession: the transverse rate is -2; it must be finite and not negative");
 }
 
 }  // namespace free_precession_test

@@ -56,7 +56,7 @@ struct Linearisation {
   bool steady = true;  // whether the motion is steady at all
   // One of each conjugate pair, in order of falling growth rate, without those of the symmetries.
   std::vector<Mode> modes;
-  double pace = 0;  // 1/s: that of the fastest motion, or the one set by weights and lengths
+  double pace = 0;     // 1/s: that of the fastest motion, or the one set by weights and lengths
   int deviations = 0;  // how many numbers a deviation has that constraints allow, those of the symmetries among them
 };
 
