@@ -12,6 +12,11 @@ install(DIRECTORY include/poinsot/engine DESTINATION "${CMAKE_INSTALL_INCLUDEDIR
 install(FILES include/poinsot/problem.h include/poinsot/document.h include/poinsot/rendering.h
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/poinsot" COMPONENT problem)
 install(TARGETS poinsot RUNTIME COMPONENT program)
+set(texts "${PROJECT_BINARY_DIR}/texts")
+install(FILES "${texts}/poinsot.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT program)
+install(FILES "${texts}/poinsot" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT program)
+install(FILES "${texts}/_poinsot" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" COMPONENT program)
+install(FILES "${texts}/poinsot.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" COMPONENT program)
 
 configure_package_config_file(cmake/poinsot-config.cmake.in "${PROJECT_BINARY_DIR}/poinsot-config.cmake"
                               INSTALL_DESTINATION "${poinsot_package}")

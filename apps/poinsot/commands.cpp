@@ -82,8 +82,9 @@ std::vector<std::string> problem_files(const std::vector<std::string>& paths) {
       continue;
     }
     std::vector<std::string> found;
-    for (const auto& entry : fs::recursive_directory_iterator(path))
+    for (const auto& entry : fs::recursive_directory_iterator(path, fs::directory_options::skip_permission_denied))
       if (entry.is_regular_file() && entry.path().extension() == ".yaml") found.push_back(entry.path().string());
+    if (found.empty()) write_message(fmt::format("{}: no *.yaml file in this folder", path));
     std::ranges::sort(found);
     files.insert(files.end(), found.begin(), found.end());
   }
@@ -108,9 +109,10 @@ std::vector<std::string> failures_of(const std::string& file) {
 
 int solve(const SolveArguments& arguments) {
   const poinsot::TerminalStyle style{.color = wants_color()};
-  int code = exit_answered;
+  const std::vector<std::string> files = problem_files(arguments.files);
+  int code = files.empty() ? exit_wrong_input : exit_answered;
   bool first = true;
-  for (const std::string& file : arguments.files) {
+  for (const std::string& file : files) {
     try {
       const Problem problem = Problem::from_file(file);
       const Document document = found_until_interrupted(problem, arguments);
@@ -144,36 +146,47 @@ int solve(const SolveArguments& arguments) {
   return code;
 }
 
-int check(const std::vector<std::string>& paths) {
-  std::string text;
-  std::size_t passed = 0, failed = 0;
-  for (const std::string& file : problem_files(paths)) {
-    std::vector<std::string> failures;
+namespace {
+
+std::string line_of(const poinsot::CheckedFile& checked) {
+  if (checked.shortfalls.empty()) return fmt::format("{}: passed\n", checked.file);
+  constexpr std::size_t most = 4;
+  const auto shown = std::min(checked.shortfalls.size(), most);
+  std::string line = fmt::format(
+      "{}: {}", checked.file,
+      fmt::join(checked.shortfalls.begin(), checked.shortfalls.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
+  if (checked.shortfalls.size() > shown) line += fmt::format("; {} more", checked.shortfalls.size() - shown);
+  std::ranges::replace(line, '\n', ' ');
+  return line + "\n";
+}
+
+}  // namespace
+
+int check(const CheckArguments& arguments) {
+  std::vector<poinsot::CheckedFile> all;
+  for (const std::string& file : problem_files(arguments.paths)) {
     try {
-      failures = failures_of(file);
+      all.push_back({file, failures_of(file)});
     } catch (const poinsot::BudgetEnded&) {
       break;
     }
-    if (failures.empty()) {
-      ++passed;
-      continue;
-    }
-    ++failed;
-    constexpr std::size_t most = 4;
-    const auto shown = std::min(failures.size(), most);
-    std::string line = fmt::format(
-        "{}: {}", file, fmt::join(failures.begin(), failures.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
-    if (failures.size() > shown) line += fmt::format("; {} more", failures.size() - shown);
-    std::ranges::replace(line, '\n', ' ');
-    text += line + "\n";
   }
-  text += fmt::format("{} passed, {} failed\n", passed, failed);
+  const auto passed =
+      static_cast<std::size_t>(std::ranges::count_if(all, [](const auto& one) { return one.shortfalls.empty(); }));
+  std::string text;
+  if (arguments.json) {
+    text = poinsot::checks_to_json(all) + "\n";
+  } else {
+    for (const poinsot::CheckedFile& one : all)
+      if (arguments.list || !one.shortfalls.empty()) text += line_of(one);
+    text += fmt::format("{} passed, {} failed\n", passed, all.size() - passed);
+  }
   static_cast<void>(write_answer(text));
   if (interrupted()) {
     write_message("poinsot: interrupted");
     return exit_interrupted;
   }
-  return failed == 0 && passed > 0 ? exit_answered : exit_unanswered;
+  return passed == all.size() && passed > 0 ? exit_answered : exit_unanswered;
 }
 
 int schema(bool of_answer) {

@@ -7,7 +7,7 @@
 #include "poinsot/problem.h"
 
 struct SolveArguments {
-  std::vector<std::string> files;
+  std::vector<std::string> files;  // and folders
   poinsot::Settings sets;
   bool json = false;
   bool explain = false;  // with worked solutions
@@ -17,9 +17,15 @@ struct SolveArguments {
 // outcome gives the exit code.
 int solve(const SolveArguments& arguments);
 
+struct CheckArguments {
+  std::vector<std::string> paths;
+  bool list = false;  // name the files that pass
+  bool json = false;
+};
+
 // Compares files, and those named *.yaml in folders, with their own expected answers: a line for each that fails, and
-// last `N passed, M failed`.
-int check(const std::vector<std::string>& paths);
+// last `N passed, M failed`. Interrupted, it tells of the files until then.
+int check(const CheckArguments& arguments);
 
 struct RecordArguments {
   std::string file, output;

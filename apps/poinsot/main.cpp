@@ -1,4 +1,4 @@
-// The command line: poinsot solve, check, record, equations and schema.
+// The command line: the tree of commands, their options, and what is wrong with a call.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "command_texts.h"
 #include "commands.h"
 #include "exit_codes.h"
 #include "poinsot/problem.h"
@@ -66,6 +67,41 @@ void add_sets(CLI::App& command, std::vector<std::string>& settings) {
       ->allow_extra_args(false);
 }
 
+int print(const std::string& text) {
+  static_cast<void>(write_answer(text));
+  return exit_answered;
+}
+
+struct HelpArguments {
+  std::vector<std::string> words;
+  bool list = false;
+};
+
+// What each word means: in the language, and as a command.
+int help(const HelpArguments& arguments, const CLI::App& program) {
+  if (arguments.list) return print(fmt::format("{}\n", fmt::join(poinsot::language_words(), "\n")));
+  if (arguments.words.empty())
+    return print(program.get_formatter()->make_help(&program, "poinsot", CLI::AppFormatMode::Normal) +
+                 "\n`poinsot help WORD` says what a word of the problem language means: a key, a function, a unit.\n");
+  std::string text;
+  int code = exit_answered;
+  for (const std::string& word : arguments.words) {
+    std::string found = poinsot::language_help(word);
+    for (const CLI::App* command : program.get_subcommands({}))
+      if (command->get_name() == word) found += command->help("poinsot");
+    if (found.empty()) {
+      const std::string hint = poinsot::did_you_mean(word, poinsot::language_words());
+      write_message(fmt::format("poinsot: the language has no word '{}'{}", word,
+                                hint.empty() ? "" : fmt::format(" ({})", hint)));
+      code = exit_wrong_input;
+      continue;
+    }
+    text += (text.empty() ? "" : "\n") + found;
+  }
+  static_cast<void>(write_answer(text));
+  return code;
+}
+
 int run(int argument_count, const char* const* arguments) {
   CLI::App program("Kinetics of rigid bodies in three dimensions: states a problem, finds the answers.", "poinsot");
   program.set_version_flag("--version", "poinsot " POINSOT_VERSION);
@@ -77,15 +113,19 @@ int run(int argument_count, const char* const* arguments) {
   SolveArguments solve_arguments;
   std::vector<std::string> settings;
   CLI::App* solve_command = program.add_subcommand("solve", "Solve problem files and print the answers");
-  solve_command->add_option("FILE", solve_arguments.files, "Problem files; - for standard input")->required();
+  solve_command
+      ->add_option("FILE", solve_arguments.files, "Problem files, or folders of *.yaml files; - for standard input")
+      ->required();
   solve_command->add_flag("--json", solve_arguments.json, "Print one answer document per file, one per line");
   solve_command->add_flag("--explain", solve_arguments.explain,
                           "Print worked solutions, as Markdown with formulas in TeX; with --json as a field of it");
   add_sets(*solve_command, settings);
 
-  std::vector<std::string> paths;
+  CheckArguments check_arguments;
   CLI::App* check_command = program.add_subcommand("check", "Compare problem files with the answers they expect");
-  check_command->add_option("PATH", paths, "Problem files, or folders of *.yaml files")->required();
+  check_command->add_option("PATH", check_arguments.paths, "Problem files, or folders of *.yaml files")->required();
+  check_command->add_flag("--list", check_arguments.list, "Name the files that pass as well");
+  check_command->add_flag("--json", check_arguments.json, "Print one JSON document about all files");
 
   RecordArguments record_arguments;
   std::vector<std::string> record_settings;
@@ -129,6 +169,18 @@ int run(int argument_count, const char* const* arguments) {
   CLI::App* schema_command = program.add_subcommand("schema", "Print the JSON Schema of the problem file");
   schema_command->add_flag("--answer", of_answer, "Print that of the answer document");
 
+  HelpArguments help_arguments;
+  CLI::App* help_command =
+      program.add_subcommand("help", "Say what a word of the problem language, or a command, means");
+  help_command->add_option("WORD", help_arguments.words, "Keys, functions, units or commands");
+  help_command->add_flag("--words", help_arguments.list, "List the words that the language knows");
+
+  std::string shell;
+  CLI::App* completion_command = program.add_subcommand(
+      "completion", "Print a script that completes calls of poinsot in a shell, to be read by its start file");
+  completion_command->add_option("SHELL", shell, "bash, zsh or fish")->required()->check(CLI::IsMember(known_shells()));
+  CLI::App* manual_command = program.add_subcommand("manual", "Print the manual page, in the form that man reads");
+
   if (argument_count <= 1) {
     write_message(program.help());
     return exit_wrong_input;
@@ -151,9 +203,12 @@ int run(int argument_count, const char* const* arguments) {
   }
 
   if (solve_command->parsed()) return solve(solve_arguments);
-  if (check_command->parsed()) return check(paths);
+  if (check_command->parsed()) return check(check_arguments);
   if (record_command->parsed()) return record(record_arguments);
   if (equations_command->parsed()) return equations(equations_arguments);
+  if (help_command->parsed()) return help(help_arguments, program);
+  if (completion_command->parsed()) return print(completion_script(program, shell));
+  if (manual_command->parsed()) return print(manual_page(program, POINSOT_VERSION));
   return schema(of_answer);
 }
 

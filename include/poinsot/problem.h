@@ -234,4 +234,10 @@ class Problem {
 // The JSON Schema (draft 2020-12) of the problem file, ending in a newline.
 std::string problem_schema();
 
+// What the problem language means by a word: a key, a function, a unit, and the shortest example of the manual that
+// uses it. The text ends in a newline; it is empty for a word that the language does not know.
+std::string language_help(std::string_view word);
+// The words it knows, each once, sorted.
+std::vector<std::string> language_words();
+
 }  // namespace poinsot

@@ -27,7 +27,16 @@ std::string to_terminal(const Document& document, const TerminalStyle& style = {
 // misfit that is not finite is null.
 std::string to_json(const Document& document);
 
-// The JSON Schema (draft 2020-12) of what to_json() writes, ending in a newline.
+// What comparing a problem file with its own expected answers found: a line for each discrepancy (Problem::check).
+struct CheckedFile {
+  std::string file;
+  std::vector<std::string> shortfalls;
+};
+
+// The files with what they fall short of, and how many passed and failed: one line without line end.
+std::string checks_to_json(const std::vector<CheckedFile>& files);
+
+// The JSON Schema (draft 2020-12) of what to_json() writes of a document, ending in a newline.
 std::string answer_schema();
 
 // One solution as Markdown with mathematics in TeX: title, sections with displayed equations between `$$`, answers,

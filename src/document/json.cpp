@@ -117,6 +117,11 @@ Json solution_json(const Document& document, std::size_t index) {
   return json;
 }
 
+std::string on_one_line(const Json& json) {
+  constexpr int no_indentation = -1;
+  return json.dump(no_indentation, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 }  // namespace poinsot::document
 
@@ -132,8 +137,20 @@ std::string to_json(const Document& document) {
                       {"solutions", solutions},
                       {"warnings", document.warnings}};
   if (document.ended) json["ended"] = *document.ended == BudgetEnd::deadline ? "deadline" : "interrupted";
-  constexpr int no_indentation = -1;
-  return json.dump(no_indentation, ' ', false, document::Json::error_handler_t::replace);
+  return document::on_one_line(json);
+}
+
+std::string checks_to_json(const std::vector<CheckedFile>& files) {
+  document::Json list = document::Json::array();
+  std::size_t passed = 0;
+  for (const CheckedFile& file : files) {
+    list.push_back({{"file", file.file}, {"passed", file.shortfalls.empty()}, {"shortfalls", file.shortfalls}});
+    passed += file.shortfalls.empty() ? 1 : 0;
+  }
+  return document::on_one_line({{"poinsot", document::program_version()},
+                                {"files", list},
+                                {"passed", passed},
+                                {"failed", files.size() - passed}});
 }
 
 }  // namespace poinsot

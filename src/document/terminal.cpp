@@ -53,14 +53,16 @@ class TerminalText {
 
   void solution(const Solution& solution, std::size_t index, const Document& document) {
     text_ += "\n";
+    const std::size_t count = document.solutions.size();
     std::vector<std::string> unknowns;
     for (const Unknown& unknown : solution.unknowns) {
+      // Roots are told apart by their unknowns. A single one is not said twice.
+      if (count == 1 && is_asked(unknown, solution.answers)) continue;
       unknowns.push_back(fmt::format("{} = {}", printable(unknown.name),
                                      unknown.value.empty()
                                          ? datum_text(unknown.formula, "", style_.digits)
                                          : datum_text(unknown.value, printable(unknown.unit), style_.digits)));
     }
-    const std::size_t count = document.solutions.size();
     if (count > 1 || !unknowns.empty()) {
       const std::string number = count > 1 ? fmt::format("Solution {} of {}", index + 1, count) : "Solution";
       text_ += painted(Role::heading, number);
@@ -74,6 +76,15 @@ class TerminalText {
           "\n";
     for (const std::string& note : solution.notes) text_ += "  " + printable(note) + "\n";
     if (!solution.checks.empty()) text_ += "  " + painted(Role::faint, check_line(solution.checks)) + "\n";
+  }
+
+  // Whether a question asks for the unknown itself and has its answer.
+  static bool is_asked(const Unknown& unknown, const std::vector<Answer>& answers) {
+    return std::ranges::any_of(answers, [&](const Answer& answer) {
+      return answer.ask == unknown.name && answer.columns.empty() &&
+             (answer.state == AnswerState::found ||
+              (answer.state == AnswerState::needs_letters && !answer.formula.empty()));
+    });
   }
 
   // Shows the questions in three columns: name, words, answer.

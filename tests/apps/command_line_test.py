@@ -46,6 +46,12 @@ def run(*arguments, **options):
     return subprocess.run([PROGRAM, *arguments], text=True, timeout=120, check=False, **options)
 
 
+def commands():
+    """The commands as the help lists them."""
+    listed = run("--help").stdout.partition("Subcommands:\n")[2]
+    return re.findall(r"^  ([a-z]+) ", listed, flags=re.MULTILINE)
+
+
 class Usage(unittest.TestCase):
     def test_version_is_that_of_the_file(self):
         result = run("--version")
@@ -71,12 +77,12 @@ class Usage(unittest.TestCase):
     def test_unknown_command_gets_the_nearest(self):
         self.assert_wrong_usage(
             ["slove", "a.yaml"],
-            "unknown command 'slove': expected one of solve, check, record, equations, schema (did you mean 'solve'?)")
+            f"unknown command 'slove': expected one of {', '.join(commands())} (did you mean 'solve'?)")
 
     def test_unknown_command_far_from_all(self):
         self.assert_wrong_usage(
             ["integrate"],
-            "unknown command 'integrate': expected one of solve, check, record, equations, schema")
+            f"unknown command 'integrate': expected one of {', '.join(commands())}")
 
     def test_unknown_option_gets_the_nearest(self):
         self.assert_wrong_usage(["solve", "a.yaml", "--jsno"],
@@ -235,6 +241,75 @@ class Documents(unittest.TestCase):
         self.assertTrue(result.stdout)
 
 
+class Words(unittest.TestCase):
+    def test_keys_functions_units_and_commands_are_explained(self):
+        for word, expected in (("disk", "a thin disk"), ("angular_momentum", "angular_momentum(disk about G)"),
+                               ("rpm", "0.1047197551 rad/s"), ("record", "Usage: poinsot record")):
+            result = run("help", word)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertIn(expected, result.stdout)
+
+    def test_every_word_has_its_help(self):
+        words = run("help", "--words").stdout.split()
+        self.assertGreater(len(words), 250)
+        result = run("help", *words)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for word in words:
+            self.assertRegex(result.stdout, rf"(?m)^{re.escape(word)}: ")
+
+    def test_an_unknown_word_gets_the_nearest(self):
+        result = run("help", "momentun")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertEqual(result.stderr, "poinsot: the language has no word 'momentun' (did you mean 'momentum'?)\n")
+
+    def test_an_example_is_a_problem_that_is_solved(self):
+        text = run("help", "torus").stdout.partition("an example:\n")[2]
+        result = run("solve", "-", input=re.sub(r"(?m)^    ", "", text))
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+
+class ShellTexts(unittest.TestCase):
+    def options(self, command):
+        return set(re.findall(r"--[a-z-]+", run(command, "--help").stdout))
+
+    def test_completions_and_manual_name_every_command_and_option(self):
+        texts = [run("completion", shell).stdout for shell in ("bash", "zsh", "fish")]
+        texts.append(run("manual").stdout.replace("\\-", "-"))
+        for text in texts:
+            for command in commands():
+                self.assertIn(command, text)
+                for option in self.options(command) - {"--help"}:
+                    self.assertIn(option.removeprefix("--"), text)
+
+    def test_bash_completes(self):
+        script = run("completion", "bash").stdout
+        asked = ('COMP_WORDS=(poinsot solve --j); COMP_CWORD=2; _poinsot; echo "${COMPREPLY[@]}";'
+                 'COMP_WORDS=(poinsot eq); COMP_CWORD=1; _poinsot; echo "${COMPREPLY[@]}"')
+        result = subprocess.run(["bash", "-c", script + asked], text=True, stdout=subprocess.PIPE, check=True)
+        self.assertEqual(result.stdout, "--json\nequations\n")
+
+    def test_an_unknown_shell_is_refused(self):
+        result = run("completion", "cmd")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn("bash", result.stderr)
+
+
+class Folders(unittest.TestCase):
+    def test_a_folder_is_solved_file_by_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for i, name in enumerate(("b.yaml", "a.yaml")):
+                (pathlib.Path(folder) / name).write_text(EXAMPLES[i].read_text(encoding="utf-8"), encoding="utf-8")
+            result = run("solve", "--json", folder)
+            self.assertEqual([json.loads(line)["file"] for line in result.stdout.splitlines()],
+                             [f"{folder}/a.yaml", f"{folder}/b.yaml"])
+
+    def test_a_folder_without_problems_is_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = run("solve", folder)
+            self.assertEqual((result.returncode, result.stdout, result.stderr),
+                             (2, "", f"{folder}: no *.yaml file in this folder\n"))
+
+
 class Check(unittest.TestCase):
     def test_a_failing_file_has_one_line_and_the_count_is_last(self):
         text = EXAMPLES[0].read_text(encoding="utf-8")
@@ -270,6 +345,21 @@ class Check(unittest.TestCase):
             result = run("check", str(pathlib.Path(folder) / "nowhere"))
             self.assertEqual((result.returncode, result.stdout), (2, ""))
             self.assertIn("there is no such file", result.stderr)
+
+    def test_what_passed_is_named_on_request(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "a.yaml").write_text(EXAMPLES[0].read_text(encoding="utf-8"), encoding="utf-8")
+            (pathlib.Path(folder) / "b.yaml").write_text("title: Nothing\n", encoding="utf-8")
+            lines = run("check", "--list", folder).stdout.splitlines()
+            self.assertEqual((lines[0], lines[2]), (f"{folder}/a.yaml: passed", "1 passed, 1 failed"))
+            result = run("check", "--json", folder)
+            self.assertEqual(result.returncode, 1)
+            document = json.loads(result.stdout)
+            self.assertEqual((document["passed"], document["failed"]), (1, 1))
+            self.assertEqual([(file["file"], file["passed"]) for file in document["files"]],
+                             [(f"{folder}/a.yaml", True), (f"{folder}/b.yaml", False)])
+            self.assertEqual(document["files"][0]["shortfalls"], [])
+            self.assertTrue(document["files"][1]["shortfalls"])
 
     def test_nothing_to_check_is_no_success(self):
         with tempfile.TemporaryDirectory() as folder:

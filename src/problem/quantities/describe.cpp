@@ -4,11 +4,13 @@
 #include <map>
 #include <string_view>
 
+#include "problem/quantities/quantity_functions.h"
+
 namespace poinsot::problem {
 namespace {
 
-const std::map<std::string, std::string>& nouns() {
-  static const std::map<std::string, std::string> table{
+const std::map<std::string_view, std::string>& nouns() {
+  static const std::map<std::string_view, std::string> table{
       {"position", "position"},
       {"center", "mass center"},
       {"velocity", "velocity"},
@@ -91,7 +93,14 @@ Sides sides_of(const Situation& situation, const std::string& name) {
 
 std::string words_of(const Expression& expression, const Situation& situation);
 
+// What is asked of the motion: "largest theta", "smallest rate of phi", "period of theta".
+std::string feature_words(const Call& call, const Situation& situation) {
+  const std::string of = words_of(call.arguments.front().value, situation);
+  return call.function == "period" ? "period of " + of : (call.function == "max" ? "largest " : "smallest ") + of;
+}
+
 std::string call_words(const Call& call, const Situation& situation) {
+  if (is_motion_feature(call)) return feature_words(call, situation);
   const auto noun = nouns().find(call.function);
   if (noun == nouns().end() || call.arguments.empty()) return call.function;
   const std::string_view f = call.function;
@@ -144,6 +153,11 @@ std::string words_of(const Expression& expression, const Situation& situation) {
   if (const At* at = expression.as<At>()) return words_of(at->expression, situation) + " @ " + at->instant;
   if (const Of* of = expression.as<Of>())
     return words_of(of->point, situation) + " of " + words_of(of->body, situation);
+  if (const List* list = expression.as<List>()) {
+    std::string words;
+    for (const Expression& item : list->items) words += (words.empty() ? "" : "; ") + words_of(item, situation);
+    return words;
+  }
   if (const Member* member = expression.as<Member>())
     return words_of(member->object, situation) + ", " + member->name + " component";
   if (const Name* name = expression.as<Name>()) {
@@ -185,6 +199,11 @@ std::string describe(const Ask& ask, const Situation& situation, bool is_vector)
     if (!axes.empty()) words += ", on " + axes;
   }
   return words;
+}
+
+std::string_view noun_of(std::string_view function) {
+  const auto noun = nouns().find(function);
+  return noun == nouns().end() ? std::string_view() : noun->second;
 }
 
 }  // namespace poinsot::problem
