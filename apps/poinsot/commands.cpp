@@ -71,7 +71,22 @@ Document found_until_interrupted(const Problem& problem, const SolveArguments& a
   return arguments.explain ? problem.explain(arguments.sets, budget) : problem.solve(arguments.sets, budget);
 }
 
-// The files, and for each folder every `*.yaml` below it in the order of their names.
+// In what a file falls short of its own expected answers. A file that is wrong is a failure, one that does not exist an
+// error of the caller.
+std::vector<std::string> failures_of(const std::string& file) {
+  try {
+    const Problem problem = Problem::from_file(file);
+    const InterruptCatcher catcher;
+    ProgressLine line;
+    return problem.check(line.budget());
+  } catch (const poinsot::StatementError& error) {
+    if (!std::filesystem::exists(file)) throw;
+    return {error.what()};
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> problem_files(const std::vector<std::string>& paths) {
   namespace fs = std::filesystem;
   std::vector<std::string> files;
@@ -90,22 +105,6 @@ std::vector<std::string> problem_files(const std::vector<std::string>& paths) {
   }
   return files;
 }
-
-// In what a file falls short of its own expected answers. A file that is wrong is a failure, one that does not exist an
-// error of the caller.
-std::vector<std::string> failures_of(const std::string& file) {
-  try {
-    const Problem problem = Problem::from_file(file);
-    const InterruptCatcher catcher;
-    ProgressLine line;
-    return problem.check(line.budget());
-  } catch (const poinsot::StatementError& error) {
-    if (!std::filesystem::exists(file)) throw;
-    return {error.what()};
-  }
-}
-
-}  // namespace
 
 int solve(const SolveArguments& arguments) {
   const poinsot::TerminalStyle style{.color = wants_color()};

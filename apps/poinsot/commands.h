@@ -47,5 +47,18 @@ struct EquationsArguments {
 // Writes the equations of motion of a file's mechanism, as formulas or code.
 int equations(const EquationsArguments& arguments);
 
+struct ReportArguments {
+  std::vector<std::string> paths;  // one problem file, or folders of them
+  std::string output;              // NAME.html, or a folder for a gallery
+  bool force = false;              // replace what is there
+  poinsot::Settings sets;
+};
+
+// Writes the page of a file, or a gallery of pages for folders. Interrupted, a gallery has the pages made until then.
+int report(const ReportArguments& arguments);
+
+// Problem files, and for each folder every `*.yaml` below it in the order of their names.
+std::vector<std::string> problem_files(const std::vector<std::string>& paths);
+
 // Writes the schema of the answer document or of the problem file.
 int schema(bool of_answer);

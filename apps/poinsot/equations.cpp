@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <memory>
 #include <utility>
 
 #include "commands.h"
 #include "exit_codes.h"
+#include "output_file.h"
 #include "poinsot/problem.h"
 #include "poinsot/rendering.h"
 #include "progress_line.h"
@@ -61,23 +59,6 @@ std::string equations_until_interrupted(const poinsot::Problem& problem, const p
   return problem.equations(options, line.budget());
 }
 
-bool write_file(const std::string& path, const std::string& text) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), &std::fclose);
-  return file && std::fwrite(text.data(), 1, text.size(), file.get()) == text.size() && std::fflush(file.get()) == 0;
-}
-
-// Why the output may not be written; nothing if it may.
-std::string not_to_be_written(const EquationsArguments& arguments) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  if (arguments.output.empty() || !fs::exists(arguments.output, error)) return "";
-  if (fs::equivalent(arguments.file, arguments.output, error))
-    return fmt::format("cannot write {}: it is the problem file", arguments.output);
-  // A device such as /dev/stdout loses nothing.
-  if (arguments.force || !fs::is_regular_file(arguments.output, error)) return "";
-  return fmt::format("{} is there already and is not overwritten: add --force, or name another file", arguments.output);
-}
-
 }  // namespace
 
 int equations(const EquationsArguments& arguments) {
@@ -94,7 +75,8 @@ int equations(const EquationsArguments& arguments) {
     write_message(fmt::format("poinsot: {}\nTry 'poinsot equations --help'.", error.what()));
     return exit_wrong_input;
   }
-  if (const std::string reason = not_to_be_written(arguments); !reason.empty()) {
+  if (const std::string reason = not_to_be_written(arguments.file, arguments.output, arguments.force);
+      !reason.empty()) {
     write_message("poinsot: " + reason);
     return exit_wrong_input;
   }

@@ -165,6 +165,21 @@ int run(int argument_count, const char* const* arguments) {
   equations_command->add_flag("--force", equations_arguments.force, "Replace the output file if it is there");
   add_sets(*equations_command, equations_settings);
 
+  ReportArguments report_arguments;
+  std::vector<std::string> report_settings;
+  CLI::App* report_command = program.add_subcommand(
+      "report",
+      "Write a page for a browser: statement, view in space, answers, worked solution; or a gallery of pages");
+  report_command->add_option("PATH", report_arguments.paths, "Problem file, - for standard input; or folders of *.yaml")
+      ->required();
+  report_command
+      ->add_option("-o,--output", report_arguments.output,
+                   "NAME.html; for folders another folder, which gets index.html")
+      ->required()
+      ->type_name("OUTPUT");
+  report_command->add_flag("--force", report_arguments.force, "Replace the output if it is there");
+  add_sets(*report_command, report_settings);
+
   bool of_answer = false;
   CLI::App* schema_command = program.add_subcommand("schema", "Print the JSON Schema of the problem file");
   schema_command->add_flag("--answer", of_answer, "Print that of the answer document");
@@ -189,6 +204,7 @@ int run(int argument_count, const char* const* arguments) {
     program.parse(argument_count, arguments);
     for (const std::string& setting : settings) solve_arguments.sets.push_back(split_setting(setting));
     for (const std::string& setting : record_settings) record_arguments.sets.push_back(split_setting(setting));
+    for (const std::string& setting : report_settings) report_arguments.sets.push_back(split_setting(setting));
     for (const std::string& setting : equations_settings) equations_arguments.sets.push_back(split_setting(setting));
   } catch (const CLI::CallForHelp&) {
     const std::vector<CLI::App*> chosen = program.get_subcommands();
@@ -209,6 +225,7 @@ int run(int argument_count, const char* const* arguments) {
   if (help_command->parsed()) return help(help_arguments, program);
   if (completion_command->parsed()) return print(completion_script(program, shell));
   if (manual_command->parsed()) return print(manual_page(program, POINSOT_VERSION));
+  if (report_command->parsed()) return report(report_arguments);
   return schema(of_answer);
 }
 

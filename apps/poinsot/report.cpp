@@ -1,0 +1,76 @@
+// poinsot report.
+#include "report.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "exit_codes.h"
+#include "output_file.h"
+#include "poinsot/pictures.h"
+#include "progress_line.h"
+#include "streams.h"
+
+namespace {
+
+using poinsot::Document;
+using poinsot::Problem;
+
+int one_page(const ReportArguments& arguments) {
+  const std::string& file = arguments.paths.front();
+  const auto refused = [](const std::string& reason) {
+    write_message("poinsot: " + reason);
+    return exit_wrong_input;
+  };
+  if (std::filesystem::path(arguments.output).extension() != ".html")
+    return refused(fmt::format("'{}' should end in .html: the page of one problem file is one file", arguments.output));
+  if (const std::string reason = not_to_be_written(file, arguments.output, arguments.force); !reason.empty())
+    return refused(reason);
+  const ReadProblem read = read_problem(file);
+  const Document document = [&] {
+    const InterruptCatcher catcher;
+    ProgressLine line;
+    return read.problem.explain(arguments.sets, line.budget());
+  }();
+  if (!write_file(arguments.output, to_html(read.problem, read.text, document))) {
+    write_message(fmt::format("poinsot: cannot write {}: {}", arguments.output, std::strerror(errno)));
+    return exit_internal;
+  }
+  if (!write_answer(arguments.output + "\n")) return exit_answered;
+  if (interrupted()) {
+    write_message("poinsot: interrupted; the page shows what was found until then");
+    return exit_interrupted;
+  }
+  return fully_answered(document) ? exit_answered : exit_unanswered;
+}
+
+}  // namespace
+
+ReadProblem read_problem(const std::string& file) {
+  const auto all_of = [](std::istream& stream) {
+    return std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  };
+  if (file == "-") {
+    const std::string text = all_of(std::cin);
+    return {Problem::from_text(text, file), text};
+  }
+  Problem problem = Problem::from_file(file);
+  std::ifstream stream(file, std::ios::binary);
+  return {std::move(problem), all_of(stream)};
+}
+
+int report(const ReportArguments& arguments) {
+  std::error_code error;
+  const bool folders = arguments.paths.size() > 1 || std::filesystem::is_directory(arguments.paths.front(), error);
+  try {
+    return folders ? gallery(arguments) : one_page(arguments);
+  } catch (const poinsot::NoPages& reason) {
+    write_message(fmt::format("poinsot: {}", reason.what()));
+    return exit_wrong_input;
+  }
+}

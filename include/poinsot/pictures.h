@@ -1,0 +1,56 @@
+// Pictures of what was found: pages that a browser shows. They are made from the answer document and contain no
+// mechanics.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "poinsot/document.h"
+#include "poinsot/problem.h"
+
+namespace poinsot {
+
+// The library was built without the script of the pages.
+struct NoPages : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct PageOptions {
+  // For pages that share script and style: the address of the folder where shared_page_files() lie, "files/" or "../".
+  // A page without it holds both and opens from anywhere.
+  std::string shared{};
+  std::string gallery{};  // the address of the index; "" for a page that stands alone
+};
+
+// A page of one document: statement, view in space, answers, worked solution, problem file. The document has what
+// Problem::illustrate() or another call put into it; `text` is the text of the problem file. Opened in a browser, the
+// page needs no network and is not allowed any. Names and texts of the file stay text. Throws NoPages, and
+// std::domain_error as require_values() does.
+std::string to_html(const Problem& problem, std::string_view text, const Document& document,
+                    const PageOptions& options = {});
+
+// A file that the pages of a gallery share.
+struct PageFile {
+  std::string name;
+  std::string_view contents;
+};
+std::vector<PageFile> shared_page_files();  // throws NoPages
+
+// A problem in a gallery.
+struct GalleryEntry {
+  std::string page;    // the address of its page; "" if there is none
+  std::string figure;  // the address of its thumbnail; "" if there is none
+  std::string title, file;
+  std::vector<std::string> kinds{};
+  std::string note{};  // why there is no page
+};
+
+// What a problem is about, in the words by which a gallery is filtered: "motion", "blow", "claim", ...
+std::vector<std::string> kinds_of(std::string_view text, const Document& document);
+
+// The index of a gallery. It stands beside shared_page_files(). Throws NoPages.
+std::string gallery_html(const std::string& title, const std::vector<GalleryEntry>& entries);
+
+}  // namespace poinsot

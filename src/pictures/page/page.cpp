@@ -1,0 +1,58 @@
+// The page of one answer document. What it looks like is the affair of the script (web/src); here it gets its data.
+#include <nlohmann/json.hpp>
+
+#include "pictures/page/html.h"
+#include "poinsot/pictures.h"
+#include "poinsot/rendering.h"
+
+namespace poinsot {
+namespace pictures {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json situation_json(const StatedSituation& situation) {
+  Json data = Json::array(), letters = Json::array(), unknowns = Json::array();
+  for (const StatedDatum& one : situation.data) data.push_back({{"name", one.name}, {"text", one.text}});
+  for (const Letter& one : situation.letters) letters.push_back({{"name", one.name}, {"unit", one.unit}});
+  for (const StatedUnknown& one : situation.unknowns) unknowns.push_back({{"name", one.name}, {"unit", one.unit}});
+  return {{"name", situation.name}, {"data", data}, {"letters", letters}, {"unknowns", unknowns}};
+}
+
+Json questions_json(const std::vector<StatedQuestion>& questions) {
+  Json list = Json::array();
+  for (const StatedQuestion& one : questions) list.push_back({{"name", one.name}, {"text", one.text}});
+  return list;
+}
+
+Json situations_json(const Problem& problem) {
+  Json list = Json::array();
+  for (const StatedSituation& situation : problem.situations()) list.push_back(situation_json(situation));
+  return list;
+}
+
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace
+}  // namespace pictures
+
+std::string to_html(const Problem& problem, std::string_view text, const Document& document,
+                    const PageOptions& options) {
+  using namespace pictures;
+  const Json beside{{"problem", {{"name", problem.name()}, {"text", text}}},
+                    {"situations", situations_json(problem)},
+                    {"questions", questions_json(problem.questions())},
+                    {"claims", questions_json(problem.claims())},
+                    {"figures", Json::array()},
+                    {"gallery", options.gallery}};
+  // The document is text already, and may be long.
+  std::string data = dumped(beside);
+  data.replace(0, 1, "{\"document\":" + to_json(document) + ",");
+  return page_html({.title = document.title.empty() ? document.file : document.title,
+                    .data_id = "poinsot-page",
+                    .data = std::move(data),
+                    .fallback = to_terminal(document)},
+                   options.shared);
+}
+
+}  // namespace poinsot

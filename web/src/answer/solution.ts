@@ -1,0 +1,39 @@
+// What is shown of one solution: figure, motion, answers, diagrams, worked solution.
+import type { Figure, PageData, Solution } from "../document";
+import { type Child, element, section } from "../element";
+import { motionSection } from "../motion/player";
+import { sections } from "../text/markdown";
+import { answersSection } from "./answers";
+import { figureNode } from "./figures";
+
+// What is drawn of the statement comes first; diagrams of the worked solution belong below the answers.
+const isOfStatement = (figure: Figure, index: number): boolean => index === 0 && figure.svg !== "";
+
+function workedSolution(solution: Solution): Child {
+  if (solution.explanation === undefined) return null;
+  const parts = sections(solution.explanation).filter(
+    (part) => part.heading !== "" && part.heading !== "Model" && part.heading !== "Answers",
+  );
+  if (parts.length === 0) return null;
+  return element(
+    "details",
+    { class: "folded" },
+    element("summary", {}, element("h2", {}, "Worked solution")),
+    ...parts.flatMap((part) => [element("h3", {}, part.heading), ...part.body]),
+  );
+}
+
+export function solutionNodes(page: PageData, index: number): Child[] {
+  const solution = page.document.solutions[index];
+  if (!solution) return [];
+  const figures = page.figures[index] ?? [];
+  const first = figures.filter(isOfStatement);
+  const diagrams = figures.filter((figure, i) => !isOfStatement(figure, i));
+  return [
+    first.length > 0 && section("Figure", ...first.map(figureNode)),
+    solution.scene ? motionSection(solution.scene) : null,
+    answersSection(solution),
+    diagrams.length > 0 && section("Diagrams", ...diagrams.map(figureNode)),
+    workedSolution(solution),
+  ];
+}

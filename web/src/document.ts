@@ -1,0 +1,104 @@
+// What the program writes into the page: the answer document, and what belongs to it. Names are those of the JSON.
+import type { Scene } from "./scene";
+
+export type Datum = number | boolean | string | null | Datum[];
+
+export interface Column {
+  name: string;
+  unit: string;
+  value: number[];
+}
+
+export interface Answer {
+  ask: string;
+  words?: string;
+  value?: Datum;
+  unit?: string;
+  si?: Datum;
+  axes?: string[];
+  table?: { columns: Column[] };
+  letters?: string[];
+  determined?: boolean;
+  refused?: boolean;
+  reason?: string;
+  formula?: Datum;
+  no_formula?: string;
+  holds?: boolean;
+  how?: string;
+  counterexample?: {
+    letters: Record<string, { value: number; unit: string }>;
+    left?: number;
+    right?: number;
+    difference?: number;
+    unit?: string;
+  };
+  assumptions?: string[];
+}
+
+export interface Unknown {
+  value: Datum;
+  unit: string;
+  formula?: Datum;
+}
+
+export interface Solution {
+  unknowns: Record<string, Unknown>;
+  answers: Record<string, Answer>;
+  checks: Record<string, number | null>;
+  assumptions?: string[];
+  conditions?: { words: string; formula: string }[];
+  notes?: string[];
+  explanation?: string;
+  scene?: Scene;
+}
+
+export interface AnswerDocument {
+  poinsot: string;
+  file: string;
+  title: string;
+  solutions: Solution[];
+  warnings: string[];
+  ended?: string;
+}
+
+export interface Named {
+  name: string;
+  text: string;
+}
+
+export interface Situation {
+  name: string;
+  data: Named[];
+  letters: { name: string; unit: string }[];
+  unknowns: { name: string; unit: string }[];
+}
+
+export interface Figure {
+  title: string;
+  svg: string;
+}
+
+// One page: an answer document with the statement that it answers.
+export interface PageData {
+  document: AnswerDocument;
+  problem: { name: string; text: string };
+  situations: Situation[];
+  questions: Named[];
+  claims: Named[];
+  figures: Figure[][]; // of each solution
+  gallery: string; // the address of the index; "" if the page stands alone
+}
+
+export interface GalleryEntry {
+  page: string;
+  figure: string; // the address of the thumbnail; "" if there is none
+  title: string;
+  file: string;
+  kinds: string[];
+  note: string; // why there is no page; else ""
+}
+
+export interface GalleryData {
+  title: string;
+  entries: GalleryEntry[];
+}

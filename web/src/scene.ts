@@ -1,0 +1,143 @@
+// The scene of a solution, as the program's own description of it says (poinsot/scene.h). Numbers are in SI units.
+
+export type Vector = [number, number, number];
+export const ground = -1;
+
+export interface Place {
+  body: number;
+  at: Vector;
+}
+
+export interface Pose {
+  R: number[]; // row by row
+  p: Vector;
+}
+
+export interface Shape {
+  kind: string;
+  part: string;
+  extent: "point" | "line" | "surface" | "volume";
+  hole: boolean;
+  added: boolean;
+  vertices: Vector[];
+  triangles: [number, number, number][];
+  normals: [Vector, Vector, Vector][];
+  edges: number[][];
+}
+
+export interface Body {
+  name: string;
+  frame: boolean;
+  massless: boolean;
+  mass: number;
+  center: Vector;
+  shapes: Shape[];
+  pose: Pose;
+}
+
+export interface NamedPoint {
+  name: string;
+  place: Place;
+}
+
+export interface JointSymbol {
+  kind: string;
+  name: string;
+  from: number;
+  to: number;
+  place: Place;
+  axis: Vector;
+  second_axis: Vector;
+}
+
+export interface Link {
+  kind: "cord" | "spring" | "damper" | "torsion";
+  name: string;
+  from: Place;
+  to: Place;
+  far: boolean;
+  slack: boolean;
+}
+
+export interface Arrow {
+  quantity: string;
+  name: string;
+  body: number;
+  at: Place;
+  vector: Vector;
+  symbol: string; // TeX
+  text: string;
+  value: number;
+  unit: string;
+  formula: string;
+  known: boolean;
+}
+
+export interface Diagram {
+  kind: string;
+  title: string;
+  group: number;
+  bodies: number[];
+  arrows: Arrow[];
+}
+
+export interface Dimension {
+  name: string;
+  text: string;
+  angle: boolean;
+  from: Place;
+  to: Place;
+  corner: Place;
+}
+
+export interface Curve {
+  kind: string;
+  name: string;
+  body: number;
+  closed: boolean;
+  points: Vector[];
+}
+
+export interface Cone {
+  name: string;
+  body: number;
+  apex: Vector;
+  axis: Vector;
+  half_angle: number;
+  touching_line: Vector;
+}
+
+export interface Plot {
+  name: string;
+  words: string;
+  unit: string;
+  labels: string[];
+  values: number[][];
+}
+
+export interface Motion {
+  times: number[];
+  bodies: { position: number[]; orientation: number[] }[]; // three and four numbers (w x y z) for each time
+  plots: Plot[];
+  events: { time: number; words: string }[];
+  complete: boolean;
+  stopped: string;
+}
+
+export interface Scene {
+  situation: string;
+  axes: [string, string, string];
+  up: Vector;
+  gravity: boolean;
+  length: number;
+  bodies: Body[];
+  points: NamedPoint[];
+  symbols: JointSymbol[];
+  links: Link[];
+  diagrams: Diagram[];
+  dimensions: Dimension[];
+  curves: Curve[];
+  cones: Cone[];
+  motion?: Motion;
+  drawn_letters: { name: string; unit: string; value: number }[];
+}
