@@ -68,6 +68,7 @@ Document found_until_interrupted(const Problem& problem, const SolveArguments& a
   const InterruptCatcher catcher;
   ProgressLine line;
   const poinsot::Budget budget = line.budget();
+  if (arguments.scene) return problem.illustrate(arguments.sets, budget, arguments.explain);
   return arguments.explain ? problem.explain(arguments.sets, budget) : problem.solve(arguments.sets, budget);
 }
 

@@ -11,6 +11,7 @@ struct SolveArguments {
   poinsot::Settings sets;
   bool json = false;
   bool explain = false;  // with worked solutions
+  bool scene = false;    // with what a picture shows, in JSON
 };
 
 // Solves each file and writes its answers; a file that fails does not keep the others from being solved, and the worst

@@ -119,6 +119,9 @@ int run(int argument_count, const char* const* arguments) {
   solve_command->add_flag("--json", solve_arguments.json, "Print one answer document per file, one per line");
   solve_command->add_flag("--explain", solve_arguments.explain,
                           "Print worked solutions, as Markdown with formulas in TeX; with --json as a field of it");
+  solve_command
+      ->add_flag("--scene", solve_arguments.scene, "With --json: what a picture of each solution shows, as numbers")
+      ->needs("--json");
   add_sets(*solve_command, settings);
 
   CheckArguments check_arguments;

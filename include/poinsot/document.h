@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "poinsot/engine/work/budget.h"
+#include "poinsot/scene.h"
 
 namespace poinsot::problem {
 struct Explanation;
@@ -99,6 +100,8 @@ struct Solution {
   std::vector<Condition> conditions{};     // the formulas of assumptions in words
   // The worked solution, if it was asked for. to_markdown() writes it.
   std::shared_ptr<const problem::Explanation> explanation{};
+  // What a picture of it shows, if it was asked for.
+  std::shared_ptr<const poinsot::scene::Scene> scene{};
 };
 
 // A datum without value.

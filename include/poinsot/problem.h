@@ -201,6 +201,9 @@ class Problem {
   Document solve(const Settings& sets = {}, const Budget& budget = {}) const;
   // The same with a worked solution in each solution of the document, as far as the budget lasts.
   Document explain(const Settings& sets = {}, const Budget& budget = {}) const;
+  // The same with a scene in each solution of the document, and on request a worked solution, as far as the budget
+  // lasts.
+  Document illustrate(const Settings& sets = {}, const Budget& budget = {}, bool with_explanation = false) const;
   // Compares the answers with the file's own `expect` block and describes each discrepancy in one line. A question
   // that the block leaves out is a discrepancy, and so is a file without the block. Throws as solve() does, and
   // BudgetEnded, which is no std::exception, if the budget ends first.

@@ -231,6 +231,7 @@ struct Scene {
   std::vector<Cone> cones{};
   std::optional<Motion> motion{};
   std::vector<DrawnLetter> drawn_letters{};
+  std::vector<std::string> notes{};  // what the scene leaves out, and why
 };
 
 }  // namespace poinsot::scene

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "document/program_version.h"
+#include "document/scene_json.h"
 #include "poinsot/rendering.h"
 
 namespace poinsot::document {
@@ -114,6 +115,7 @@ Json solution_json(const Document& document, std::size_t index) {
   }
   if (!solution.notes.empty()) json["notes"] = solution.notes;
   if (solution.explanation) json["explanation"] = to_markdown(document, index);
+  if (solution.scene) json["scene"] = scene_json(*solution.scene);
   return json;
 }
 

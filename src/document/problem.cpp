@@ -19,6 +19,7 @@
 #include "problem/keys/keys.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/tree.h"
+#include "problem/scene/scene.h"
 
 namespace poinsot {
 namespace {
@@ -51,22 +52,32 @@ StatedSituation stated_situation(const problem::Situation& situation) {
   return stated;
 }
 
+// What a document has beside the answers.
+struct Beside {
+  bool explanation = false, scene = false;
+};
+
 // What is found as far as the budget lasts.
-Document solved_document(const problem::Statement& stated, const Settings& sets, bool explain, const Budget& budget) {
+Document solved_document(const problem::Statement& stated, const Settings& sets, const Beside& beside,
+                         const Budget& budget) {
   const BudgetScope scope(budget);
   Document document;
   document.file = stated.file;
   document.title = stated.title;
   try {
-    const problem::SolvedStatement solved = problem::solve_statement(stated, sets, explain);
+    const problem::SolvedStatement solved = problem::solve_statement(stated, sets, beside.explanation);
     {
       // What was found is put down, also after the end.
       const BudgetRespite respite;
       document = document::document_of(stated, solved);
     }
-    for (std::size_t i = 0; explain && i < document.solutions.size(); ++i)
-      document.solutions[i].explanation =
-          std::make_shared<const problem::Explanation>(problem::explain(stated, sets, solved, i));
+    for (std::size_t i = 0; i < document.solutions.size(); ++i) {
+      if (beside.explanation)
+        document.solutions[i].explanation =
+            std::make_shared<const problem::Explanation>(problem::explain(stated, sets, solved, i));
+      if (beside.scene)
+        document.solutions[i].scene = std::make_shared<const scene::Scene>(problem::scene_of(stated, sets, solved, i));
+    }
   } catch (const BudgetEnded& budget_end) {
     document.ended = budget_end.end;
   }
@@ -168,11 +179,17 @@ bool Problem::expects() const { return parts_->statement.expects; }
 bool Problem::records() const { return parts_->statement.record.has_value(); }
 
 Document Problem::solve(const Settings& sets, const Budget& budget) const {
-  return with_public_errors([&] { return solved_document(parts_->statement, sets, false, budget); });
+  return with_public_errors([&] { return solved_document(parts_->statement, sets, {}, budget); });
 }
 
 Document Problem::explain(const Settings& sets, const Budget& budget) const {
-  return with_public_errors([&] { return solved_document(parts_->statement, sets, true, budget); });
+  return with_public_errors([&] { return solved_document(parts_->statement, sets, {.explanation = true}, budget); });
+}
+
+Document Problem::illustrate(const Settings& sets, const Budget& budget, bool with_explanation) const {
+  return with_public_errors([&] {
+    return solved_document(parts_->statement, sets, {.explanation = with_explanation, .scene = true}, budget);
+  });
 }
 
 std::vector<std::string> Problem::check(const Budget& budget) const {

@@ -1,9 +1,10 @@
+#include "document/scene_schema.h"
 #include "poinsot/rendering.h"
 
 namespace poinsot {
 
 std::string answer_schema() {
-  return R"json({
+  return std::string(R"json({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "title": "Answer document of poinsot",
   "description": "Everything that one run on one problem file found. `poinsot solve --json` writes one per line.",
@@ -24,8 +25,9 @@ std::string answer_schema() {
       "description": "present if the search was ended from outside: the document holds what was found until then"
     }
   },
-  "$defs": {
-    "solution": {
+  "$defs": {)json") +
+         document::scene_definitions() +
+         R"json(    "solution": {
       "type": "object",
       "required": ["unknowns", "answers", "checks"],
       "properties": {
@@ -66,7 +68,8 @@ std::string answer_schema() {
           "description": "what else was found: stability of a steady motion, what happened during a motion",
           "items": {"type": "string"}
         },
-        "explanation": {"type": "string", "description": "with --explain: the worked solution, Markdown with TeX"}
+        "explanation": {"type": "string", "description": "with --explain: the worked solution, Markdown with TeX"},
+        "scene": {"$ref": "#/$defs/scene", "description": "with --scene"}
       }
     },
     "unknown": {

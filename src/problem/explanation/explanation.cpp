@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "poinsot/engine/work/work.h"
-#include "problem/entries/drawn_letters.h"
 #include "problem/explanation/explanation_claims.h"
 #include "problem/explanation/explanation_instant.h"
 #include "problem/explanation/explanation_model.h"
 #include "problem/explanation/explanation_motion.h"
+#include "problem/explanation/shown_numbers.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
@@ -19,7 +18,6 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr int most_draws = 40;                     // of open letters, until the statement makes sense
 constexpr Work most_instant_work = 1'500'000'000;  // for all formulas of one instant
 constexpr std::size_t formula_terms = 3000;
 
@@ -36,21 +34,16 @@ class Explainer {
  public:
   Explainer(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
             const SolvedStatement& solved, std::size_t solution)
-      : statement_(statement), solved_(solved), solution_(solved.solutions[solution]) {
-    settings_.assign(statement.situations.size(), read_settings(statement, sets));
-    stated_ = settings_;
-  }
+      : statement_(statement),
+        solved_(solved),
+        solution_(solved.solutions[solution]),
+        numbers_(statement, sets, solved, solution) {}
 
   Explanation explain() {
-    find_limits();
-    bool numbers = !statement_.asks.empty() && choose_numbers();
-    if (!numbers && !limits_.empty()) {
-      limits_.clear();
-      numbers = choose_numbers();
-    }
-    ExplanationTex first_tex(statement_.situations.front(), open_letters());
+    const bool numbers = !statement_.asks.empty() && numbers_.choose();
+    ExplanationTex first_tex(statement_.situations.front(), numbers_.open_letters());
     add_models(first_tex);
-    if (!numbers) questions_ = {};
+    if (numbers) questions_ = numbers_.questions();
     explanation_.sections.push_back(principle_section(statement_, questions_));
     add_limits();
     if (ExplainedSection claims = claims_section(statement_, solution_, first_tex); !claims.steps.empty())
@@ -60,8 +53,8 @@ class Explainer {
       or_left_out([&, &at = home, &asked = questions] { add_instant(at, asked); });
     for (const std::size_t index : questions_.motions)
       or_left_out([&] {
-        const ExplanationTex tex(situation(index), open_letters(index));
-        for (ExplainedSection& section : motion_sections(statement_, index, *sample_, tex, suffix_of(index)))
+        const ExplanationTex tex(situation(index), numbers_.open_letters(index));
+        for (ExplainedSection& section : motion_sections(statement_, index, numbers_.sample(), tex, suffix_of(index)))
           explanation_.sections.push_back(std::move(section));
       });
     return std::move(explanation_);
@@ -85,24 +78,6 @@ class Explainer {
     std::erase_if(explanation_.sections, [](const ExplainedSection& section) { return section.steps.empty(); });
   }
 
-  // Finds the situations about which it is only asked how far something holds. They are explained at that limit.
-  void find_limits() {
-    limits_.clear();
-    for (std::size_t k = 0; k < statement_.asks.size(); ++k) {
-      const Ask& ask = statement_.asks[k];
-      const SolvedAsk& found = solution_.asks[k];
-      if (!ask.extremum || found.state != AskState::found || !found.value.is_number()) continue;
-      const std::size_t situation = situation_of(statement_, ask);
-      const std::string& name = statement_.situations[situation].name;
-      const bool alone = std::none_of(statement_.asks.begin(), statement_.asks.end(), [&](const Ask& other) {
-        if (&other == &ask) return false;
-        if (other.extremum) return situation_of(statement_, other) == situation;
-        return name.empty() || names_situation(other, name);
-      });
-      if (alone) limits_[situation] = k;
-    }
-  }
-
   void add_limits() {
     ExplainedSection section{"Limit", {}};
     for (std::size_t k = 0; k < statement_.asks.size(); ++k) {
@@ -113,89 +88,26 @@ class Explainer {
         conditions.push_back("`" + to_string(condition) + "`");
       std::string text = "Values of `" + ask.extremum->name + "` are tried from one end of its range until " +
                          listed(conditions) + " no longer holds; the place of the change is then closed in.";
-      if (std::any_of(limits_.begin(), limits_.end(), [&](const auto& limit) { return limit.second == k; }))
+      if (std::any_of(numbers_.limits().begin(), numbers_.limits().end(),
+                      [&](const auto& limit) { return limit.second == k; }))
         text += " The lines below are those of the limit.";
       section.steps.push_back({text, {}});
     }
     if (!section.steps.empty()) explanation_.sections.push_back(std::move(section));
   }
 
-  std::vector<std::string> open_letters(std::optional<std::size_t> situation = std::nullopt) const {
-    std::vector<std::string> names;
-    for (const Letter& letter : solved_.open_letters) {
-      // At its limit a letter has a value.
-      const auto limit = situation ? limits_.find(*situation) : limits_.end();
-      if (limit != limits_.end() && statement_.asks[limit->second].extremum->name == letter.name) continue;
-      names.push_back(letter.name);
-    }
-    return names;
-  }
-
   void add_models(const ExplanationTex& tex) {
     for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
-      explanation_.sections.push_back(model_section(situation(i), settings_[i], tex, "Model" + suffix_of(i)));
+      explanation_.sections.push_back(model_section(situation(i), numbers_.settings()[i], tex, "Model" + suffix_of(i)));
     }
-  }
-
-  // Chooses the numbers of the solution: settings, the unknowns found, and random values of open letters until
-  // everything can be solved.
-  bool choose_numbers() {
-    const std::vector<Settings>& stated = stated_;
-    for (int attempt = 0; attempt < (solved_.open_letters.empty() ? 1 : most_draws); ++attempt) {
-      settings_ = stated;
-      std::mt19937_64 random(7000 + static_cast<std::uint64_t>(attempt));
-      LetterValues letters;
-      for (const Letter& letter : solved_.open_letters) {
-        const double value = drawn_letter(letter, random);
-        letters[letter.name] = value;
-        for (Settings& one : settings_) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
-      }
-      try {
-        if (!set_unknowns(letters)) return false;
-        for (const auto& [situation, ask] : limits_)
-          settings_[situation][statement_.asks[ask].extremum->name] = solution_.asks[ask].value;
-        sample_ = std::make_unique<Sample>(statement_, settings_, OpenChoice{});
-        questions_ = questions_of(statement_, *sample_, limits_);
-        for (const auto& [home, questions] : questions_.instants) {
-          SolvedInstant& instant = sample_->instant(home);
-          if (wants_forces(home, questions)) instant.solve_forces();
-        }
-        return true;
-      } catch (const StatementError&) {
-        if (solved_.open_letters.empty()) return false;
-      }
-    }
-    return false;
-  }
-
-  bool set_unknowns(const LetterValues& letters) {
-    for (const SolvedUnknown& unknown : solution_.unknowns) {
-      Value<double> value = unknown.value;
-      if (unknown.formula) {
-        if (!unknown.formula->is_number()) return false;
-        value = Value<double>::of_number(value_at(unknown.formula->number, letters), unknown.unit.dimension);
-      }
-      for (std::size_t i = 0; i < settings_.size(); ++i)
-        if (unknown.is_of(i)) settings_[i][unknown.own_name] = value;
-    }
-    // If an unknown has no answer there are no numbers.
-    for (std::size_t i = 0; i < settings_.size(); ++i)
-      for (const Unknown& unknown : situation(i).find)
-        if (!settings_[i].contains(unknown.name)) return false;
-    return true;
-  }
-
-  bool wants_forces(const Sample::Home& home, const InstantQuestions& questions) const {
-    const Situation& stated = situation(home.situation);
-    const bool after = stated.has_blow() && home.instant == 1 && !home.time;
-    return !after && (questions.asks_forces() || stated.steady);
   }
 
   void add_instant(const Sample::Home& home, const InstantQuestions& questions) {
     const Situation& stated = situation(home.situation);
-    SolvedInstant& instant = sample_->instant(home);
-    SolvedInstant* before = instant.after_blow() ? &sample_->instant({home.situation, 0, std::nullopt}) : nullptr;
-    ExplanationTex tex(stated, open_letters(home.situation));
+    SolvedInstant& instant = numbers_.sample().instant(home);
+    SolvedInstant* before =
+        instant.after_blow() ? &numbers_.sample().instant({home.situation, 0, std::nullopt}) : nullptr;
+    ExplanationTex tex(stated, numbers_.open_letters(home.situation));
     // In the formulas every datum that is a single number is a letter.
     Situation lettered = stated;
     LetterValues point;
@@ -214,8 +126,8 @@ class Explainer {
         formulas.reset();
       }
     }
-    InstantExplainer(stated, instant, before, formulas.get(), point, tex, questions, settings_[home.situation],
-                     explanation_)
+    InstantExplainer(stated, instant, before, formulas.get(), point, tex, questions,
+                     numbers_.settings()[home.situation], explanation_)
         .explain(suffix_of(home.situation) + instant_words(home));
   }
 
@@ -233,7 +145,7 @@ class Explainer {
   // Data that are single numbers, letters, unknowns and standard gravity as letters; `point` receives their values.
   FormulaValues formula_values(std::size_t situation, Situation& lettered, LetterValues& point) const {
     FormulaValues values;
-    const Settings& settings = settings_[situation];
+    const Settings& settings = numbers_.settings()[situation];
     const auto add = [&](const std::string& name, double value, const Dimension& dimension, bool real) {
       if (stays_number(value, dimension)) return;
       point[name] = value;
@@ -277,9 +189,7 @@ class Explainer {
   const Statement& statement_;
   const SolvedStatement& solved_;
   const Solution& solution_;
-  AllSettings stated_, settings_;              // as they are set; and with values for unknowns, letters and limits
-  std::map<std::size_t, std::size_t> limits_;  // situations that are explained at a limit, with the ask for that limit
-  std::unique_ptr<Sample> sample_;
+  ShownNumbers numbers_;
   StatementQuestions questions_;
   Explanation explanation_;
 };

@@ -26,12 +26,20 @@ std::optional<std::string> vanishing_symbol(const std::vector<ShownTerm>& left, 
 
 }  // namespace
 
-void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& symbols) {
+bool InstantExplainer::needs_balance() const {
+  return sudden() || (figures_.numbers.forces && (questions_.asks_forces() || situation_.steady));
+}
+
+std::vector<InstantExplainer::System> InstantExplainer::systems() const {
+  std::vector<System> cut;
+  if (!needs_balance()) return cut;
+  for (const std::set<int>& bodies : choose_systems()) cut.push_back(system_of(bodies));
+  return cut;
+}
+
+InstantExplainer::System InstantExplainer::system_of(const std::set<int>& bodies) const {
   System system;
   system.plan = plan_for(bodies);
-  std::vector<int> massive;
-  for (const int body : bodies)
-    if (mechanism().tree.body(body).inertia.mass > 0) massive.push_back(body);
   // Coordinates that do not move these bodies take no part.
   const MotionBalance<double> trial = balance_of(figures_.numbers, system.plan, Vector3<double>::zero());
   std::vector<std::size_t> open;
@@ -40,7 +48,15 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
   system.plan.open = open;
   for (const UnknownForce& force : system.plan.unknown) system.unknown.push_back(symbol_of(force));
   for (const std::size_t k : open) system.open.push_back(symbol_of_coordinate(k, sudden()));
+  return system;
+}
 
+void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& symbols) {
+  const System system = system_of(bodies);
+  const std::vector<Symbol>& open = system.open;
+  std::vector<int> massive;
+  for (const int body : bodies)
+    if (mechanism().tree.body(body).inertia.mass > 0) massive.push_back(body);
   std::optional<ExplainedPoint> held = best_point(system.plan);
   const ExplainedPoint point =
       held ? *held

@@ -368,8 +368,7 @@ void InstantExplainer::explain_momentum(const MomentumQuestion& question) {
 
 void InstantExplainer::explain(const std::string& suffix) {
   suffix_ = suffix;
-  const bool balance = sudden() || (figures_.numbers.forces && (questions_.asks_forces() || situation_.steady));
-  if (balance)
+  if (needs_balance())
     explain_balance();
   else
     velocity_conditions();

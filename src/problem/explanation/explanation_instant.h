@@ -56,6 +56,33 @@ class InstantExplainer {
   // Adds sections with everything that the questions need.
   void explain(const std::string& suffix);
 
+  // The symbol of an unknown.
+  struct Symbol {
+    std::string tex;
+    double value = 0;  // SI
+    double sign = 1;   // symbol = sign times the unknown of the model
+    Dimension dimension;
+    bool determined = true;
+    Shown shown;
+  };
+  // Bodies that are cut free, with the symbols of the unknown forces on them and of their open coordinates.
+  struct System {
+    BalancePlan plan;
+    std::vector<Symbol> unknown, open;
+  };
+  // Those whose equations give what is asked for; none if no forces are needed.
+  std::vector<System> systems() const;
+  const InstantFigures<double>& figures() const { return figures_.numbers; }
+  // The letter for the forces of an action: the point at which it holds, if it has one, otherwise its name.
+  std::string action_symbol(const Action& action) const;
+  std::string center_label(int body) const;
+  std::string names_of(const std::set<int>& bodies) const;
+  bool several_bodies() const { return bodies_with_mass().size() > 1; }
+  // Whether a vector is rounding.
+  bool vanishes(const Vector3<double>& vector, const Dimension& dimension) const {
+    return is_rounding(norm(vector), noise_size(dimension));
+  }
+
  private:
   // The value as a number, and as a formula if this agrees with the number.
   template <class Get>
@@ -103,23 +130,10 @@ class InstantExplainer {
   std::optional<std::string> named_point(const Vector3<double>& position) const;
   bool rests(int body, const Vector3<double>& point) const;  // whether the body's point at this place rests
   std::string body_name(int body) const;
-  std::string center_label(int body) const;
   std::vector<int> bodies_with_mass() const;
-  bool several_bodies() const { return bodies_with_mass().size() > 1; }
 
   // These are defined in explanation_balance.cpp.
-  struct Symbol {
-    std::string tex;
-    double value = 0;  // SI
-    double sign = 1;   // symbol = sign times the unknown of the model
-    Dimension dimension;
-    bool determined = true;
-    Shown shown;
-  };
-  struct System {
-    BalancePlan plan;
-    std::vector<Symbol> unknown, open;
-  };
+  bool needs_balance() const;
   void explain_balance();
   std::size_t action_of(const UnknownForce& force) const;
   bool is_asked(const UnknownForce& force) const;
@@ -132,8 +146,7 @@ class InstantExplainer {
   // Rates: whether for its velocity, otherwise for its acceleration.
   Symbol symbol_of_coordinate(std::size_t k, bool rates) const;
   void velocity_conditions();
-  std::string action_symbol(const Action& action) const;
-  std::string names_of(const std::set<int>& bodies) const;
+  System system_of(const std::set<int>& bodies) const;
   void explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& listed);
   std::optional<ExplainedPoint> best_point(const BalancePlan& plan) const;
   void kinetic_steps(const std::string& heading, const System& system, const ExplainedPoint& point);

@@ -1,9 +1,11 @@
 #include "problem/explanation/explanation_tex.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <regex>
+#include <set>
 
 #include "poinsot/engine/math/formula/formula_text.h"
 #include "problem/language/words.h"
@@ -395,6 +397,32 @@ std::string ExplanationTex::symbol(const std::string& name, const std::string& i
   if (tex.ends_with('}') && tex.find("_{") != std::string::npos)
     return tex.substr(0, tex.size() - 1) + "," + index_tex(index) + "}";
   return tex + "_{" + index_tex(index) + "}";
+}
+
+std::string ExplanationTex::vector_symbol(const std::string& name) {
+  const std::string tex = symbol(name);
+  const std::size_t index = std::min(tex.find("_{"), tex.size());
+  return (tex.starts_with('\\') ? "\\boldsymbol{" : "\\mathbf{") + tex.substr(0, index) + "}" + tex.substr(index);
+}
+
+std::string ExplanationTex::plain(const std::string& tex) {
+  std::string text;
+  for (std::size_t i = 0; i < tex.size(); ++i) {
+    if (tex[i] == '{' || tex[i] == '}') continue;
+    if (tex[i] != '\\') {
+      text += tex[i];
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < tex.size() && std::isalpha(static_cast<unsigned char>(tex[end])) != 0) ++end;
+    const std::string word = tex.substr(i + 1, end - i - 1);
+    static const std::set<std::string> of_type{"mathbf", "mathrm", "boldsymbol", "bar", "dot", "ddot", "hat", "text"};
+    // What is escaped, such as \_, stands for itself, and \, is a thin space.
+    if (!of_type.contains(word)) text += word;
+    if (word.empty() && end < tex.size()) text += tex[end] == ',' ? ' ' : tex[end];
+    i = word.empty() ? end : end - 1;
+  }
+  return text;
 }
 
 std::string ExplanationTex::unit_vector(std::size_t axis) const {

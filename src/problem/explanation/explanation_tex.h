@@ -93,6 +93,10 @@ class ExplanationTex {
   static std::string upright(const std::string& name);
   // A name of the statement as a symbol with an index: omega1 is \omega_{1}.
   static std::string symbol(const std::string& name, const std::string& index = "");
+  // A name as that of a vector: F1 is \mathbf{F}_{1}.
+  static std::string vector_symbol(const std::string& name);
+  // A symbol as plain text: A_{x} is A_x.
+  static std::string plain(const std::string& tex);
   // The unit vector along an axis, as \mathbf{i}.
   std::string unit_vector(std::size_t axis) const;
   const std::string& axis(std::size_t k) const { return axes_[k]; }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "poinsot/engine/mass/outlines.h"
 #include "problem/machine/round_surface.h"
 #include "problem/machine/shape_arguments.h"
 #include "problem/machine/shapes.h"
@@ -24,6 +25,7 @@ enum class OtherSurface {
 template <class Scalar>
 struct ShapeRow {
   std::string_view words;  // what worked solutions call it, after "a"
+  Outline (*picture)(const ShapeArguments<Scalar>&) = nullptr;
   // Closed form and particles.
   ShapeValues<Scalar> (*values)(const ShapeArguments<Scalar>&) = nullptr;
   OtherSurface other = OtherSurface::corners;

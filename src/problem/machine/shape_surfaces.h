@@ -1,10 +1,13 @@
-// The surfaces of the shapes from their arguments: the columns `round` and `sides` of the table in shapes.cpp.
+// The surfaces of the shapes from their arguments, and their pictures: the columns `round`, `sides` and `picture` of
+// the table in shapes.cpp.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "problem/entries/read_meshes.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/machine/shape_row.h"
 
@@ -159,3 +162,205 @@ std::vector<Side> sector(const ShapeArguments<Scalar>& a) {
 }
 
 }  // namespace poinsot::problem::surfaces
+
+// What is drawn of a shape whose arguments have been checked.
+namespace poinsot::problem::pictures {
+
+template <class Scalar>
+Outline particle(const ShapeArguments<Scalar>& a) {
+  return outlines::particle(plain(a.place("points")));
+}
+
+template <class Scalar>
+Outline rod(const ShapeArguments<Scalar>& a) {
+  return outlines::polyline(surfaces::plain_places(a, "points"));
+}
+
+template <class Scalar>
+Outline wire(const ShapeArguments<Scalar>& a) {
+  return outlines::polyline(surfaces::plain_places(a, "points"));
+}
+
+template <class Scalar>
+Outline arc(const ShapeArguments<Scalar>& a) {
+  if (!a.has("diameter"))
+    return outlines::arc_from_point(plain(a.place("center")), plain(a.direction("normal")), plain(a.place("start")),
+                                    plain(a.angle("angle")));
+  const auto ends = a.places("diameter", 2);
+  return outlines::semicircular_arc(plain(ends[0]), plain(ends[1]),
+                                    plain(a.toward("toward", Scalar(0.5) * (ends[0] + ends[1]))));
+}
+
+template <class Scalar>
+Outline ring(const ShapeArguments<Scalar>& a) {
+  return outlines::ring(plain(a.place("center")), plain(a.direction("normal")), plain(a.length("radius")));
+}
+
+template <class Scalar>
+Outline rectangle(const ShapeArguments<Scalar>& a) {
+  return outlines::polygon(surfaces::rectangle(a).front());
+}
+
+template <class Scalar>
+Outline triangle(const ShapeArguments<Scalar>& a) {
+  return outlines::polygon(surfaces::plain_places(a, "points"));
+}
+
+template <class Scalar>
+Outline polygon(const ShapeArguments<Scalar>& a) {
+  return outlines::polygon(surfaces::plain_places(a, "points"));
+}
+
+template <class Scalar>
+Outline semicircle(const ShapeArguments<Scalar>& a) {
+  const auto ends = a.places("diameter", 2);
+  return outlines::semicircle(plain(ends[0]), plain(ends[1]),
+                              plain(a.toward("toward", Scalar(0.5) * (ends[0] + ends[1]))));
+}
+
+template <class Scalar>
+Outline disk(const ShapeArguments<Scalar>& a) {
+  return outlines::disk(plain(a.place("center")), plain(a.direction("normal")), plain(a.length("radius")));
+}
+
+template <class Scalar>
+Outline annulus(const ShapeArguments<Scalar>& a) {
+  return outlines::annulus(plain(a.place("center")), plain(a.direction("normal")), plain(a.length("radius")),
+                           plain(a.length("inner_radius")));
+}
+
+template <class Scalar>
+Outline sector(const ShapeArguments<Scalar>& a) {
+  const auto center = a.place("center");
+  return outlines::sector(plain(center), plain(a.direction("normal")), plain(a.length("radius")),
+                          plain(a.toward("middle", center)), plain(a.angle("angle")));
+}
+
+template <class Scalar>
+Outline box_shell(const ShapeArguments<Scalar>& a) {
+  const auto corners = a.places("corners", 2);
+  return outlines::box_shell_between(plain(corners[0]), plain(corners[1]));
+}
+
+template <class Scalar>
+Outline sphere_shell(const ShapeArguments<Scalar>& a) {
+  return outlines::sphere_shell(plain(a.place("center")), plain(a.length("radius")));
+}
+
+template <class Scalar>
+Outline hemisphere_shell(const ShapeArguments<Scalar>& a) {
+  const auto center = a.place("center");
+  return outlines::hemisphere_shell(plain(center), plain(a.toward("toward", center)), plain(a.length("radius")));
+}
+
+// The ends of a cylinder that is given by center, axis and length.
+template <class Scalar>
+Side ends(const ShapeArguments<Scalar>& a) {
+  const Vector3<double> center = plain(a.place("center"));
+  const Vector3<double> half = 0.5 * plain(a.length("length")) * plain(a.direction("axis"));
+  return {center - half, center + half};
+}
+
+template <class Scalar>
+Outline cylinder_shell(const ShapeArguments<Scalar>& a) {
+  const Side e = ends(a);
+  return outlines::cylinder_shell(e[0], e[1], plain(a.length("radius")));
+}
+
+template <class Scalar>
+Outline closed_cylinder_shell(const ShapeArguments<Scalar>& a) {
+  const Side e = ends(a);
+  return outlines::closed_cylinder_shell(e[0], e[1], plain(a.length("radius")));
+}
+
+template <class Scalar>
+Outline cone_shell(const ShapeArguments<Scalar>& a) {
+  return outlines::cone_shell(plain(a.place("apex")), plain(a.place("base")), plain(a.length("radius")));
+}
+
+template <class Scalar>
+Outline box(const ShapeArguments<Scalar>& a) {
+  if (a.has("sides")) {
+    const Side s = surfaces::plain_places(a, "sides");
+    return outlines::box(plain(a.place("center")), s[0], s[1], s[2]);
+  }
+  const Side c = surfaces::plain_places(a, "corners");
+  return outlines::box_between(c[0], c[1]);
+}
+
+template <class Scalar>
+Outline cube(const ShapeArguments<Scalar>& a) {
+  if (a.has("center")) return outlines::cube(plain(a.place("center")), plain(a.length("side")));
+  const Side ends = surfaces::plain_places(a, "diagonal");
+  return outlines::cube_from_diagonal(ends[0], ends[1]);
+}
+
+template <class Scalar>
+Outline sphere(const ShapeArguments<Scalar>& a) {
+  return outlines::sphere(plain(a.place("center")), plain(a.length("radius")));
+}
+
+template <class Scalar>
+Outline hemisphere(const ShapeArguments<Scalar>& a) {
+  const auto center = a.place("center");
+  return outlines::hemisphere(plain(center), plain(a.toward("toward", center)), plain(a.length("radius")));
+}
+
+template <class Scalar>
+Outline cylinder(const ShapeArguments<Scalar>& a) {
+  const Side e = ends(a);
+  return outlines::cylinder(e[0], e[1], plain(a.length("radius")));
+}
+
+template <class Scalar>
+Outline tube(const ShapeArguments<Scalar>& a) {
+  const Side e = ends(a);
+  return outlines::tube(e[0], e[1], plain(a.length("radius")), plain(a.length("inner_radius")));
+}
+
+template <class Scalar>
+Outline cone(const ShapeArguments<Scalar>& a) {
+  return outlines::cone(plain(a.place("apex")), plain(a.place("base")), plain(a.length("radius")));
+}
+
+template <class Scalar>
+Outline frustum(const ShapeArguments<Scalar>& a) {
+  return outlines::frustum(plain(a.place("base")), plain(a.length("base_radius")), plain(a.place("top")),
+                           plain(a.length("top_radius")));
+}
+
+template <class Scalar>
+Outline ellipsoid(const ShapeArguments<Scalar>& a) {
+  const auto s = a.lengths("semi_axes", 3);
+  using Vector = Vector3<double>;
+  std::array<Vector, 3> axes{Vector::unit(0), Vector::unit(1), Vector::unit(2)};
+  if (a.has("axes")) {
+    const auto stated = a.directions("axes", 3);
+    for (std::size_t k = 0; k < 3; ++k) axes[k] = plain(stated[k]);
+  }
+  return outlines::ellipsoid(plain(a.place("center")), plain(s[0]) * axes[0], plain(s[1]) * axes[1],
+                             plain(s[2]) * axes[2]);
+}
+
+template <class Scalar>
+Outline torus(const ShapeArguments<Scalar>& a) {
+  return outlines::torus(plain(a.place("center")), plain(a.direction("normal")), plain(a.length("radius")),
+                         plain(a.length("tube_radius")));
+}
+
+template <class Scalar>
+Outline tetrahedron(const ShapeArguments<Scalar>& a) {
+  const Side P = surfaces::plain_places(a, "points");
+  return outlines::tetrahedron(P[0], P[1], P[2], P[3]);
+}
+
+template <class Scalar>
+Outline mesh(const ShapeArguments<Scalar>& a) {
+  const Vector3<double> at = a.has("at") ? plain(a.place("at")) : Vector3<double>::zero();
+  const TriangleMesh<double>& surface = a.shape().mesh->mesh;
+  constexpr std::size_t most_triangles = 50'000;  // more than a picture shows
+  return surface.triangles.size() > most_triangles ? outlines::box_of_mesh(surface, at)
+                                                   : outlines::solid_of_mesh(surface, at);
+}
+
+}  // namespace poinsot::problem::pictures

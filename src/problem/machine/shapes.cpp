@@ -116,13 +116,13 @@ std::pair<Vector3<Scalar>, Vector3<Scalar>> ends_of(const ShapeArguments<Scalar>
   return {a.place("center") - half, a.place("center") + half};
 }
 
-// Each row: its words, closed form and particles, what else than round and straight surfaces it touches with, these
-// surfaces.
+// Each row: its words, its picture, closed form and particles, what else than round and straight surfaces it touches
+// with, these surfaces.
 template <class Scalar>
 const std::map<std::string, ShapeRow<Scalar>>& rows() {
   static const std::map<std::string, ShapeRow<Scalar>> table{
       {"particle",
-       {"particle",
+       {"particle", pictures::particle<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto P = a.place("points");
           a.check(shape_faults::particle(a.owner(), plain(P)));
@@ -130,7 +130,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::corners, nullptr, surfaces::particle<Scalar>}},
       {"rod",
-       {"slender rod",
+       {"slender rod", pictures::rod<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto P = a.places("points", 2);
           a.check(shape_faults::rod(a.owner(), plain(P[0]), plain(P[1])));
@@ -139,16 +139,16 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::corners, nullptr, surfaces::points<Scalar>}},
       {"wire",
-       {"wire",
+       {"wire", pictures::wire<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto P = a.places("points");
           a.check(shape_faults::polyline(a.owner(), plain(P)));
           return a.values(Extent::length, shapes::polyline(P), [&] { return particles::polyline(plain(P)); });
         },
         OtherSurface::corners, nullptr, surfaces::wire<Scalar>}},
-      {"arc", {"arc", arc<Scalar>, OtherSurface::corners, surfaces::arc<Scalar>}},
+      {"arc", {"arc", pictures::arc<Scalar>, arc<Scalar>, OtherSurface::corners, surfaces::arc<Scalar>}},
       {"ring",
-       {"thin ring",
+       {"thin ring", pictures::ring<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), n = a.direction("normal");
           const auto r = a.length("radius");
@@ -158,9 +158,10 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::circle<Scalar>}},
       {"rectangle",
-       {"thin rectangular plate", rectangle<Scalar>, OtherSurface::corners, nullptr, surfaces::rectangle<Scalar>}},
+       {"thin rectangular plate", pictures::rectangle<Scalar>, rectangle<Scalar>, OtherSurface::corners, nullptr,
+        surfaces::rectangle<Scalar>}},
       {"triangle",
-       {"thin triangular plate",
+       {"thin triangular plate", pictures::triangle<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto P = a.places("points", 3);
           a.check(shape_faults::triangle(a.owner(), plain(P[0]), plain(P[1]), plain(P[2])));
@@ -168,9 +169,11 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
                           [&] { return particles::polygon(plain(P)); });
         },
         OtherSurface::corners, nullptr, surfaces::points<Scalar>}},
-      {"polygon", {"thin plate", polygon<Scalar>, OtherSurface::corners, nullptr, surfaces::points<Scalar>}},
+      {"polygon",
+       {"thin plate", pictures::polygon<Scalar>, polygon<Scalar>, OtherSurface::corners, nullptr,
+        surfaces::points<Scalar>}},
       {"semicircle",
-       {"thin half disk",
+       {"thin half disk", pictures::semicircle<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto P = a.places("diameter", 2);
           const auto toward = a.toward("toward", Scalar(0.5) * (P[0] + P[1]));
@@ -180,7 +183,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::corners, surfaces::arc<Scalar>, surfaces::semicircle<Scalar>}},
       {"disk",
-       {"thin disk",
+       {"thin disk", pictures::disk<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), n = a.direction("normal");
           const auto r = a.length("radius");
@@ -190,7 +193,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::circle<Scalar>}},
       {"annulus",
-       {"annulus",
+       {"annulus", pictures::annulus<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), n = a.direction("normal");
           const auto r = a.length("radius"), inner = a.length("inner_radius");
@@ -200,7 +203,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::circle<Scalar>}},
       {"sector",
-       {"sector",
+       {"sector", pictures::sector<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), n = a.direction("normal"), middle = a.toward("middle", c);
           const auto r = a.length("radius"), angle = a.angle("angle");
@@ -212,7 +215,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::corners, surfaces::arc<Scalar>, surfaces::sector<Scalar>}},
       {"box_shell",
-       {"box shell",
+       {"box shell", pictures::box_shell<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto c = a.places("corners", 2);
           a.check(shape_faults::box_shell_between(a.owner(), plain(c[0]), plain(c[1])));
@@ -221,7 +224,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::corners, nullptr, surfaces::box<Scalar>}},
       {"sphere_shell",
-       {"sphere shell",
+       {"sphere shell", pictures::sphere_shell<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center");
           const auto r = a.length("radius");
@@ -231,7 +234,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::sphere<Scalar>}},
       {"hemisphere_shell",
-       {"hemisphere shell",
+       {"hemisphere shell", pictures::hemisphere_shell<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), toward = a.toward("toward", c);
           const auto r = a.length("radius");
@@ -241,7 +244,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::hemisphere<Scalar>}},
       {"cylinder_shell",
-       {"cylinder shell",
+       {"cylinder shell", pictures::cylinder_shell<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto [A, B] = ends_of(a);
           const auto r = a.length("radius");
@@ -251,7 +254,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::cylinder<Scalar>}},
       {"closed_cylinder_shell",
-       {"closed cylinder shell",
+       {"closed cylinder shell", pictures::closed_cylinder_shell<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto [A, B] = ends_of(a);
           const auto r = a.length("radius");
@@ -262,7 +265,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::cylinder<Scalar>}},
       {"cone_shell",
-       {"cone shell",
+       {"cone shell", pictures::cone_shell<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto apex = a.place("apex"), base = a.place("base");
           const auto r = a.length("radius");
@@ -271,10 +274,12 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
                           [&] { return particles::cone_shell(plain(apex), plain(base), plain(r)); });
         },
         OtherSurface::none, surfaces::cone<Scalar>}},
-      {"box", {"rectangular block", box<Scalar>, OtherSurface::corners, nullptr, surfaces::box<Scalar>}},
-      {"cube", {"cube", cube<Scalar>, OtherSurface::corners, nullptr, surfaces::cube<Scalar>}},
+      {"box",
+       {"rectangular block", pictures::box<Scalar>, box<Scalar>, OtherSurface::corners, nullptr,
+        surfaces::box<Scalar>}},
+      {"cube", {"cube", pictures::cube<Scalar>, cube<Scalar>, OtherSurface::corners, nullptr, surfaces::cube<Scalar>}},
       {"sphere",
-       {"sphere",
+       {"sphere", pictures::sphere<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center");
           const auto r = a.length("radius");
@@ -283,7 +288,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::sphere<Scalar>}},
       {"hemisphere",
-       {"hemisphere",
+       {"hemisphere", pictures::hemisphere<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), toward = a.toward("toward", c);
           const auto r = a.length("radius");
@@ -293,7 +298,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::hemisphere<Scalar>}},
       {"cylinder",
-       {"cylinder",
+       {"cylinder", pictures::cylinder<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto [A, B] = ends_of(a);
           const auto r = a.length("radius");
@@ -303,7 +308,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::cylinder<Scalar>}},
       {"tube",
-       {"tube",
+       {"tube", pictures::tube<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto [A, B] = ends_of(a);
           const auto r = a.length("radius"), inner = a.length("inner_radius");
@@ -313,7 +318,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::cylinder<Scalar>}},
       {"cone",
-       {"cone",
+       {"cone", pictures::cone<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto apex = a.place("apex"), base = a.place("base");
           const auto r = a.length("radius");
@@ -323,7 +328,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::none, surfaces::cone<Scalar>}},
       {"frustum",
-       {"frustum",
+       {"frustum", pictures::frustum<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto A = a.place("base"), B = a.place("top");
           const auto r_A = a.length("base_radius"), r_B = a.length("top_radius");
@@ -332,9 +337,9 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
                           [&] { return particles::frustum(plain(A), plain(r_A), plain(B), plain(r_B)); });
         },
         OtherSurface::none, surfaces::frustum<Scalar>}},
-      {"ellipsoid", {"ellipsoid", ellipsoid<Scalar>, OtherSurface::curved}},
+      {"ellipsoid", {"ellipsoid", pictures::ellipsoid<Scalar>, ellipsoid<Scalar>, OtherSurface::curved}},
       {"torus",
-       {"torus",
+       {"torus", pictures::torus<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto c = a.place("center"), n = a.direction("normal");
           const auto r = a.length("radius"), section = a.length("tube_radius");
@@ -344,7 +349,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::curved}},
       {"tetrahedron",
-       {"tetrahedron",
+       {"tetrahedron", pictures::tetrahedron<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto P = a.places("points", 4);
           a.check(shape_faults::tetrahedron(a.owner(), plain(P[0]), plain(P[1]), plain(P[2]), plain(P[3])));
@@ -353,7 +358,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
         },
         OtherSurface::corners, nullptr, surfaces::tetrahedron<Scalar>}},
       {"mesh",
-       {"mesh",
+       {"mesh", pictures::mesh<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
           const auto at = a.has("at") ? a.place("at") : Vector3<Scalar>::zero();
           return mesh_shape(a, at);
@@ -388,6 +393,11 @@ ShapeValues<Scalar> shape_values(const Shape& shape, DataScope<Scalar>& data, co
   if (!std::isfinite(measure + I.xx + I.yy + I.zz + I.xy + I.yz + I.zx + norm(plain(values.properties.center))))
     arguments.refuse("its mass properties are beyond the range of numbers", "its lengths are too large");
   return values;
+}
+
+Outline shape_picture(const Shape& shape, DataScope<double>& data, const std::string& owner) {
+  shape_values(shape, data, owner, false);
+  return shape_row<double>(shape.kind).picture(ShapeArguments<double>(shape, data, owner, false));
 }
 
 template const ShapeRow<double>& shape_row(const std::string&);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "poinsot/engine/mass/outlines.h"
 #include "poinsot/engine/mass/particle_set.h"
 #include "poinsot/engine/mass/shape_properties.h"
 #include "problem/machine/data.h"
@@ -23,6 +24,9 @@ struct ShapeValues {
 // (poinsot/engine/mass/shape_faults.h).
 template <class Scalar>
 ShapeValues<Scalar> shape_values(const Shape& shape, DataScope<Scalar>& data, const std::string& owner, bool particles);
+
+// What is drawn of a shape. Throws StatementError as shape_values does.
+Outline shape_picture(const Shape& shape, DataScope<double>& data, const std::string& owner);
 
 // The value of an argument of the shape; throws if it is missing.
 const Expression& shape_argument(const Shape& shape, const std::string& name, const std::string& file);

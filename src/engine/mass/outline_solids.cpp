@@ -1,0 +1,159 @@
+// Pictures of solids and of thin shells, which look the same where they are closed.
+#include <cmath>
+#include <numbers>
+
+#include "outline_builder.h"
+
+namespace poinsot::outlines {
+namespace {
+
+constexpr double right_angle = 0.5 * std::numbers::pi;
+
+// About the line from A to B, with heights from A.
+Outline turned_about(const Point& A, const Point& B, const std::vector<ProfilePart>& parts,
+                     const std::vector<bool>& rims, int per_turn) {
+  OutlineBuilder builder;
+  builder.turned(A, Triad(B - A), parts, rims, whole_turn(per_turn));
+  return builder.finish();
+}
+
+}  // namespace
+
+Outline box(const Point& center, const Point& edge_a, const Point& edge_b, const Point& edge_c) {
+  OutlineBuilder builder;
+  for (int k = 0; k < 8; ++k) {
+    const auto half = [&](int bit, const Point& edge) { return ((k & bit) != 0 ? 0.5 : -0.5) * edge; };
+    builder.vertex(center + half(1, edge_a) + half(2, edge_b) + half(4, edge_c));
+  }
+  const double sense = dot(edge_a, cross(edge_b, edge_c)) < 0 ? -1 : 1;
+  const auto pair = [&](const std::vector<std::uint32_t>& low, std::uint32_t bit, const Point& across) {
+    const Point normal = normalized(sense * across);
+    std::vector<std::uint32_t> high;
+    for (const std::uint32_t k : low) high.push_back(k + bit);
+    builder.face(low, -normal);
+    builder.face(high, normal);
+  };
+  pair({0, 2, 6, 4}, 1, cross(edge_b, edge_c));
+  pair({0, 1, 5, 4}, 2, cross(edge_c, edge_a));
+  pair({0, 1, 3, 2}, 4, cross(edge_a, edge_b));
+  builder.edge({0, 1, 3, 2, 0});
+  builder.edge({4, 5, 7, 6, 4});
+  for (std::uint32_t k = 0; k < 4; ++k) builder.edge({k, k + 4});
+  return builder.finish();
+}
+
+Outline box_between(const Point& corner, const Point& opposite) {
+  const Point d = opposite - corner;
+  return box(0.5 * (corner + opposite), {d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z});
+}
+
+Outline cube(const Point& center, double edge) { return box(center, {edge, 0, 0}, {0, edge, 0}, {0, 0, edge}); }
+
+// As the particles have it, the three edges that meet at B lean evenly round the diagonal.
+Outline cube_from_diagonal(const Point& B, const Point& C) {
+  const Triad triad(C - B);
+  const double length = norm(C - B);
+  const auto edge = [&](int k) {
+    return (length / 3) * triad.third +
+           (length * std::numbers::sqrt2 / 3) * triad.at_angle(2 * std::numbers::pi * k / 3);
+  };
+  return box(0.5 * (B + C), edge(0), edge(1), edge(2));
+}
+
+Outline sphere(const Point& center, double radius, int per_turn) {
+  OutlineBuilder builder;
+  builder.turned(center, Triad({0, 0, 1}), {round({0, 0}, radius, -right_angle, right_angle, per_turn)}, {false, false},
+                 whole_turn(per_turn));
+  return builder.finish();
+}
+
+Outline hemisphere(const Point& center, const Point& axis, double radius, int per_turn) {
+  return turned_about(center, center + axis,
+                      {straight({0, 0}, {radius, 0}), round({0, 0}, radius, 0, right_angle, per_turn)},
+                      {false, true, false}, per_turn);
+}
+
+Outline frustum(const Point& A, double radius_A, const Point& B, double radius_B, int per_turn) {
+  const double height = norm(B - A);
+  std::vector<ProfilePart> parts;
+  std::vector<bool> rims;
+  if (radius_A > 0) {
+    parts.push_back(straight({0, 0}, {radius_A, 0}));
+    rims.push_back(false);
+  }
+  parts.push_back(straight({radius_A, 0}, {radius_B, height}));
+  rims.push_back(radius_A > 0);
+  if (radius_B > 0) {
+    parts.push_back(straight({radius_B, height}, {0, height}));
+    rims.push_back(true);
+  }
+  rims.push_back(false);
+  return turned_about(A, B, parts, rims, per_turn);
+}
+
+Outline cylinder(const Point& A, const Point& B, double radius, int per_turn) {
+  return frustum(A, radius, B, radius, per_turn);
+}
+
+Outline cone(const Point& apex, const Point& base_center, double radius, int per_turn) {
+  return frustum(base_center, radius, apex, 0, per_turn);
+}
+
+Outline tube(const Point& A, const Point& B, double outer_radius, double inner_radius, int per_turn) {
+  if (!(inner_radius > 0)) return cylinder(A, B, outer_radius, per_turn);
+  const double height = norm(B - A);
+  const ProfilePoint a{inner_radius, 0}, b{outer_radius, 0}, c{outer_radius, height}, d{inner_radius, height};
+  return turned_about(A, B, {straight(a, b), straight(b, c), straight(c, d), straight(d, a)},
+                      {true, true, true, true, false}, per_turn);
+}
+
+Outline ellipsoid(const Point& center, const Point& semi_axis_a, const Point& semi_axis_b, const Point& semi_axis_c,
+                  int per_turn) {
+  return mapped(sphere(Point::zero(), 1, per_turn), center, semi_axis_a, semi_axis_b, semi_axis_c);
+}
+
+Outline torus(const Point& center, const Point& axis, double ring_radius, double tube_radius, int per_turn) {
+  return turned_about(center, center + axis,
+                      {round({ring_radius, 0}, tube_radius, -std::numbers::pi, std::numbers::pi, per_turn / 2)},
+                      {false, false}, per_turn);
+}
+
+Outline tetrahedron(const Point& A, const Point& B, const Point& C, const Point& D) {
+  OutlineBuilder builder;
+  const std::array<Point, 4> P{A, B, C, D};
+  for (const Point& point : P) builder.vertex(point);
+  for (std::uint32_t opposite = 0; opposite < 4; ++opposite) {
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t k = 0; k < 4; ++k)
+      if (k != opposite) corners.push_back(k);
+    const Point normal = normalized(cross(P[corners[1]] - P[corners[0]], P[corners[2]] - P[corners[0]]));
+    builder.face(corners, dot(normal, P[opposite] - P[corners[0]]) > 0 ? -normal : normal);
+  }
+  builder.edge({0, 1, 2, 0});
+  for (std::uint32_t k = 0; k < 3; ++k) builder.edge({k, 3});
+  return builder.finish();
+}
+
+Outline box_shell_between(const Point& corner, const Point& opposite) { return box_between(corner, opposite); }
+
+Outline sphere_shell(const Point& center, double radius, int per_turn) { return sphere(center, radius, per_turn); }
+
+Outline hemisphere_shell(const Point& center, const Point& axis, double radius, int per_turn) {
+  return turned_about(center, center + axis, {round({0, 0}, radius, 0, right_angle, per_turn)}, {true, false},
+                      per_turn);
+}
+
+Outline cylinder_shell(const Point& A, const Point& B, double radius, int per_turn) {
+  return turned_about(A, B, {straight({radius, 0}, {radius, norm(B - A)})}, {true, true}, per_turn);
+}
+
+Outline closed_cylinder_shell(const Point& A, const Point& B, double radius, int per_turn) {
+  return cylinder(A, B, radius, per_turn);
+}
+
+Outline cone_shell(const Point& apex, const Point& base_center, double radius, int per_turn) {
+  return turned_about(base_center, apex, {straight({radius, 0}, {0, norm(apex - base_center)})}, {true, false},
+                      per_turn);
+}
+
+}  // namespace poinsot::outlines

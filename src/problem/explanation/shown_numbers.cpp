@@ -1,0 +1,129 @@
+#include "problem/explanation/shown_numbers.h"
+
+#include <algorithm>
+#include <random>
+
+#include "problem/answers/solve_statement.h"
+#include "problem/entries/drawn_letters.h"
+#include "problem/formulas/formula_answers.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr int most_draws = 40;  // of open letters, until the statement makes sense
+
+// The first values are nearly the units; later ones are those that rigid bodies are likely to have.
+double alike_value(const Letter& letter, const std::vector<Letter>& letters, int attempt, std::mt19937_64& random) {
+  constexpr int alike_draws = 8;
+  if (attempt >= alike_draws) return draw_point(letters, 2 * (attempt - alike_draws) + 1).at(letter.name);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  if (letter.unit.dimension == dimensions::angle) return between(0.4, 0.8);
+  // A product of inertia, or an offset, is small beside moments and lengths.
+  return letter.unit.factor * (letter.either_sign ? between(0.1, 0.3) : between(0.8, 1.25));
+}
+
+}  // namespace
+
+ShownNumbers::ShownNumbers(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
+                           const SolvedStatement& solved, std::size_t solution, LetterSizes sizes)
+    : statement_(statement), solved_(solved), solution_(solved.solutions[solution]), sizes_(sizes) {
+  settings_.assign(statement.situations.size(), read_settings(statement, sets));
+  stated_ = settings_;
+}
+
+bool ShownNumbers::choose() {
+  find_limits();
+  if (choose_numbers()) return true;
+  if (limits_.empty()) return false;
+  limits_.clear();
+  return choose_numbers();
+}
+
+// Finds the situations about which it is only asked how far something holds. They are explained at that limit.
+void ShownNumbers::find_limits() {
+  limits_.clear();
+  for (std::size_t k = 0; k < statement_.asks.size(); ++k) {
+    const Ask& ask = statement_.asks[k];
+    const SolvedAsk& found = solution_.asks[k];
+    if (!ask.extremum || found.state != AskState::found || !found.value.is_number()) continue;
+    const std::size_t situation = situation_of(statement_, ask);
+    const std::string& name = statement_.situations[situation].name;
+    const bool alone = std::none_of(statement_.asks.begin(), statement_.asks.end(), [&](const Ask& other) {
+      if (&other == &ask) return false;
+      if (other.extremum) return situation_of(statement_, other) == situation;
+      return name.empty() || names_situation(other, name);
+    });
+    if (alone) limits_[situation] = k;
+  }
+}
+
+std::vector<std::string> ShownNumbers::open_letters(std::optional<std::size_t> situation) const {
+  std::vector<std::string> names;
+  for (const Letter& letter : solved_.open_letters) {
+    // At its limit a letter has a value.
+    const auto limit = situation ? limits_.find(*situation) : limits_.end();
+    if (limit != limits_.end() && statement_.asks[limit->second].extremum->name == letter.name) continue;
+    names.push_back(letter.name);
+  }
+  return names;
+}
+
+// Chooses the numbers of the solution: settings, the unknowns found, and random values of open letters until
+// everything can be solved.
+bool ShownNumbers::choose_numbers() {
+  for (int attempt = 0; attempt < (solved_.open_letters.empty() ? 1 : most_draws); ++attempt) {
+    settings_ = stated_;
+    std::mt19937_64 random(7000 + static_cast<std::uint64_t>(attempt));
+    drawn_.clear();
+    for (const Letter& letter : solved_.open_letters) {
+      const double value = sizes_ == LetterSizes::usual ? drawn_letter(letter, random)
+                                                        : alike_value(letter, solved_.open_letters, attempt, random);
+      drawn_[letter.name] = value;
+      for (Settings& one : settings_) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
+    }
+    try {
+      if (!set_unknowns(drawn_)) return false;
+      for (const auto& [situation, ask] : limits_)
+        settings_[situation][statement_.asks[ask].extremum->name] = solution_.asks[ask].value;
+      sample_ = std::make_unique<Sample>(statement_, settings_, OpenChoice{});
+      questions_ = questions_of(statement_, *sample_, limits_);
+      for (const auto& [home, questions] : questions_.instants) {
+        SolvedInstant& instant = sample_->instant(home);
+        if (wants_forces(home, questions)) instant.solve_forces();
+      }
+      // Where nothing is asked, what is stated has at least a beginning.
+      if (statement_.asks.empty()) sample_->instant(sample_->start_of(0));
+      return true;
+    } catch (const StatementError&) {
+      if (solved_.open_letters.empty()) return false;
+    }
+  }
+  return false;
+}
+
+bool ShownNumbers::set_unknowns(const std::map<std::string, double>& letters) {
+  for (const SolvedUnknown& unknown : solution_.unknowns) {
+    Value<double> value = unknown.value;
+    if (unknown.formula) {
+      if (!unknown.formula->is_number()) return false;
+      value = Value<double>::of_number(value_at(unknown.formula->number, letters), unknown.unit.dimension);
+    }
+    for (std::size_t i = 0; i < settings_.size(); ++i)
+      if (unknown.is_of(i)) settings_[i][unknown.own_name] = value;
+  }
+  // If an unknown has no answer there are no numbers.
+  for (std::size_t i = 0; i < settings_.size(); ++i)
+    for (const Unknown& unknown : situation(i).find)
+      if (!settings_[i].contains(unknown.name)) return false;
+  return true;
+}
+
+bool ShownNumbers::wants_forces(const Sample::Home& home, const InstantQuestions& questions) const {
+  const Situation& stated = situation(home.situation);
+  const bool after = stated.has_blow() && home.instant == 1 && !home.time;
+  return !after && (questions.asks_forces() || stated.steady);
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,139 @@
+#include "problem/scene/scene.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "poinsot/engine/work/work.h"
+#include "problem/explanation/explanation_instant.h"
+#include "problem/explanation/shown_numbers.h"
+#include "problem/formulas/formula_answers.h"
+#include "problem/language/diagnostic.h"
+#include "problem/scene/scene_balance_diagrams.h"
+#include "problem/scene/scene_figure.h"
+#include "problem/scene/scene_model_diagram.h"
+
+namespace poinsot::problem {
+namespace {
+
+class SceneMaker {
+ public:
+  SceneMaker(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
+             const SolvedStatement& solved, std::size_t solution)
+      : statement_(statement),
+        solved_(solved),
+        solution_(solved.solutions[solution]),
+        numbers_(statement, sets, solved, solution, LetterSizes::alike) {}
+
+  scene::Scene made() && {
+    const bool chosen = numbers_.choose();
+    const Sample::Home home = shown_home(chosen);
+    const Situation& situation = statement_.situations[home.situation];
+    scene_.situation = situation.name;
+    scene_.axes = situation.axes;
+    tell_letters();
+    or_left_out("the figure", [&] { draw(home); });
+    if (statement_.situations.size() > 1)
+      scene_.notes.push_back("of the situations of the file, only '" + situation.name + "' is drawn");
+    return std::move(scene_);
+  }
+
+ private:
+  // The start of the situation about which is asked first.
+  Sample::Home shown_home(bool chosen) {
+    std::size_t situation = 0;
+    if (chosen && !statement_.asks.empty()) {
+      try {
+        situation = numbers_.sample().home_of(statement_.asks.front()).situation;
+      } catch (const StatementError&) {
+        // A question about no one instant leaves the first situation.
+      }
+    }
+    return {situation, statement_.situations[situation].has_blow() ? 1U : 0U, std::nullopt};
+  }
+
+  void tell_letters() {
+    for (const Letter& letter : solved_.open_letters)
+      if (const auto drawn = numbers_.drawn().find(letter.name); drawn != numbers_.drawn().end())
+        scene_.drawn_letters.push_back({letter.name, letter.unit.text, drawn->second / letter.unit.factor});
+  }
+
+  template <class Add>
+  void or_left_out(const std::string& what, const Add& add) {
+    try {
+      add();
+    } catch (const StatementError& error) {
+      scene_.notes.push_back(what + " is left out: " + error.diagnostics().front().message);
+    }
+  }
+
+  void draw(const Sample::Home& home) {
+    const Situation& situation = statement_.situations[home.situation];
+    Sample sample(statement_, numbers_.settings(), OpenChoice{});
+    const ExplanationTex tex(situation, numbers_.open_letters(home.situation));
+    SolvedInstant& instant = sample.instant(home);
+    SolvedInstant* before = instant.after_blow() ? &sample.instant({home.situation, 0, std::nullopt}) : nullptr;
+    const InstantQuestions questions = questions_at(home);
+    if (questions.asks_forces() || (situation.steady && !before))
+      or_left_out("what the bodies exert", [&] { instant.solve_forces(); });
+    solve::MechanismState state(instant.machine().mechanism);
+    // What is stated of a blow is stated of the motion before it.
+    const MotionState reached = (before ? *before : instant).state();
+    state.set_positions(reached.q);
+    state.set_velocities(reached.v);
+    SceneFigure figure(situation, numbers_.settings()[home.situation], instant.machine(), state, tex, scene_);
+    figure.set_natural_size([&](const Dimension& dimension) { return instant.natural_size(dimension); });
+    figure.add_bodies();
+    figure.add_points();
+    figure.add_symbols();
+    figure.add_links();
+    figure.add_world();
+    scene_.diagrams.push_back(model_diagram(figure));
+    Explanation unread;
+    const std::unique_ptr<FormulaInstant> formulas = formulas_of(home, instant);
+    const InstantExplainer explainer(situation, instant, before, formulas.get(), numbers_.drawn(), tex, questions,
+                                     numbers_.settings()[home.situation], unread);
+    or_left_out("the balance of forces", [&] { add_balance_diagrams(figure, explainer); });
+  }
+
+  InstantQuestions questions_at(const Sample::Home& home) const {
+    const auto found = numbers_.questions().instants.find(home);
+    return found == numbers_.questions().instants.end() ? InstantQuestions{} : found->second;
+  }
+
+  // The instant in formulas of the letters that have no value, if there are any.
+  std::unique_ptr<FormulaInstant> formulas_of(const Sample::Home& home, SolvedInstant& instant) const {
+    if (numbers_.open_letters(home.situation).empty()) return nullptr;
+    FormulaValues values;
+    for (const auto& [name, value] : numbers_.settings()[home.situation])
+      if (value.is_number()) values[name] = Value<Formula>::of_number(Formula(value.number), value.dimension);
+    for (const Letter& letter : solved_.open_letters) values[letter.name] = formula_of(letter);
+    constexpr std::size_t most_terms = 300;
+    constexpr Work most_work = 100'000'000;
+    const FormulaLimitScope limits({most_terms, most_work});
+    const PlainPointScope decisions(numbers_.drawn());
+    try {
+      auto formulas = std::make_unique<FormulaInstant>(statement_.situations[home.situation], values, instant);
+      if (instant.forces_solved()) formulas->solve_forces();
+      return formulas;
+    } catch (const std::exception&) {
+      // Arrows then have numbers alone.
+      return nullptr;
+    }
+  }
+
+  const Statement& statement_;
+  const SolvedStatement& solved_;
+  const Solution& solution_;
+  ShownNumbers numbers_;
+  scene::Scene scene_;
+};
+
+}  // namespace
+
+scene::Scene scene_of(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
+                      const SolvedStatement& solved, std::size_t solution) {
+  return SceneMaker(statement, sets, solved, solution).made();
+}
+
+}  // namespace poinsot::problem

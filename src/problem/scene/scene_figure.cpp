@@ -1,0 +1,255 @@
+#include "problem/scene/scene_figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/engine/work/work.h"
+#include "problem/language/expression_walk.h"
+#include "problem/machine/shapes.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr std::size_t most_vertices = 400'000;  // of a scene; what comes after is left out
+
+scene::Extent scene_extent(const Outline& outline) {
+  if (!outline.triangles.empty()) return scene::Extent::surface;
+  return outline.edges.empty() ? scene::Extent::point : scene::Extent::line;
+}
+
+// Whether an expression names the point, possibly through other data.
+bool names(const Expression& expression, const std::string& point) {
+  std::set<std::string> found;
+  collect_names(expression, found);
+  return found.contains(point);
+}
+
+}  // namespace
+
+Dimension dimension_of(scene::Quantity quantity) {
+  using scene::Quantity;
+  switch (quantity) {
+    case Quantity::force:
+    case Quantity::weight:
+    case Quantity::rate_of_momentum:
+      return dimensions::force;
+    case Quantity::couple:
+    case Quantity::rate_of_angular_momentum:
+      return dimensions::moment;
+    case Quantity::impulse:
+    case Quantity::linear_momentum:
+      return dimensions::momentum;
+    case Quantity::angular_impulse:
+    case Quantity::angular_momentum:
+      return dimensions::angular_momentum;
+    case Quantity::velocity:
+      return dimensions::velocity;
+    case Quantity::angular_velocity:
+      return dimensions::angular_velocity;
+    case Quantity::acceleration:
+      return dimensions::acceleration;
+    case Quantity::angular_acceleration:
+      break;
+  }
+  return dimensions::angular_acceleration;
+}
+
+SceneFigure::SceneFigure(const Situation& situation, const Settings& settings, const Machine& machine,
+                         const solve::MechanismState& state, const ExplanationTex& tex, scene::Scene& scene)
+    : situation_(situation),
+      settings_(settings),
+      machine_(machine),
+      state_(state),
+      tex_(tex),
+      scene_(scene),
+      data_(situation, settings) {
+  for (const Body& body : situation.bodies) tree_bodies_.push_back(machine.index.at(body.name));
+  for (const Frame& frame : situation.frames) tree_bodies_.push_back(machine.index.at(frame.name));
+  for (std::size_t k = 0; k < tree_bodies_.size(); ++k) scene_bodies_[tree_bodies_[k]] = static_cast<int>(k);
+}
+
+int SceneFigure::scene_body(int tree_body) const {
+  const auto found = scene_bodies_.find(tree_body);
+  return found == scene_bodies_.end() ? scene::ground : found->second;
+}
+
+scene::Pose SceneFigure::pose_of(int tree_body, const solve::MechanismState& state) const {
+  const BodyMotion<double>& motion = state.workspace().motion[static_cast<std::size_t>(tree_body + 1)];
+  return {motion.R, motion.p - motion.R * machine_.drawn_origin.at(tree_body)};
+}
+
+scene::Place SceneFigure::scene_place(const Place<double>& place) const {
+  const int body = scene_body(place.body);
+  if (body == scene::ground) return {scene::ground, state_.position(place)};
+  return {body, place.point + machine_.drawn_origin.at(place.body)};
+}
+
+scene::Place SceneFigure::riding(int tree_body, const Vector3<double>& on_ground) const {
+  const int body = scene_body(tree_body);
+  if (body == scene::ground) return {scene::ground, on_ground};
+  const scene::Pose pose = pose_of(tree_body, state_);
+  return {body, transpose_times(pose.R, on_ground - pose.p)};
+}
+
+Vector3<double> SceneFigure::on_ground(const scene::Place& place) const {
+  if (place.body == scene::ground) return place.at;
+  const scene::Pose& pose = scene_.bodies[static_cast<std::size_t>(place.body)].pose;
+  return pose.R * place.at + pose.p;
+}
+
+void SceneFigure::add_bodies() {
+  for (std::size_t k = 0; k < situation_.bodies.size(); ++k) {
+    const Body& body = situation_.bodies[k];
+    scene::Body drawn;
+    drawn.name = body.name;
+    drawn.massless = body.massless;
+    drawn.mass = machine_.masses[k].second.properties.mass;
+    drawn.center = machine_.masses[k].second.properties.center;
+    add_shapes(body, drawn);
+    drawn.pose = pose_of(tree_bodies_[k], state_);
+    scene_.bodies.push_back(std::move(drawn));
+  }
+  for (const Frame& frame : situation_.frames) {
+    scene::Body drawn;
+    drawn.name = frame.name;
+    drawn.frame = true;
+    drawn.massless = true;
+    const int tree_body = machine_.index.at(frame.name);
+    drawn.center = machine_.drawn_origin.at(tree_body);
+    drawn.pose = pose_of(tree_body, state_);
+    scene_.bodies.push_back(std::move(drawn));
+  }
+}
+
+void SceneFigure::add_shapes(const Body& body, scene::Body& drawn) {
+  for (const Part& part : body.parts) add_shape(part, false, drawn);
+  if (body.parts.size() == 1 && !drawn.shapes.empty()) drawn.shapes.front().part.clear();
+  for (const Part& part : body.added) add_shape(part, true, drawn);
+  for (const Part& part : body.absorbed) add_shape(part, true, drawn);
+}
+
+void SceneFigure::add_shape(const Part& part, bool added, scene::Body& drawn) {
+  const bool without =
+      std::find(situation_.without.begin(), situation_.without.end(), part.name) != situation_.without.end();
+  if (added && without) return;
+  const ShapeValues<double> values = shape_values(part.shape, data_, part.name, false);
+  Outline outline = shape_picture(part.shape, data_, part.name);
+  count_work(work_of_triangle * (outline.triangles.size() + outline.vertices.size()));
+  vertices_ += outline.vertices.size();
+  if (vertices_ > most_vertices) {
+    scene_.notes.push_back("the shape of '" + part.name + "' in '" + drawn.name +
+                           "' is left out: the scene would have more than " + std::to_string(most_vertices) +
+                           " vertices");
+    vertices_ -= outline.vertices.size();
+    return;
+  }
+  scene::Shape shape;
+  shape.kind = part.shape.kind;
+  shape.part = part.name;
+  shape.extent = values.extent == Extent::volume ? scene::Extent::volume : scene_extent(outline);
+  shape.hole = part.hole;
+  shape.added = added;
+  shape.vertices = std::move(outline.vertices);
+  shape.triangles = std::move(outline.triangles);
+  shape.normals = std::move(outline.normals);
+  shape.edges = std::move(outline.edges);
+  drawn.shapes.push_back(std::move(shape));
+}
+
+// The body to which a point belongs: the first one whose shape is given by it, or else what is held there.
+std::string SceneFigure::body_of_point(const std::string& name) const {
+  const auto any = [&](const auto& expressions) {
+    return std::any_of(expressions.begin(), expressions.end(),
+                       [&](const NamedExpression& argument) { return names(argument.value, name); });
+  };
+  for (const Body& body : situation_.bodies) {
+    for (const Part& part : body.parts)
+      if (any(part.shape.arguments)) return body.name;
+    if (body.center && names(*body.center, name)) return body.name;
+    for (const Part& part : body.added)
+      if (any(part.shape.arguments)) return body.name;
+  }
+  const auto is = [&](const std::optional<Expression>& place) { return place && names(*place, name); };
+  for (const Load& load : situation_.loads)
+    if (is(load.at)) return load.body;
+  for (const Impulse& impulse : situation_.impulses)
+    if (is(impulse.at)) return impulse.body;
+  for (const Joint& joint : situation_.joints) {
+    if (is(joint.place) || is(joint.at)) return joint.to;
+    for (const Support& support : joint.supports)
+      if (is(support.at)) return joint.to;
+  }
+  for (const Contact& contact : situation_.contacts)
+    if (is(contact.at)) return contact.of;
+  for (const Cord& cord : situation_.cords) {
+    if (is(cord.end)) return cord.to;
+    if (is(cord.at)) return cord.from;
+  }
+  for (const Spring& spring : situation_.springs) {
+    if (is(spring.end)) return spring.to;
+    if (is(spring.at)) return spring.from;
+  }
+  return "ground";
+}
+
+void SceneFigure::add_points() {
+  for (const NamedExpression& point : situation_.points) {
+    try {
+      const Vector3<double> drawn = data_.place(point.value);
+      const int body = machine_.index.at(body_of_point(point.name));
+      scene_.points.push_back({point.name, scene_place(machine_.place(body, drawn))});
+    } catch (const StatementError&) {
+      scene_.notes.push_back("the point '" + point.name + "' has no place yet");
+    }
+  }
+}
+
+void SceneFigure::add_world() {
+  scene_.axes = situation_.axes;
+  const Vector3<double> gravity = mechanism().tree.gravity();
+  scene_.gravity = norm(gravity) > 0;
+  // Texts draw y upward.
+  scene_.up = scene_.gravity ? -normalized(gravity) : Vector3<double>{0, 1, 0};
+  std::vector<Vector3<double>> places;
+  for (const scene::Body& body : scene_.bodies) {
+    places.push_back(body.pose.R * body.center + body.pose.p);
+    for (const scene::Shape& shape : body.shapes)
+      for (const Vector3<double>& vertex : shape.vertices) places.push_back(body.pose.R * vertex + body.pose.p);
+  }
+  for (const scene::Point& point : scene_.points) places.push_back(on_ground(point.place));
+  for (const scene::Symbol& symbol : scene_.symbols) places.push_back(on_ground(symbol.place));
+  if (places.empty()) return;
+  Vector3<double> low = places.front(), high = low;
+  for (const Vector3<double>& place : places)
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], place[k]);
+      high[k] = std::max(high[k], place[k]);
+    }
+  if (const double size = norm(Vector3<double>(high - low)); size > 0 && std::isfinite(size)) scene_.length = size;
+}
+
+scene::Arrow SceneFigure::arrow(scene::Quantity quantity, const std::string& name, int body, const scene::Place& at,
+                                const Vector3<double>& vector, const ArrowSymbol& symbol) const {
+  scene::Arrow arrow;
+  arrow.quantity = quantity;
+  arrow.name = name;
+  arrow.body = body;
+  arrow.at = at;
+  arrow.vector = vector;
+  arrow.symbol = symbol.tex;
+  arrow.text = symbol.text;
+  const Unit& unit = tex_.unit(dimension_of(quantity));
+  arrow.value = norm(vector) / unit.factor;
+  arrow.unit = unit.text;
+  return arrow;
+}
+
+ArrowSymbol SceneFigure::vector_symbol(const std::string& name) { return {ExplanationTex::vector_symbol(name), name}; }
+
+bool SceneFigure::vanishes(const Vector3<double>& vector, const Dimension& dimension) const {
+  const double size = norm(vector);
+  if (!(size > 0) || !std::isfinite(size)) return true;
+  return natural_size_ && is_rounding(size, natural_size_(dimension));
+}
+
+}  // namespace poinsot::problem

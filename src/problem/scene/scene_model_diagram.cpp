@@ -1,0 +1,178 @@
+// The diagram of the statement's figure: what it says of loads, motions and blows.
+#include "problem/scene/scene_model_diagram.h"
+
+#include <algorithm>
+
+#include "poinsot/engine/work/work.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+namespace {
+
+using scene::Quantity;
+
+class ModelDiagram {
+ public:
+  explicit ModelDiagram(SceneFigure& figure) : figure_(figure) {
+    diagram_.kind = scene::DiagramKind::model;
+    diagram_.title = "Figure";
+    for (std::size_t k = 0; k < figure.scene().bodies.size(); ++k) diagram_.bodies.push_back(static_cast<int>(k));
+  }
+
+  scene::Diagram made() && {
+    add_loads();
+    add_joint_rates();
+    add_frames();
+    add_facts();
+    add_blows();
+    return std::move(diagram_);
+  }
+
+ private:
+  const Situation& situation() const { return figure_.situation(); }
+  const solve::MechanismState& state() const { return figure_.state(); }
+
+  // A datum that is a vector or the size of one is shown by its own name.
+  ArrowSymbol symbol_of(const std::optional<Expression>& value, const std::string& otherwise) const {
+    const Name* datum = value ? value->as<Name>() : nullptr;
+    return SceneFigure::vector_symbol(datum && datum->primes == 0 ? datum->name : otherwise);
+  }
+  void add(Quantity quantity, const std::string& name, const scene::Place& at, const Vector3<double>& vector,
+           const ArrowSymbol& symbol) {
+    if (figure_.vanishes(vector, dimension_of(quantity))) return;
+    scene::Arrow arrow = figure_.arrow(quantity, name, at.body, at, vector, symbol);
+    arrow.known = true;
+    diagram_.arrows.push_back(std::move(arrow));
+  }
+  scene::Place center_of(int tree_body) const {
+    const int body = figure_.scene_body(tree_body);
+    if (body == scene::ground) return {};
+    return {body, figure_.scene().bodies[static_cast<std::size_t>(body)].center};
+  }
+
+  void add_loads() {
+    const std::vector<KnownForce<double>>& forces = figure_.mechanism().forces;
+    for (std::size_t k = 0; k < forces.size() && k < situation().loads.size(); ++k) {
+      const Load& load = situation().loads[k];
+      const KnownForce<double>& force = forces[k];
+      const int on = figure_.mechanism().actions[static_cast<std::size_t>(force.action)].on;
+      const Vector3<double> vector = state().on_ground_axes(force.axes, force.vector);
+      if (force.couple)
+        add(Quantity::couple, load.name, center_of(on), vector, symbol_of(load.couple, load.name));
+      else
+        add(Quantity::force, load.name, figure_.scene_place(force.at), vector, symbol_of(load.force, load.name));
+    }
+    for (const Joint& joint : situation().joints)
+      for (std::size_t k = 0; k < joint.freedoms.size(); ++k)
+        if (joint.freedoms[k].effort) add_effort(joint, joint.freedoms[k]);
+  }
+
+  void add_effort(const Joint& joint, const Freedom& freedom) {
+    const std::string name = joint.name + (freedom.name.empty() ? "" : "." + freedom.name);
+    for (const Drive<double>& drive : figure_.mechanism().drives) {
+      const Action& action = figure_.mechanism().actions[static_cast<std::size_t>(drive.action)];
+      if (action.name != name) continue;
+      const Vector3<double> along = state().direction(drive.along);
+      add(drive.turning ? Quantity::couple : Quantity::force, joint.name, figure_.scene_place(drive.at),
+          drive.effort * along, symbol_of(freedom.effort, joint.name));
+    }
+  }
+
+  // Rates and accelerations that joints state. Each is about or along the axis of a drive.
+  void add_joint_rates() {
+    for (const Joint& joint : situation().joints)
+      for (const Freedom& freedom : joint.freedoms) {
+        if (!freedom.rate && !freedom.accel) continue;
+        const std::string name = joint.name + (freedom.name.empty() ? "" : "." + freedom.name);
+        for (const Drive<double>& drive : figure_.mechanism().drives) {
+          const Action& action = figure_.mechanism().actions[static_cast<std::size_t>(drive.action)];
+          if (action.name == name) add_rates(joint, freedom, drive);
+        }
+      }
+  }
+  void add_rates(const Joint& joint, const Freedom& freedom, const Drive<double>& drive) {
+    const Vector3<double> along = state().direction(drive.along);
+    const scene::Place at = figure_.scene_place(drive.at);
+    for (const StatedRate& rate : figure_.machine().rates)
+      if (freedom.rate && rate.velocity == drive.coordinate)
+        add(drive.turning ? Quantity::angular_velocity : Quantity::velocity, joint.name, at, rate.value * along,
+            symbol_of(freedom.rate, drive.turning ? "omega_" + joint.name : "v_" + joint.name));
+    for (const StatedRate& rate : figure_.machine().accelerations)
+      if (freedom.accel && rate.velocity == drive.coordinate)
+        add(drive.turning ? Quantity::angular_acceleration : Quantity::acceleration, joint.name, at, rate.value * along,
+            symbol_of(freedom.accel, drive.turning ? "alpha_" + joint.name : "a_" + joint.name));
+  }
+
+  void add_frames() {
+    for (const Frame& frame : situation().frames) {
+      const int body = figure_.machine().index.at(frame.name);
+      const auto& motion = state().workspace().motion[static_cast<std::size_t>(body + 1)];
+      if (frame.rate)
+        add(Quantity::angular_velocity, frame.name, center_of(body), motion.w,
+            symbol_of(frame.rate, "Omega_" + frame.name));
+      if (frame.velocity)
+        add(Quantity::velocity, frame.name, center_of(body), motion.v, symbol_of(frame.velocity, "v_" + frame.name));
+    }
+  }
+
+  // Velocities that are stated of the start.
+  void add_facts() {
+    for (const Instant* instant : instants_at_start(situation()))
+      for (const Fact& fact : instant->facts) {
+        const Call* call = fact.quantity.as<Call>();
+        if (call == nullptr || call->arguments.empty()) continue;
+        const bool turning = call->function == "angular_velocity";
+        if (!turning && call->function != "velocity") continue;
+        const Expression& of = call->arguments.front().value;
+        const Of* point = of.as<Of>();
+        const Name* body = point ? point->body.as<Name>() : of.as<Name>();
+        if (body == nullptr || !figure_.machine().index.contains(body->name)) continue;
+        try {
+          add_velocity(turning, body->name, point, fact);
+        } catch (const StatementError&) {
+          // A velocity that is relative to what has no value yet is not drawn.
+        }
+      }
+  }
+  void add_velocity(bool turning, const std::string& body, const Of* point, const Fact& fact) {
+    const int tree_body = figure_.machine().index.at(body);
+    if (tree_body == ground) return;
+    const auto& motion = state().workspace().motion[static_cast<std::size_t>(tree_body + 1)];
+    scene::Place at = center_of(tree_body);
+    if (point) at = figure_.scene_place(figure_.machine().place(tree_body, figure_.data().place(point->point)));
+    const Vector3<double> place = figure_.on_ground(at);
+    const std::string index = point ? to_string(point->point) : body;
+    add(turning ? Quantity::angular_velocity : Quantity::velocity, body, at,
+        turning ? motion.w : Vector3<double>(motion.v + cross(motion.w, place - motion.p)),
+        symbol_of(fact.value, (turning ? "omega_" : "v_") + index));
+  }
+
+  void add_blows() {
+    for (const StatedImpulse& impulse : figure_.machine().impulses) {
+      const Action& action = figure_.mechanism().actions[static_cast<std::size_t>(impulse.action)];
+      if (impulse.relative_to) {
+        add(Quantity::linear_momentum, action.name, figure_.scene_place(impulse.at),
+            state().on_ground_axes(*impulse.relative_to, impulse.vector), particle_symbol(action.name));
+        continue;
+      }
+      const auto stated = std::find_if(situation().impulses.begin(), situation().impulses.end(),
+                                       [&](const Impulse& one) { return one.name == action.name; });
+      const std::optional<Expression> size = stated == situation().impulses.end() ? std::nullopt : stated->value;
+      add(impulse.couple ? Quantity::angular_impulse : Quantity::impulse, action.name,
+          impulse.couple ? center_of(impulse.on) : figure_.scene_place(impulse.at),
+          state().on_ground_axes(impulse.axes, impulse.vector), symbol_of(size, action.name));
+    }
+  }
+  static ArrowSymbol particle_symbol(const std::string& name) {
+    return {"m\\mathbf{v}_{" + ExplanationTex::upright(name) + "}", "m v_" + name};
+  }
+
+  SceneFigure& figure_;
+  scene::Diagram diagram_;
+};
+
+}  // namespace
+
+scene::Diagram model_diagram(SceneFigure& figure) { return ModelDiagram(figure).made(); }
+
+}  // namespace poinsot::problem
