@@ -51,12 +51,7 @@ class Explainer {
     if (!numbers) return std::move(explanation_);
     for (const auto& [home, questions] : questions_.instants)
       or_left_out([&, &at = home, &asked = questions] { add_instant(at, asked); });
-    for (const std::size_t index : questions_.motions)
-      or_left_out([&] {
-        const ExplanationTex tex(situation(index), numbers_.open_letters(index));
-        for (ExplainedSection& section : motion_sections(statement_, index, numbers_.sample(), tex, suffix_of(index)))
-          explanation_.sections.push_back(std::move(section));
-      });
+    for (const std::size_t index : questions_.motions) or_left_out([&] { add_motion(index); });
     return std::move(explanation_);
   }
 
@@ -129,6 +124,27 @@ class Explainer {
     InstantExplainer(stated, instant, before, formulas.get(), point, tex, questions,
                      numbers_.settings()[home.situation], explanation_)
         .explain(suffix_of(home.situation) + instant_words(home));
+  }
+
+  void add_motion(std::size_t index) {
+    Course& motion = numbers_.sample().motion(index);
+    if (!(motion.reached() > 0)) motion.follow(motion.pace_time());
+    ExplanationTex tex(situation(index), numbers_.open_letters(index));
+    Situation lettered = motion.situation();
+    LetterValues point;
+    const FormulaValues values = formula_values(index, lettered, point);
+    const FormulaLimitScope limits({formula_terms, most_instant_work});
+    std::unique_ptr<GeneralMotion> general;
+    // A time at which nothing is special; stages have loads of their own.
+    constexpr double inside = 0.3871;
+    const MotionState now = motion.at(inside * motion.reached());
+    if (motion.reached() > 0 && situation(index).stages.size() <= 1)
+      general = GeneralMotion::of(lettered, values, numbers_.settings()[index], now, point);
+    if (general)
+      if (const auto letters = general->letters_at(now)) tex.set_letters(general->in_shown_units(*letters, tex));
+    for (ExplainedSection& section :
+         motion_sections(statement_, index, numbers_.sample(), general.get(), tex, suffix_of(index)))
+      explanation_.sections.push_back(std::move(section));
   }
 
   std::string instant_words(const Sample::Home& home) const {

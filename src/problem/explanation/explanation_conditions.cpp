@@ -5,6 +5,15 @@
 #include "problem/explanation/explanation_instant.h"
 
 namespace poinsot::problem {
+namespace {
+
+// Several constraints may hold one coordinate.
+void note_once(ExplainedSection& section, const std::string& text) {
+  if (std::ranges::none_of(section.steps, [&](const ExplainedStep& step) { return step.text == text; }))
+    section.steps.push_back({text, {}});
+}
+
+}  // namespace
 
 // Shows restitution and the constraints between coordinates.
 void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed,
@@ -66,10 +75,8 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
       const std::vector<double> numbers_row = row(numbers).coefficients;
       for (const std::size_t k : blocked)
         if (!is_rounding(numbers_row[k], solved_.scales().length))
-          here.steps.push_back({"Held by *" + mechanism().actions[static_cast<std::size_t>(constraint.action)].name +
-                                    "*, nothing begins to move there: $" + symbol_of_coordinate(k, false).tex +
-                                    " = 0$.",
-                                {}});
+          note_once(here, "Held by *" + mechanism().actions[static_cast<std::size_t>(constraint.action)].name +
+                              "*, nothing begins to move there: $" + symbol_of_coordinate(k, false).tex + " = 0$.");
       continue;
     }
     // The terms of coordinates with given motion go to the right side.

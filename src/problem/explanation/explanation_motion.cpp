@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "problem/explanation/kept_values.h"
+#include "problem/explanation/turning_points.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {
 
 std::vector<ExplainedSection> motion_sections(const Statement& statement, std::size_t situation_index, Sample& sample,
-                                              const ExplanationTex& tex, const std::string& suffix) {
+                                              const GeneralMotion* general, const ExplanationTex& tex,
+                                              const std::string& suffix) {
   const Situation& situation = statement.situations[situation_index];
   Course& motion = sample.motion(situation_index);
   ExplainedSection section{"Motion through time" + suffix, {}};
@@ -18,25 +20,28 @@ std::vector<ExplainedSection> motion_sections(const Statement& statement, std::s
     if (stage.until) text += " ends when `" + to_string(*stage.until) + "`";
     section.steps.push_back({text + ".", {}});
   }
-  if (!(motion.reached() > 0)) motion.follow(motion.pace_time());
   for (const std::string& method : motion.methods())
     section.steps.push_back({"How it is followed: " + method + ".", {}});
   for (const std::string& happening : motion.happenings()) section.steps.push_back({happening + ".", {}});
   const double reached = motion.reached();
   if (reached > 0 && situation.stages.size() <= 1) {
+    const std::vector<KeptValue> values = kept_values(situation, situation_index, sample, reached, general);
     ExplainedStep kept{"", {}};
     std::vector<std::string> words;
-    for (const KeptValue& one : kept_values(situation, situation_index, sample, reached)) {
+    for (const KeptValue& one : values) {
       words.push_back(one.words);
-      if (!tex.letters_open())
-        kept.equations.push_back(tex.equation(one.symbol, Shown{one.value, std::nullopt}, one.dimension,
-                                              one.dimension == dimensions::energy));
+      const Shown shown{one.value, one.formula};
+      if (tex.can_show(shown)) kept.equations.push_back(tex.kept(one.symbol, shown, one.dimension));
     }
+    std::erase_if(kept.equations, [](const ExplainedEquation& equation) { return equation.sides.empty(); });
     if (!words.empty()) {
       kept.text = "Along the motion " + listed(words) + (words.size() > 1 ? " keep their values" : " keeps its value") +
-                  (tex.letters_open() ? "." : " of the start:");
+                  (kept.equations.empty() ? "." : " of the start:");
       section.steps.push_back(std::move(kept));
     }
+    if (general)
+      for (ExplainedStep& step : turning_points(statement, situation_index, sample, values, *general, tex))
+        section.steps.push_back(std::move(step));
   }
   std::vector<std::string> looked_for;
   for (const Ask& ask : statement.asks) {

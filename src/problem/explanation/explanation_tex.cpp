@@ -192,11 +192,13 @@ bool ExplanationTex::fits_units(const Shown& value, const Dimension& dimension) 
   }
 }
 
-std::optional<std::string> ExplanationTex::formula_tex(const Shown& value, const Dimension& dimension) const {
+std::size_t ExplanationTex::longest_formula() const { return letters_open() ? longest_alone : longest_beside_number; }
+
+std::optional<std::string> ExplanationTex::formula_tex(const Shown& value, const Dimension& dimension,
+                                                       std::size_t longest) const {
   const std::optional<Formula>& formula = value.formula;
   if (!formula || formula->letters().empty() || !fits_units(value, dimension)) return std::nullopt;
   try {
-    const std::size_t longest = letters_open() ? longest_alone : longest_beside_number;
     if (text(*formula).size() > longest) return std::nullopt;
     return formula_as_tex(*formula);
   } catch (const FormulaTooLarge&) {
@@ -215,8 +217,17 @@ std::optional<std::string> ExplanationTex::formula(const Formula& formula) {
 
 ExplainedEquation ExplanationTex::equation(const std::string& symbol, const Shown& value, const Dimension& dimension,
                                            bool as_energy) const {
+  return equation(symbol, value, dimension, as_energy, longest_formula());
+}
+ExplainedEquation ExplanationTex::kept(const std::string& symbol, const Shown& value,
+                                       const Dimension& dimension) const {
+  return equation(symbol, value, dimension, dimension == dimensions::energy,
+                  letters_open() ? longest_alone : longest_line);
+}
+ExplainedEquation ExplanationTex::equation(const std::string& symbol, const Shown& value, const Dimension& dimension,
+                                           bool as_energy, std::size_t longest) const {
   ExplainedEquation equation{"", symbol, {}, std::abs(value.number)};
-  if (const auto tex = formula_tex(value, dimension)) {
+  if (const auto tex = formula_tex(value, dimension, longest)) {
     equation.tex += " = " + *tex;
     equation.sides.push_back(value.number);
   }
@@ -273,12 +284,12 @@ ExplainedEquation ExplanationTex::equation(const std::string& symbol, const Show
 
 std::string ExplanationTex::inline_value(const Shown& value, const Dimension& dimension) const {
   if (is_known(value)) return "$" + with_unit(value.number, dimension) + "$";
-  const auto tex = formula_tex(value, dimension);
+  const auto tex = formula_tex(value, dimension, longest_formula());
   return tex ? "$" + *tex + "$" : "";
 }
 
 std::string ExplanationTex::inline_both(const Shown& value, const Dimension& dimension) const {
-  const auto tex = formula_tex(value, dimension);
+  const auto tex = formula_tex(value, dimension, longest_formula());
   const std::string known = is_known(value) ? with_unit(value.number, dimension) : "";
   return "$" + tex.value_or("") + (tex && !known.empty() ? " = " : "") + known + "$";
 }
@@ -344,14 +355,38 @@ std::vector<ExplainedSymbol> ExplanationTex::symbols_in(const std::vector<ShownT
   return symbols;
 }
 
+namespace {
+
+// The terms of the left side that have symbols, and what all numbers come to on the right; nothing for the latter if
+// the sides do not both have numbers, or none has a symbol.
+std::pair<std::vector<ShownTerm>, std::optional<ShownTerm>> without_numbers(const std::vector<ShownTerm>& left,
+                                                                            const std::vector<ShownTerm>& right) {
+  std::vector<ShownTerm> unknown;
+  double left_number = 0, right_number = 0;
+  for (const ShownTerm& term : left) {
+    if (term.symbol.empty())
+      left_number += term.coefficient.number * term.value;
+    else
+      unknown.push_back(term);
+  }
+  for (const ShownTerm& term : right) {
+    if (!term.symbol.empty()) return {left, std::nullopt};
+    right_number += term.coefficient.number * term.value;
+  }
+  if (unknown.empty() || left_number == 0 || right_number == 0) return {left, std::nullopt};
+  return {unknown, ShownTerm{{right_number - left_number, std::nullopt}}};
+}
+
+}  // namespace
+
 std::vector<ExplainedEquation> ExplanationTex::balance(const std::string& name, const std::vector<ShownTerm>& left,
                                                        const std::vector<ShownTerm>& right, const Dimension& dimension,
                                                        double natural,
                                                        const NaturalCoefficient& natural_coefficient) const {
   std::vector<ExplainedEquation> equations;
   double left_sum = 0, right_sum = 0, size = 0;
-  const std::string left_numbers = side_in_numbers(left, dimension, natural, natural_coefficient, left_sum, size);
-  const std::string right_numbers = side_in_numbers(right, dimension, natural, natural_coefficient, right_sum, size);
+  std::string left_numbers = side_in_numbers(left, dimension, natural, natural_coefficient, left_sum, size);
+  std::string right_numbers = side_in_numbers(right, dimension, natural, natural_coefficient, right_sum, size);
   if (left_numbers == "0" && right_numbers == "0") return {};
   const auto has_letters = [&](const std::vector<ShownTerm>& terms) {
     return std::any_of(terms.begin(), terms.end(), [](const ShownTerm& term) {
@@ -371,6 +406,16 @@ std::vector<ExplainedEquation> ExplanationTex::balance(const std::string& name, 
     return std::all_of(terms.begin(), terms.end(), [&](const ShownTerm& term) { return is_known(term.coefficient); });
   };
   const bool numbers = known(left) && known(right);
+  if (numbers && !tex.empty() && left_shown != left_numbers) {
+    // Where symbols are shown with the forces on the left and the momenta on the right, the numbers below them stand on
+    // one side.
+    const auto [unknown, constant] = without_numbers(left, right);
+    if (constant) {
+      left_sum = right_sum = size = 0;
+      left_numbers = side_in_numbers(unknown, dimension, natural, natural_coefficient, left_sum, size);
+      right_numbers = side_in_numbers({*constant}, dimension, natural, natural_coefficient, right_sum, size);
+    }
+  }
   const bool alone = right_numbers == "0" && (left_numbers == "0" || !is_plain_number(left_numbers));
   const std::string right_end = alone ? right_numbers : right_numbers + unit_tex(dimension);
   if (numbers && !tex.empty() && left_shown == left_numbers) {

@@ -72,6 +72,8 @@ class ExplanationTex {
   ExplainedEquation equation(const std::string& symbol, const Shown& value, const Dimension& dimension,
                              bool as_energy = false) const;
   ExplainedEquation equation(const std::string& symbol, const ShownVector& value, const Dimension& dimension) const;
+  // The same of a value that a motion keeps, for which the formula is what matters and may fill a line.
+  ExplainedEquation kept(const std::string& symbol, const Shown& value, const Dimension& dimension) const;
   // The number with its unit, or else the formula, between dollar signs within a line.
   std::string inline_value(const Shown& value, const Dimension& dimension) const;
   // Both the formula and the number.
@@ -104,7 +106,10 @@ class ExplanationTex {
  private:
   bool has_open_letters(const Formula& formula) const;
   // The formula as TeX, if it has letters and is short enough to read.
-  std::optional<std::string> formula_tex(const Shown& value, const Dimension& dimension) const;
+  std::optional<std::string> formula_tex(const Shown& value, const Dimension& dimension, std::size_t longest) const;
+  std::size_t longest_formula() const;
+  ExplainedEquation equation(const std::string& symbol, const Shown& value, const Dimension& dimension, bool as_energy,
+                             std::size_t longest) const;
   bool fits_units(const Shown& value, const Dimension& dimension) const;
   std::string side_in_numbers(const std::vector<ShownTerm>& terms, const Dimension& dimension, double natural,
                               const NaturalCoefficient& natural_coefficient, double& sum, double& size) const;

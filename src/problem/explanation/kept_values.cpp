@@ -9,6 +9,7 @@
 
 #include "poinsot/engine/dynamics/action_forces.h"
 #include "poinsot/engine/dynamics/convert_mechanism.h"
+#include "problem/explanation/explanation_tex.h"
 #include "problem/instant/instant_conditions.h"
 #include "problem/keys/joint_kinds.h"
 
@@ -20,6 +21,8 @@ using MovingState = solve::MechanismStateOf<Rate>;
 
 // Where it is looked, as parts of the time followed: apart by parts that no two periods have in common.
 constexpr std::array<double, 7> looks{0, 0.0917, 0.2339, 0.3871, 0.6143, 0.8311, 1};
+// The place of these at which formulas are held against numbers: inside, where nothing is special.
+constexpr std::size_t general_look = 3;
 // Up to this part of itself a value that is kept may differ between two places: a thousand times what integration
 // leaves over long motions.
 constexpr double same_value = 1e-6;
@@ -29,57 +32,72 @@ constexpr double same_rate = 1e-8;
 // Where nothing but rounding is left of these rates, they are below this part of what the terms would change at the
 // pace of the motion.
 constexpr double rounding_of_rates = 1e-12;
+// The sine of the angle between directions that the statement gives as one: rounding, and digits that were left out.
+constexpr double same_direction = 1e-9;
 
-// The sum of vectors, of which the component on an axis may keep its value.
+// What may keep its value: the sum of vectors on an axis.
 struct Candidate {
-  struct Terms {
-    std::vector<Vector3<Rate>> vectors;
-    Vector3<Rate> axis;
-  };
+  enum class Kind { energy, angular_momentum, spin } kind = Kind::energy;
   std::string words, symbol;
   Dimension dimension;
-  std::function<Terms(const MovingState&)> terms;
+  std::string joint{};   // about which the angular momentum is taken
+  std::size_t axis = 0;  // of the ground, for the angular momentum
+  int body = ground;     // that spins
 };
+
+template <class Scalar>
+struct Terms {
+  std::vector<Vector3<Scalar>> vectors;
+  Vector3<Scalar> axis;
+};
+
+template <class Scalar>
+Terms<Scalar> terms_of(const Candidate& candidate, const solve::MechanismStateOf<Scalar>& state,
+                       const Vector3<Scalar>& about) {
+  const Mechanism<Scalar>& mechanism = state.mechanism();
+  const Model<Scalar>& tree = mechanism.tree;
+  Terms<Scalar> terms{{}, Vector3<Scalar>::unit(candidate.axis)};
+  switch (candidate.kind) {
+    case Candidate::Kind::energy: {
+      const auto add = [&](const Scalar& energy) { terms.vectors.push_back(energy * terms.axis); };
+      for (int i = 0; i < tree.body_count(); ++i) add(body_kinetic_energy(tree, state.workspace(), i));
+      add(potential_energy(tree, state.workspace()));
+      add(stored_energy(mechanism, state.workspace(), state.state()));
+      break;
+    }
+    case Candidate::Kind::angular_momentum:
+      for (int i = 0; i < tree.body_count(); ++i)
+        terms.vectors.push_back(body_momentum(tree, state.workspace(), i, about).angular);
+      break;
+    case Candidate::Kind::spin: {
+      const auto& motion = state.workspace().motion[static_cast<std::size_t>(candidate.body + 1)];
+      terms = {{motion.w}, motion.R.column(2)};
+      break;
+    }
+  }
+  return terms;
+}
 
 double size_of_value(const Vector3<Rate>& a) { return std::hypot(a[0].value, a[1].value, a[2].value); }
 double size_of_rate(const Vector3<Rate>& a) { return std::hypot(a[0].partial[0], a[1].partial[0], a[2].partial[0]); }
 
 // The energy, the angular momenta about axes and points fixed in the ground, and the spins of bodies of revolution.
 std::vector<Candidate> candidates(const Situation& situation, const Machine& machine, double length) {
-  std::vector<Candidate> all;
-  all.push_back({"kinetic and potential energy together", "T + V", dimensions::energy, [](const MovingState& state) {
-                   const auto& mechanism = state.mechanism();
-                   Candidate::Terms terms{{}, Vector3<Rate>::unit(0)};
-                   const auto add = [&](const Rate& energy) { terms.vectors.push_back(energy * terms.axis); };
-                   for (int i = 0; i < mechanism.tree.body_count(); ++i)
-                     add(body_kinetic_energy(mechanism.tree, state.workspace(), i));
-                   add(potential_energy(mechanism.tree, state.workspace()));
-                   add(stored_energy(mechanism, state.workspace(), state.state()));
-                   return terms;
-                 }});
-  const auto add_momentum = [&](const std::string& point, const Vector3<double>& P, std::size_t axis,
-                                const std::string& index) {
-    all.push_back({"the angular momentum about " + point + " on the axis $" + index + "$", "H_{" + index + "}",
-                   dimensions::angular_momentum, [P, axis](const MovingState& state) {
-                     const Model<Rate>& tree = state.mechanism().tree;
-                     Candidate::Terms terms{{}, Vector3<Rate>::unit(axis)};
-                     for (int i = 0; i < tree.body_count(); ++i)
-                       terms.vectors.push_back(
-                           body_momentum(tree, state.workspace(), i, Vector3<Rate>{P[0], P[1], P[2]}).angular);
-                     return terms;
-                   }});
-  };
+  std::vector<Candidate> all{
+      {Candidate::Kind::energy, "kinetic and potential energy together", "T + V", dimensions::energy}};
   for (const Joint& joint : situation.joints) {
     const auto place = machine.joints.find(joint.name);
     if (joint.from != "ground" || place == machine.joints.end()) continue;
-    solve::MechanismState drawn(machine.mechanism);
-    const Vector3<double> P = drawn.position(place->second.at);
+    const solve::MechanismState drawn(machine.mechanism);
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3<double> axis = Vector3<double>::unit(k);
-      const bool own = place->second.axis && norm(cross(drawn.direction(*place->second.axis), axis)) < 1e-9;
+      const bool own = place->second.axis && norm(cross(drawn.direction(*place->second.axis), axis)) < same_direction;
       // A joint that holds a point takes no angular momentum about an axis on which it turns freely.
-      if (joint.kind->any_turning || (own && !joint.kind->slides()))
-        add_momentum("*" + joint.name + "*", P, k, situation.axes[k]);
+      if (!joint.kind->any_turning && (!own || joint.kind->slides())) continue;
+      const std::string& index = situation.axes[k];
+      all.push_back({Candidate::Kind::angular_momentum,
+                     "the angular momentum about *" + joint.name + "* on the axis $" + index + "$", "H_{" + index + "}",
+                     dimensions::angular_momentum, joint.name, k});
     }
   }
   for (int i = 0; i < machine.mechanism.tree.body_count(); ++i) {
@@ -87,13 +105,39 @@ std::vector<Candidate> candidates(const Situation& situation, const Machine& mac
     if (!(body.inertia.mass > 0) || !turns_unseen(machine.mechanism.tree, i, length) ||
         body.joint != JointType::revolute)
       continue;
-    all.push_back({"the angular velocity of *" + machine.mechanism.tree.name(i) + "* on its own axis",
-                   "\\omega_{\\mathrm{axis}}", dimensions::angular_velocity, [i](const MovingState& state) {
-                     const auto& motion = state.workspace().motion[static_cast<std::size_t>(i + 1)];
-                     return Candidate::Terms{{motion.w}, motion.R.column(2)};
-                   }});
+    all.push_back({Candidate::Kind::spin,
+                   "the angular velocity of *" + machine.mechanism.tree.name(i) + "* on its own axis",
+                   "\\omega_{\\mathrm{axis}}", dimensions::angular_velocity, "", 0, i});
   }
   return all;
+}
+
+// The point about which an angular momentum is taken, which does not move.
+template <class Scalar>
+Vector3<Scalar> point_of(const Candidate& candidate, const MachineOf<Scalar>& machine,
+                         const solve::MechanismStateOf<Scalar>& state) {
+  return candidate.joint.empty() ? Vector3<Scalar>::zero() : state.position(machine.joints.at(candidate.joint).at);
+}
+
+// The kept value in letters, if it has there what it has in numbers.
+std::optional<Formula> formula_of(const Candidate& candidate, const GeneralMotion& general, const MotionState& now,
+                                  double value, double size) {
+  try {
+    const auto letters = general.letters_at(now);
+    if (!letters) return std::nullopt;
+    const PlainPointScope decisions(*letters);
+    const Terms<Formula> terms =
+        terms_of(candidate, general.state(), point_of(candidate, general.formulas().machine(), general.state()));
+    Formula sum(0);
+    for (const Vector3<Formula>& term : terms.vectors) sum += dot(terms.axis, term);
+    if (!general.is_named(sum) || !(std::abs(value_at(sum, *letters) - value) <= same_value * size))
+      return std::nullopt;
+    return sum;
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  } catch (const FormulaTooLarge&) {
+    return std::nullopt;
+  }
 }
 
 // The state of an instant with the rates of its coordinates; none if its accelerations are not determined.
@@ -133,20 +177,28 @@ class MovingInstant {
 
 }  // namespace
 
-std::vector<KeptValue> kept_values(const Situation& situation, std::size_t situation_index, Sample& sample,
-                                   double end) {
+std::vector<KeptValue> kept_values(const Situation& situation, std::size_t situation_index, Sample& sample, double end,
+                                   const GeneralMotion* general) {
   SolvedInstant& start = sample.instant_at(situation_index, 0);
   const double pace = start.pace();
   std::vector<Candidate> all = candidates(situation, start.machine(), start.scales().length);
   std::vector<double> least(all.size()), most(all.size()), natural;
   for (const Candidate& one : all) natural.push_back(start.natural_size(one.dimension));
   std::vector<bool> kept(all.size(), true);
+  std::vector<Vector3<Rate>> points;
+  {
+    const solve::MechanismState drawn(start.machine().mechanism);
+    for (const Candidate& one : all) {
+      const Vector3<double> P = point_of(one, start.machine(), drawn);
+      points.push_back({P[0], P[1], P[2]});
+    }
+  }
   for (const double look : looks) {
     SolvedInstant& instant = sample.instant_at(situation_index, look * end);
     const std::optional<MovingInstant> moving = MovingInstant::of(instant);
     if (!moving) return {};
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const Candidate::Terms terms = all[i].terms(moving->state());
+      const Terms<Rate> terms = terms_of(all[i], moving->state(), points[i]);
       Rate sum(0);
       double size = 0, rates = 0;
       for (const Vector3<Rate>& term : terms.vectors) {
@@ -163,7 +215,13 @@ std::vector<KeptValue> kept_values(const Situation& situation, std::size_t situa
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double size = std::max({std::abs(least[i]), std::abs(most[i]), natural[i]});
     if (!kept[i] || most[i] - least[i] > same_value * size) continue;
-    values.push_back({all[i].words, all[i].symbol, all[i].dimension, is_rounding(least[i], 1e4 * size) ? 0 : least[i]});
+    // Integration leaves more than rounding of what vanishes.
+    constexpr double left_by_integration = 1e4;
+    const double value = is_rounding(least[i], left_by_integration * size) ? 0 : least[i];
+    values.push_back({all[i].words, all[i].symbol, all[i].dimension, value, size});
+    if (general)
+      values.back().formula = formula_of(
+          all[i], *general, sample.instant_at(situation_index, looks[general_look] * end).state(), value, size);
   }
   return values;
 }

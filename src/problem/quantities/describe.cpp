@@ -61,6 +61,7 @@ const std::map<std::string_view, std::string>& nouns() {
       {"tension", "tension"},
       {"load", "load"},
       {"norm", "magnitude"},
+      {"abs", "magnitude"},
       {"angle", "angle"},
       {"acute_angle", "acute angle"},
       {"component", "component"},
@@ -99,10 +100,11 @@ std::string feature_words(const Call& call, const Situation& situation) {
   return call.function == "period" ? "period of " + of : (call.function == "max" ? "largest " : "smallest ") + of;
 }
 
-std::string call_words(const Call& call, const Situation& situation) {
+std::string call_words(const Expression& expression, const Situation& situation) {
+  const Call& call = *expression.as<Call>();
   if (is_motion_feature(call)) return feature_words(call, situation);
   const auto noun = nouns().find(call.function);
-  if (noun == nouns().end() || call.arguments.empty()) return call.function;
+  if (noun == nouns().end() || call.arguments.empty()) return to_string(expression);
   const std::string_view f = call.function;
   const std::string first = words_of(call.arguments[0].value, situation);
   std::string rest;
@@ -149,7 +151,7 @@ std::string call_words(const Call& call, const Situation& situation) {
 }
 
 std::string words_of(const Expression& expression, const Situation& situation) {
-  if (const Call* call = expression.as<Call>()) return call_words(*call, situation);
+  if (expression.as<Call>()) return call_words(expression, situation);
   if (const At* at = expression.as<At>()) return words_of(at->expression, situation) + " @ " + at->instant;
   if (const Of* of = expression.as<Of>())
     return words_of(of->point, situation) + " of " + words_of(of->body, situation);

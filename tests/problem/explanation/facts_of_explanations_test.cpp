@@ -155,5 +155,37 @@ ask: {least: min(theta)}
   EXPECT_FALSE(says(text, "on the axis $Y$")) << text;
 }
 
+// A rod on a pin that is thrown upward: m (L w)^2/6 - m g L/2 cos(theta) is kept by hand. On two pins one above the
+// other, through which a second coordinate comes, what is kept does not tell how far it goes, and nothing is said.
+TEST(ExplainedMotion, what_is_kept_tells_how_far_a_coordinate_goes) {
+  const std::string text = explained(R"(given: {m: 2 kg, L: 1.5 m, w0: 3 rad/s}
+points: {O: [0, 0, 0], P: [0, -L, 0]}
+bodies: {rod: {rod: [O, P], mass: m}}
+joints: {pin: {revolute: z, at: O, to: rod, angle: theta}}
+gravity: -y
+instants: {start: {theta: 0, theta': w0}}
+ask: {top: max(theta)}
+)");
+  EXPECT_TRUE(says(text, "Where $\\theta$ is largest its rate vanishes")) << text;
+  const double kept = 2 * 1.5 * 1.5 * 9 / 6.0 - 2 * 9.80665 * 0.75;
+  EXPECT_TRUE(says(text, fmt::format("\\cos \\theta}{{2}} = {:.5f}\\ \\mathrm{{J}}", kept))) << text;
+  EXPECT_TRUE(says(text, fmt::format("$\\theta = {:.6f}\\ \\mathrm{{rad}}$", std::acos(-kept / (2 * 9.80665 * 0.75)))))
+      << text;
+
+  const std::string two = explained(R"(given: {L: 1.5 m}
+points: {O: [0, 0, 0], P: [0, -L, 0], Q: [0, -2*L, 0]}
+bodies: {upper: {rod: [O, P], mass: 2 kg}, lower: {rod: [P, Q], mass: 1 kg}}
+joints:
+  pin: {revolute: z, at: O, to: upper, angle: a}
+  knee: {revolute: z, at: P, from: upper, to: lower, angle: b}
+gravity: -y
+instants: {start: {a: 20 deg, a': 0, b: 10 deg, b': 0}}
+stages: {all: {lasts: 2 s}}
+ask: {top: max(a)}
+)");
+  EXPECT_TRUE(says(two, "kinetic and potential energy together keeps its value")) << two;
+  EXPECT_FALSE(says(two, "its rate vanishes")) << two;
+}
+
 }  // namespace facts_of_explanations_test
 }  // namespace poinsot::problem

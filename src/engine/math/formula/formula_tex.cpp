@@ -8,10 +8,10 @@
 namespace poinsot::symbolic {
 namespace {
 
-// omega1 is \omega_{1}, Fdt is \mathit{Fdt}, theta' is \theta'; what is no name is text.
+// omega1 is \omega_{1}, Fdt is \mathit{Fdt}, theta' is \dot{\theta}; what is no name is text.
 std::string tex_name(const std::string& whole) {
   const std::size_t end = whole.find_last_not_of('\'') + 1;
-  const std::string name = whole.substr(0, end), primes = whole.substr(end);
+  const std::string name = whole.substr(0, end);
   if (!std::all_of(name.begin(), name.end(),
                    [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)); })) {
     std::string words;
@@ -39,7 +39,10 @@ std::string tex_name(const std::string& whole) {
   } else if (base.size() > 1) {
     letter = "\\mathit{" + letter + "}";
   }
-  return (index.empty() ? letter : letter + "_{" + escaped + "}") + primes;
+  static constexpr std::array<const char*, 4> dots{"", "\\dot", "\\ddot", "\\dddot"};
+  const std::size_t primes = whole.size() - end;
+  if (primes > 0 && primes < dots.size()) letter = std::string(dots[primes]) + "{" + letter + "}";
+  return index.empty() ? letter : letter + "_{" + escaped + "}";
 }
 
 std::string bracketed(const Form& form, bool brackets) {

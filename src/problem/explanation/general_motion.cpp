@@ -1,0 +1,101 @@
+#include "problem/explanation/general_motion.h"
+
+#include <algorithm>
+
+#include "poinsot/engine/work/budget.h"
+
+namespace poinsot::problem {
+namespace {
+
+// The letters that FormulaInstant makes for coordinates without name and for parts of a pose are not for a reader.
+std::string unnamed_position(const std::string& joint) { return "position of joint '" + joint + "'"; }
+
+std::optional<LetterValues> coordinate_letters(const Machine& machine, const MotionState& now) {
+  LetterValues letters{{"time", now.time}};
+  const Model<double>& tree = machine.mechanism.tree;
+  for (std::size_t k = 0; k < now.v.size(); ++k) letters[machine.mechanism.coordinate_names[k]] = now.v[k];
+  for (const NamedCoordinate& coordinate : machine.coordinates) {
+    letters[coordinate.name.empty() ? unnamed_position(coordinate.joint) : coordinate.name] =
+        now.q[static_cast<std::size_t>(coordinate.position)];
+    if (!coordinate.name.empty())
+      letters[GeneralMotion::rate_letter(coordinate.name)] = now.v[static_cast<std::size_t>(coordinate.velocity)];
+  }
+  for (int i = 0; i < tree.body_count(); ++i) {
+    const auto& body = tree.body(i);
+    if (body.joint != JointType::ball && body.joint != JointType::free) continue;
+    const auto q = static_cast<std::size_t>(body.q);
+    // A half turn has no such letters.
+    if (now.q[q] == 0) return std::nullopt;
+    for (std::size_t k = 1; k <= 3; ++k)
+      letters["pose " + std::to_string(k) + " of " +
+              machine.mechanism.coordinate_names[static_cast<std::size_t>(body.v)]] = now.q[q + k] / now.q[q];
+  }
+  return letters;
+}
+
+}  // namespace
+
+std::unique_ptr<GeneralMotion> GeneralMotion::of(const Situation& situation, const FormulaValues& values,
+                                                 const Settings& settings, const MotionState& now,
+                                                 LetterValues letters) {
+  std::unique_ptr<GeneralMotion> general(new GeneralMotion);
+  general->situation_ = situation;
+  // What is known of instants holds there alone.
+  general->situation_.instants.clear();
+  general->settings_ = settings;
+  general->letters_ = std::move(letters);
+  for (const auto& [name, value] : values) general->dimensions_[name] = value.dimension;
+  general->open_.all_poses = true;
+  try {
+    general->numbers_ = std::make_unique<SolvedInstant>(general->situation_, general->settings_, now, OpenChoice{});
+    const std::optional<LetterValues> point = general->letters_at(now);
+    if (!point) return nullptr;
+    const PlainPointScope decisions(*point);
+    general->formulas_ =
+        std::make_unique<FormulaInstant>(general->situation_, values, *general->numbers_, &general->open_);
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+  return general;
+}
+
+std::optional<LetterValues> GeneralMotion::letters_at(const MotionState& now) const {
+  std::optional<LetterValues> all = coordinate_letters(numbers_->machine(), now);
+  if (all)
+    for (const auto& [name, value] : letters_) all->insert_or_assign(name, value);
+  return all;
+}
+
+LetterValues GeneralMotion::in_shown_units(const LetterValues& letters, const ExplanationTex& tex) const {
+  LetterValues shown = letters;
+  for (auto& [name, value] : shown) {
+    const auto datum = dimensions_.find(name);
+    if (datum != dimensions_.end())
+      value /= tex.unit(datum->second).factor;
+    else if (is_of_motion(name))
+      value /= tex.unit(dimension_of(name)).factor;
+  }
+  return shown;
+}
+
+const NamedCoordinate* GeneralMotion::coordinate_of(const std::string& letter) const {
+  for (const NamedCoordinate& coordinate : numbers_->machine().coordinates)
+    if (!coordinate.name.empty() && (letter == coordinate.name || letter == rate_letter(coordinate.name)))
+      return &coordinate;
+  return nullptr;
+}
+
+bool GeneralMotion::is_of_motion(const std::string& letter) const { return coordinate_of(letter) != nullptr; }
+
+Dimension GeneralMotion::dimension_of(const std::string& letter) const {
+  const NamedCoordinate& coordinate = *coordinate_of(letter);
+  if (letter == coordinate.name) return coordinate.turning ? dimensions::angle : dimensions::length;
+  return coordinate.turning ? dimensions::angular_velocity : dimensions::velocity;
+}
+
+bool GeneralMotion::is_named(const Formula& formula) const {
+  return std::ranges::all_of(
+      formula.letters(), [&](const std::string& letter) { return letters_.contains(letter) || is_of_motion(letter); });
+}
+
+}  // namespace poinsot::problem
