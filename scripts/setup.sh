@@ -8,6 +8,7 @@ build_packages=(g++ cmake ninja-build ccache libeigen3-dev libboost-dev libyaml-
   libflint-dev libflint-arb-dev libcli11-dev libhdf5-dev libgtest-dev python3 python3-jsonschema)
 # Node.js and npm make the script of pages; whoever installed them.
 if ! command -v node >/dev/null || ! command -v npm >/dev/null; then build_packages+=(nodejs npm); fi
+page_test_packages=(chromium)
 bench_packages=(libbenchmark-dev libsundials-dev python3-venv python3-sympy)
 tidy_packages=(clang-format clang-tidy)
 hunt_packages=(python3 python3-yaml python3-jsonschema)

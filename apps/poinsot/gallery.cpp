@@ -118,7 +118,8 @@ class Gallery {
     try {
       const ReadProblem read = read_problem(file);
       entry.title = read.problem.title();
-      const Document document = read.problem.explain(arguments_.sets, poinsot::Budget().end_when(&interrupt_flag()));
+      const Document document =
+          read.problem.illustrate(arguments_.sets, poinsot::Budget().end_when(&interrupt_flag()), true);
       if (document.ended) {
         entry.note = "interrupted";
         return entry;

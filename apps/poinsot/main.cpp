@@ -177,7 +177,7 @@ int run(int argument_count, const char* const* arguments) {
       ->required();
   report_command
       ->add_option("-o,--output", report_arguments.output,
-                   "NAME.html; for folders another folder, which gets index.html")
+                   "NAME.html, or NAME.glb for solids alone; for folders another folder, which gets index.html")
       ->required()
       ->type_name("OUTPUT");
   report_command->add_flag("--force", report_arguments.force, "Replace the output if it is there");

@@ -21,29 +21,46 @@ namespace {
 using poinsot::Document;
 using poinsot::Problem;
 
-int one_page(const ReportArguments& arguments) {
+// The document with its scenes, or what was found before the interrupt key was pressed.
+Document illustrated(const Problem& problem, const ReportArguments& arguments) {
+  const InterruptCatcher catcher;
+  ProgressLine line;
+  return problem.illustrate(arguments.sets, line.budget(), true);
+}
+
+// The page, or the bodies of the first solution, by the ending of the output; "" if there is nothing to show.
+std::string rendered(const ReadProblem& read, const Document& document, bool page) {
+  if (page) return to_html(read.problem, read.text, document);
+  if (document.solutions.empty() || !document.solutions.front().scene) return "";
+  return to_gltf(document, 0);
+}
+
+int one_file(const ReportArguments& arguments) {
   const std::string& file = arguments.paths.front();
   const auto refused = [](const std::string& reason) {
     write_message("poinsot: " + reason);
     return exit_wrong_input;
   };
-  if (std::filesystem::path(arguments.output).extension() != ".html")
-    return refused(fmt::format("'{}' should end in .html: the page of one problem file is one file", arguments.output));
+  const std::filesystem::path ending = std::filesystem::path(arguments.output).extension();
+  if (ending != ".html" && ending != ".glb")
+    return refused(
+        fmt::format("'{}' should end in .html for a page, or in .glb for the bodies as solids", arguments.output));
   if (const std::string reason = not_to_be_written(file, arguments.output, arguments.force); !reason.empty())
     return refused(reason);
   const ReadProblem read = read_problem(file);
-  const Document document = [&] {
-    const InterruptCatcher catcher;
-    ProgressLine line;
-    return read.problem.explain(arguments.sets, line.budget());
-  }();
-  if (!write_file(arguments.output, to_html(read.problem, read.text, document))) {
+  const Document document = illustrated(read.problem, arguments);
+  const std::string content = rendered(read, document, ending == ".html");
+  if (content.empty()) {
+    write_message(fmt::format("{}: no solution, and nothing to show", file));
+    return interrupted() ? exit_interrupted : exit_unanswered;
+  }
+  if (!write_file(arguments.output, content)) {
     write_message(fmt::format("poinsot: cannot write {}: {}", arguments.output, std::strerror(errno)));
     return exit_internal;
   }
   if (!write_answer(arguments.output + "\n")) return exit_answered;
   if (interrupted()) {
-    write_message("poinsot: interrupted; the page shows what was found until then");
+    write_message("poinsot: interrupted; the output shows what was found until then");
     return exit_interrupted;
   }
   return fully_answered(document) ? exit_answered : exit_unanswered;
@@ -68,7 +85,7 @@ int report(const ReportArguments& arguments) {
   std::error_code error;
   const bool folders = arguments.paths.size() > 1 || std::filesystem::is_directory(arguments.paths.front(), error);
   try {
-    return folders ? gallery(arguments) : one_page(arguments);
+    return folders ? gallery(arguments) : one_file(arguments);
   } catch (const poinsot::NoPages& reason) {
     write_message(fmt::format("poinsot: {}", reason.what()));
     return exit_wrong_input;

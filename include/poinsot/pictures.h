@@ -1,7 +1,8 @@
-// Pictures of what was found: pages that a browser shows. They are made from the answer document and contain no
-// mechanics.
+// Pictures of what was found: pages that a browser shows, and files for programs that show solids. They are made from
+// the answer document and contain no mechanics.
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -30,6 +31,11 @@ struct PageOptions {
 // std::domain_error as require_values() does.
 std::string to_html(const Problem& problem, std::string_view text, const Document& document,
                     const PageOptions& options = {});
+
+// The bodies of one solution with their surfaces and edges, and their motion as an animation, as a binary file of the
+// form glTF 2.0 (.glb). Throws std::out_of_range if there is no such solution, and std::invalid_argument if it has no
+// scene.
+std::string to_gltf(const Document& document, std::size_t solution);
 
 // A file that the pages of a gallery share.
 struct PageFile {

@@ -21,7 +21,8 @@ std::vector<std::string> kinds_of(std::string_view text, const Document& documen
   };
   static const std::regex steady_key("(^|\n) *steady *:", std::regex::optimize);
   const bool motion = any([](const Solution& solution) {
-    return solution.checks.contains("energy_drift") || solution.checks.contains("motion_error");
+    return (solution.scene && solution.scene->motion) || solution.checks.contains("energy_drift") ||
+           solution.checks.contains("motion_error");
   });
   const bool blow = any([](const Solution& solution) { return solution.checks.contains("impulse"); });
   const bool steady = std::regex_search(text.begin(), text.end(), steady_key);

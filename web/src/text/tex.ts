@@ -104,7 +104,7 @@ class FormulaReader {
     while (this.peek() === "+" || this.peek() === "-") {
       const sign = this.take();
       const part = this.product();
-      const bracketed = part.kind === "negative" || (sign === "-" && part.kind === "sum");
+      const bracketed = part.tex.startsWith("-") || (sign === "-" && part.kind === "sum");
       form = { tex: `${form.tex} ${sign} ${bracketed ? inBrackets(part) : part.tex}`, kind: "sum" };
     }
     return form;
@@ -114,7 +114,10 @@ class FormulaReader {
     if (this.peek() === "-") {
       this.take();
       const part = this.product();
-      return { tex: `-${part.kind === "sum" ? inBrackets(part) : part.tex}`, kind: "negative" };
+      return {
+        tex: `-${part.kind === "sum" || part.tex.startsWith("-") ? inBrackets(part) : part.tex}`,
+        kind: "negative",
+      };
     }
     let form = this.power();
     while (this.peek() === "*" || this.peek() === "/") {

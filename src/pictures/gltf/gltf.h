@@ -1,0 +1,12 @@
+// A scene as a glTF file: the bodies with their surfaces and edges, and their motion as an animation.
+#pragma once
+
+#include <string>
+
+#include "poinsot/scene.h"
+
+namespace poinsot::pictures {
+
+std::string gltf_of(const scene::Scene& scene, const std::string& title);
+
+}  // namespace poinsot::pictures
