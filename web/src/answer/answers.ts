@@ -39,7 +39,8 @@ function claimNodes(answer: Answer): Child[] {
   const counter = answer.counterexample;
   const values = Object.entries(counter?.letters ?? {}).map(([name, at]) => [
     " ",
-    math(`${nameTex(name)} = `),
+    math(`${nameTex(name)} =`),
+    " ",
     valueNode(at.value, at.unit, false),
   ]);
   const sides =
@@ -87,7 +88,6 @@ function answerNodes(name: string, answer: Answer): Child[] {
   const axes = answer.axes ?? [];
   if (answer.formula !== undefined && answer.formula !== null) {
     nodes.push(formulaLines(answer.formula, axes, `formula of ${name}`));
-    if (axes.length > 0) nodes.push(element("p", { class: "faint" }, onAxes(axes)));
   }
   if (answer.table) nodes.push(table(answer.table.columns, `table of ${name}`));
   else if (answer.value !== undefined && answer.value !== null) {
@@ -141,21 +141,20 @@ export function answersSection(solution: Solution): HTMLElement {
   );
   const unknowns = Object.entries(solution.unknowns).map(([name, unknown]) =>
     element(
-      "div",
-      { class: "answer" },
-      element("dt", {}, math(nameTex(name)), " ", element("span", { class: "words" }, "found")),
-      element(
-        "dd",
-        {},
-        unknown.value === null && unknown.formula !== undefined
-          ? formulaLines(unknown.formula, [], `formula of ${name}`)
-          : scrolling(`value of ${name}`, valueNode(unknown.value, unknown.unit, Array.isArray(unknown.value))),
-      ),
+      "li",
+      {},
+      math(`${nameTex(name)} =`),
+      " ",
+      unknown.value === null && unknown.formula !== undefined
+        ? formulaLines(unknown.formula, [], `formula of ${name}`)
+        : valueNode(unknown.value, unknown.unit, Array.isArray(unknown.value)),
     ),
   );
   return section(
     "Answers",
-    element("dl", { class: "answers" }, ...unknowns, ...rows),
+    unknowns.length > 0 &&
+      element("div", { class: "found" }, element("h3", {}, "Found"), element("ul", { class: "given" }, ...unknowns)),
+    element("dl", { class: "answers" }, ...rows),
     conditions(solution),
     ...(solution.notes ?? []).map((note) => element("p", {}, note)),
     checks(solution),

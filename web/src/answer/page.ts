@@ -108,7 +108,7 @@ export function pageNodes(page: PageData): Child[] {
       page.gallery !== "" &&
         element("nav", { "aria-label": "Gallery" }, element("a", { href: page.gallery }, "← All problems")),
       element("h1", {}, title),
-      element("p", { class: "faint" }, page.problem.name),
+      element("p", { class: "faint" }, page.problem.name.replace(/^.*[\\/]/, "")),
     ),
     element(
       "main",

@@ -41,18 +41,14 @@ export function valueNode(datum: Datum, unit: string, vector: boolean): Child {
   return math(datumTex(datum, vector) + gap + unitTex(unit));
 }
 
-// A formula that may be long.
-export function formulaNode(datum: Datum, vector: boolean, label: string): HTMLElement {
-  return scrolling(label, math(datumTex(datum, vector)));
-}
-
-// The formulas of a vector one below the other, where side by side they would be long.
+// A formula; those of a vector one below the other, where side by side they would be long.
 export function formulaLines(datum: Datum, axes: string[], label: string): HTMLElement {
   if (Array.isArray(datum) && axes.length === datum.length && JSON.stringify(datum).length > 60) {
     const lines = datum.map((item, i) => `\\text{${escapedTex(axes[i] ?? "")}:} && ${datumTex(item, false)}`);
     return scrolling(label, math(`\\begin{aligned} ${lines.join(" \\\\[0.4em] ")} \\end{aligned}`, true));
   }
-  return formulaNode(datum, axes.length > 0, label);
+  const on = axes.length > 0 && element("span", { class: "faint" }, ` on ${axes.join(", ")}`);
+  return scrolling(label, math(`\\displaystyle ${datumTex(datum, axes.length > 0)}`), on);
 }
 
 // A comparison such as "a > 0", typeset if it is one of formulas.

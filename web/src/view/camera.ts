@@ -69,7 +69,7 @@ export class Viewpoint {
       .multiplyScalar(c * Math.cos(this.turn))
       .addScaledVector(this.side, c * Math.sin(this.turn))
       .addScaledVector(this.up, Math.sin(this.height));
-    const away = 20 * this.radius;
+    const away = 10 * Math.max(this.radius, this.home.radius);
     const { camera } = this;
     camera.position.copy(this.target).addScaledVector(direction, away);
     const half = this.aspect >= 1 ? this.radius : this.radius / this.aspect;
@@ -77,8 +77,8 @@ export class Viewpoint {
     camera.right = half * this.aspect;
     camera.top = half;
     camera.bottom = -half;
-    camera.near = -40 * this.radius;
-    camera.far = 60 * this.radius;
+    camera.near = 0;
+    camera.far = 2 * away;
     camera.lookAt(this.target);
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();

@@ -56,8 +56,8 @@ export class Paints {
         color,
         side: DoubleSide,
         polygonOffset: true,
-        polygonOffsetFactor: 1,
-        polygonOffsetUnits: 1,
+        polygonOffsetFactor: 2,
+        polygonOffsetUnits: 8,
         ...(look === "faint" ? { transparent: true, opacity: 0.25, depthWrite: false } : {}),
       });
       this.solids.set(key, material);

@@ -149,6 +149,14 @@ export class Stage {
       home.expandByPoint(this.whereIs(link.from));
       home.expandByPoint(this.whereIs(link.to));
     }
+    // Arrows of every diagram, so that to choose another moves nothing.
+    for (const { arrows } of this.scene.diagrams) {
+      const lengths = arrowLengths(arrows, this.size);
+      arrows.forEach((arrow, i) => {
+        const at = this.whereIs(arrow.at);
+        home.expandByPoint(at).expandByPoint(tipOf(arrow, at, lengths[i] ?? 0));
+      });
+    }
     if (home.isEmpty())
       home
         .set(new Vector3(-1, -1, -1), new Vector3(1, 1, 1))
