@@ -35,7 +35,7 @@ TEST(FormulaShapes, HaveTheFormulasOfTheTables) {
 
   EXPECT_EQ(text(of_mass(shapes::sphere<Formula>(origin, r), m).inertia_center.xx), "2*m*r^2/5");
   EXPECT_EQ(text(of_mass(shapes::hemisphere<Formula>(origin, up, r), m).inertia_center.xx), "83*m*r^2/320");
-  EXPECT_EQ(text(of_mass(shapes::rod<Formula>(origin, L * up), m).inertia_center.xx), "L^2*m/12");
+  EXPECT_EQ(text(of_mass(shapes::rod<Formula>(origin, L * up), m).inertia_center.xx), "m*L^2/12");
   const auto tube = of_mass(shapes::tube<Formula>(origin, L * up, R, r), m);
   EXPECT_EQ(text(tube.inertia_center.zz), "m*(R^2 + r^2)/2");
   const auto torus = of_mass(shapes::torus<Formula>(origin, up, R, r), m);
@@ -45,7 +45,7 @@ TEST(FormulaShapes, HaveTheFormulasOfTheTables) {
   EXPECT_EQ(text(shapes::semicircle<Formula>(-r * up, r * up, Vector{1, 0, 0}).center.x), "4*r/(3*pi)");
   const auto cube = of_mass(shapes::cube_from_diagonal<Formula>(origin, L * up), m);
   EXPECT_EQ(text(cube.inertia_center.xy), "0");
-  EXPECT_EQ(text(cube.inertia_center.zz), "L^2*m/18");
+  EXPECT_EQ(text(cube.inertia_center.zz), "m*L^2/18");
 }
 
 TEST(FormulaShapes, MoveByTheTheoremOfParallelAxes) {
@@ -58,9 +58,9 @@ TEST(FormulaShapes, MoveByTheTheoremOfParallelAxes) {
 TEST(FormulaShapes, TurnByTheAngle) {
   const auto rod = of_mass(shapes::rod<Formula>(origin, L * up), m);
   const auto turned_rod = transformed(rotation_about(Vector{1, 0, 0}, b), origin, rod);
-  EXPECT_EQ(text(turned_rod.inertia_center.yy), "L^2*m*cos(b)^2/12");
-  EXPECT_EQ(text(turned_rod.inertia_center.zz), "L^2*m*sin(b)^2/12");
-  EXPECT_EQ(text(turned_rod.inertia_center.yz), "L^2*m*sin(2*b)/24");
+  EXPECT_EQ(text(turned_rod.inertia_center.yy), "m*L^2*cos(b)^2/12");
+  EXPECT_EQ(text(turned_rod.inertia_center.zz), "m*L^2*sin(b)^2/12");
+  EXPECT_EQ(text(turned_rod.inertia_center.yz), "m*L^2*sin(2*b)/24");
   // The same from its ends.
   const auto stated = of_mass(shapes::rod<Formula>(origin, L * Vector{0, -sin(b), cos(b)}), m);
   EXPECT_EQ(stated.inertia_center.yz, turned_rod.inertia_center.yz);

@@ -46,8 +46,8 @@ TEST(ScalingLaw, APendulumOfAnyLengthMassAndGravity) {
   expect("T", period, "*sqrt(a/g)");
   expect("t", period / 4, "*sqrt(a/g)");
   expect("w", std::sqrt(3 * fall), "*sqrt(g/a)");
-  expect("F", 1 + 1.5 * fall, "*g*m");
-  expect("K", fall / 2, "*a*g*m");
+  expect("F", 1 + 1.5 * fall, "*m*g");
+  expect("K", fall / 2, "*m*g*a");
   ASSERT_FALSE(solved.notes().empty());
   EXPECT_EQ(solved.notes().front(), "T, w, F, K and t by dimensional analysis, with numbers of 12 digits");
 }
@@ -58,8 +58,8 @@ TEST(ScalingLaw, WhatFollowsAnAngle) {
                           "ask: {T: period(th), w: max(th'), F: max(reaction(pin).y), M: max(th), K: "
                           "max(kinetic_energy(rod))}\n");
   EXPECT_EQ(formula(solved, "M"), "b");
-  EXPECT_EQ(formula(solved, "F"), "g*m*(5 - 3*cos(b))/2");
-  EXPECT_EQ(formula(solved, "K"), "a*g*m*sin(b/2)^2");
+  EXPECT_EQ(formula(solved, "F"), "m*g*(5 - 3*cos(b))/2");
+  EXPECT_EQ(formula(solved, "K"), "m*g*a*sin(b/2)^2");
   const std::string rate = formula(solved, "w");
   EXPECT_TRUE(rate.ends_with("*sin(b/2)*sqrt(g/a)")) << rate;
   EXPECT_NEAR(leading_number(rate), std::sqrt(6), 1e-11);
@@ -74,11 +74,11 @@ TEST(ScalingLaw, AnAngleMayBeBeyondARightAngle) {
   const SolvedText solved(dropped);
   EXPECT_EQ(formula(solved, "low"),
             "none: the formula found holds for some values of the letters only, not at b = 1.75 rad");
-  EXPECT_EQ(formula(solved, "high"), "g*m*(5 - 3*cos(b))/2");
+  EXPECT_EQ(formula(solved, "high"), "m*g*(5 - 3*cos(b))/2");
   const std::vector<std::string>& assumed = solved.solved().solutions.at(0).assumptions;
   EXPECT_EQ(assumed, std::vector<std::string>{"b is not negative"});
   const SolvedText stated(dropped + "assume: [0 < b, b < 90 deg]\n");
-  EXPECT_EQ(formula(stated, "low"), "g*m*(3*cos(b)^2 + 1)/4");
+  EXPECT_EQ(formula(stated, "low"), "m*g*(3*cos(b)^2 + 1)/4");
   EXPECT_TRUE(stated.solved().solutions.at(0).assumptions.empty());
 }
 
@@ -126,7 +126,7 @@ TEST(ScalingLaw, APowerOfAGroupIsFoundByTrial) {
       "joints: {rail: {prismatic: y, at: O, to: weight, displacement: s, spring: {stiffness: k, free_displacement: "
       "0}}}\n";
   const SolvedText let_go(spring + "gravity: -y\ninstants: {start: {s: 0, s': 0}}\nask: {d: min(s), T: period(s)}\n");
-  EXPECT_EQ(formula(let_go, "d"), "-2*g*m/k");
+  EXPECT_EQ(formula(let_go, "d"), "-2*m*g/k");
   const std::string period = formula(let_go, "T");
   EXPECT_TRUE(period.ends_with("*sqrt(m/k)")) << period;
   EXPECT_NEAR(leading_number(period), 2 * pi, 1e-10);
@@ -151,7 +151,7 @@ TEST(ScalingLaw, APlateHungFromTwoCords) {
       "ask: {T: max(tension(left) + tension(right)), rise: max(center(plate).y)}\n");
   // v^2/(3 b) more than the weight at the lowest point, and v^2/(2 g) up.
   const std::string pull = formula(solved, "T");
-  EXPECT_TRUE(pull.ends_with("*g*m")) << pull;
+  EXPECT_TRUE(pull.ends_with("*m*g")) << pull;
   EXPECT_NEAR(leading_number(pull), 4.0 / 3, 1e-9) << pull;
   EXPECT_EQ(formula(solved, "rise"), "-b/2");
 }
@@ -172,7 +172,7 @@ TEST(ScalingLaw, ATopWhoseSpinScales) {
   EXPECT_NEAR(spin * (x0 - x) / (J * (1 - x * x)), 2.0 / 5, 1e-12);
   EXPECT_EQ(formula(solved, "f"), "2*sqrt(g/a)/5");
   const std::string energy = formula(solved, "H");
-  EXPECT_TRUE(energy.ends_with("*a*g*m")) << energy;
+  EXPECT_TRUE(energy.ends_with("*m*g*a")) << energy;
   EXPECT_NEAR(leading_number(energy), I * 40 * 40 / 2 + x0 - x, 1e-9) << energy;
   EXPECT_TRUE(formula(solved, "T").ends_with("*sqrt(a/g)"));
 }

@@ -1,6 +1,8 @@
 // Products in the order in which people write them, with what is below the line inside of sums where that is shorter.
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <string_view>
 
 #include "engine/math/formula/formula_form.h"
 
@@ -21,18 +23,37 @@ int rank(const Form& form) {
   }
 }
 
-// Letters in the order of a dictionary.
+// The part of a name that says what kind of thing it is: m of m0, mA and m_disk, omega of omega1.
+std::string_view stem(std::string_view name) {
+  const std::size_t end =
+      std::find_if(name.begin() + 1, name.end(), [](char c) { return c < 'a' || c > 'z'; }) - name.begin();
+  return name.substr(0, end);
+}
+
+// As texts write m g L, F a, I w1, m r w^2: forces and what resists motion, gravity, sizes, rates. Only how a formula
+// reads depends on this; a letter that means something else stands elsewhere in its product.
+int letter_rank(std::string_view name) {
+  static constexpr std::array<std::string_view, 11> forces_and_masses{"F", "I", "J", "M",  "P",  "Q",
+                                                                      "W", "k", "m", "mu", "rho"};
+  static constexpr std::array<std::string_view, 5> rates{"Omega", "n", "omega", "v", "w"};
+  const std::string_view kind = stem(name);
+  if (name.ends_with('\'') || kind.ends_with("dot") || std::ranges::find(rates, kind) != rates.end()) return 3;
+  if (name == "g") return 1;
+  return std::ranges::find(forces_and_masses, kind) != forces_and_masses.end() ? 0 : 2;
+}
+
+// Letters of one rank stand in the order of a dictionary.
 bool earlier(const FormPower& a, const FormPower& b) {
   if (rank(a.base) != rank(b.base)) return rank(a.base) < rank(b.base);
   if (rank(a.base) != 2) return false;
+  const std::string &x = a.base.text, &y = b.base.text;
+  if (letter_rank(x) != letter_rank(y)) return letter_rank(x) < letter_rank(y);
   const auto folded = [](const std::string& name) {
     std::string low = name;
     for (char& c : low) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return low;
   };
-  const std::string x = folded(a.base.text);
-  const std::string y = folded(b.base.text);
-  return x != y ? x < y : a.base.text < b.base.text;
+  return folded(x) != folded(y) ? folded(x) < folded(y) : x < y;
 }
 
 void reduce(Integer& a, Integer& b) {
