@@ -345,8 +345,9 @@ class Builder {
 
   void write_root() {
     if (radicand_ == Formula(1)) return;
-    // A whole number without squares is left of the number under the root.
-    const Formula number = Builder(choice_of(radicand_).x).coefficient();
+    // A whole number without squares is left of the size of the number under the root, whose sign stays there.
+    const Formula coefficient = Builder(choice_of(radicand_).x).coefficient();
+    const Formula number = plain(coefficient) < 0 ? -coefficient : coefficient;
     const Rational n = rational_of(number);
     const Formula product = integer_formula(n.numerator) * integer_formula(n.denominator);
     const Integer outside = sqrt(product).fraction()->numerator.coefficient(0);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/math/formula/random_formulas.h"
 
 namespace poinsot {
@@ -130,6 +132,24 @@ TEST(FormulaText, ComesBackAsTheSameExpression) {
     const double expected = value_at(x, values);
     EXPECT_NEAR(testing::read_value(printed, values), expected, 1e-9 * (1 + std::abs(expected))) << printed;
   }
+}
+
+// The number before a sum of sines and cosines may be negative; it stays under the root with its sign.
+TEST(FormulaText, WritesRootsOfSumsWithANegativeNumber) {
+  testing::RandomFormula random(24);
+  int compared = 0;
+  for (const char* formula : {"sqrt(196133*cos(a)/(x*sin(a) - 6*x - 3*x*cos(a)))", "sqrt(7*sin(a)/(2*x*cos(a) - 3*r))",
+                              "sqrt(-588399*sin(a)/(2*r - 3*L*cos(a)))", "sqrt((3*x*cos(a) - 6*r)/(5*sin(a)))"}) {
+    const std::string printed = text(read(formula));
+    for (int point = 0; point < 40; ++point) {
+      const LetterValues values = random.values();
+      const double expected = testing::read_value(formula, values);
+      if (std::isnan(expected)) continue;
+      ++compared;
+      EXPECT_NEAR(testing::read_value(printed, values), expected, 1e-9 * (1 + expected)) << formula << ": " << printed;
+    }
+  }
+  EXPECT_GT(compared, 40);
 }
 
 TEST(FormulaText, DependsOnTheValueAlone) {
