@@ -110,12 +110,20 @@ struct Letter {
   std::string unit;
 };
 
+// A number of nature in formulas, where it stands by its digits, and the name by which people know it: g.
+struct Constant {
+  std::string name;
+  std::string digits;  // as in formulas: "9.80665"
+  std::string unit;    // SI
+};
+
 struct Document {
   std::string file;  // the name of the problem, as given to Problem::from_text()
   std::string title;
   std::vector<Letter> open_letters;
   std::vector<Solution> solutions;
   std::vector<std::string> warnings;
+  std::vector<Constant> constants{};  // that stand in formulas of the solutions
   // Where a budget ended the search: the document holds what was found until then.
   std::optional<BudgetEnd> ended{};
 };

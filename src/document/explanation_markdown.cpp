@@ -7,6 +7,7 @@
 
 #include "document/datum_text.h"
 #include "document/display_text.h"
+#include "document/named_constants.h"
 #include "document/rounding.h"
 #include "poinsot/rendering.h"
 #include "problem/explanation/explanation.h"
@@ -126,8 +127,9 @@ std::string answers_section(const Solution& solution) {
 
 namespace poinsot {
 
-std::string to_markdown(const Document& document, std::size_t index) {
-  require_values(document);
+std::string to_markdown(const Document& found, std::size_t index) {
+  require_values(found);
+  const Document document = document::with_named_constants(found);
   const Solution& solution = document.solutions.at(index);
   std::string text = "# " + document::markdown_text(document.title.empty() ? document.file : document.title) + "\n";
   if (document.solutions.size() > 1)

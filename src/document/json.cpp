@@ -138,6 +138,8 @@ std::string to_json(const Document& document) {
                       {"title", document.title},
                       {"solutions", solutions},
                       {"warnings", document.warnings}};
+  for (const Constant& constant : document.constants)
+    json["constants"][constant.name] = {{"digits", constant.digits}, {"unit", constant.unit}};
   if (document.ended) json["ended"] = *document.ended == BudgetEnd::deadline ? "deadline" : "interrupted";
   return document::on_one_line(json);
 }

@@ -20,6 +20,18 @@ std::string answer_schema() {
       "items": {"$ref": "#/$defs/solution"}
     },
     "warnings": {"type": "array", "items": {"type": "string"}},
+    "constants": {
+      "type": "object",
+      "description": "numbers of nature that stand in formulas, by the names that people give them, such as g",
+      "additionalProperties": {
+        "type": "object",
+        "required": ["digits", "unit"],
+        "properties": {
+          "digits": {"type": "string", "description": "as they stand in the formulas"},
+          "unit": {"type": "string", "description": "SI base units"}
+        }
+      }
+    },
     "ended": {
       "enum": ["deadline", "interrupted"],
       "description": "present if the search was ended from outside: the document holds what was found until then"

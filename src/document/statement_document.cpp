@@ -1,12 +1,17 @@
 #include "document/statement_document.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
-#include "poinsot/engine/math/formula/formula_text.h"
+#include "document/named_constants.h"
+#include "problem/formulas/formula_words.h"
+#include "problem/language/unit_table.h"
+#include "problem/machine/data.h"
 
 namespace poinsot::document {
 
+using problem::formula_words;
 using problem::Value;
 
 Datum datum(const Value<double>& value, double factor) {
@@ -23,10 +28,10 @@ Datum datum(const Value<double>& value, double factor) {
 namespace {
 
 Datum formula_datum(const Value<Formula>& value) {
-  if (value.is_number()) return {text(value.number)};
+  if (value.is_number()) return {formula_words(value.number)};
   std::vector<Datum> items;
   if (value.is_vector())
-    for (std::size_t k = 0; k < 3; ++k) items.push_back({text(value.vector[k])});
+    for (std::size_t k = 0; k < 3; ++k) items.push_back({formula_words(value.vector[k])});
   for (const Value<Formula>& item : value.items) items.push_back(formula_datum(item));
   return {std::move(items)};
 }
@@ -105,9 +110,18 @@ Solution solution_of(const problem::Statement& stated, const problem::Solution& 
   solution.checks = solved.checks;
   solution.assumptions = solved.assumptions;
   for (const problem::FormulaCondition& condition : solved.conditions)
-    solution.conditions.push_back({condition.words, text(condition.positive) + " > 0"});
+    solution.conditions.push_back({condition.words, formula_words(condition.positive) + " > 0"});
   solution.notes = solved.notes;
   return solution;
+}
+
+// Standard gravity, unless the statement calls something else g.
+std::vector<Constant> constants_of(const problem::Statement& stated) {
+  for (const problem::Situation& situation : stated.situations) {
+    const std::vector<std::string> names = problem::settable_names(situation);
+    if (std::ranges::find(names, "g") != names.end()) return {};
+  }
+  return {{"g", std::string(problem::standard_gravity_digits), "m/s^2"}};
 }
 
 }  // namespace
@@ -119,6 +133,7 @@ Document document_of(const problem::Statement& stated, const problem::SolvedStat
   for (const problem::Letter& letter : solved.open_letters)
     document.open_letters.push_back({letter.name, letter.unit.text});
   for (const problem::Solution& root : solved.solutions) document.solutions.push_back(solution_of(stated, root));
+  document.constants = constants_in(document.solutions, constants_of(stated));
   document.warnings = solved.warnings;
   document.ended = solved.ended;
   return document;

@@ -10,6 +10,7 @@
 
 #include "document/datum_text.h"
 #include "document/display_text.h"
+#include "document/named_constants.h"
 #include "document/rounding.h"
 #include "poinsot/rendering.h"
 
@@ -250,7 +251,7 @@ namespace poinsot {
 
 std::string to_terminal(const Document& document, const TerminalStyle& style) {
   require_values(document);
-  return document::TerminalText(style).render(document);
+  return document::TerminalText(style).render(document::with_named_constants(document));
 }
 
 }  // namespace poinsot

@@ -6,9 +6,9 @@
 #include <random>
 
 #include "poinsot/engine/math/formula/formula_sign.h"
-#include "poinsot/engine/math/formula/formula_text.h"
 #include "poinsot/engine/work/work.h"
 #include "problem/formulas/formula_answers.h"
+#include "problem/formulas/formula_conditions.h"
 #include "problem/formulas/letter_scan.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
@@ -34,8 +34,6 @@ struct FarPoint {
   LetterValues letters;
   std::string only;
 };
-
-bool is_angle(const Letter& letter) { return letter.unit.dimension == dimensions::angle; }
 
 std::vector<FarPoint> far_points(const std::vector<Letter>& open, const LetterValues& base, const LetterScan& scan) {
   std::vector<FarPoint> single;
@@ -94,14 +92,6 @@ class FarSearch {
   }
 
  private:
-  // What is positive where formulas hold.
-  struct Condition {
-    Formula positive;
-    std::vector<std::size_t> asks;  // whose formulas rest on it
-    bool bound = false;             // of an unknown, so that there is no such solution beyond it
-    bool needed = false;
-  };
-
   static LetterValues letters_of(const FormulaTask& task) {
     LetterValues base;
     for (const Letter& letter : task.open) base[letter.name] = task.settings.front().at(letter.name).number;
@@ -118,11 +108,22 @@ class FarSearch {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < solution_.asks.size(); ++i)
       if (has_formula(i)) all.push_back(i);
+    const auto add_domain = [&](const Value<Formula>& formula, const std::vector<std::size_t>& asks) {
+      for (const Formula& one : domain_of(formula)) {
+        const auto known = std::ranges::find(conditions_, one, &HeldCondition::positive);
+        if (known == conditions_.end())
+          conditions_.push_back({one, asks, true, true});
+        else
+          known->domain = true;
+      }
+    };
     for (const Formula& bound : grounds_.bounds) conditions_.push_back({bound, all, true});
+    for (const UnknownFormula& unknown : grounds_.unknowns) add_domain(unknown.value, all);
+    for (const std::size_t i : all) add_domain(*solution_.asks[i].formula, {i});
     for (const std::size_t i : all)
       for (const Formula& sign : grounds_.signs[i]) {
         if (seen_sign(sign).sign > 0) continue;
-        const auto known = std::ranges::find(conditions_, sign, &Condition::positive);
+        const auto known = std::ranges::find(conditions_, sign, &HeldCondition::positive);
         if (known == conditions_.end())
           conditions_.push_back({sign, {i}});
         else if (std::ranges::find(known->asks, i) == known->asks.end())
@@ -218,23 +219,24 @@ class FarSearch {
 
   // Looks for letters at which a condition fails, and sees by numbers whether the formulas then fail with it.
   void look_where_it_fails(std::size_t k) {
-    const Condition& condition = conditions_[k];
-    const auto fails = [&](const Condition& one, const LetterValues& letters) {
+    const HeldCondition& condition = conditions_[k];
+    const auto fails = [&](const HeldCondition& one, const LetterValues& letters) {
       return value_at(one.positive, letters) <= 0;
     };
     int confirmations = 0;
     // First where nothing else fails, so that what is seen comes from this condition.
     for (const bool alone : {true, false})
       for (std::size_t i = 0; i < condition_points && confirmations < most_confirmations; ++i) {
-        if (condition.needed || limit_.spent()) return;
+        // To look at a bound takes the formula alone.
+        if (condition.needed || (limit_.spent() && !condition.bound)) return;
         const LetterValues letters = scan_.point(most_scanned + i);
         if (!fails(condition, letters)) continue;
-        if (alone && std::ranges::any_of(conditions_, [&](const Condition& other) {
+        if (alone && std::ranges::any_of(conditions_, [&](const HeldCondition& other) {
               return &other != &condition && fails(other, letters);
             }))
           continue;
         if (condition.bound) {
-          if (settings_at(letters)) conditions_[k].needed = true;
+          if (condition.domain || settings_at(letters)) conditions_[k].needed = true;
           continue;
         }
         ++confirmations;
@@ -246,8 +248,8 @@ class FarSearch {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < solution_.asks.size(); ++i)
       if (has_formula(i)) all.push_back(i);
-    for (const Condition& condition : conditions_) {
-      if (!condition.needed) continue;
+    for (const HeldCondition& condition : conditions_) {
+      if (!condition.needed || is_implied(condition, conditions_)) continue;
       std::vector<std::string> names;
       std::size_t concerned = 0;
       for (const std::size_t i : all)
@@ -255,36 +257,11 @@ class FarSearch {
           names.push_back("'" + task_.statement.asks[i].name + "'");
           ++concerned;
         }
-      if (concerned == 0) continue;
-      const std::string words = shortest(condition.positive) + " > 0";
+      // Bounds are of the unknowns, which have formulas even where no answer has.
+      if (concerned == 0 && !(condition.bound && !grounds_.unknowns.empty())) continue;
+      const std::string words = condition_words(condition.positive, task_.open);
       tell(concerned == all.size() ? words : words + " for " + listed(names));
     }
-  }
-  // Without the factors that have no part in the sign, as far as this is shorter. Tangents of half angles, in which
-  // formulas are factored, are for sums only.
-  std::string shortest(const Formula& positive) const {
-    const auto tried = [](const Formula& x, Formula& best, std::string& words) {
-      std::string own = text(x);
-      if (own.size() >= words.size()) return;
-      words = std::move(own);
-      best = x;
-    };
-    Formula best = positive;
-    std::string words = text(best);
-    const std::vector<std::string> letters = positive.letters();
-    const bool turns = std::ranges::any_of(task_.open, [&](const Letter& letter) {
-      return is_angle(letter) && std::ranges::find(letters, letter.name) != letters.end();
-    });
-    if (!turns) tried(sign_part(positive, false), best, words);
-    for (const Letter& letter : task_.open) {
-      if (letter.either_sign || is_angle(letter)) continue;
-      const Formula factor = formula_of(letter).number, start = best;
-      for (const int power : {-3, -2, -1, 1, 2}) tried(start * pow(factor, power), best, words);
-    }
-    const Formula start = best;
-    for (int number = 2; number <= 12; ++number)
-      for (const Formula& factor : {Formula(number), Formula(1) / Formula(number)}) tried(start * factor, best, words);
-    return words;
   }
   void tell(const std::string& assumption) {
     auto& all = solution_.assumptions;
@@ -365,7 +342,7 @@ class FarSearch {
   const LetterScan scan_;
   const WorkLimit limit_;
   std::vector<bool> at_instant_;  // of each ask
-  std::vector<Condition> conditions_;
+  std::vector<HeldCondition> conditions_;
   std::vector<std::vector<std::size_t>> doubtful_;  // conditions of which one at least is needed
   std::optional<double> misfit_;
 };

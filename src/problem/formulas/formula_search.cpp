@@ -5,6 +5,7 @@
 #include <random>
 #include <set>
 
+#include "poinsot/engine/math/formula/formula_domain.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
 #include "problem/entries/drawn_letters.h"
 #include "problem/formulas/formula_unknowns.h"
@@ -52,6 +53,8 @@ class FormulaSearch {
     }
     grounds_.signs.resize(task_.statement.asks.size());
     std::set<std::string> assumptions;
+    for (const UnknownFormula& unknown : grounds_.unknowns)
+      for (const std::string& assumption : assumptions_of(unknown.value)) assumptions.insert(assumption);
     const ProgressTeller progress("looking for formulas");
     const std::size_t count = task_.statement.asks.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -115,7 +118,7 @@ class FormulaSearch {
   // The bounds of the unknowns: those that are stated, and those of what is never negative.
   void find_bounds() {
     const auto add = [&](const Formula& positive) {
-      const Formula bound = substituted(positive, unknowns_);
+      const Formula bound = bound_without_inverse(substituted(positive, unknowns_));
       if (!bound.is_number() && plain(bound) > 0 && seen_sign(bound).sign <= 0 &&
           std::find(grounds_.bounds.begin(), grounds_.bounds.end(), bound) == grounds_.bounds.end())
         grounds_.bounds.push_back(bound);

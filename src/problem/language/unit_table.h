@@ -8,6 +8,9 @@
 
 namespace poinsot::problem {
 
+// In m/s^2, by definition: it makes a force of the pound, and is g where a file says nothing of it.
+inline constexpr std::string_view standard_gravity_digits = "9.80665";
+
 struct NamedUnit {
   std::string_view name;
   double factor;  // one of it in SI base units and radians

@@ -14,12 +14,11 @@
 #include "problem/language/expression_walk.h"
 #include "problem/language/misread.h"
 #include "problem/language/scalar_value.h"
+#include "problem/language/unit_table.h"
 #include "problem/language/units.h"
 
 namespace poinsot::problem {
 namespace {
-
-constexpr std::string_view standard_gravity_digits = "9.80665";
 
 const NamedExpression* find_named(const std::vector<NamedExpression>& items, const std::string& name) {
   const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });

@@ -111,6 +111,8 @@ struct Replacement {
 // x with other values for those of its generators that have a replacement (null: stays).
 using Replacements = std::function<std::unique_ptr<Replacement>(const GeneratorPointer&)>;
 Formula replaced(const Formula& x, const Replacements& replacements);
+// A root, sign or inverse function of other arguments; the sign of zero is zero.
+Formula with_arguments(const Generator& g, const Formula& argument, const Formula& second);
 
 // 1, -1 or 0 (not seen) as the polynomial is positive, negative or of a sign that changes or is not found.
 int sign_of(const Generators& generators, const Polynomial& polynomial);

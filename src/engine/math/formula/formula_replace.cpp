@@ -13,16 +13,7 @@ std::unique_ptr<Replacement> rebuilt(const Generator& g, const Replacements& rep
   const Formula argument = replaced(g.argument, replacements);
   const Formula second = replaced(g.second, replacements);
   if (argument.fraction() == g.argument.fraction() && second.fraction() == g.second.fraction()) return nullptr;
-  Formula value;
-  if (g.kind == Kind::root) {
-    value = sqrt(argument);
-  } else if (g.kind == Kind::sign) {
-    if (!argument.is_zero()) value = abs(argument) / argument;
-  } else if (g.name == "atan2") {
-    value = atan2(argument, second);
-  } else {
-    value = g.name == "asin" ? asin(argument) : g.name == "acos" ? acos(argument) : atan(argument);
-  }
+  const Formula value = with_arguments(g, argument, second);
   return std::make_unique<Replacement>(Replacement{numerator_of(value), denominator_of(value)});
 }
 
@@ -34,6 +25,13 @@ std::vector<Formula> powers_of(const Formula& x, int degree) {
 }
 
 }  // namespace
+
+Formula with_arguments(const Generator& g, const Formula& argument, const Formula& second) {
+  if (g.kind == Kind::root) return sqrt(argument);
+  if (g.kind == Kind::sign) return argument.is_zero() ? Formula() : abs(argument) / argument;
+  if (g.name == "atan2") return atan2(argument, second);
+  return g.name == "asin" ? asin(argument) : g.name == "acos" ? acos(argument) : atan(argument);
+}
 
 Formula replaced(const Formula& x, const Replacements& replacements) {
   if (!x.fraction()) return x;

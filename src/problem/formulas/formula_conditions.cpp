@@ -1,0 +1,61 @@
+#include "problem/formulas/formula_conditions.h"
+
+#include <algorithm>
+
+#include "poinsot/engine/math/formula/formula_domain.h"
+#include "poinsot/engine/math/formula/formula_sign.h"
+#include "problem/formulas/formula_answers.h"
+#include "problem/formulas/formula_words.h"
+
+namespace poinsot::problem {
+
+std::vector<Formula> domain_of(const Value<Formula>& formula) {
+  std::vector<Formula> all;
+  const auto add = [&](const std::vector<Formula>& more) { all.insert(all.end(), more.begin(), more.end()); };
+  if (formula.is_number()) add(not_negative_in_domain(formula.number));
+  for (std::size_t k = 0; formula.is_vector() && k < 3; ++k) add(not_negative_in_domain(formula.vector[k]));
+  for (const Value<Formula>& item : formula.items) add(domain_of(item));
+  return all;
+}
+
+bool is_implied(const HeldCondition& condition, const std::vector<HeldCondition>& conditions) {
+  return std::ranges::any_of(conditions, [&](const HeldCondition& other) {
+    if (&other == &condition || !other.needed || !std::ranges::all_of(condition.asks, [&](std::size_t i) {
+          return std::ranges::find(other.asks, i) != other.asks.end();
+        }))
+      return false;
+    if (&other < &condition && condition.positive == other.positive) return true;
+    const auto seen = [](const Formula& x) { return seen_sign(x).sign > 0; };
+    return !(condition.positive == other.positive) &&
+           (seen(condition.positive - other.positive) ||
+            (&other < &condition && seen(condition.positive / other.positive)));
+  });
+}
+
+std::string condition_words(const Formula& positive, const std::vector<Letter>& open) {
+  const auto tried = [](const Formula& x, Formula& best, std::string& words) {
+    std::string own = formula_words(x);
+    if (own.size() >= words.size()) return;
+    words = std::move(own);
+    best = x;
+  };
+  Formula best = positive;
+  std::string words = formula_words(best);
+  const std::vector<std::string> letters = positive.letters();
+  const bool turns = std::ranges::any_of(open, [&](const Letter& letter) {
+    return is_angle(letter) && std::ranges::find(letters, letter.name) != letters.end();
+  });
+  // Tangents of half angles, in which formulas are factored, are for sums only.
+  if (!turns) tried(sign_part(positive, false), best, words);
+  for (const Letter& letter : open) {
+    if (letter.either_sign || is_angle(letter)) continue;
+    const Formula factor = formula_of(letter).number, start = best;
+    for (const int power : {-3, -2, -1, 1, 2}) tried(start * pow(factor, power), best, words);
+  }
+  const Formula start = best;
+  for (int number = 2; number <= 12; ++number)
+    for (const Formula& factor : {Formula(number), Formula(1) / Formula(number)}) tried(start * factor, best, words);
+  return words + " > 0";
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,34 @@
+// The conditions under which formulas hold: which are needed, and in which words they are told.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "problem/entries/statement.h"
+#include "problem/language/exact_numbers.h"
+
+namespace poinsot::problem {
+
+// What is positive where formulas hold.
+struct HeldCondition {
+  Formula positive;
+  std::vector<std::size_t> asks;  // whose formulas rest on it
+  bool bound = false;             // of an unknown, so that there is no such solution beyond it
+  bool domain = false;            // beyond it formulas have no value
+  bool needed = false;
+};
+
+// What must not be negative where all numbers of a value have one.
+std::vector<Formula> domain_of(const Value<Formula>& formula);
+
+// Whether a condition holds wherever another one does that is told for at least the same answers. Of two that say the
+// same the first is told. condition: one of them.
+bool is_implied(const HeldCondition& condition, const std::vector<HeldCondition>& conditions);
+
+// "5*g - 2*r*w^2 > 0": without the factors that have no part in the sign, as far as this is shorter. open: the letters.
+std::string condition_words(const Formula& positive, const std::vector<Letter>& open);
+
+inline bool is_angle(const Letter& letter) { return letter.unit.dimension == dimensions::angle; }
+
+}  // namespace poinsot::problem
