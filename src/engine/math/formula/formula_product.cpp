@@ -153,8 +153,7 @@ class Builder {
       }
     }
     for (const GeneratorPointer& g : signs_) {
-      const Power* power = place_of(g->argument);
-      const int own = power && power->exponent < 0 ? -1 : 1;
+      const int own = exponent_of(g->argument) < 0 ? -1 : 1;
       change(g->argument, -own);
       radicand_ *= pow(g->argument, 2 * own);
     }
@@ -189,6 +188,14 @@ class Builder {
     const Polynomial p = here(polynomial);
     const auto found = std::find_if(powers_.begin(), powers_.end(), [&p](const Power& q) { return q.base == p; });
     return found == powers_.end() ? nullptr : &*found;
+  }
+  // With what power a factor stands outside of roots.
+  int exponent_of(const Formula& polynomial) const {
+    const Polynomial p = here(polynomial);
+    for (std::size_t v = 0; v < generators_.size(); ++v)
+      if (is_angle(*generators_[v]) && p == Polynomial::variable(generators_.size(), v)) return half_[v].sine;
+    const Power* power = place_of(polynomial);
+    return power ? power->exponent : 0;
   }
   void change(const Formula& polynomial, int by) {
     const Polynomial p = here(polynomial);
