@@ -38,7 +38,8 @@ int letter_rank(std::string_view name) {
   static constexpr std::array<std::string_view, 5> rates{"Omega", "n", "omega", "v", "w"};
   const std::string_view kind = stem(name);
   if (name.ends_with('\'') || kind.ends_with("dot") || std::ranges::find(rates, kind) != rates.end()) return 3;
-  if (name == "g") return 1;
+  // A constant that stands by its digits is gravity, too (formula_constant.h).
+  if (name == "g" || (name.front() >= '0' && name.front() <= '9')) return 1;
   return std::ranges::find(forces_and_masses, kind) != forces_and_masses.end() ? 0 : 2;
 }
 

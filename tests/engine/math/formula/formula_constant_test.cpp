@@ -22,16 +22,16 @@ Formula read(const std::string& text) {
 std::string written(const std::string& formula) { return text_with_constant(read(formula), "9.80665"); }
 
 TEST(FormulaConstant, StandsAsAFactorByItself) {
-  EXPECT_EQ(written("5/2*m*g"), "5*9.80665*m/2");
+  EXPECT_EQ(written("5/2*m*g"), "5*m*9.80665/2");
   EXPECT_EQ(written("-3*g/(2*L)"), "-3*9.80665/(2*L)");
   EXPECT_EQ(written("sqrt(2*g*r)"), "sqrt(2*9.80665*r)");
   EXPECT_EQ(written("L/g"), "L/9.80665");
   EXPECT_EQ(written("x*sqrt(L/g)"), "x*sqrt(L/9.80665)");
-  EXPECT_EQ(written("m*g^2/3"), "9.80665^2*m/3");
+  EXPECT_EQ(written("m*g^2/3"), "m*9.80665^2/3");
   EXPECT_EQ(written("m*(g*r + x^2/2)"), "m*(9.80665*r + x^2/2)");
   EXPECT_EQ(written("sqrt(x^2 - 2*g*r)"), "sqrt(x^2 - 2*9.80665*r)");
   EXPECT_EQ(written("acos(g/(r*x^2))"), "acos(9.80665/(r*x^2))");
-  EXPECT_EQ(written("0.35*m*g"), "7*9.80665*m/20");
+  EXPECT_EQ(written("0.35*m*g"), "7*m*9.80665/20");
 }
 
 TEST(FormulaConstant, LeavesOtherNumbersAsTheyAre) {
