@@ -1,9 +1,11 @@
 // What the program's commands do. Each returns the exit code and throws what it cannot deal with.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "poinsot/pictures.h"
 #include "poinsot/problem.h"
 
 struct SolveArguments {
@@ -60,6 +62,18 @@ int report(const ReportArguments& arguments);
 
 // Problem files, and for each folder every `*.yaml` below it in the order of their names.
 std::vector<std::string> problem_files(const std::vector<std::string>& paths);
+
+struct FigureArguments {
+  std::string file, output;  // no output: the standard one
+  bool force = false;        // replace a file that is there
+  bool list = false;         // name the figures that there are, and draw none
+  std::size_t solution = 1;
+  poinsot::FigureOptions options;
+  poinsot::Settings sets;
+};
+
+// Draws a figure of a file's solution as SVG.
+int figure(const FigureArguments& arguments);
 
 // Writes the schema of the answer document or of the problem file.
 int schema(bool of_answer);

@@ -182,6 +182,28 @@ int run(int argument_count, const char* const* arguments) {
       ->type_name("OUTPUT");
   report_command->add_flag("--force", report_arguments.force, "Replace the output if it is there");
   add_sets(*report_command, report_settings);
+  FigureArguments figure_arguments;
+  std::vector<std::string> figure_settings;
+  CLI::App* figure_command = program.add_subcommand("figure", "Draw the problem, or what acts in it, as SVG");
+  figure_command->add_option("FILE", figure_arguments.file, "Problem file; - for standard input")->required();
+  figure_command
+      ->add_option("--of", figure_arguments.options.of,
+                   "model, free-body, impulse, cones, motion, answers, or the name of a body on which something acts")
+      ->capture_default_str()
+      ->type_name("FIGURE");
+  figure_command
+      ->add_option(
+          "--view", figure_arguments.options.view,
+          "front, back, left, right, top, bottom; AZIMUTH,ELEVATION in degrees from the front, to the right and "
+          "up; X,Y,Z towards the viewer. Without it the view in which least is lost")
+      ->type_name("VIEW");
+  figure_command->add_flag("--values", figure_arguments.options.values, "Write values beside symbols");
+  figure_command->add_flag("--list", figure_arguments.list, "Name the figures that there are");
+  figure_command->add_option("--solution", figure_arguments.solution, "Which of several solutions")
+      ->capture_default_str();
+  figure_command->add_option("-o,--output", figure_arguments.output, "A file in place of standard output");
+  figure_command->add_flag("--force", figure_arguments.force, "Replace the output file if it is there");
+  add_sets(*figure_command, figure_settings);
 
   bool of_answer = false;
   CLI::App* schema_command = program.add_subcommand("schema", "Print the JSON Schema of the problem file");
@@ -208,6 +230,7 @@ int run(int argument_count, const char* const* arguments) {
     for (const std::string& setting : settings) solve_arguments.sets.push_back(split_setting(setting));
     for (const std::string& setting : record_settings) record_arguments.sets.push_back(split_setting(setting));
     for (const std::string& setting : report_settings) report_arguments.sets.push_back(split_setting(setting));
+    for (const std::string& setting : figure_settings) figure_arguments.sets.push_back(split_setting(setting));
     for (const std::string& setting : equations_settings) equations_arguments.sets.push_back(split_setting(setting));
   } catch (const CLI::CallForHelp&) {
     const std::vector<CLI::App*> chosen = program.get_subcommands();
@@ -224,6 +247,7 @@ int run(int argument_count, const char* const* arguments) {
   if (solve_command->parsed()) return solve(solve_arguments);
   if (check_command->parsed()) return check(check_arguments);
   if (record_command->parsed()) return record(record_arguments);
+  if (figure_command->parsed()) return figure(figure_arguments);
   if (equations_command->parsed()) return equations(equations_arguments);
   if (help_command->parsed()) return help(help_arguments, program);
   if (completion_command->parsed()) return print(completion_script(program, shell));

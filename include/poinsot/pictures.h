@@ -1,5 +1,5 @@
-// Pictures of what was found: pages that a browser shows, and files for programs that show solids. They are made from
-// the answer document and contain no mechanics.
+// Pictures of what was found: line drawings as a printed text would have them, pages that a browser shows, and files for
+// programs that show solids. They are made from the answer document and contain no mechanics.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,34 @@
 #include "poinsot/problem.h"
 
 namespace poinsot {
+
+struct FigureTitle {
+  std::string name;   // as FigureOptions::of has it
+  std::string title;  // what it shows
+};
+
+// The line drawings of a solution, which are made of its scene (Problem::illustrate): "model" always; "free-body",
+// "impulse", "cones", "motion", "answers", and the names of bodies on which something acts, where there are such. None
+// if the solution has no scene. Throws std::out_of_range if there is no such solution.
+std::vector<FigureTitle> figures(const Document& document, std::size_t solution);
+
+struct FigureOptions {
+  std::string of = "model";
+  // From where it is seen: "front", "back", "left", "right", "top", "bottom"; "azimuth,elevation" in degrees from the
+  // front, to the right and up; "x,y,z" towards the viewer. "" for the view in which least is lost.
+  std::string view{};
+  bool values = false;  // with values beside symbols
+};
+
+// Thrown where there is no such figure or view; what() says which there are.
+class FigureError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+// A line drawing that stands alone, as SVG. Names and texts of the file stay text. Throws FigureError, and
+// std::out_of_range if there is no such solution.
+std::string to_svg(const Document& document, std::size_t solution, const FigureOptions& options = {});
 
 // The library was built without the script of the pages.
 struct NoPages : std::runtime_error {

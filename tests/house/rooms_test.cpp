@@ -53,6 +53,10 @@ const Lines rooms{"engine/work",
                   "problem/explanation",
                   "problem/scene",
                   "document",
+                  "pictures/drawing",
+                  "pictures/solids",
+                  "pictures/figure",
+                  "pictures/svg",
                   "pictures/page",
                   "pictures/gltf"};
 constexpr std::size_t most_files = 40;  // in one folder: more than a newcomer takes in

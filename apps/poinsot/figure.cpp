@@ -1,0 +1,69 @@
+// poinsot figure.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "commands.h"
+#include "exit_codes.h"
+#include "output_file.h"
+#include "poinsot/pictures.h"
+#include "poinsot/problem.h"
+#include "progress_line.h"
+#include "streams.h"
+
+namespace {
+
+poinsot::Document illustrated_until_interrupted(const poinsot::Problem& problem, const poinsot::Settings& sets) {
+  const InterruptCatcher catcher;
+  ProgressLine line;
+  return problem.illustrate(sets, line.budget());
+}
+
+}  // namespace
+
+int figure(const FigureArguments& arguments) {
+  if (const std::string reason = not_to_be_written(arguments.file, arguments.output, arguments.force);
+      !reason.empty()) {
+    write_message("poinsot: " + reason);
+    return exit_wrong_input;
+  }
+  const poinsot::Document document =
+      illustrated_until_interrupted(poinsot::Problem::from_file(arguments.file), arguments.sets);
+  if (interrupted()) {
+    write_message("poinsot: interrupted");
+    return exit_interrupted;
+  }
+  if (document.solutions.empty()) {
+    write_message(fmt::format("{}: no solution, and so no figure", arguments.file));
+    for (const std::string& warning : document.warnings)
+      write_message(fmt::format("{}: warning: {}", arguments.file, warning));
+    return exit_unanswered;
+  }
+  if (arguments.solution < 1 || arguments.solution > document.solutions.size()) {
+    write_message(fmt::format("poinsot: --solution {}: {} has {}", arguments.solution, arguments.file,
+                              document.solutions.size()));
+    return exit_wrong_input;
+  }
+  const std::size_t solution = arguments.solution - 1;
+  try {
+    if (arguments.list) {
+      std::string text;
+      for (const poinsot::FigureTitle& title : figures(document, solution))
+        text += fmt::format("{:<12} {}\n", title.name, title.title);
+      static_cast<void>(write_answer(text));
+      return exit_answered;
+    }
+    const std::string svg = to_svg(document, solution, arguments.options);
+    if (arguments.output.empty()) {
+      static_cast<void>(write_answer(svg));
+    } else if (!write_file(arguments.output, svg)) {
+      write_message(fmt::format("poinsot: cannot write {}: {}", arguments.output, std::strerror(errno)));
+      return exit_internal;
+    }
+    return exit_answered;
+  } catch (const poinsot::FigureError& error) {
+    write_message(fmt::format("{}: {}", arguments.file, error.what()));
+    return exit_wrong_input;
+  }
+}

@@ -1,0 +1,251 @@
+#include "pictures/drawing/label_text.h"
+
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "pictures/drawing/font_metrics.h"
+#include "poinsot/rendering.h"
+
+namespace poinsot::pictures {
+namespace {
+
+constexpr std::size_t longest_tex = 1000;  // beyond this no symbol goes, but a hostile name may
+constexpr int deepest = 20;
+constexpr double index_size = 0.72, index_drop = 0.22, power_rise = 0.38;
+
+using Word = std::pair<std::string_view, std::string_view>;
+constexpr std::array<Word, 47> letters_of_tex{{
+    {"alpha", "α"}, {"beta", "β"},    {"gamma", "γ"}, {"delta", "δ"},  {"epsilon", "ε"}, {"varepsilon", "ε"},
+    {"zeta", "ζ"},  {"eta", "η"},     {"theta", "θ"}, {"iota", "ι"},   {"kappa", "κ"},   {"lambda", "λ"},
+    {"mu", "μ"},    {"nu", "ν"},      {"xi", "ξ"},    {"pi", "π"},     {"rho", "ρ"},     {"sigma", "σ"},
+    {"tau", "τ"},   {"upsilon", "υ"}, {"phi", "φ"},   {"varphi", "φ"}, {"chi", "χ"},     {"psi", "ψ"},
+    {"omega", "ω"}, {"Gamma", "Γ"},   {"Delta", "Δ"}, {"Theta", "Θ"},  {"Lambda", "Λ"},  {"Xi", "Ξ"},
+    {"Pi", "Π"},    {"Sigma", "Σ"},   {"Phi", "Φ"},   {"Psi", "Ψ"},    {"Omega", "Ω"},   {"cdot", "·"},
+    {"times", "×"}, {"circ", "°"},    {"prime", "′"}, {"sum", "Σ"},    {"_", "_"},       {"&", "&"},
+    {"%", "%"},     {"#", "#"},       {"$", "$"},     {"{", "{"},      {"}", "}"},
+}};
+
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80;
+}
+
+std::size_t length_of_letter(std::string_view text, std::size_t at) {
+  std::size_t length = 1;
+  while (at + length < text.size() && (static_cast<unsigned char>(text[at + length]) & 0xc0U) == 0x80U) ++length;
+  return length;
+}
+
+// Sets runs side by side on a base line.
+class Setter {
+ public:
+  explicit Setter(double size) : size_(size) {}
+
+  void put(std::string_view text, Face face) {
+    Run run{std::string(text), face, size_, {x_, y_}, text_width(text, face, size_)};
+    x_ += run.width;
+    auto& runs = label_.runs;
+    if (!runs.empty() && runs.back().face == face && runs.back().size == size_ && runs.back().offset.y == y_ &&
+        x_ - run.width - (runs.back().offset.x + runs.back().width) < 1e-9) {
+      runs.back().text += run.text;
+      runs.back().width += run.width;
+    } else {
+      runs.push_back(std::move(run));
+    }
+    label_.box.include(Point2{x_, y_ + descent * size_ * (lowered_ ? 0.6 : 1)});
+    label_.box.include(Point2{0, y_ - ascent * size_});
+  }
+  void gap(double part) { x_ += part * size_; }
+  // Small letters, lower or higher, until restore().
+  void lower() { shift(index_drop); }
+  void raise() { shift(-power_rise); }
+  void restore() {
+    size_ /= index_size;
+    y_ = 0;
+    lowered_ = false;
+  }
+  double x() const { return x_; }
+  double size() const { return size_; }
+  void accent(Accent::Kind kind, double from, bool high) {
+    const double y = y_ - ((high ? height_of_capitals : height_of_x) + 0.12) * size_;
+    // Over the letter that leans to the right.
+    label_.accents.push_back({kind, {from + 0.12 * size_, y}, {x_ + 0.02 * size_, y}});
+    label_.box.include(Point2{x_, y - 2});
+  }
+  bool full() const { return x_ > longest_label; }
+  Label take() {
+    label_.box.include(Point2{x_, 0});
+    label_.box.include(Point2{0, 0});
+    return std::move(label_);
+  }
+
+ private:
+  void shift(double part) {
+    y_ = part * size_;
+    lowered_ = part > 0;
+    size_ *= index_size;
+  }
+  Label label_;
+  double size_, x_ = 0, y_ = 0;
+  bool lowered_ = false;
+};
+
+class TexReader {
+ public:
+  TexReader(std::string_view tex, double size) : tex_(tex), setter_(size) {}
+
+  Label read() {
+    while (at_ < tex_.size() && !setter_.full()) item(Face::italic);
+    if (setter_.full()) setter_.put("…", Face::upright);
+    return setter_.take();
+  }
+
+ private:
+  std::string_view command() {
+    const std::size_t begin = ++at_;
+    while (at_ < tex_.size() && std::isalpha(static_cast<unsigned char>(tex_[at_])) != 0) ++at_;
+    if (at_ == begin && at_ < tex_.size()) ++at_;
+    return tex_.substr(begin, at_ - begin);
+  }
+
+  // A group in braces, or the next item alone.
+  void group(Face face) {
+    while (at_ < tex_.size() && tex_[at_] == ' ') ++at_;
+    if (at_ >= tex_.size()) return;
+    if (tex_[at_] != '{') return item(face);
+    if (depth_ == deepest) {
+      at_ = tex_.size();
+      return;
+    }
+    ++depth_;
+    ++at_;
+    while (at_ < tex_.size() && tex_[at_] != '}' && !setter_.full()) item(face);
+    if (at_ < tex_.size()) ++at_;
+    --depth_;
+  }
+
+  void index(Face face, bool low) {
+    if (small_) return group(face);
+    small_ = true;
+    low ? setter_.lower() : setter_.raise();
+    group(face);
+    setter_.restore();
+    small_ = false;
+  }
+
+  void accented(Accent::Kind kind, Face face) {
+    const double from = setter_.x();
+    const std::size_t begin = at_;
+    group(face);
+    bool high = false;
+    for (std::size_t i = begin; i < at_; ++i)
+      high = high || std::isupper(static_cast<unsigned char>(tex_[i])) != 0 || tex_[i] == 'd' || tex_[i] == 'b';
+    // The names of commands do not count: only what follows them.
+    if (const std::size_t brace = tex_.find_last_of('{', at_ - 1); brace != std::string_view::npos && brace >= begin) {
+      high = false;
+      for (std::size_t i = brace; i < at_; ++i) high = high || std::isupper(static_cast<unsigned char>(tex_[i])) != 0;
+    }
+    setter_.accent(kind, from, high);
+  }
+
+  void item(Face face) {
+    const char c = tex_[at_];
+    if (c == '\\') return take_command(command(), face);
+    if (c == '{') return group(face);
+    if (c == '_' || c == '^') {
+      ++at_;
+      return index(face, c == '_');
+    }
+    if (c == ' ' || c == '}' || c == '~' || c == '&') {
+      ++at_;
+      if (face == Face::upright && c == ' ') setter_.put(" ", face);
+      return;
+    }
+    const std::size_t length = length_of_letter(tex_, at_);
+    const bool sloped = is_letter(c) || face == Face::bold;
+    setter_.put(c == '-' ? std::string_view("−") : tex_.substr(at_, length), sloped ? face : Face::upright);
+    at_ += length;
+  }
+
+  void take_command(std::string_view name, Face face) {
+    if (name == "mathbf" || name == "vec") return group(Face::bold);
+    if (name == "boldsymbol" || name == "bm") return group(Face::bold_italic);
+    if (name == "mathrm" || name == "text" || name == "operatorname" || name == "textrm") return group(Face::upright);
+    if (name == "mathit") return group(Face::italic);
+    if (name == "bar" || name == "overline") return accented(Accent::Kind::bar, face);
+    if (name == "dot") return accented(Accent::Kind::dot, face);
+    if (name == "ddot") return accented(Accent::Kind::two_dots, face);
+    if (name == "," || name == ";" || name == ":" || name == " " || name == "quad") return setter_.gap(0.17);
+    if (name == "!" || name == "left" || name == "right") return;
+    if (name == "Delta" && face == Face::italic) face = Face::upright;
+    for (const auto& [word, letter] : letters_of_tex)
+      if (word == name) return setter_.put(letter, face);
+    setter_.put(name, Face::upright);
+  }
+
+  std::string_view tex_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  bool small_ = false;
+  Setter setter_;
+};
+
+}  // namespace
+
+std::string clean(std::string_view text) { return printable(text); }
+
+Label tex_label(std::string_view tex, double size) {
+  const std::string text = clean(tex.substr(0, longest_tex));
+  return TexReader(text, size).read();
+}
+
+Label name_label(std::string_view name, double size) {
+  const std::string text = clean(name);
+  Setter setter(size);
+  bool low = false;
+  for (std::size_t i = 0; i < text.size() && !setter.full();) {
+    const std::size_t length = length_of_letter(text, i);
+    const bool index = text[i] == '_' && i > 0 && i + 1 < text.size() && !low;
+    if (index) {
+      low = true;
+      setter.lower();
+    } else {
+      if (low && text[i] == ' ') {
+        setter.restore();
+        low = false;
+      }
+      setter.put(text[i] == '-' ? "−" : std::string_view(text).substr(i, length),
+                 is_letter(text[i]) ? Face::italic : Face::upright);
+    }
+    i += length;
+  }
+  if (setter.full()) setter.put("…", Face::upright);
+  return setter.take();
+}
+
+Label words_label(std::string_view words, double size) {
+  const std::string text = clean(words);
+  Setter setter(size);
+  for (std::size_t i = 0; i < text.size() && !setter.full();) {
+    const std::size_t length = length_of_letter(text, i);
+    setter.put(std::string_view(text).substr(i, length), Face::upright);
+    i += length;
+  }
+  if (setter.full()) setter.put("…", Face::upright);
+  return setter.take();
+}
+
+Label joined(Label first, const Label& second, double gap) {
+  const Point2 by{first.box.right + gap, 0};
+  for (Run run : second.runs) {
+    run.offset = run.offset + by;
+    first.runs.push_back(std::move(run));
+  }
+  for (const Accent& accent : second.accents) first.accents.push_back({accent.kind, accent.from + by, accent.to + by});
+  first.box.include(second.box.moved(by));
+  return first;
+}
+
+}  // namespace poinsot::pictures

@@ -1,0 +1,327 @@
+#include "pictures/figure/arrows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "pictures/drawing/label_text.h"
+
+namespace poinsot::pictures {
+namespace {
+
+using scene::Quantity;
+
+constexpr double end_on_part = 0.12;  // of its length: an arrow that is seen shorter is drawn as a point or a cross
+constexpr double head_length = 10, head_half_width = 3.4;
+
+enum class Head { full, open, hollow };
+
+struct Style {
+  Ink ink = Ink::force;
+  Head head = Head::full;
+  Dash dash = Dash::none;
+  double width = 1.5;
+};
+
+// Kinds differ by head and dash, so that they are told apart without color.
+Style style_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::force:
+    case Quantity::weight:
+    case Quantity::couple:
+      return {};
+    case Quantity::impulse:
+    case Quantity::angular_impulse:
+      return {.width = 2.6};
+    case Quantity::velocity:
+    case Quantity::angular_velocity:
+    case Quantity::acceleration:
+    case Quantity::angular_acceleration:
+      return {.ink = Ink::motion, .head = Head::open};
+    case Quantity::linear_momentum:
+    case Quantity::angular_momentum:
+    case Quantity::rate_of_momentum:
+    case Quantity::rate_of_angular_momentum:
+      return {.ink = Ink::momentum, .head = Head::hollow, .dash = Dash::inertial};
+  }
+  return {};
+}
+
+// Whether it shows a state of the body, whose tail stands at the point, and nothing that pushes or pulls.
+bool belongs_to_body(Quantity quantity) { return style_of(quantity).head != Head::full; }
+
+void draw_head(Panel& panel, Point2 tip, Point2 along, const Style& style) {
+  const Point2 side = turned_left(along);
+  const Point2 left = tip - head_length * along + head_half_width * side;
+  const Point2 right = tip - head_length * along - head_half_width * side;
+  switch (style.head) {
+    case Head::full:
+      return panel.area({tip, left, right}, color_of(style.ink), Role::arrowhead);
+    case Head::open:
+      return panel.line({left, tip, right}, Role::arrowhead, 1.4, style.ink);
+    case Head::hollow:
+      return panel.shape({tip, left, right}, "#ffffff", Role::arrowhead, 1.2, style.ink);
+  }
+}
+
+// What has been drawn, so that the next arrow is not drawn over it.
+struct Shaft {
+  Point2 tail, tip;
+};
+
+// How much of one arrow runs along another, as a part of it, and how near their heads are.
+double clash(const Shaft& a, const Shaft& b) {
+  double sum = 0;
+  constexpr int samples = 9;
+  for (int i = 1; i < samples; ++i) {
+    const Point2 p = a.tail + (static_cast<double>(i) / samples) * (a.tip - a.tail);
+    if (distance(p, b.tail, b.tip) < 4.5) sum += 1.0 / samples;
+  }
+  // Where only their tails meet, as at one point of application, nothing is lost.
+  return sum + (norm(a.tip - b.tip) < 12 ? 1.5 : 0) + (distance(a.tip, b.tail, b.tip) < 6 ? 0.5 : 0);
+}
+
+class ArrowDrawer {
+ public:
+  ArrowDrawer(Panel& panel, const Largest& largest) : panel_(panel), largest_(largest) {}
+
+  void draw(const scene::Arrow& arrow) {
+    const double size = norm(arrow.vector);
+    const double largest = largest_.of[static_cast<std::size_t>(scale_of(arrow.quantity))];
+    if (!(size > rounding_part * largest) || !std::isfinite(size)) return;
+    const double to_scale = longest_arrow * size / largest;
+    const bool marked = to_scale < shortest_arrow;
+    const double full = std::max(to_scale, shortest_arrow);
+    const Vector direction = arrow.vector / size;
+    const Point2 seen = panel_.projection.direction_of(direction);
+    const Point2 at = panel_.paper(arrow.at);
+    if (norm(seen) < end_on_part) return end_on(arrow, at, dot(direction, panel_.projection.view().viewer) > 0);
+    const Shaft shaft = place(arrow, at, full * seen);
+    const Style style = style_of(arrow.quantity);
+    const Point2 along = pictures::direction(shaft.tip - shaft.tail);
+    const bool doubled = turns(arrow.quantity);
+    const double back = head_length * (doubled ? 1.7 : 0.9);
+    panel_.line({shaft.tail, shaft.tip - std::min(back, 0.8 * norm(shaft.tip - shaft.tail)) * along}, Role::arrow,
+                style.width, style.ink, style.dash);
+    if (doubled) {
+      draw_head(panel_, shaft.tip - 0.8 * head_length * along, along, style);
+      curved(shaft, direction, style);
+    }
+    draw_head(panel_, shaft.tip, along, style);
+    if (marked) mark(shaft, style);
+    drawn_.push_back(shaft);
+    label(arrow, shaft, along);
+  }
+
+ private:
+  // The best of some places: tail or head at the point, or beside it, clear of bodies and of other arrows.
+  Shaft place(const scene::Arrow& arrow, Point2 at, Point2 arm) const {
+    const Point2 side = turned_left(direction(arm));
+    Shaft best{at, at + arm};
+    double least = 1e9;
+    const bool movable = turns(arrow.quantity);
+    const auto attempt = [&](const Shaft& shaft, double cost) {
+      cost += 0.8 * panel_.visibility.covered(shaft.tail, shaft.tip);
+      for (const Shaft& other : drawn_) cost += 2 * clash(shaft, other);
+      if (cost < least - 1e-9) {
+        least = cost;
+        best = shaft;
+      }
+    };
+    attempt({at, at + arm}, 0);
+    if (!belongs_to_body(arrow.quantity)) attempt({at - arm, at}, 0.1);
+    for (const double step : {9.0, -9.0}) {
+      attempt({at + step * side, at + step * side + arm}, 0.8);
+      if (!belongs_to_body(arrow.quantity)) attempt({at + step * side - arm, at + step * side}, 0.9);
+    }
+    if (movable) {
+      // Free vectors may stand further along.
+      for (const double part : {0.5, 1.0, 1.5}) attempt({at + part * arm, at + (1 + part) * arm}, 0.3 + 0.3 * part);
+      attempt({at - 1.6 * arm, at - 0.6 * arm}, 1.0);
+    }
+    return best;
+  }
+
+  // The arrow around the shaft by the rule of the right hand, open where it passes behind.
+  void curved(const Shaft& shaft, const Vector& axis, const Style& style) {
+    const double toward = dot(axis, panel_.projection.view().viewer);
+    const Point2 shaft_along = direction(shaft.tip - shaft.tail);
+    // Seen from the side a circle would be a stroke: it is drawn a little open.
+    constexpr double radius = 9, least_opening = 0.35, gap = 0.75;
+    const Point2 nearest = (toward > 0 ? -1 : 1) * std::max(std::abs(toward), least_opening) * shaft_along;
+    const Point2 onward = -turned_left(shaft_along);  // where the right hand turns what is nearest
+    const Point2 center = shaft.tail + 0.42 * (shaft.tip - shaft.tail);
+    std::vector<Point2> points;
+    const double from = -std::numbers::pi + gap, to = std::numbers::pi - gap;
+    for (int i = 0; i <= 30; ++i) {
+      const double angle = from + (to - from) * i / 30;
+      points.push_back(center + radius * (std::cos(angle) * nearest + std::sin(angle) * onward));
+    }
+    const Point2 along = direction(points[30] - points[28]);
+    panel_.line(points, Role::arrow, 1.1, style.ink);
+    panel_.line({points[30] - 5.0 * along + 3.0 * turned_left(along), points[30],
+                 points[30] - 5.0 * along - 3.0 * turned_left(along)},
+                Role::arrowhead, 1.1, style.ink);
+  }
+
+  // Two strokes across the shaft.
+  void mark(const Shaft& shaft, const Style& style) {
+    panel_.not_to_scale = true;
+    const Point2 along = direction(shaft.tip - shaft.tail), side = turned_left(along);
+    for (const double part : {0.22, 0.34}) {
+      const Point2 at = shaft.tail + part * (shaft.tip - shaft.tail);
+      panel_.line({at - 4.0 * side - 1.5 * along, at + 4.0 * side + 1.5 * along}, Role::arrow, 1, style.ink);
+    }
+  }
+
+  // A vector along the line of sight: a circle with the point or the feathers of an arrow; a turning goes around.
+  void end_on(const scene::Arrow& arrow, Point2 at, bool to_viewer) {
+    const Style style = style_of(arrow.quantity);
+    if (turns(arrow.quantity)) {
+      double radius = 17;
+      for (const Point2& center : turned_) radius += norm(center - at) < 10 ? 7 : 0;
+      turned_.push_back(at);
+      const double from = 0.6, sweep = to_viewer ? 4.4 : -4.4;
+      std::vector<Point2> points = arc(at, radius, from, from + sweep);
+      const Point2 tip = points.back(), along = direction(tip - points[points.size() - 3]);
+      panel_.line(std::move(points), Role::arrow, style.width, style.ink, style.dash);
+      draw_head(panel_, tip + 3.0 * along, along, style);
+      drawn_.push_back({tip - 8.0 * along, tip});
+      return add_label(arrow, {{at + radius * Point2{0.7, -0.7}, {1, -1}, 4, 0}, {tip, {}, 6, 1}}, style.ink);
+    }
+    const double radius = 6;
+    Point2 center = at;
+    for (const Shaft& other : drawn_)
+      if (norm(other.tip - center) < 12) center = center + Point2{13, 0};
+    panel_.shape(circle(center, radius), "#ffffff", Role::arrowhead, style.width, style.ink);
+    if (to_viewer) {
+      panel_.area(circle(center, 2), color_of(style.ink), Role::arrowhead);
+    } else {
+      const double d = radius / std::numbers::sqrt2;
+      panel_.line({center + Point2{-d, -d}, center + Point2{d, d}}, Role::arrowhead, 1.2, style.ink);
+      panel_.line({center + Point2{-d, d}, center + Point2{d, -d}}, Role::arrowhead, 1.2, style.ink);
+    }
+    drawn_.push_back({center, center});
+    add_label(arrow, {{center, {1, -1}, radius + 2, 0}}, style.ink);
+  }
+
+  void label(const scene::Arrow& arrow, const Shaft& shaft, Point2 along) {
+    const Point2 side = turned_left(along);
+    const Point2 upper = side.y <= 0 ? side : -side;
+    const Point2 middle = shaft.tail + 0.6 * (shaft.tip - shaft.tail);
+    add_label(arrow,
+              {{shaft.tip, along, 4, 0},
+               {shaft.tip - 6.0 * along, side, 6, 0.6},
+               {shaft.tip - 6.0 * along, -side, 6, 0.6},
+               {middle, upper, 5, 1.2},
+               {middle, -upper, 5, 1.4},
+               {shaft.tail, -along, 4, 3}},
+              style_of(arrow.quantity).ink);
+  }
+
+  void add_label(const scene::Arrow& arrow, std::vector<Anchor> anchors, Ink ink) {
+    Label label = !arrow.symbol.empty() ? tex_label(arrow.symbol) : name_label(arrow.text);
+    if (panel_.values) {
+      const std::string value = !arrow.formula.empty() && arrow.formula.size() < 28 ? arrow.formula
+                                : std::isfinite(arrow.value) ? value_text(arrow.value, arrow.unit)
+                                                             : "";
+      if (!value.empty()) label = joined(std::move(label), words_label("= " + value, 12), 4);
+    }
+    if (label.runs.empty()) return;
+    label.ink = ink;
+    panel_.labels.push_back({std::move(label), std::move(anchors), 3, false, ink});
+  }
+
+  Panel& panel_;
+  const Largest& largest_;
+  std::vector<Shaft> drawn_;
+  std::vector<Point2> turned_;
+};
+
+}  // namespace
+
+Scale scale_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::force:
+    case Quantity::weight:
+    case Quantity::rate_of_momentum:
+      return Scale::force;
+    case Quantity::couple:
+    case Quantity::rate_of_angular_momentum:
+      return Scale::couple;
+    case Quantity::impulse:
+    case Quantity::linear_momentum:
+      return Scale::impulse;
+    case Quantity::angular_impulse:
+    case Quantity::angular_momentum:
+      return Scale::angular_impulse;
+    case Quantity::velocity:
+      return Scale::velocity;
+    case Quantity::angular_velocity:
+      return Scale::angular_velocity;
+    case Quantity::acceleration:
+      return Scale::acceleration;
+    case Quantity::angular_acceleration:
+      return Scale::angular_acceleration;
+  }
+  return Scale::force;
+}
+
+bool turns(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::couple:
+    case Quantity::angular_impulse:
+    case Quantity::angular_velocity:
+    case Quantity::angular_acceleration:
+    case Quantity::angular_momentum:
+    case Quantity::rate_of_angular_momentum:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void Largest::include(const scene::Arrow& arrow) {
+  double& largest = of[static_cast<std::size_t>(scale_of(arrow.quantity))];
+  if (const double size = norm(arrow.vector); std::isfinite(size)) largest = std::max(largest, size);
+}
+
+void draw_arrows(Panel& panel, const std::vector<scene::Arrow>& arrows, const Largest& largest) {
+  ArrowDrawer drawer(panel, largest);
+  // Those that stand at a point first; those that may be moved give way.
+  for (const bool turning : {false, true})
+    for (const scene::Arrow& arrow : arrows)
+      if (turns(arrow.quantity) == turning) drawer.draw(arrow);
+}
+
+void plain_arrow(Panel& panel, Point2 from, Point2 to, Role role, double width, Ink ink, double head) {
+  const Point2 along = direction(to - from), side = turned_left(along);
+  panel.line({from, to - 0.8 * head * along}, role, width, ink);
+  panel.area({to, to - head * along + 0.33 * head * side, to - head * along - 0.33 * head * side}, color_of(ink), role);
+}
+
+std::string value_text(double value, const std::string& unit) {
+  std::string text = fmt::format("{:.4g}", value);
+  if (const std::size_t e = text.find('e'); e != std::string::npos) {
+    int exponent = 0;
+    for (std::size_t i = e + 2; i < text.size(); ++i) exponent = exponent * 10 + (text[i] - '0');
+    text = fmt::format("{}·10^{}{}", text.substr(0, e), text[e + 1] == '-' ? "−" : "", exponent);
+  }
+  if (!text.empty() && text[0] == '-') text = "−" + text.substr(1);
+  std::string spaced;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (unit[i] == '*')
+      spaced += "·";
+    else if (unit[i] == '^' && i + 1 < unit.size() && (unit[i + 1] == '2' || unit[i + 1] == '3'))
+      spaced += unit[++i] == '2' ? "²" : "³";
+    else
+      spaced += unit[i];
+  }
+  if (spaced == "deg") return text + "°";
+  return spaced.empty() || spaced == "1" ? text : text + " " + spaced;
+}
+
+}  // namespace poinsot::pictures

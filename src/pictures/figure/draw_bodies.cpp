@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "pictures/figure/panel.h"
+#include "pictures/solids/outlines.h"
+
+namespace poinsot::pictures {
+namespace {
+
+constexpr double particle_radius = 4, center_radius = 7;
+
+std::string hex(const std::array<double, 3>& color) {
+  constexpr const char* digits = "0123456789abcdef";
+  std::string text = "#";
+  for (const double part : color) {
+    const int value = static_cast<int>(std::lround(std::clamp(part, 0.0, 255.0)));
+    text += digits[value / 16];
+    text += digits[value % 16];
+  }
+  return text;
+}
+
+// The quartered circle that stands for the mass center of a body whose shape is not known.
+void draw_center(Panel& panel, Point2 at, double strength) {
+  const std::vector<Point2> rim = circle(at, center_radius);
+  panel.marks.emplace_back(Fill{.loops = {rim}, .color = "#ffffff", .role = Role::point, .opacity = strength});
+  for (const double from : {0.0, std::numbers::pi}) {
+    std::vector<Point2> quarter = arc(at, center_radius, from, from + std::numbers::pi / 2);
+    quarter.push_back(at);
+    panel.marks.emplace_back(
+        Fill{.loops = {std::move(quarter)}, .color = "#333333", .role = Role::point, .opacity = strength});
+  }
+  panel.marks.emplace_back(Stroke{.points = rim, .width = 1, .role = Role::point, .closed = true, .opacity = strength});
+}
+
+void draw_rods(Panel& panel, std::vector<SeenLine> rods, double strength) {
+  std::ranges::stable_sort(rods, {}, &SeenLine::depth);
+  // Those of one body are joined, so that first their borders are drawn and then what is between.
+  for (std::size_t begin = 0; begin < rods.size();) {
+    std::size_t end = begin;
+    while (end < rods.size() && rods[end].body == rods[begin].body) ++end;
+    for (const bool inside : {false, true})
+      for (std::size_t i = begin; i < end; ++i) {
+        Stroke stroke{.points = rods[i].points,
+                      .width = inside ? rod_width - 2 : rod_width,
+                      .ink = inside ? Ink::light_grey : Ink::black,
+                      .role = inside ? Role::body : Role::rod,
+                      .closed = rods[i].closed,
+                      .opacity = strength};
+        panel.marks.emplace_back(std::move(stroke));
+      }
+    begin = end;
+  }
+}
+
+}  // namespace
+
+bool Panel::draws(int body) const { return body < 0 || std::ranges::find(bodies, body) != bodies.end(); }
+
+void Panel::seen_line(const Vector& from, const Vector& to, Role role, double width, Ink ink, Dash dash) {
+  const DeepPoint a{projection(from), projection.depth(from)}, b{projection(to), projection.depth(to)};
+  for (const Interval& part : visibility.seen(a, b))
+    line({a.at + part.first * (b.at - a.at), a.at + part.second * (b.at - a.at)}, role, width, ink, dash);
+}
+
+std::string color_of(Ink ink) {
+  switch (ink) {
+    case Ink::black:
+      return "#1a1a1a";
+    case Ink::grey:
+      return "#6b6b6b";
+    case Ink::light_grey:
+      return "#e3e3e3";
+    case Ink::force:
+      return "#a3150f";
+    case Ink::motion:
+      return "#0b4f9e";
+    case Ink::momentum:
+      return "#1b6b43";
+    case Ink::white:
+      return "#ffffff";
+  }
+  return "#000000";
+}
+
+std::string tone_of(int body) {
+  // Light tones that differ in lightness too, so that they are told apart in print and by the color-blind.
+  static constexpr std::array<std::array<double, 3>, 6> tones{
+      {{232, 238, 246}, {247, 240, 226}, {226, 236, 226}, {240, 230, 238}, {222, 228, 236}, {238, 234, 222}}};
+  return hex(tones[static_cast<std::size_t>(std::max(body, 0)) % tones.size()]);
+}
+
+void draw_bodies(Panel& panel, double strength) {
+  const std::vector<Intersection> intersections = intersections_of(panel.solids);
+  for (Area& area : areas_of(panel.solids, intersections, panel.projection)) {
+    if (panel.scene.bodies.at(static_cast<std::size_t>(area.body)).massless) {
+      panel.marks.emplace_back(
+          Fill{.loops = std::move(area.loops), .color = "#f6f6f6", .bordered = true, .opacity = strength});
+      continue;
+    }
+    panel.marks.emplace_back(
+        Fill{.loops = std::move(area.loops), .color = tone_of(area.body), .bordered = true, .opacity = strength});
+  }
+  Lines lines = seen_lines(panel.solids, intersections, panel.projection, panel.visibility);
+  for (SeenLine& line : lines.edges)
+    panel.marks.emplace_back(Stroke{.points = std::move(line.points),
+                                    .width = line.silhouette ? silhouette_width : edge_width,
+                                    .role = Role::outline,
+                                    .closed = line.closed,
+                                    .opacity = strength});
+  draw_rods(panel, std::move(lines.rods), strength);
+  for (const Solid& solid : panel.solids)
+    if (solid.extent == scene::Extent::point)
+      for (const Vector& vertex : solid.vertices)
+        panel.marks.emplace_back(Fill{.loops = {circle(panel.projection(vertex), particle_radius)},
+                                      .color = "#333333",
+                                      .role = Role::point,
+                                      .opacity = strength});
+  for (const int body : panel.bodies) {
+    if (body < 0) continue;
+    const scene::Body& own = panel.scene.bodies.at(static_cast<std::size_t>(body));
+    if (own.shapes.empty() && !own.frame && !own.massless)
+      draw_center(panel, panel.paper({body, own.center}), strength);
+  }
+}
+
+}  // namespace poinsot::pictures

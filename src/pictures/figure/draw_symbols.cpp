@@ -1,0 +1,220 @@
+// Joints, supports and contacts as engineers draw them. Symbols have the same size whatever that of the bodies.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "pictures/figure/panel.h"
+
+namespace poinsot::pictures {
+namespace {
+
+using scene::SymbolKind;
+
+constexpr double pi = std::numbers::pi;
+constexpr const char* metal = "#ffffff";
+
+// Draws around a point with vectors in units of the paper.
+class Sketch {
+ public:
+  Sketch(Panel& panel, const Vector& at) : panel_(panel), at_(panel.projection(at)) {}
+
+  Point2 operator()(const Vector& v) const { return at_ + panel_.projection.direction_of(v); }
+  Point2 at() const { return at_; }
+
+  // A short tube along the axis: a bearing, a sleeve.
+  void tube(const Vector& axis, double half_length, double radius) {
+    const Vector& viewer = panel_.projection.view().viewer;
+    const Vector along = dot(axis, viewer) < 0 ? -axis : axis;
+    const Vector side = across(along), other = cross(along, side);
+    std::vector<Point2> rims, near_rim;
+    for (const double end : {-half_length, half_length})
+      for (int i = 0; i < 24; ++i) {
+        const double angle = 2 * pi * i / 24;
+        rims.push_back((*this)(end * along + radius * (std::cos(angle) * side + std::sin(angle) * other)));
+      }
+    near_rim.assign(rims.begin() + 24, rims.end());
+    panel_.shape(hull(std::move(rims)), metal, Role::symbol, 1.1);
+    panel_.loop(std::move(near_rim), Role::symbol, 0.9);
+  }
+
+ private:
+  Panel& panel_;
+  Point2 at_;
+};
+
+// Across the axis, as far down on the paper as possible: where the ground is.
+Vector down_across(const Panel& panel, const Vector& axis) {
+  const View& view = panel.projection.view();
+  const Vector down = -panel.scene.up;
+  const Vector left = down - dot(down, axis) * axis;
+  if (norm(left) > 0.3) return normalized(left);
+  const Vector on_paper = cross(axis, view.viewer);
+  return unit_or(on_paper, across(axis));
+}
+
+// A bracket from the sleeve to hatched ground.
+void foot(Panel& panel, const Sketch& sketch, const Vector& axis, double radius) {
+  const Vector down = down_across(panel, axis);
+  const Point2 toward = panel.projection.direction_of(down);
+  const Point2 along = direction(panel.projection.direction_of(axis), turned_left(direction(toward)));
+  const Point2 begin = sketch.at() + radius * toward;
+  const Point2 base = sketch.at() + (radius + 9) * direction(toward, {0, 1});
+  const double half = 11;
+  Point2 across_foot =
+      std::abs(cross(along, direction(toward, {0, 1}))) > 0.5 ? along : turned_left(direction(toward, {0, 1}));
+  panel.line({begin, base}, Role::symbol, 3);
+  if (cross(across_foot, direction(toward, {0, 1})) < 0) across_foot = -across_foot;
+  hatch(panel, base - half * across_foot, base + half * across_foot);
+}
+
+// A pin seen along its axis: a circle, on a triangle where the ground holds it.
+void pin(Panel& panel, Point2 at, bool on_ground, const Vector& axis) {
+  if (on_ground) {
+    const Point2 down = direction(panel.projection.direction_of(down_across(panel, axis)), {0, 1});
+    const Point2 side = turned_left(down);
+    const Point2 left = at + 15 * down - 9 * side, right = at + 15 * down + 9 * side;
+    panel.shape({at, left, right}, metal, Role::symbol, 1.1);
+    const Point2 begin = left - 4 * side, end = right + 4 * side;
+    cross(end - begin, down) > 0 ? hatch(panel, begin, end) : hatch(panel, end, begin);
+  }
+  panel.shape(circle(at, 4), metal, Role::symbol, 1.2);
+}
+
+void ball(Panel& panel, Point2 at, bool on_ground, const Vector& axis) {
+  const Point2 down = direction(panel.projection.direction_of(down_across(panel, axis)), {0, 1});
+  const double angle = std::atan2(-down.y, down.x);
+  if (on_ground) {
+    const Point2 side = turned_left(down);
+    const Point2 base = at + 13 * down;
+    panel.line({at + 8 * down, base}, Role::symbol, 3);
+    const Point2 begin = base - 10 * side, end = base + 10 * side;
+    cross(end - begin, down) > 0 ? hatch(panel, begin, end) : hatch(panel, end, begin);
+  }
+  panel.shape(circle(at, 5), metal, Role::symbol, 1.2);
+  panel.line(arc(at, 8, angle - 1.9, angle + 1.9), Role::symbol, 1.4);
+}
+
+void rails(Panel& panel, const Sketch& sketch, const Vector& axis, bool on_ground) {
+  const Point2 along = direction(panel.projection.direction_of(axis));
+  Point2 side = turned_left(along);
+  if (side.y < 0) side = -side;
+  const double half = 26;
+  for (const double s : {-1.0, 1.0}) {
+    const Point2 middle = sketch.at() + (s * 8) * side;
+    const Point2 begin = middle - half * along, end = middle + half * along;
+    if (on_ground)
+      cross(end - begin, s * side) > 0 ? hatch(panel, begin, end, 4) : hatch(panel, end, begin, 4);
+    else
+      panel.line({begin, end}, Role::symbol, 1.1);
+  }
+}
+
+void screw(Panel& panel, Sketch& sketch, const Vector& axis, bool on_ground) {
+  if (on_ground) foot(panel, sketch, axis, 5);
+  sketch.tube(axis, 11, 5);
+  const Point2 along = panel.projection.direction_of(axis), side = turned_left(direction(along));
+  for (const double s : {-7.0, -2.0, 3.0})
+    panel.line({sketch.at() + s * along - 5 * side, sketch.at() + (s + 4) * along + 5 * side}, Role::symbol, 0.9);
+}
+
+void universal(Panel& panel, const Sketch& sketch, const Vector& first, const Vector& second) {
+  panel.shape(circle(sketch.at(), 8), metal, Role::symbol, 1.1);
+  const Vector other = norm(second) > 0 ? second : cross(first, panel.projection.view().viewer);
+  for (const Vector& axis : {first, other}) {
+    const Point2 d = direction(panel.projection.direction_of(axis));
+    panel.line({sketch.at() - 7 * d, sketch.at() + 7 * d}, Role::symbol, 2);
+  }
+}
+
+void weld(Panel& panel, const Sketch& sketch, const Vector& axis, bool on_ground) {
+  if (!on_ground) return panel.area(circle(sketch.at(), 3), "#333333", Role::symbol);
+  // A wall across the axis, or under the point.
+  const Vector into = norm(axis) > 0 ? -axis : -panel.scene.up;
+  const Point2 toward = direction(panel.projection.direction_of(into), {0, 1});
+  Point2 side = turned_left(toward);
+  if (cross(side, toward) < 0) side = -side;
+  hatch(panel, sketch.at() - 16 * side, sketch.at() + 16 * side, 8);
+}
+
+// The surface that is touched, across the normal and as nearly in the plane of the paper as it can be.
+void contact(Panel& panel, const Sketch& sketch, const Vector& normal, bool on_ground, bool rolling) {
+  const Vector along = unit_or(cross(normal, panel.projection.view().viewer), across(normal));
+  const Point2 d = panel.projection.direction_of(along), into = panel.projection.direction_of(-normal);
+  const double half = on_ground ? 30 : 9;
+  const Point2 begin = sketch.at() - half * d, end = sketch.at() + half * d;
+  if (on_ground)
+    cross(end - begin, into) > 0 ? hatch(panel, begin, end) : hatch(panel, end, begin);
+  else if (rolling)
+    panel.line({begin, end}, Role::symbol, 1.1);
+}
+
+void draw(Panel& panel, const scene::Symbol& symbol) {
+  const Vector at = panel.ground(symbol.place);
+  const Vector axis = unit_or(turned_to_ground(symbol.to, symbol.axis, panel.poses), Vector{});
+  const bool has_axis = norm(axis) > 0;
+  const Vector along = has_axis ? axis : panel.scene.up;
+  const bool on_ground = symbol.from < 0;
+  const bool end_on = std::abs(dot(along, panel.projection.view().viewer)) > 0.85;
+  Sketch sketch(panel, at);
+  switch (symbol.kind) {
+    case SymbolKind::weld:
+      return weld(panel, sketch, axis, on_ground);
+    case SymbolKind::ball:
+    case SymbolKind::ball_support:
+      return ball(panel, sketch.at(), on_ground, {});
+    case SymbolKind::revolute:
+    case SymbolKind::hinge:
+    case SymbolKind::clevis:
+    case SymbolKind::fork:
+    case SymbolKind::journal:
+    case SymbolKind::thrust:
+    case SymbolKind::listed_support:
+      if (end_on || !has_axis) return pin(panel, sketch.at(), on_ground, along);
+      if (on_ground) foot(panel, sketch, along, 5);
+      sketch.tube(along, 7, 5);
+      if (symbol.kind == SymbolKind::thrust) {
+        // The plate on which the end of the shaft bears.
+        const Point2 side = turned_left(direction(panel.projection.direction_of(along)));
+        const Point2 plate = sketch(-10.0 * along);
+        panel.line({plate - 7 * side, plate + 7 * side}, Role::symbol, 2.4);
+      }
+      return;
+    case SymbolKind::cylindrical:
+    case SymbolKind::collar:
+      if (on_ground && symbol.kind == SymbolKind::cylindrical) foot(panel, sketch, along, 6);
+      if (end_on) return panel.shape(circle(sketch.at(), 6), metal, Role::symbol, 1.2);
+      return sketch.tube(along, 11, 6);
+    case SymbolKind::prismatic:
+    case SymbolKind::slot:
+    case SymbolKind::planar:
+      return rails(panel, sketch, along, on_ground);
+    case SymbolKind::screw:
+      return screw(panel, sketch, along, on_ground);
+    case SymbolKind::universal:
+      return universal(panel, sketch, along, turned_to_ground(symbol.to, symbol.second_axis, panel.poses));
+    case SymbolKind::contact:
+    case SymbolKind::rolling_contact:
+      return contact(panel, sketch, along, on_ground, symbol.kind == SymbolKind::rolling_contact);
+  }
+}
+
+}  // namespace
+
+void hatch(Panel& panel, Point2 from, Point2 to, double depth) {
+  const Point2 along = direction(to - from);
+  const Point2 into = depth * direction(Point2{-along.y, along.x} - 0.8 * along);
+  panel.line({from, to}, Role::symbol, 1.4);
+  const int count = std::max(2, static_cast<int>(norm(to - from) / 4.5));
+  for (int i = 0; i < count; ++i) {
+    const Point2 begin = from + ((i + 0.8) / count) * (to - from);
+    panel.line({begin, begin + into}, Role::symbol, 0.7);
+  }
+}
+
+void draw_symbols(Panel& panel) {
+  for (const scene::Symbol& symbol : panel.scene.symbols)
+    if (panel.draws(symbol.to) && panel.draws(symbol.from)) draw(panel, symbol);
+}
+
+}  // namespace poinsot::pictures

@@ -1,0 +1,226 @@
+#include "pictures/figure/view_choice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "pictures/figure/arrows.h"
+#include "pictures/solids/solid.h"
+
+namespace poinsot::pictures {
+namespace {
+
+constexpr std::size_t most_places_compared = 40, most_facets = 2500;
+constexpr double shortest_seen = 1.0 / 3;  // of its length: an arrow or a rod should not be seen shorter
+constexpr double near_part = 0.04;         // of the picture: places should not be seen nearer to each other
+
+struct Directed {
+  Vector at, direction;
+  bool turning = false;
+};
+
+struct Plate {
+  Vector normal;
+  double weight = 0;
+};
+
+// What a view must show.
+struct Matter {
+  double size = 1;
+  Vector center{};
+  std::vector<Vector> points;
+  std::vector<Directed> arrows;
+  std::vector<std::pair<Vector, double>> rods;  // directions, and how much they count
+  std::vector<Plate> plates;
+  std::vector<std::array<Vector, 3>> facets;
+  std::vector<Vector> joint_axes;
+};
+
+void add_point(Matter& matter, const Vector& at) {
+  for (const Vector& known : matter.points)
+    if (norm(known - at) < 1e-3 * matter.size) return;
+  if (matter.points.size() < most_places_compared) matter.points.push_back(at);
+}
+
+void add_solids(Matter& matter, const std::vector<Solid>& solids) {
+  std::size_t facets = 0;
+  for (const Solid& solid : solids) facets += solid.triangles.size();
+  const std::size_t stride = facets / most_facets + 1;
+  for (const Solid& solid : solids) {
+    Vector area{};
+    double whole = 0;
+    for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+      const auto& v = solid.triangles[t];
+      const std::array<Vector, 3> p{solid.vertices[v[0]], solid.vertices[v[1]], solid.vertices[v[2]]};
+      const Vector normal = 0.5 * cross(p[1] - p[0], p[2] - p[0]);
+      area += dot(normal, area) < 0 ? -normal : normal;
+      whole += norm(normal);
+      if (t % stride == 0 && !solid.hole) matter.facets.push_back(p);
+    }
+    if (solid.extent == scene::Extent::surface && norm(area) > 0.9 * whole && !solid.hole && whole > 0)
+      matter.plates.push_back({normalized(area), std::min(1.0, std::sqrt(whole) / matter.size * 3)});
+    if (solid.extent == scene::Extent::line)
+      for (const auto& line : solid.lines)
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+          const Vector d = solid.vertices[line[i + 1]] - solid.vertices[line[i]];
+          if (const double length = norm(d); length > 0.05 * matter.size)
+            matter.rods.emplace_back(d / length, std::min(1.0, length / matter.size * 2));
+        }
+  }
+}
+
+Matter matter_of(const scene::Scene& scene, const std::vector<int>& bodies, const std::vector<scene::Arrow>& arrows,
+                 const std::vector<scene::Pose>& poses) {
+  Matter matter;
+  const std::vector<Solid> solids = solids_of(scene, bodies, poses);
+  std::vector<Vector> all;
+  for (const Solid& solid : solids) all.insert(all.end(), solid.vertices.begin(), solid.vertices.end());
+  const auto drawn = [&](int body) { return body < 0 || std::ranges::find(bodies, body) != bodies.end(); };
+  std::vector<Vector> named;
+  for (const scene::Point& point : scene.points)
+    if (drawn(point.place.body)) named.push_back(on_ground(point.place, poses));
+  for (const scene::Symbol& symbol : scene.symbols)
+    if (drawn(symbol.to)) {
+      named.push_back(on_ground(symbol.place, poses));
+      if (norm(symbol.axis) > 0)
+        matter.joint_axes.push_back(normalized(turned_to_ground(symbol.to, symbol.axis, poses)));
+    }
+  for (const scene::Link& link : scene.links)
+    for (const scene::Place& place : {link.from, link.to})
+      if (drawn(place.body)) named.push_back(on_ground(place, poses));
+  for (const scene::Arrow& arrow : arrows) named.push_back(on_ground(arrow.at, poses));
+  all.insert(all.end(), named.begin(), named.end());
+  if (all.empty()) all.emplace_back();
+  for (const Vector& p : all) matter.center += p / static_cast<double>(all.size());
+  matter.size = 0;
+  for (const Vector& p : all) matter.size = std::max(matter.size, 2 * norm(p - matter.center));
+  if (!(matter.size > 0)) matter.size = std::max(scene.length, 1e-12);
+  for (const Vector& p : named) add_point(matter, p);
+  std::array<double, scale_count> largest{};
+  for (const scene::Arrow& arrow : arrows)
+    largest[static_cast<std::size_t>(scale_of(arrow.quantity))] =
+        std::max(largest[static_cast<std::size_t>(scale_of(arrow.quantity))], norm(arrow.vector));
+  for (const scene::Arrow& arrow : arrows)
+    if (const double size = norm(arrow.vector);
+        size > rounding_part * largest[static_cast<std::size_t>(scale_of(arrow.quantity))])
+      matter.arrows.push_back({on_ground(arrow.at, poses), arrow.vector / size, turns(arrow.quantity)});
+  add_solids(matter, solids);
+  return matter;
+}
+
+// How far what is shorter than it should be falls short, from 0 to 1.
+double shortfall(double seen) { return seen < shortest_seen ? 1 - seen / shortest_seen : 0; }
+
+bool hidden(const Vector& point, const Matter& matter, const View& view) {
+  const double px = dot(point, view.right), py = dot(point, view.up), pz = dot(point, view.viewer);
+  for (const auto& facet : matter.facets) {
+    const double ax = dot(facet[0], view.right) - px, bx = dot(facet[1], view.right) - px,
+                 cx = dot(facet[2], view.right) - px;
+    if ((ax > 0 && bx > 0 && cx > 0) || (ax < 0 && bx < 0 && cx < 0)) continue;
+    const double ay = dot(facet[0], view.up) - py, by = dot(facet[1], view.up) - py, cy = dot(facet[2], view.up) - py;
+    const double u = bx * cy - by * cx, v = cx * ay - cy * ax, w = ax * by - ay * bx;
+    if (!((u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0))) continue;
+    const double depth =
+        (u * dot(facet[0], view.viewer) + v * dot(facet[1], view.viewer) + w * dot(facet[2], view.viewer)) /
+        (u + v + w);
+    if (depth > pz + 0.01 * matter.size) return true;
+  }
+  return false;
+}
+
+double cost_of(const View& view, const Matter& matter) {
+  const Projection projection(view, 1 / matter.size);
+  const auto length = [&](const Vector& v) { return norm(projection.direction_of(v)); };
+  double cost = 0;
+  for (const Directed& arrow : matter.arrows) cost += 2.5 * shortfall(length(arrow.direction));
+  for (const auto& [rod, weight] : matter.rods)
+    cost += 2.0 * weight * shortfall(length(rod)) / std::sqrt(static_cast<double>(matter.rods.size()));
+  for (const Plate& plate : matter.plates)
+    cost += 2 * plate.weight * shortfall(std::abs(dot(plate.normal, view.viewer)));
+  for (std::size_t i = 0; i < 3; ++i) cost += 1.2 * shortfall(length(Vector::unit(i)));
+  for (std::size_t i = 0; i < matter.points.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const double apart = norm(projection(matter.points[i]) - projection(matter.points[k]));
+      if (apart < near_part && norm(matter.points[i] - matter.points[k]) > near_part * matter.size)
+        cost += 1 - apart / near_part;
+    }
+  // Arrows that run into each other: heads, and arrows from one point in nearly one direction.
+  constexpr double arrow_part = 0.25;
+  for (std::size_t i = 0; i < matter.arrows.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const Directed &a = matter.arrows[i], &b = matter.arrows[k];
+      const Point2 da = projection.direction_of(a.direction), db = projection.direction_of(b.direction);
+      const Point2 tail = projection(a.at) - projection(b.at);
+      if (norm(tail + arrow_part * (da - db)) < near_part) cost += 1;
+      if (norm(a.at - b.at) < 1e-3 * matter.size && norm(cross(a.direction, b.direction)) > 0.1 &&
+          std::abs(cross(da, db)) < 0.2 * norm(da) * norm(db) && dot(da, db) > 0)
+        cost += 1;
+    }
+  for (const Vector& point : matter.points) cost += hidden(point, matter, view) ? 0.35 : 0;
+  return cost;
+}
+
+// The direction across the plane of the problem, if all lies and acts in one: then it is looked at face-on.
+std::optional<Vector> planar_normal(const Matter& matter) {
+  std::vector<Vector> across_plane = matter.joint_axes, in_plane;
+  for (const Directed& arrow : matter.arrows) (arrow.turning ? across_plane : in_plane).push_back(arrow.direction);
+  for (const Plate& plate : matter.plates) across_plane.push_back(plate.normal);
+  for (const auto& [rod, weight] : matter.rods) in_plane.push_back(rod);
+  if (across_plane.empty()) return std::nullopt;
+  const Vector normal = across_plane.front();
+  for (const Vector& v : across_plane)
+    if (norm(cross(v, normal)) > 1e-3) return std::nullopt;
+  for (const Vector& v : in_plane)
+    if (std::abs(dot(v, normal)) > 1e-3) return std::nullopt;
+  double low = 1e300, high = -1e300;
+  for (const Vector& p : matter.points) {
+    low = std::min(low, dot(p - matter.center, normal));
+    high = std::max(high, dot(p - matter.center, normal));
+  }
+  if (high - low > 0.02 * matter.size) return std::nullopt;
+  for (const auto& facet : matter.facets)
+    for (const Vector& p : facet)
+      if (std::abs(dot(p - matter.center, normal)) > 0.12 * matter.size) return std::nullopt;
+  return normal;
+}
+
+}  // namespace
+
+View chosen_view(const scene::Scene& scene, const std::vector<int>& bodies, const std::vector<scene::Arrow>& arrows,
+                 const std::vector<scene::Pose>& poses) {
+  const Matter matter = matter_of(scene, bodies, arrows, poses);
+  if (const std::optional<Vector> normal = planar_normal(matter)) {
+    // From the side on which the axis of the plane points to the viewer.
+    const Vector to = normal->x + normal->y + normal->z < 0 ? -*normal : *normal;
+    return view_from(to, scene.up);
+  }
+  const Vector up = unit_or(scene.up, {0, 0, 1});
+  // The axes that a reader expects to come towards him and to run to the right: those after the upward one.
+  const std::size_t upward = std::abs(up.x) > 0.9 ? 0 : std::abs(up.y) > 0.9 ? 1 : 2;
+  const Vector front =
+      unit_or(Vector::unit((upward + 1) % 3) - dot(Vector::unit((upward + 1) % 3), up) * up, across(up));
+  const Vector right = cross(up, front);
+  View best = view_from(front, up);
+  double least = 1e300;
+  for (const double elevation : {20.0, 33.0, 50.0})
+    for (int i = 0; i < 16; ++i) {
+      const double azimuth = (30 + 22.5 * i) * std::numbers::pi / 180, rise = elevation * std::numbers::pi / 180;
+      const View view =
+          view_from(std::cos(rise) * (std::cos(azimuth) * front + std::sin(azimuth) * right) + std::sin(rise) * up, up);
+      double cost = cost_of(view, matter);
+      // What readers are used to: axes that run to the right or towards them, seen from a little above and aside.
+      for (std::size_t k = 0; k < 3; ++k)
+        cost += std::max(dot(Vector::unit(k), view.right), dot(Vector::unit(k), view.viewer)) < 0.05 ? 0.5 : 0;
+      cost += 0.012 * (elevation - 20);
+      cost += 0.6 * (1 - std::cos(azimuth - 30 * std::numbers::pi / 180));
+      if (cost < least - 1e-9) {
+        least = cost;
+        best = view;
+      }
+    }
+  return best;
+}
+
+}  // namespace poinsot::pictures

@@ -1,0 +1,16 @@
+// From where a scene is looked at.
+#pragma once
+
+#include <vector>
+
+#include "pictures/solids/projection.h"
+#include "poinsot/scene.h"
+
+namespace poinsot::pictures {
+
+// The view in which least is lost: arrows seen at their length, points and heads apart, plates not edge-on, nothing
+// that matters behind a body. `bodies` and `arrows` are what is drawn.
+View chosen_view(const scene::Scene& scene, const std::vector<int>& bodies, const std::vector<scene::Arrow>& arrows,
+                 const std::vector<scene::Pose>& poses);
+
+}  // namespace poinsot::pictures

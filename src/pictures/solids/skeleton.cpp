@@ -1,0 +1,192 @@
+#include "pictures/solids/skeleton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace poinsot::pictures {
+namespace {
+
+constexpr double near_part = 0.02;  // of the picture: a place this near to a shape belongs to it
+constexpr std::size_t most_places = 40;
+
+Vector nearest_on(const std::array<Vector, 2>& segment, const Vector& p) {
+  const Vector d = segment[1] - segment[0];
+  const double square = norm_squared(d);
+  return segment[0] + (square > 0 ? std::clamp(dot(p - segment[0], d) / square, 0.0, 1.0) : 0.0) * d;
+}
+
+// The places at which something holds the body, acts on it or is fixed to it, each once.
+std::vector<Vector> places_on(const scene::Scene& scene, int body, bool with_points,
+                              const std::vector<scene::Pose>& poses) {
+  std::vector<Vector> places;
+  const double near = 1e-3 * scene.length;
+  const auto add = [&](const Vector& at) {
+    if (!std::isfinite(norm(at)) || places.size() >= most_places) return;
+    if (std::ranges::none_of(places, [&](const Vector& other) { return norm(other - at) < near; }))
+      places.push_back(at);
+  };
+  for (const scene::Symbol& symbol : scene.symbols) {
+    const bool touched = symbol.kind == scene::SymbolKind::contact || symbol.kind == scene::SymbolKind::rolling_contact;
+    if (symbol.to == body || (symbol.from == body && !touched)) add(on_ground(symbol.place, poses));
+  }
+  for (const scene::Link& link : scene.links)
+    for (const scene::Place& place : {link.from, link.to})
+      if (place.body == body && !(link.far && &place == &link.to)) add(on_ground(place, poses));
+  if (with_points && !scene.diagrams.empty())
+    for (const scene::Arrow& arrow : scene.diagrams.front().arrows)
+      if (arrow.body == body && arrow.at.body == body) add(on_ground(arrow.at, poses));
+  return places;
+}
+
+// The point of the shapes that is nearest to a place; the place itself if it lies within the bounds of a volume.
+Vector nearest_of_shapes(const std::vector<Solid>& solids, const Vector& place, double little) {
+  Vector best = place;
+  double least = std::numeric_limits<double>::infinity();
+  const auto offer = [&](const Vector& p) {
+    if (const double away = norm(p - place); away < least) {
+      least = away;
+      best = p;
+    }
+  };
+  for (const Solid& solid : solids) {
+    if (solid.hole || solid.vertices.empty()) continue;
+    Vector low = solid.vertices.front(), high = low;
+    for (const Vector& v : solid.vertices) {
+      offer(v);
+      for (std::size_t i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], v[i]);
+        high[i] = std::max(high[i], v[i]);
+      }
+    }
+    bool inside = solid.extent != scene::Extent::line;
+    for (std::size_t i = 0; i < 3; ++i) inside = inside && place[i] > low[i] - little && place[i] < high[i] + little;
+    if (inside) return place;
+    for (const auto& line : solid.lines)
+      for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        offer(nearest_on({solid.vertices[line[i]], solid.vertices[line[i + 1]]}, place));
+    // An arm to a disk or a ring goes to its middle.
+    if (solid.extent != scene::Extent::line && solid.vertices.size() > 8) offer(0.5 * (low + high));
+  }
+  return best;
+}
+
+// The shortest way from one part to another: from the best of its points, then to and fro between the nearest points.
+std::array<Vector, 2> way_between(const Solid& first, const Solid& second, double near) {
+  const std::vector<Solid> from{first}, to{second};
+  std::vector<Vector> starts;
+  const std::size_t stride = first.vertices.size() / 100 + 1;
+  for (std::size_t v = 0; v < first.vertices.size(); v += stride) starts.push_back(first.vertices[v]);
+  for (const auto& line : first.lines)
+    if (starts.size() < 200 && !line.empty())
+      starts.push_back(0.5 * (first.vertices[line[0]] + first.vertices[line[1]]));
+  std::array<Vector, 2> best{};
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector& start : starts) {
+    const Vector end = nearest_of_shapes(to, start, near);
+    if (norm(end - start) < least) {
+      least = norm(end - start);
+      best = {start, end};
+    }
+  }
+  constexpr int rounds = 40;
+  for (int i = 0; i < rounds; ++i) {
+    best[0] = nearest_of_shapes(from, best[1], near);
+    best[1] = nearest_of_shapes(to, best[0], near);
+  }
+  return best;
+}
+
+// The shortest ways between parts of a body that lie apart.
+void join_parts(const std::vector<Solid>& solids, double near, std::vector<std::array<Vector, 2>>& arms) {
+  std::vector<std::size_t> apart;
+  for (std::size_t i = 0; i < solids.size() && apart.size() < most_places; ++i)
+    if (!solids[i].hole && !solids[i].vertices.empty()) apart.push_back(i);
+  if (apart.size() < 2) return;
+  std::vector<std::size_t> joined{apart.back()};
+  apart.pop_back();
+  while (!apart.empty()) {
+    double least = std::numeric_limits<double>::infinity();
+    std::array<Vector, 2> way{};
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < apart.size(); ++i)
+      for (const std::size_t other : joined) {
+        const std::array<Vector, 2> shortest = way_between(solids[apart[i]], solids[other], near);
+        if (const double length = norm(shortest[1] - shortest[0]); length < least) {
+          least = length;
+          way = shortest;
+          next = i;
+        }
+      }
+    joined.push_back(apart[next]);
+    apart.erase(apart.begin() + static_cast<std::ptrdiff_t>(next));
+    if (least > near) arms.push_back(way);
+  }
+}
+
+}  // namespace
+
+std::vector<std::array<Vector, 2>> skeleton_of(const scene::Scene& scene, int body, const std::vector<Solid>& solids,
+                                               const std::vector<scene::Pose>& poses) {
+  const scene::Body& own = scene.bodies.at(static_cast<std::size_t>(body));
+  std::vector<std::array<Vector, 2>> arms;
+  if (own.frame) return arms;
+  std::vector<Vector> places = places_on(scene, body, solids.empty(), poses);
+  const double near = near_part * scene.length;
+  if (!solids.empty()) {
+    for (const Vector& place : places) {
+      const Vector end = nearest_of_shapes(solids, place, near);
+      if (norm(end - place) > near) arms.push_back({place, end});
+    }
+    join_parts(solids, near, arms);
+    return arms;
+  }
+  if (!own.massless) {
+    const Vector center = on_ground({body, own.center}, poses);
+    for (const Vector& place : places)
+      if (norm(place - center) > 1e-3 * scene.length) arms.push_back({center, place});
+    return arms;
+  }
+  if (places.size() < 2) return arms;
+  // First the two that an axis joins, or those that are farthest apart; then each other by the shortest way to an arm.
+  std::array<std::size_t, 2> first{0, 1};
+  double most = -1;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const Vector d = places[i] - places[k];
+      double length = norm(d);
+      for (const scene::Symbol& symbol : scene.symbols) {
+        const Vector axis = turned_to_ground(symbol.to, symbol.axis, poses);
+        if ((symbol.to == body || symbol.from == body) && norm(axis) > 0 && length > near &&
+            norm(cross(axis, d)) < 1e-3 * norm(axis) * length &&
+            norm(on_ground(symbol.place, poses) - places[i]) < near)
+          length *= 1000;
+      }
+      if (length > most) {
+        most = length;
+        first = {i, k};
+      }
+    }
+  arms.push_back({places[first[0]], places[first[1]]});
+  std::vector<bool> joined(places.size());
+  joined[first[0]] = joined[first[1]] = true;
+  for (std::size_t count = 2; count < places.size(); ++count) {
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t next = 0;
+    Vector foot{};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (joined[i]) continue;
+      for (const auto& arm : arms)
+        if (const Vector p = nearest_on(arm, places[i]); norm(p - places[i]) < least) {
+          least = norm(p - places[i]);
+          next = i;
+          foot = p;
+        }
+    }
+    joined[next] = true;
+    if (least > 1e-3 * scene.length) arms.push_back({foot, places[next]});
+  }
+  return arms;
+}
+
+}  // namespace poinsot::pictures

@@ -1,0 +1,61 @@
+// Symbols set as labels.
+#include "pictures/drawing/label_text.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "pictures/drawing/font_metrics.h"
+
+namespace poinsot {
+namespace label_text_test {
+
+using namespace pictures;
+
+// The runs as text, each with a letter for its face: i, u, b, B.
+std::string told(const Label& label) {
+  std::string text;
+  for (const pictures::Run& run : label.runs) {
+    text += text.empty() ? "" : " ";
+    text += "uibB"[static_cast<std::size_t>(run.face)];
+    text += run.offset.y > 0 ? "_" : run.offset.y < 0 ? "^" : ":";
+    text += run.text;
+  }
+  for (const Accent& accent : label.accents)
+    text += accent.kind == Accent::Kind::bar ? " bar" : accent.kind == Accent::Kind::dot ? " dot" : " dots";
+  return text;
+}
+
+TEST(LabelText, reads_the_tex_of_worked_solutions) {
+  EXPECT_EQ(told(tex_label("\\mathbf{C}")), "b:C");
+  EXPECT_EQ(told(tex_label("m_1\\bar{\\mathbf{a}}")), "i:m u_1 b:a bar");
+  EXPECT_EQ(told(tex_label("\\dot{\\mathbf{H}}_{G}")), "b:H i_G dot");
+  EXPECT_EQ(told(tex_label("\\boldsymbol{\\omega}_{\\mathrm{disk}}")), "B:ω u_disk");
+  EXPECT_EQ(told(tex_label("\\ddot{x}^2")), "i:x u^2 dots");
+  EXPECT_EQ(told(tex_label("-F\\,\\Delta t")), "u:− i:F u:Δ i:t");
+  EXPECT_EQ(told(name_label("omega_0 max")), "i:omega u_0 u:  i:max");
+  EXPECT_EQ(told(words_label("R = 5 N")), "u:R = 5 N");
+}
+
+TEST(LabelText, bears_with_any_text) {
+  for (const char* text :
+       {"", "\\", "\\mathbf", "{", "}", "{{{{", "_", "^_^", "\\bar", "\\dot{", "\\unknown{x}", "a_{b_{c_d}}"}) {
+    const Label label = tex_label(text);
+    for (const pictures::Run& run : label.runs) EXPECT_GE(run.width, 0) << text;
+  }
+  std::string deep;
+  for (int i = 0; i < 20000; ++i) deep += "{\\mathbf{";
+  EXPECT_LE(tex_label(deep).box.width(), longest_label + 40);
+  EXPECT_LE(words_label(std::string(10000, 'W')).box.width(), longest_label + 40);
+}
+
+TEST(LabelText, widths_are_those_of_the_font) {
+  // Times New Roman: W is 944 thousandths of the size, i 278, a digit 500; an italic W 833.
+  EXPECT_DOUBLE_EQ(text_width("W", Face::upright, 1000), 944);
+  EXPECT_DOUBLE_EQ(text_width("i5", Face::upright, 1000), 778);
+  EXPECT_DOUBLE_EQ(text_width("W", Face::italic, 1000), 833);
+  EXPECT_GT(text_width("ω", Face::italic, 1000), 400);
+}
+
+}  // namespace label_text_test
+}  // namespace poinsot

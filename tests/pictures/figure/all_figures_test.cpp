@@ -1,0 +1,95 @@
+// Every figure of every example: no label over another, over an arrow or over an outline; nothing beside the paper.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pictures/figure/figure.h"
+#include "poinsot/problem.h"
+
+namespace poinsot {
+namespace all_figures_test {
+
+using namespace pictures;
+
+bool is_line(Role role) {
+  return role == Role::outline || role == Role::arrow || role == Role::arrowhead || role == Role::rod ||
+         role == Role::symbol || role == Role::axis;
+}
+
+std::string text_of(const Label& label) {
+  std::string text;
+  for (const pictures::Run& run : label.runs) text += run.text;
+  return text;
+}
+
+// What is wrong with the places of a drawing's labels.
+std::vector<std::string> faults(const Drawing& drawing) {
+  std::vector<std::string> found;
+  std::vector<const Label*> labels;
+  for (const Mark& mark : drawing.marks)
+    if (const auto* label = std::get_if<Label>(&mark)) labels.push_back(label);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (labels[i]->placed().overlaps(labels[k]->placed()))
+        found.push_back(fmt::format("'{}' over '{}'", text_of(*labels[i]), text_of(*labels[k])));
+  const auto check_line = [&](const std::vector<Point2>& points, bool closed, const char* what) {
+    for (std::size_t i = 0; i + 1 < points.size() + (closed ? 1 : 0); ++i)
+      for (const Label* label : labels)
+        if (meets(label->placed(), points[i], points[(i + 1) % points.size()]))
+          found.push_back(fmt::format("'{}' over {}", text_of(*label), what));
+  };
+  for (const Mark& mark : drawing.marks) {
+    if (const auto* stroke = std::get_if<Stroke>(&mark)) {
+      if (is_line(stroke->role)) check_line(stroke->points, stroke->closed, "a line");
+    } else if (const auto* fill = std::get_if<Fill>(&mark)) {
+      if (fill->role == Role::arrowhead)
+        for (const auto& loop : fill->loops) check_line(loop, true, "an arrowhead");
+    }
+  }
+  const Box all = extent(drawing.marks);
+  if (!(std::isfinite(all.left) && std::isfinite(all.top) && std::isfinite(all.right) && std::isfinite(all.bottom)))
+    found.emplace_back("a place that is not finite");
+  const Box& paper = drawing.paper;
+  if (all.left < paper.left || all.top < paper.top || all.right > paper.right || all.bottom > paper.bottom)
+    found.emplace_back("a mark beside the paper");
+  return found;
+}
+
+void check_folder(const char* folder, std::size_t least_figures) {
+  std::size_t figures = 0, labels = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(POINSOT_SOURCE_DIR) / folder)) {
+    const Document document = Problem::from_file(entry.path().string()).illustrate();
+    if (document.solutions.empty()) continue;
+    const scene::Scene& scene = *document.solutions.front().scene;
+    for (const FigureName& name : figures_of(scene))
+      for (const bool values : {false, true}) {
+        const Drawing drawing = figure(scene, name, document.title, {.values = values});
+        EXPECT_EQ(faults(drawing), std::vector<std::string>{})
+            << entry.path().filename() << ", " << name.name << (values ? " with values" : "");
+        ++figures;
+        for (const Mark& mark : drawing.marks) labels += std::holds_alternative<Label>(mark) ? 1 : 0;
+      }
+  }
+  EXPECT_GT(figures, least_figures);
+  EXPECT_GT(labels, 3 * figures);
+}
+
+TEST(AllFigures, of_the_textbook_have_labels_in_free_places) { check_folder("examples/textbook", 300); }
+
+TEST(AllFigures, a_label_over_another_is_noticed) {
+  Drawing drawing;
+  drawing.paper = {-20, -20, 20, 20};
+  drawing.marks = {Label{.runs = {}, .box = {0, 0, 10, 10}}, Label{.runs = {}, .at = {5, 5}, .box = {0, 0, 10, 10}}};
+  EXPECT_EQ(faults(drawing).size(), 1U);
+  drawing.marks = {Label{.runs = {}, .box = {0, 0, 10, 10}}, Stroke{.points = {{-5, 5}, {15, 5}}, .role = Role::arrow}};
+  EXPECT_EQ(faults(drawing).size(), 1U);
+  drawing.marks = {Label{.runs = {}, .box = {15, 0, 25, 10}}};
+  EXPECT_EQ(faults(drawing).size(), 1U);
+}
+
+}  // namespace all_figures_test
+}  // namespace poinsot
