@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "poinsot/engine/dynamics/kinematics.h"
 #include "poinsot/engine/work/work.h"
 #include "problem/language/expression_walk.h"
 #include "problem/machine/shapes.h"
@@ -74,8 +75,9 @@ int SceneFigure::scene_body(int tree_body) const {
 }
 
 scene::Pose SceneFigure::pose_of(int tree_body, const solve::MechanismState& state) const {
-  const BodyMotion<double>& motion = state.workspace().motion[static_cast<std::size_t>(tree_body + 1)];
-  return {motion.R, motion.p - motion.R * machine_.drawn_origin.at(tree_body)};
+  // The workspace has the rotation of the body's working axes, which differ from those of its shapes.
+  const SpatialTransform<double> pose = body_pose(mechanism().tree, state.workspace(), tree_body);
+  return {pose.R, pose.p - pose.R * machine_.drawn_origin.at(tree_body)};
 }
 
 scene::Place SceneFigure::scene_place(const Place<double>& place) const {
