@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "poinsot/engine/work/work.h"
+#include "poinsot/engine/work/work_scope.h"
 
 namespace poinsot {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr std::chrono::milliseconds between_looks{1};
 constexpr unsigned most_calls_let_go = 15;
 constexpr std::chrono::milliseconds between_tellings{100};
-constexpr std::chrono::milliseconds grace{25};  // an operation is taken for a nanosecond
+constexpr Work grace = 25'000'000;  // a few hundredths of a second
 
 }  // namespace
 
@@ -90,10 +90,14 @@ BudgetRespite::BudgetRespite() : set_aside_(std::exchange(BudgetScope::innermost
 BudgetRespite::~BudgetRespite() { BudgetScope::innermost = set_aside_; }
 
 // Of counted work, so that what is finished in it does not depend on the machine.
-BudgetGrace::BudgetGrace()
-    : scope_(Budget()
-                 .by_clock([] { return Budget::Clock::time_point{} + std::chrono::nanoseconds(work_done()); })
-                 .end_after(grace)) {}
+BudgetGrace::BudgetGrace() : scope_(budget_of_work(grace)) {}
+
+// An operation is taken for a nanosecond.
+Budget budget_of_work(Work most) {
+  return Budget()
+      .by_clock([] { return Budget::Clock::time_point{} + std::chrono::nanoseconds(work_done()); })
+      .end_after(std::chrono::nanoseconds(most));
+}
 
 std::optional<BudgetEnd> how_budget_ended() {
   for (BudgetScope* scope = BudgetScope::innermost; scope; scope = scope->outer_)

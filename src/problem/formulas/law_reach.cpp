@@ -1,12 +1,11 @@
 #include "problem/formulas/law_reach.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
 #include "poinsot/engine/math/formula/formula_text.h"
-#include "poinsot/engine/work/budget.h"
+#include "poinsot/engine/work/work_scope.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/formulas/letter_groups.h"
 #include "problem/formulas/letter_scan.h"
@@ -25,18 +24,6 @@ constexpr int largest_guess = 12;      // denominator of a bound that is guessed
 constexpr double simple_to = 1e-3;     // relative distance at which a guess is tried on either side
 constexpr double closed_in = 1e-6;     // relative distance of the two ends between which a bound lies
 constexpr double beside_bound = 0.02;  // of a bound: where it is tried, on either side
-
-// No more than so much work is done while it lives: the end is thrown as that of a budget.
-class WorkScope {
- public:
-  explicit WorkScope(Work most)
-      : scope_(Budget()
-                   .by_clock([] { return Budget::Clock::time_point{} + std::chrono::nanoseconds(work_done()); })
-                   .end_after(std::chrono::nanoseconds(most))) {}
-
- private:
-  BudgetScope scope_;
-};
 
 class Reach {
  public:

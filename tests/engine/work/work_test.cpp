@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "poinsot/engine/work/budget.h"
+#include "poinsot/engine/work/work_scope.h"
 
 namespace poinsot {
 namespace work_test {
@@ -41,6 +42,26 @@ TEST(Work, counting_looks_at_the_budget) {
   const std::atomic<bool> flag = true;
   const BudgetScope scope(Budget().end_when(&flag));
   EXPECT_THROW(count_work(1), BudgetEnded);
+}
+
+// What is done within a scope ends with it, and what is around it goes on.
+TEST(Work, a_scope_ends_what_does_more) {
+  Work done = 0;
+  const auto work_up_to = [&](Work most) {
+    const WorkScope scope(most);
+    try {
+      for (done = 0; done < 1'000'000; done += 100) count_work(100);
+    } catch (const BudgetEnded& ended) {
+      EXPECT_EQ(ended.end, BudgetEnd::deadline);
+      return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(work_up_to(100'000));
+  EXPECT_GE(done, 99'000U);
+  EXPECT_LE(done, 110'000U);
+  EXPECT_FALSE(work_up_to(2'000'000));
+  EXPECT_NO_THROW(count_work(1'000'000));
 }
 
 }  // namespace work_test
