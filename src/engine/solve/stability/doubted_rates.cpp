@@ -43,6 +43,8 @@ class RatesTogether {
   // Of the eigenvalues with these numbers; the motions of A and of its transpose come from inverse iteration.
   RatesTogether(const Matrix& A, const Rates& rates, const std::vector<Index>& together) {
     const auto count = static_cast<Index>(together.size());
+    const auto n = static_cast<Work>(A.rows());
+    count_work(20 * n * n * n);
     for (const Index m : together) rate_ += rates.value[m] / Real(count);
     // So far beside the rate that the equations can be solved, and so near that two steps are enough.
     const std::complex<Real> beside = rate_ + std::complex<Real>(0.7L, 0.6L) * (1e-12L * A.norm());
@@ -108,13 +110,18 @@ void join_equal(const Matrix& A, const Matrix& doubt, Real solving, Rates& rates
   // Of the size of A: far more than the rounding of long doubles, far less than what rates in doubt of doubles that
   // disturb each other lie apart.
   constexpr Real alike = 1e-12L;
-  std::vector<bool> joined(static_cast<std::size_t>(rates.value.size()), false);
+  // Of rates that disturb each other each smaller set would be tried anew: few of these are worth it.
+  constexpr int most_again = 3;
+  int again = 0;
+  std::vector<bool> joined(static_cast<std::size_t>(rates.value.size()), false), failed = joined;
   for (Index m = 0; m < rates.value.size(); ++m) {
     if (joined[static_cast<std::size_t>(m)]) continue;
     std::vector<Index> together{m};
     for (Index k = m + 1; k < rates.value.size(); ++k)
       if (std::abs(rates.value[k] - rates.value[m]) <= alike * A.norm()) together.push_back(k);
     if (together.size() == 1) continue;
+    const bool has_failed = std::ranges::all_of(together, [&](Index k) { return failed[static_cast<std::size_t>(k)]; });
+    if (has_failed && ++again > most_again) continue;
     const RatesTogether all(A, rates, together);
     const auto bound = static_cast<double>(all.doubt(doubt, solving));
     // Not where they disturb each other: then T is far from a multiple of one.
@@ -122,7 +129,10 @@ void join_equal(const Matrix& A, const Matrix& doubt, Real solving, Rates& rates
     double largest = 0;
     for (const Index k : together) largest = std::max(largest, rates.doubt[k]);
     const bool better = std::ranges::none_of(together, worse) || (std::isfinite(largest) && bound <= 10 * largest);
-    if (!better) continue;
+    if (!better) {
+      for (const Index k : together) failed[static_cast<std::size_t>(k)] = true;
+      continue;
+    }
     // A real rate stays one: its conjugate is among those that coincide.
     std::complex<Real> rate = all.rate();
     if (std::abs(rate.imag()) <= alike * A.norm()) rate.imag(0);
@@ -137,9 +147,8 @@ void join_equal(const Matrix& A, const Matrix& doubt, Real solving, Rates& rates
   }
 }
 
-}  // namespace
-
-Rates rates_of(const Doubted& A) {
+// Of a matrix that does not fall apart.
+Rates connected_rates(const Doubted& A) {
   Matrix even = A.value;
   const Vector scale = balanced(even);
   Rates rates;
@@ -163,6 +172,54 @@ Rates rates_of(const Doubted& A) {
   rates.motion = right;
   join_equal(even, doubt, solving, rates);
   rates.motion = (scale.asDiagonal() * rates.motion).eval();
+  return rates;
+}
+
+// The places of a matrix that depend on each other, directly or by others: bodies that know nothing of each other come
+// apart.
+std::vector<std::vector<Index>> connected_places(const Doubted& A) {
+  const Index n = A.value.rows();
+  std::vector<std::vector<Index>> parts;
+  std::vector<bool> reached(static_cast<std::size_t>(n), false);
+  for (Index first = 0; first < n; ++first) {
+    if (reached[static_cast<std::size_t>(first)]) continue;
+    reached[static_cast<std::size_t>(first)] = true;
+    std::vector<Index> part{first};
+    for (std::size_t next = 0; next < part.size(); ++next)
+      for (Index k = 0; k < n; ++k) {
+        const auto bound = [&](Index i, Index j) { return A.value(i, j) != 0 || !(A.doubt(i, j) <= 0); };
+        if (reached[static_cast<std::size_t>(k)] || !(bound(part[next], k) || bound(k, part[next]))) continue;
+        reached[static_cast<std::size_t>(k)] = true;
+        part.push_back(k);
+      }
+    std::ranges::sort(part);
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+}  // namespace
+
+// Part by part: that takes less than all at once, and rates of one part are not in doubt for those of another that are
+// the same.
+Rates rates_of(const Doubted& A) {
+  const std::vector<std::vector<Index>> parts = connected_places(A);
+  if (parts.size() < 2) return connected_rates(A);
+  const Index n = A.value.rows();
+  Rates rates;
+  rates.value.resize(n);
+  rates.doubt.resize(n);
+  rates.motion = ComplexMatrix::Zero(n, n);
+  Index first = 0;
+  for (const std::vector<Index>& part : parts) {
+    const Rates own = connected_rates({A.value(part, part), A.doubt(part, part)});
+    const auto count = static_cast<Index>(part.size());
+    rates.value.segment(first, count) = own.value;
+    rates.doubt.segment(first, count) = own.doubt;
+    for (Index k = 0; k < count; ++k)
+      for (Index i = 0; i < count; ++i) rates.motion(part[static_cast<std::size_t>(i)], first + k) = own.motion(i, k);
+    first += count;
+  }
   return rates;
 }
 

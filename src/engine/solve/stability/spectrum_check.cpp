@@ -94,7 +94,9 @@ class Pencil {
   }
   Vector gaps(const Displacements& at) const {
     const std::vector<Real> all = bodies_.gaps(at);
-    return Eigen::Map<const Vector>(all.data(), static_cast<Index>(all.size()));
+    Vector gaps = Eigen::Map<const Vector>(all.data(), static_cast<Index>(all.size()));
+    if (gap_size_.size() > 0) gaps = gaps.cwiseQuotient(gap_size_).eval();
+    return gaps;
   }
   // A force and a couple on a body, in natural units.
   void push(Vector& total, int body, const Displacements& at, const Place3& place, const Place3& force,
@@ -113,7 +115,7 @@ class Pencil {
       Vector row = Vector::Zero(n_);
       push(row, touches[i].on, at, touches[i].place, touches[i].direction, Place3::Zero(), 1);
       push(row, touches[i].from, at, touches[i].place, touches[i].direction, Place3::Zero(), -1);
-      rows.row(static_cast<Index>(i)) = row.transpose();
+      rows.row(static_cast<Index>(i)) = row.transpose() / length_;
     }
     return rows;
   }
@@ -126,7 +128,7 @@ class Pencil {
       rates[static_cast<Index>(i)] =
           touches[i].direction.dot(bodies_.velocity(touches[i].on, at, touches[i].place, none, none) -
                                    bodies_.velocity(touches[i].from, at, touches[i].place, none, none)) /
-          pace_;
+          (pace_ * length_);
     return rates;
   }
   // The forces that do not come from an energy.
@@ -163,6 +165,12 @@ class Pencil {
         stiffness_(j, k) = slope(still_, k, [&](const Displacements& at) { return slope(at, j, energy); })[0];
       stiffness_.col(k) -= slope(still_, k, [&](const Displacements& at) { return pushes(at); });
     }
+    // Some gaps are lengths and others angles: each counts by its own size, or at any length of the mechanism but one
+    // either kind would be rounding beside the other.
+    gap_size_ = gap_slopes_.rowwise().norm();
+    for (Real& size : gap_size_)
+      if (!(size > 0)) size = 1;
+    gap_slopes_ = (gap_size_.cwiseInverse().asDiagonal() * gap_slopes_).eval();
     for (std::size_t m = 0; m < moving_.size(); ++m) add_inertia(m);
     const std::vector<std::pair<Real, Real>> dampers = bodies_.damped(still_);
     for (std::size_t d = 0; d < dampers.size(); ++d) {
@@ -224,6 +232,7 @@ class Pencil {
   std::vector<std::size_t> moving_;
   Displacements still_;
   Matrix gap_slopes_, slip_slopes_, slip_by_place_, inertia_, gyration_, stiffness_;
+  Vector gap_size_;    // once it is known: of the slopes of each gap
   Vector unbalanced_;  // what gaps and contacts must exert
 };
 

@@ -7,8 +7,12 @@
 #include <cmath>
 #include <random>
 
+#include "poinsot/engine/work/work.h"
+
 namespace poinsot::solve {
 namespace doubted_rates_test {
+
+using ComplexVector = Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, 1>;
 
 // A slow oscillation beside a fast one keeps the accuracy of its own entries.
 TEST(DoubtedRates, ASlowRateBesideAFastOne) {
@@ -56,6 +60,57 @@ TEST(DoubtedRates, RatesThatMeetAreDoubtful) {
   doubt(1, 0) = 1e-14L;
   const Rates rates = rates_of({A, doubt});
   for (Eigen::Index m = 0; m < 2; ++m) EXPECT_GT(4 * rates.doubt[m], static_cast<double>(std::abs(rates.value[m])));
+}
+
+// Of a matrix that falls apart, in any order of its places: each part has its own rates, and those that two parts have
+// in common are as certain as in one.
+TEST(DoubtedRates, PartsThatKnowNothingOfEachOtherAreTakenByThemselves) {
+  std::mt19937_64 random(82);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int trial = 0; trial < 30; ++trial) {
+    const Matrix part = Matrix::NullaryExpr(4, 4, [&] { return Real(number(random)); });
+    Matrix A = Matrix::Zero(12, 12);
+    A.block(0, 0, 4, 4) = A.block(4, 4, 4, 4) = part;
+    A.block(8, 8, 4, 4) = 1e-6L * part;
+    Eigen::PermutationMatrix<Eigen::Dynamic> order(12);
+    order.setIdentity();
+    std::shuffle(order.indices().data(), order.indices().data() + 12, random);
+    A = (order * A * order.transpose()).eval();
+    const Rates alone = rates_of({part, 1e-18L * part.cwiseAbs()}), all = rates_of({A, 1e-18L * A.cwiseAbs()});
+    for (Eigen::Index m = 0; m < 12; ++m) {
+      const ComplexVector moved = A.cast<std::complex<Real>>() * all.motion.col(m);
+      EXPECT_LT((moved - all.value[m] * all.motion.col(m)).norm(), 1e-16L * A.norm() * all.motion.col(m).norm());
+    }
+    for (Eigen::Index k = 0; k < 4; ++k) {
+      int found = 0;
+      for (Eigen::Index m = 0; m < 12; ++m)
+        for (const Real size : {1.0L, 1e-6L})
+          if (std::abs(all.value[m] - size * alone.value[k]) <= 1e-14L * size) {
+            EXPECT_LE(all.doubt[m], 10 * static_cast<double>(size) * alone.doubt[k]);
+            ++found;
+          }
+      EXPECT_EQ(found, 3) << trial;
+    }
+  }
+}
+
+// Many rates that coincide and disturb each other, as those of bodies that drift, take little more than the rates
+// themselves.
+TEST(DoubtedRates, RatesThatMeetTakeNoMoreForBeingMany) {
+  std::mt19937_64 random(83);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const Eigen::Index half : {10, 20, 30}) {
+    const Eigen::Index n = 2 * half;
+    Matrix drift = Matrix::Zero(n, n);
+    drift.topRightCorner(half, half).setIdentity();
+    const Matrix any = Matrix::NullaryExpr(n, n, [&] { return Real(number(random)); });
+    const Matrix Q = Eigen::HouseholderQR<Matrix>(any).householderQ();
+    const Matrix A = Q.transpose() * drift * Q;
+    const Work before = work_done();
+    const Rates rates = rates_of({A, 1e-17L * A.cwiseAbs()});
+    EXPECT_LT(work_done() - before, 200 * static_cast<Work>(n * n * n)) << n;
+    EXPECT_LT(static_cast<double>(rates.value.cwiseAbs().maxCoeff()), 1e-5);
+  }
 }
 
 }  // namespace doubted_rates_test
