@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
+#include "problem/answers/share_ranges.h"
 #include "problem/instant/open_words.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
@@ -64,9 +66,17 @@ class Variation {
             return open_velocities(names, turnings);
           },
           [&](std::size_t i, const auto& other) { return differs_beyond_following(i, other); });
+    const auto is_found = [](const SolvedAsk& ask) { return ask.state == AskState::found; };
+    std::vector<bool> until_now;
+    std::ranges::transform(result_.asks, std::back_inserter(until_now), is_found);
     for (std::size_t d = 0; d < std::min(forces, most_directions); ++d)
       vary({.seed = 14, .forces = true, .direction = d},
            [&](const Ask& ask) { return open_force(found_.sample.instant_of(ask), d); });
+    for (std::size_t i = 0; i < until_now.size(); ++i)
+      if (until_now[i] && !is_found(result_.asks[i]))
+        if (const std::string range = range_in_words(found_.statement.asks[i], result_.asks[i], found_.sample);
+            !range.empty())
+          add_reason(result_.asks[i], range);
     if (any + gravity + velocities + forces > 1) vary_together(any, gravity, velocities > 0, forces > 0);
     tell_fixed_components();
     return moved_unknowns_;

@@ -148,6 +148,15 @@ class SolvedInstant {
   // Describes them: "the cord 'AB' would have to push: it goes slack".
   std::vector<std::string> unphysical() const;
 
+  // Where contacts and cords share a load: the least and the largest value of a number, or of each component of a
+  // vector, over all shares in which none pulls or pushes the wrong way; infinite where nothing bounds it. Nothing if
+  // that is not all that is open, or if the value is not linear in the forces.
+  struct Between {
+    double least = 0, largest = 0;
+  };
+  std::optional<std::vector<Between>> over_all_shares(const Expression& expression,
+                                                      const std::optional<Expression>& axes);
+
   // The linearised equations near this motion, which must be steady. Errors are reported at the mark.
   const solve::Linearisation& linearisation(const Mark& mark);
 

@@ -89,6 +89,67 @@ std::vector<std::size_t> SolvedInstant::one_sided_unknowns(std::size_t first) co
   return unknowns;
 }
 
+std::optional<std::vector<SolvedInstant::Between>> SolvedInstant::over_all_shares(
+    const Expression& expression, const std::optional<Expression>& axes) {
+  if (!motion_ || motion_->open.empty()) return std::nullopt;
+  const std::vector<double> found = unknowns_;
+  const auto numbers_at = [&](const std::vector<double>& forces) {
+    unknowns_ = forces;
+    const Value<double> value = ask(expression, axes, nullptr);
+    return value.is_vector()   ? std::vector<double>{value.vector.x, value.vector.y, value.vector.z}
+           : value.is_number() ? std::vector<double>{value.number}
+                               : std::vector<double>{};
+  };
+  const std::size_t directions = motion_->open.size();
+  std::vector<double> here;
+  std::vector<std::vector<double>> slopes;  // of each number, along each direction
+  bool linear = true;
+  try {
+    const auto moved = [&](const std::vector<double>& t) {
+      std::vector<double> forces = found;
+      for (std::size_t d = 0; d < directions; ++d)
+        for (std::size_t k = 0; k < forces.size(); ++k) forces[k] += t[d] * motion_->open[d][k];
+      return numbers_at(forces);
+    };
+    here = numbers_at(found);
+    slopes.assign(here.size(), std::vector<double>(directions, 0));
+    const double amount = motion_->size > 0 ? motion_->size : 1;
+    std::vector<double> all(directions), expected = here, size(here.size(), 0);
+    for (std::size_t d = 0; d < directions; ++d) {
+      std::vector<double> one(directions, 0);
+      one[d] = amount;
+      all[d] = (d % 2 == 0 ? -0.7 : 1.3) * amount;
+      const std::vector<double> there = moved(one);
+      for (std::size_t i = 0; i < here.size(); ++i) {
+        slopes[i][d] = (there[i] - here[i]) / amount;
+        expected[i] += all[d] * slopes[i][d];
+        size[i] += std::abs(all[d] * slopes[i][d]) + std::abs(here[i]);
+      }
+    }
+    // One more place shows whether the value is linear; rounding leaves a millionth of a millionth of its terms.
+    constexpr double rounding = 1e-10;
+    const std::vector<double> there = moved(all);
+    for (std::size_t i = 0; i < here.size(); ++i)
+      linear = linear && std::abs(there[i] - expected[i]) <= rounding * size[i];
+  } catch (const StatementError&) {
+    linear = false;
+  }
+  unknowns_ = found;
+  if (!linear || here.empty()) return std::nullopt;
+  const std::size_t accelerations = solve::force_unknowns(machine_.mechanism).accelerations;
+  const std::vector<std::size_t> one_sided = one_sided_unknowns(accelerations);
+  std::vector<Between> ranges;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    std::vector<double> down = slopes[i];
+    for (double& slope : down) slope = -slope;
+    const std::optional<double> more = largest_over_shares(*motion_, one_sided, accelerations, slopes[i]),
+                                less = largest_over_shares(*motion_, one_sided, accelerations, down);
+    if (!more || !less) return std::nullopt;
+    ranges.push_back({here[i] - *less, here[i] + *more});
+  }
+  return ranges;
+}
+
 std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults() const {
   std::vector<OneSidedFault> found;
   const Mechanism<double>& mechanism = machine_.mechanism;

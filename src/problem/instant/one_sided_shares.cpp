@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "engine/solve/linear/decompositions.h"
@@ -31,19 +32,29 @@ MatrixXd across(const MatrixXd& Z) {
 // The columns that Z takes to zero.
 MatrixXd kernel(const MatrixXd& Z) { return across(Z.transpose()).transpose(); }
 
+// The shares in which no force is negative, as A x = b with x >= 0. The last unknown is what is left of `most` for the
+// sum of all. The forces are in units of the largest.
+struct Shares {
+  MatrixXd A;
+  VectorXd b;
+  Shares(const VectorXd& y0, const MatrixXd& Z, double most) {
+    const MatrixXd N = across(Z);
+    const Index n = y0.size();
+    A = MatrixXd::Zero(N.rows() + 1, n + 1);
+    A.topLeftCorner(N.rows(), n) = N;
+    A.row(N.rows()).setOnes();
+    b = VectorXd(N.rows() + 1);
+    b.head(N.rows()) = N * y0;
+    b[N.rows()] = most;
+  }
+};
+
 // The shares in which no force is negative: the middle of those in which one of them after another is as large as it
 // can be, up to ten times the sizes of all, for where bodies can be pressed together nothing bounds them. A force that
 // is zero there is zero in every share. Nothing if there are none. The forces are in units of the largest.
 std::optional<VectorXd> middle_share(const VectorXd& y0, const MatrixXd& Z) {
-  const MatrixXd N = across(Z);
   const Index n = y0.size();
-  // The last unknown is what is left of the bound on their sum.
-  MatrixXd A = MatrixXd::Zero(N.rows() + 1, n + 1);
-  A.topLeftCorner(N.rows(), n) = N;
-  A.row(N.rows()).setOnes();
-  VectorXd b(N.rows() + 1);
-  b.head(N.rows()) = N * y0;
-  b[N.rows()] = 10 * static_cast<double>(n);
+  const auto [A, b] = Shares(y0, Z, 10 * static_cast<double>(n));
   VectorXd sum = VectorXd::Zero(n);
   for (Index k = 0; k < n; ++k) {
     const std::optional<solve::LinearOptimum> found = solve::maximise(A, b, VectorXd::Unit(n + 1, k));
@@ -89,18 +100,29 @@ void combine(solve::LinearSolution& solution, const MatrixXd& C) {
 
 }  // namespace
 
-bool share_without_pull(solve::LinearSolution& solution, const std::vector<std::size_t>& one_sided, std::size_t fixed) {
-  if (solution.open.empty() || !solution.conflict.empty()) return false;
+namespace {
+
+// Those of the unknowns named that open directions move, if only shares are open; else none.
+std::vector<std::size_t> shared_among(const solve::LinearSolution& solution, const std::vector<std::size_t>& one_sided,
+                                      std::size_t fixed) {
+  std::vector<std::size_t> shared;
+  if (!solution.conflict.empty()) return shared;
   for (const std::vector<double>& direction : solution.open) {
     const double largest = largest_of(direction);
     for (std::size_t k = 0; k < fixed; ++k)
-      if (std::abs(direction[k]) > rounding * largest) return false;
+      if (std::abs(direction[k]) > rounding * largest) return shared;
   }
-  std::vector<std::size_t> shared;
   for (const std::size_t k : one_sided)
     if (std::any_of(solution.open.begin(), solution.open.end(),
                     [&](const auto& direction) { return std::abs(direction[k]) > rounding * largest_of(direction); }))
       shared.push_back(k);
+  return shared;
+}
+
+}  // namespace
+
+bool share_without_pull(solve::LinearSolution& solution, const std::vector<std::size_t>& one_sided, std::size_t fixed) {
+  const std::vector<std::size_t> shared = shared_among(solution, one_sided, fixed);
   if (shared.empty()) return false;
   VectorXd y0(static_cast<Index>(shared.size()));
   for (Index i = 0; i < y0.size(); ++i) y0[i] = solution.value[shared[static_cast<std::size_t>(i)]];
@@ -122,6 +144,41 @@ bool share_without_pull(solve::LinearSolution& solution, const std::vector<std::
   }
   if (!none.empty()) combine(solution, kernel(columns_of(solution.open, none)));
   return true;
+}
+
+// A direction that no one-sided force shares goes on without end. Along the others t follows from the forces.
+std::optional<double> largest_over_shares(const solve::LinearSolution& solution,
+                                          const std::vector<std::size_t>& one_sided, std::size_t fixed,
+                                          const std::vector<double>& slopes) {
+  const std::vector<std::size_t> shared = shared_among(solution, one_sided, fixed);
+  if (shared.empty()) return std::nullopt;
+  VectorXd y0(static_cast<Index>(shared.size()));
+  for (Index i = 0; i < y0.size(); ++i) y0[i] = solution.value[shared[static_cast<std::size_t>(i)]];
+  const double size = y0.cwiseAbs().maxCoeff();
+  if (!(size > 0)) return std::nullopt;
+  const MatrixXd Z = columns_of(solution.open, shared);
+  const Eigen::Map<const VectorXd> g(slopes.data(), static_cast<Index>(slopes.size()));
+  const MatrixXd free = kernel(Z);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (free.cols() > 0 && (free.transpose() * g).cwiseAbs().maxCoeff() > rounding * g.cwiseAbs().maxCoeff())
+    return infinite;
+  const Index n = y0.size();
+  VectorXd c = VectorXd::Zero(n + 1);
+  c.head(n) = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(Z.transpose()).solve(VectorXd(g));
+  const double scale = c.cwiseAbs().maxCoeff();
+  if (!(scale > 0)) return 0;
+  // Where nothing bounds the value it grows with the bound on the sum of all.
+  const auto largest_up_to = [&](double most) -> std::optional<double> {
+    const auto [A, b] = Shares(y0 / size, Z, most * static_cast<double>(n));
+    const std::optional<solve::LinearOptimum> found = solve::maximise(A, b, c / scale);
+    if (!found) return std::nullopt;
+    return found->value;
+  };
+  const std::optional<double> near = largest_up_to(10), far = largest_up_to(20);
+  if (!near || !far) return std::nullopt;
+  constexpr double grows = 1e-6;
+  if (*far > *near + grows) return infinite;
+  return size * (scale * *near - c.head(n).dot(y0 / size));
 }
 
 void keep_pushing(const std::vector<double>& from, const std::vector<std::size_t>& one_sided, std::vector<double>& to) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "poinsot/engine/solve/linear/linear_system.h"
@@ -14,6 +15,13 @@ namespace poinsot::problem {
 // and changes nothing, where there is none, or if an open direction moves one of the first `fixed` unknowns
 // (accelerations, or velocities after a blow): then not only the shares are open.
 bool share_without_pull(solve::LinearSolution& solution, const std::vector<std::size_t>& one_sided, std::size_t fixed);
+
+// The largest value of slopes . t over all shares value + open t in which none of the unknowns named is negative;
+// infinite if nothing bounds it, nothing if there are no such shares or an open direction moves one of the first
+// `fixed` unknowns.
+std::optional<double> largest_over_shares(const solve::LinearSolution& solution,
+                                          const std::vector<std::size_t>& one_sided, std::size_t fixed,
+                                          const std::vector<double>& slopes);
 
 // Shortens the way from one solution to another so far that no unknown which pushes comes to pull.
 void keep_pushing(const std::vector<double>& from, const std::vector<std::size_t>& one_sided, std::vector<double>& to);
