@@ -114,6 +114,8 @@ std::string answers_section(const Solution& solution) {
     checks.push_back((name == "newton_euler"   ? "Newton-Euler"
                       : name == "energy_drift" ? "energy along the motion"
                       : name == "motion_error" ? "error of the motion"
+                      : name == "course"       ? "course of the motion"
+                      : name == "scan"         ? "extremes and times by a scan"
                       : name == "roots"        ? "roots by a scan"
                                                : name) +
                      " " + rounded_residual(residual));

@@ -201,9 +201,13 @@ class TerminalText {
   static std::string check_line(const std::map<std::string, double>& checks) {
     std::vector<std::string> parts, of_motion;
     for (const auto& [name, residual] : checks) {
-      if (name == "energy_drift" || name == "motion_error") {
-        of_motion.push_back((name == "energy_drift" ? "its energy kept to " : "its error below ") +
-                            (residual == 0 ? "rounding" : rounded_residual(residual)));
+      static const std::map<std::string, std::string, std::less<>> words_of_motion{
+          {"energy_drift", "its energy kept to "},
+          {"motion_error", "its error below "},
+          {"course", "its course that of single instants to "},
+          {"scan", "a scan tells the same to "}};
+      if (const auto words = words_of_motion.find(name); words != words_of_motion.end()) {
+        of_motion.push_back(words->second + (residual == 0 ? "rounding" : rounded_residual(residual)));
         continue;
       }
       if (name == "facts" || name == "roots" || name == "formulas") continue;

@@ -12,6 +12,7 @@
 #include "poinsot/engine/work/work.h"
 #include "problem/course/followed_motion.h"
 #include "problem/course/motion_features.h"
+#include "problem/course/motion_witness.h"
 #include "problem/instant/instant.h"
 #include "problem/machine/driving.h"
 
@@ -34,6 +35,12 @@ struct MotionError {
   double relative = 0;
   double angle = 0;   // rad
   double length = 0;  // m
+};
+
+// What a second road finds against a motion or what is told of it, as a relative misfit, and its words.
+struct MotionDoubt {
+  double value = 0;
+  std::string words;
 };
 
 // A number as a function of time along the motion.
@@ -136,6 +143,12 @@ class Course : public FollowedMotion {
   // The largest difference between the extremes that were asked for and those of the motion followed with a larger
   // tolerance, relative to their own sizes; infinite if that motion does not answer.
   double extremes_error();
+  // The motion against its forces, at times that no search has looked at: between two instants it changes as the
+  // equations of instants tell, cords pull and contacts push, and what has parted does not overlap. look: is shown
+  // some of the instants. Nothing where nothing was followed. Costs no more than the motion did.
+  std::optional<MotionDoubt> course_misfit(const std::function<void(const SolvedInstant&)>& look);
+  // Extremes, periods and times that were told, against a scan; nothing if there are none.
+  std::optional<MotionDoubt> scan_misfit();
 
  private:
   struct Slip {
@@ -161,6 +174,14 @@ class Course : public FollowedMotion {
   const State<double>& state_at(double time);  // valid until the next call
   const Trajectory* piece_at(double time) const;
   class Piece;
+  class WorkCounted;
+  struct SmoothPart {
+    double from = 0, to = 0, step = 0;
+  };
+  std::vector<SmoothPart> windows(std::size_t count) const;
+  std::optional<WitnessedState> witnessed(double time);
+  NaturalSizes natural_sizes() const;
+  MotionDoubt contact_doubt(double time);
   void begin(std::size_t stage);
   void run(std::size_t stage, double until);
   Driving::Span smooth_span(std::size_t stage, double until);
@@ -201,6 +222,21 @@ class Course : public FollowedMotion {
     double value = 0;
   };
   std::vector<AskedExtreme> asked_extremes_;
+  // What was told of the whole motion, to be held against a scan of the number from a time on, to the end of the
+  // motion or to where a first event was found.
+  struct Told {
+    std::string words;
+    NumberInTime number;
+    double from = 0;
+    std::optional<double> to;
+    std::function<ScanMisfit(const MotionScan&)> against;
+  };
+  std::vector<Told> told_;
+  void tell(Told told);
+  NumberInTime number_at_instants(const Expression& expression, const std::optional<Expression>& axes);
+  // The work that the motion and its questions were.
+  Work work_ = 0;
+  bool counting_ = false;
   std::set<std::string> methods_;
   bool in_closed_form_ = true;                     // whether all that was followed so far is known in closed form
   std::vector<std::unique_ptr<Driving>> driving_;  // for each stage that was followed, if it depends on the time

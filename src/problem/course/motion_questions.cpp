@@ -7,6 +7,7 @@
 
 #include "problem/course/course.h"
 #include "problem/course/motion_features.h"
+#include "problem/course/work_counted.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/quantities/state_scope.h"
@@ -111,17 +112,25 @@ std::vector<double> Course::nodes(double from, double to) {
 }
 
 Value<double> Course::feature(const Call& call, const std::optional<Expression>& axes, const Mark& mark) {
+  const WorkCounted counted(*this);
   const Expression& of = call.arguments.front().value;
+  const std::string words = call.function + "(" + to_string(of) + ")" + (axes ? " on " + to_string(*axes) : "");
   const Dimension kind = dimension(of, axes);
   const MotionFeatures features(*this, with_rate(of, axes), to_string(of), situation_.file, mark);
   if (call.function == "period") {
     const double period = features.period();
     values_until_ = std::max(values_until_, features.latest());
+    tell({words, number_at_instants(of, axes), 0, {}, [period](const MotionScan& scan) {
+            return scan.of_period(period);
+          }});
     return Value<double>::of_number(period, dimensions::time);
   }
   const ExtremeFound found = call.function == "min" ? features.smallest() : features.largest();
   extremes_until_ = std::max(extremes_until_, features.latest());
   asked_extremes_.push_back({call, axes, mark, found.value});
+  tell({words, number_at_instants(of, axes), 0, {}, [found, largest = call.function == "max"](const MotionScan& scan) {
+          return scan.of_extreme(found, largest);
+        }});
   tell_how(found, call);
   return Value<double>::of_number(found.value, kind);
 }
@@ -150,6 +159,7 @@ void Course::tell_how(const ExtremeFound& found, const Call& call) {
 
 std::vector<double> Course::times(const Expression& condition, const std::optional<Expression>& axes, double from,
                                   std::optional<double> to) {
+  const WorkCounted counted(*this);
   const Comparison* comparison = condition.as<Comparison>();
   if (!comparison || comparison->operands.size() != 2)
     fail(situation_.file, condition.mark(), "when something happens is told by one comparison",
@@ -161,8 +171,17 @@ std::vector<double> Course::times(const Expression& condition, const std::option
     if (!call || (call->function != "min" && call->function != "max") || call->arguments.size() != 1) continue;
     if (!same_tree(call->arguments[0].value, other)) continue;
     const MotionFeatures features(*this, with_rate(other, axes), to_string(other), situation_.file, condition.mark());
-    std::vector<double> found = features.times_of_extreme(call->function == "max", from, to);
+    const bool largest = call->function == "max";
+    std::vector<double> found = features.times_of_extreme(largest, from, to);
     values_until_ = std::max(values_until_, features.latest());
+    for (const double time : found)
+      tell({to_string(condition) + " at " + with_digits(time, 6) + " s",
+            number_at_instants(other, axes),
+            0,
+            {},
+            [extreme = ExtremeFound{number(other, axes)(time), time}, largest](const MotionScan& scan) {
+              return scan.of_extreme(extreme, largest);
+            }});
     return found;
   }
   const NumberInTime left = number(comparison->operands[0], axes), right = number(comparison->operands[1], axes);
@@ -177,16 +196,27 @@ std::vector<double> Course::times(const Expression& condition, const std::option
                                                                                            : 0;
   std::vector<double> found = features.zeros(from, to, sense);
   values_until_ = std::max(values_until_, features.latest());
+  tell({to_string(condition),
+        [left = number_at_instants(comparison->operands[0], axes),
+         right = number_at_instants(comparison->operands[1], axes)](double time) { return left(time) - right(time); },
+        from, to ? *to : found.front(),
+        [found, sense](const MotionScan& scan) { return scan.of_zeros(found, sense); }});
   return found;
 }
 
 double Course::time_of(const Expression& quantity, double value, const Mark& mark) {
+  const WorkCounted counted(*this);
   const NumberInTime number_at = number(quantity, std::nullopt);
   const MotionFeatures features(*this, {[number_at, value](double time) { return number_at(time) - value; }, {}},
                                 to_string(quantity), situation_.file, mark);
   try {
     const double time = features.zeros(0, std::nullopt, 0).front();
     values_until_ = std::max(values_until_, time);
+    tell({to_string(quantity) + " at " + with_digits(time, 6) + " s",
+          [at_instants = number_at_instants(quantity, std::nullopt), value](double then) {
+            return at_instants(then) - value;
+          },
+          0, time, [time](const MotionScan& scan) { return scan.of_zeros({time}, 0); }});
     return time;
   } catch (const UnansweredError&) {
     double least = number_at(0), most = least;

@@ -9,6 +9,7 @@
 #include "poinsot/engine/work/work.h"
 #include "problem/course/course.h"
 #include "problem/course/motion_piece.h"
+#include "problem/course/work_counted.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/machine/gimbal_lock.h"
@@ -54,6 +55,7 @@ Driving::Span Course::smooth_span(std::size_t stage, double until) {
 
 // Integrates a stage up to a time, or up to the event that ends it.
 void Course::run(std::size_t stage, double until) {
+  const WorkCounted counted(*this);
   begin(stage);
   StageRun& now = stages_[stage];
   const Expression* ending =

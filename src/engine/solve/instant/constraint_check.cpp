@@ -266,4 +266,23 @@ double check_constraints(const std::vector<CheckLink>& links,
   return static_cast<double>(worst);
 }
 
+double largest_overlap(const std::vector<CheckLink>& links, const std::vector<VelocityConstraint<double>>& constraints,
+                       double length, const std::vector<bool>& acting, const std::vector<double>& q) {
+  std::vector<double> rest;
+  for (const CheckLink& link : links)
+    rest.resize(std::max(rest.size(), static_cast<std::size_t>(link.velocity + velocity_size(link.type))), 0);
+  const CarriedBodies bodies(links, q, rest, rest, 1);
+  const BoundFinder finder(bodies, constraints);
+  Real deepest = 0;
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    const Constraint& c = constraints[i];
+    if (c.action < 0 || acting[static_cast<std::size_t>(c.action)]) continue;
+    const Bound bound = finder.of(i);
+    if (!bound.gap) continue;
+    const Real gap = (*bound.gap)[reach];
+    deepest = std::max(deepest, (c.kind == VelocityConstraintKind::cord_length ? gap : -gap) / Real(length));
+  }
+  return static_cast<double>(deepest);
+}
+
 }  // namespace poinsot::solve

@@ -29,4 +29,9 @@ double check_constraints(const std::vector<CheckLink>& links,
                          const std::vector<VelocityConstraint<double>>& constraints, const ConstraintClaim& claim,
                          const std::vector<double>& q, const std::vector<double>& v, const std::vector<double>& a);
 
+// The largest depth to which bodies overlap whose contact does not act, or by which a cord that does not is longer than
+// it can be, over the length. acting: of each action.
+double largest_overlap(const std::vector<CheckLink>& links, const std::vector<VelocityConstraint<double>>& constraints,
+                       double length, const std::vector<bool>& acting, const std::vector<double>& q);
+
 }  // namespace poinsot::solve

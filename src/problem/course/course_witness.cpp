@@ -1,0 +1,167 @@
+// Second roads to a motion and to what was told of it.
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/engine/solve/instant/constraint_check.h"
+#include "problem/course/course.h"
+#include "problem/course/motion_witness.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
+
+namespace poinsot::problem {
+namespace {
+
+// Part of the work of a motion and its questions that each of the two roads may be: with the motion that is followed
+// less closely all of them are no more than what they stand beside.
+constexpr double part_of_work = 0.25;
+
+}  // namespace
+
+// Times between which nothing sudden happens, spread over all steps of the motion: each as long as the step in which it
+// begins, so that it reaches over its end.
+std::vector<Course::SmoothPart> Course::windows(std::size_t count) const {
+  struct Span {
+    const Trajectory* piece;
+    double before;  // the steps of earlier pieces
+  };
+  std::vector<Span> spans;
+  double steps = 0;
+  for (const StageRun& stage : stages_)
+    for (const Trajectory& piece : stage.pieces) {
+      if (piece.empty() || !(piece.end_time() > piece.start_time())) continue;
+      spans.push_back({&piece, steps});
+      steps += static_cast<double>(piece.step_count());
+    }
+  std::vector<SmoothPart> found;
+  for (std::size_t k = 0; k < count && !spans.empty(); ++k) {
+    // Each part of the steps has one place of its own, and those within it are spread evenly.
+    const double place = steps * (static_cast<double>(k) + spread_evenly(k)) / static_cast<double>(count);
+    const auto after = std::ranges::upper_bound(spans, place, {}, &Span::before);
+    const Span& span = *std::prev(after);
+    const double in_piece = place - span.before;
+    const auto index = std::min(static_cast<std::size_t>(in_piece), span.piece->step_count() - 1);
+    const StepView step = span.piece->step(index);
+    // The steps of a closed form may be as long as the motion.
+    const double natural = step.flow ? std::min(step.flow->natural_time(), pace_time_) : INFINITY;
+    const double length = std::min({step.end - step.start, natural, span.piece->end_time() - span.piece->start_time()});
+    const double from = std::min(step.start + (in_piece - std::floor(in_piece)) * (step.end - step.start),
+                                 span.piece->end_time() - length);
+    if (length > 0) found.push_back({from, from + length, length});
+  }
+  return found;
+}
+
+NaturalSizes Course::natural_sizes() const {
+  const Model<double>& tree = start_->machine().mechanism.tree;
+  const double length = start_->scales().length;
+  NaturalSizes sizes;
+  for (const auto& body : tree.bodies())
+    for (int k = 0; k < position_size(body.joint); ++k)
+      sizes.of_q.push_back(body.joint == JointType::prismatic || (body.joint == JointType::free && k >= 4) ? length
+                                                                                                           : 1);
+  for (int k = 0; k < tree.velocity_size(); ++k) sizes.of_v.push_back(solve::coordinate_turns(tree, k) ? 1 : length);
+  return sizes;
+}
+
+// By the equations of the instant, which are not those that were followed.
+std::optional<WitnessedState> Course::witnessed(double time) {
+  const MotionState there = at(time);
+  try {
+    probe_->move_to(there);
+    probe_->solve_forces();
+  } catch (const StatementError&) {
+    // At the pole of Eulerian angles accelerations are no rates of the coordinates, and where a load is switched its
+    // expression may have no value.
+    return std::nullopt;
+  }
+  const MotionState now = probe_->state();
+  const std::size_t n = now.v.size();
+  WitnessedState state{now.q, now.v, std::vector<double>(now.q.size()), {}, std::vector<bool>(n, true)};
+  position_rate<double>(probe_->machine().mechanism.tree, state.q, state.v, state.q_rate);
+  const std::vector<double>& solved = probe_->motion().value;
+  state.v_rate.assign(solved.begin(), solved.begin() + static_cast<std::ptrdiff_t>(n));
+  for (const std::vector<std::size_t>& share : probe_->motion().share)
+    for (const std::size_t k : share)
+      if (k < n) state.rate_known[k] = false;
+  return state;
+}
+
+// Of the instant that the probe stands at: whether a cord pushes, a contact pulls, or what has parted overlaps.
+MotionDoubt Course::contact_doubt(double time) {
+  const std::string when = " at " + with_digits(time, 6) + " s";
+  if (const std::vector<std::string> faults = probe_->unphysical(); !faults.empty()) return {1, faults.front() + when};
+  const MotionState now = at(time);
+  if (now.acting.empty()) return {};
+  const Machine& machine = start_->machine();
+  const double overlap = solve::largest_overlap(machine.links, machine.mechanism.constraints,
+                                                start_->natural_size(dimensions::length), now.acting, now.q);
+  return {overlap, "what has parted overlaps or is stretched" + when};
+}
+
+std::optional<MotionDoubt> Course::course_misfit(const std::function<void(const SolvedInstant&)>& look) {
+  constexpr std::size_t least = 4, most = 24;
+  // A window that is too long for the rule, or so long that a stiff motion answers the rounding of its places, is
+  // taken in shorter parts: of a wrong rate these are wrong by the same part.
+  constexpr int most_cuts = 3;
+  constexpr double good = 1e-9;
+  const NaturalSizes sizes = natural_sizes();
+  const WorkLimit limit(static_cast<Work>(part_of_work * static_cast<double>(work_)));
+  std::optional<MotionDoubt> worst;
+  const auto keep = [&](const MotionDoubt& doubt) {
+    if (!worst || doubt.value > worst->value) worst = doubt;
+  };
+  std::size_t held = 0;
+  for (const SmoothPart& part : windows(most)) {
+    if (held >= least && limit.spent()) break;
+    std::optional<double> misfit;
+    double length = part.step;
+    for (int cut = 0; cut <= most_cuts && !(misfit && *misfit <= good); ++cut, length /= 4) {
+      const std::optional<double> shorter =
+          window_misfit([&](double time) { return witnessed(time); }, part.from, part.from + length, sizes);
+      if (!shorter) break;
+      misfit = std::min(misfit.value_or(INFINITY), *shorter);
+    }
+    if (!misfit) continue;
+    ++held;
+    keep({*misfit, "between " + with_digits(part.from, 6) + " s and " + with_digits(part.to, 6) +
+                       " s it changes otherwise than the equations of single instants tell"});
+    const double middle = part.from + 0.5 * (part.to - part.from);
+    if (!witnessed(middle)) continue;
+    keep(contact_doubt(middle));
+    look(*probe_);
+  }
+  return worst;
+}
+
+// A question that is asked twice is held once.
+void Course::tell(Told told) {
+  if (std::ranges::find(told_, told.words, &Told::words) == told_.end()) told_.push_back(std::move(told));
+}
+
+NumberInTime Course::number_at_instants(const Expression& expression, const std::optional<Expression>& axes) {
+  return [this, expression, axes](double time) {
+    probe_->move_to(at(time));
+    return probe_->number(expression, axes);
+  };
+}
+
+std::optional<MotionDoubt> Course::scan_misfit() {
+  constexpr std::size_t least = 24, most = 400;
+  std::optional<MotionDoubt> worst;
+  const double last = reached();
+  const Work share = static_cast<Work>(part_of_work * static_cast<double>(work_)) / std::max<Work>(1, told_.size());
+  for (const Told& told : told_) {
+    const double to = std::min(told.to.value_or(last), last);
+    const Work before = work_done();
+    const MotionScan rough(told.number, told.from, to, least);
+    const Work cost = std::max<Work>(1, (work_done() - before) / least);
+    const std::size_t looks = std::min<std::size_t>(share / cost, most);
+    const ScanMisfit found =
+        looks > 2 * least ? told.against(MotionScan(told.number, told.from, to, looks)) : told.against(rough);
+    if (!worst || found.value > worst->value)
+      worst = {found.value, "'" + told.words + "' is contradicted at " + with_digits(found.time, 6) + " s"};
+  }
+  return worst;
+}
+
+}  // namespace poinsot::problem
