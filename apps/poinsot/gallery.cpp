@@ -33,18 +33,22 @@ void write_or_fail(const fs::path& path, std::string_view text) {
     throw WriteFailure(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
 }
 
-// The name of a file's page: its path below the folder that was named, "textbook/18.001.yaml" as textbook-18.001.html
-// where there are several.
-std::string page_name(const std::string& file, const std::vector<std::string>& paths) {
-  fs::path relative = fs::path(file).filename();
+// The name of a file as a gallery shows it: its path below the folder that was named, and with the folder where there
+// are several.
+std::string shown_name(const std::string& file, const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     const fs::path below = fs::path(file).lexically_relative(path);
-    if (below.empty() || *below.begin() == "..") continue;
+    if (below.empty() || below == "." || *below.begin() == "..") continue;
     const fs::path folder = fs::path(path).lexically_normal();
     const fs::path name = folder.has_filename() ? folder.filename() : folder.parent_path().filename();
-    relative = paths.size() > 1 && below != "." ? name / below : below == "." ? relative : below;
+    return (paths.size() > 1 ? name / below : below).generic_string();
   }
-  std::string name = relative.replace_extension(".html").generic_string();
+  return fs::path(file).filename().generic_string();
+}
+
+// textbook/18.001.yaml has the page textbook-18.001.html.
+std::string page_name(const std::string& shown) {
+  std::string name = fs::path(shown).replace_extension(".html").generic_string();
   std::ranges::replace(name, '/', '-');
   return name;
 }
@@ -70,7 +74,7 @@ class Gallery {
         entries_(files_.size()) {
     std::vector<std::string> names;
     for (const std::string& file : files_) {
-      std::string name = page_name(file, arguments.paths);
+      std::string name = page_name(shown_name(file, arguments.paths));
       while (std::ranges::find(names, name) != names.end() || name == "index.html") name.insert(0, "_");
       names.push_back(name);
     }
@@ -114,7 +118,7 @@ class Gallery {
   }
 
   GalleryEntry page_of(const std::string& file, const std::string& name) {
-    GalleryEntry entry{.page = "", .figure = "", .title = "", .file = file};
+    GalleryEntry entry{.page = "", .figure = "", .title = "", .file = shown_name(file, arguments_.paths)};
     try {
       const ReadProblem read = read_problem(file);
       entry.title = read.problem.title();
@@ -143,8 +147,12 @@ class Gallery {
     std::vector<GalleryEntry> shown;
     for (const std::optional<GalleryEntry>& entry : entries_)
       if (entry) shown.push_back(*entry);
-    std::string title = "Problems in ";
-    for (std::size_t i = 0; i < arguments_.paths.size(); ++i) title += (i > 0 ? ", " : "") + arguments_.paths[i];
+    std::string title = "Problems";
+    for (std::size_t i = 0; i < arguments_.paths.size(); ++i) {
+      const fs::path path = fs::path(arguments_.paths[i]).lexically_normal();
+      const fs::path name = path.has_filename() ? path.filename() : path.parent_path().filename();
+      title += (i > 0 ? ", " : ": ") + name.string();
+    }
     write_or_fail(folder_ / "index.html", poinsot::gallery_html(title, shown));
   }
 

@@ -14,9 +14,7 @@ export function matches(entry: GalleryEntry, words: string, kinds: Set<string>):
 
 function card(entry: GalleryEntry): HTMLElement {
   const picture =
-    entry.figure === ""
-      ? element("div", { class: "thumb" })
-      : element("img", { class: "thumb", src: entry.figure, alt: "", loading: "lazy" });
+    entry.figure !== "" && element("img", { class: "thumb", src: entry.figure, alt: "", loading: "lazy" });
   const title = entry.title || entry.file;
   const name = entry.page === "" ? element("span", {}, title) : element("a", { href: entry.page }, title);
   return element(
