@@ -132,6 +132,11 @@ class Gallery {
       write_or_fail(folder_ / name,
                     to_html(read.problem, read.text, document, {.shared = "./", .gallery = "index.html"}));
       entry.page = address(name);
+      if (!document.solutions.empty() && !poinsot::figures(document, 0).empty()) {
+        const std::string picture = fs::path(name).replace_extension(".svg").string();
+        write_or_fail(folder_ / picture, to_svg(document, 0));
+        entry.figure = address(picture);
+      }
     } catch (const WriteFailure& failure) {
       const std::scoped_lock lock(guard_);
       failure_ = failure.what();

@@ -1,5 +1,8 @@
 // The page of one answer document. What it looks like is the affair of the script (web/src); here it gets its data.
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
 
 #include "pictures/page/html.h"
 #include "poinsot/pictures.h"
@@ -31,6 +34,29 @@ Json situations_json(const Problem& problem) {
   return list;
 }
 
+// What is drawn, without the title, by which alone some drawings differ.
+std::string_view drawn(std::string_view svg) {
+  const std::size_t end = svg.find("</desc>");
+  return end == std::string_view::npos ? svg : svg.substr(end);
+}
+
+// The line drawings of each solution, the figure of the statement first, and none twice.
+Json figures_json(const Document& document) {
+  Json solutions = Json::array();
+  for (std::size_t i = 0; i < document.solutions.size(); ++i) {
+    Json drawings = Json::array();
+    std::vector<std::string> made;
+    for (const FigureTitle& figure : figures(document, i)) {
+      std::string svg = to_svg(document, i, {.of = figure.name});
+      if (std::ranges::any_of(made, [&](const std::string& one) { return drawn(one) == drawn(svg); })) continue;
+      drawings.push_back({{"title", figure.title}, {"svg", svg}});
+      made.push_back(std::move(svg));
+    }
+    solutions.push_back(drawings);
+  }
+  return solutions;
+}
+
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
@@ -43,7 +69,7 @@ std::string to_html(const Problem& problem, std::string_view text, const Documen
                     {"situations", situations_json(problem)},
                     {"questions", questions_json(problem.questions())},
                     {"claims", questions_json(problem.claims())},
-                    {"figures", Json::array()},
+                    {"figures", figures_json(document)},
                     {"gallery", options.gallery}};
   // The document is text already, and may be long.
   std::string data = dumped(beside);
