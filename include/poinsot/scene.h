@@ -135,8 +135,9 @@ struct Arrow {
   std::string text;    // the same as plain text with _ before an index: "C", "m_1 a"
   double value = 0;    // the size, or the signed component where the symbol stands for one, in `unit`
   std::string unit;
-  std::string formula{};  // of `value` in SI units, if letters have no value; else ""
-  bool known = false;     // whether the statement gives it, as a load is given
+  // Of `value` in SI units, if letters have no value; else "". Of a vector of several components a list: "[0, a, b]".
+  std::string formula{};
+  bool known = false;  // whether the statement gives it, as a load is given
 };
 
 enum class DiagramKind {

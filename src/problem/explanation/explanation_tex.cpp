@@ -6,6 +6,7 @@
 #include <cmath>
 #include <regex>
 #include <set>
+#include <utility>
 
 #include "poinsot/engine/math/formula/formula_text.h"
 #include "problem/language/words.h"
@@ -452,20 +453,31 @@ std::string ExplanationTex::vector_symbol(const std::string& name) {
 
 std::string ExplanationTex::plain(const std::string& tex) {
   std::string text;
+  std::vector<std::string> marks;  // of the open groups: what stands behind each
+  std::string mark;
   for (std::size_t i = 0; i < tex.size(); ++i) {
-    if (tex[i] == '{' || tex[i] == '}') continue;
-    if (tex[i] != '\\') {
+    if (tex[i] == '{') {
+      marks.push_back(std::exchange(mark, ""));
+    } else if (tex[i] == '}') {
+      if (!marks.empty()) {
+        text += marks.back();
+        marks.pop_back();
+      }
+    } else if (tex[i] != '\\') {
       text += tex[i];
-      continue;
+    } else {
+      std::size_t end = i + 1;
+      while (end < tex.size() && std::isalpha(static_cast<unsigned char>(tex[end])) != 0) ++end;
+      const std::string word = tex.substr(i + 1, end - i - 1);
+      static const std::set<std::string> of_type{"mathbf", "mathrm", "mathit", "boldsymbol", "bar", "hat", "text"};
+      // What is escaped, such as \_, stands for itself, and \, is a thin space.
+      if (word == "dot" || word == "ddot")
+        mark = word == "dot" ? "'" : "''";
+      else if (!of_type.contains(word))
+        text += word;
+      if (word.empty() && end < tex.size()) text += tex[end] == ',' ? ' ' : tex[end];
+      i = word.empty() ? end : end - 1;
     }
-    std::size_t end = i + 1;
-    while (end < tex.size() && std::isalpha(static_cast<unsigned char>(tex[end])) != 0) ++end;
-    const std::string word = tex.substr(i + 1, end - i - 1);
-    static const std::set<std::string> of_type{"mathbf", "mathrm", "boldsymbol", "bar", "dot", "ddot", "hat", "text"};
-    // What is escaped, such as \_, stands for itself, and \, is a thin space.
-    if (!of_type.contains(word)) text += word;
-    if (word.empty() && end < tex.size()) text += tex[end] == ',' ? ' ' : tex[end];
-    i = word.empty() ? end : end - 1;
   }
   return text;
 }

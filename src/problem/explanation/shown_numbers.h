@@ -40,6 +40,7 @@ class ShownNumbers {
   const std::map<std::string, double>& drawn() const { return drawn_; }
 
   // After choose().
+  bool has_sample() const { return sample_ != nullptr; }
   Sample& sample() const { return *sample_; }
   const StatementQuestions& questions() const { return questions_; }
 

@@ -9,9 +9,13 @@
 #include "problem/explanation/shown_numbers.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/language/diagnostic.h"
+#include "problem/scene/scene_answers.h"
 #include "problem/scene/scene_balance_diagrams.h"
+#include "problem/scene/scene_dimensions.h"
 #include "problem/scene/scene_figure.h"
+#include "problem/scene/scene_free_motion.h"
 #include "problem/scene/scene_model_diagram.h"
+#include "problem/scene/scene_motion.h"
 
 namespace poinsot::problem {
 namespace {
@@ -27,12 +31,12 @@ class SceneMaker {
 
   scene::Scene made() && {
     const bool chosen = numbers_.choose();
-    const Sample::Home home = shown_home(chosen);
-    const Situation& situation = statement_.situations[home.situation];
+    home_ = shown_home(chosen);
+    const Situation& situation = statement_.situations[home_.situation];
     scene_.situation = situation.name;
     scene_.axes = situation.axes;
     tell_letters();
-    or_left_out("the figure", [&] { draw(home); });
+    or_left_out("the figure", [&] { draw(home_); });
     if (statement_.situations.size() > 1)
       scene_.notes.push_back("of the situations of the file, only '" + situation.name + "' is drawn");
     return std::move(scene_);
@@ -94,6 +98,30 @@ class SceneMaker {
     const InstantExplainer explainer(situation, instant, before, formulas.get(), numbers_.drawn(), tex, questions,
                                      numbers_.settings()[home.situation], unread);
     or_left_out("the balance of forces", [&] { add_balance_diagrams(figure, explainer); });
+    add_answers(figure, sample, home, solution_);
+    add_dimensions(figure);
+    const bool turns_freely = add_free_motion(figure, instant.state());
+    if (asks_motion(home.situation))
+      or_left_out("the motion", [&] { add_motion(figure, sample, home.situation, solution_); });
+    else if (turns_freely)
+      draw_free_motion(figure, sample, instant.state());
+  }
+
+  void draw_free_motion(SceneFigure& figure, Sample& sample, const MotionState& reached) {
+    try {
+      add_motion(figure, sample, home_.situation, solution_);
+    } catch (const StatementError&) {
+      // What is not fixed is how the mass center moves.
+      add_turning(figure, reached);
+    }
+  }
+
+  bool asks_motion(std::size_t situation) const {
+    if (statement_.record || numbers_.questions().motions.contains(situation)) return true;
+    return std::any_of(statement_.asks.begin(), statement_.asks.end(), [&](const Ask& ask) {
+      const bool in_time = ask.when || (ask.table && ask.table->over == "time");
+      return in_time && numbers_.has_sample() && numbers_.sample().home_of(ask).situation == situation;
+    });
   }
 
   InstantQuestions questions_at(const Sample::Home& home) const {
@@ -126,6 +154,7 @@ class SceneMaker {
   const SolvedStatement& solved_;
   const Solution& solution_;
   ShownNumbers numbers_;
+  Sample::Home home_;
   scene::Scene scene_;
 };
 

@@ -24,7 +24,7 @@ class BalanceDiagrams {
 
   void add() {
     for (std::size_t i = 0; i < system_.unknown.size(); ++i)
-      if (!system_.unknown[i].determined) open_.push_back(system_.unknown[i].tex);
+      if (!system_.unknown[i].determined) open_.push_back(ExplanationTex::plain(system_.unknown[i].tex));
     const std::string of = names();
     if (system_.plan.sudden) {
       finish(momenta(DiagramKind::momenta_before, "Momenta before the blow" + of));
@@ -138,7 +138,7 @@ class BalanceDiagrams {
 
   void add_known(scene::Diagram& diagram, const KnownAction& known) const {
     const Action& action = mechanism().actions[known.action];
-    const ArrowSymbol symbol = SceneFigure::vector_symbol(action.name);
+    const ArrowSymbol symbol = SceneFigure::named_symbol("\\mathbf{F}", action.name);
     const auto add = [&](const Wrench& wrench, const Vector3<double>& at, const ArrowSymbol& shown) {
       add_wrench(diagram, {known.sign * wrench.moment, known.sign * wrench.force}, action.name,
                  place_on(action, known.sign, at), shown, std::nullopt, action.kind != ActionKind::spring);
@@ -164,8 +164,7 @@ class BalanceDiagrams {
       const double effort = drive.known_effort(placed_.state());
       const Wrench one = placed_.drive_wrench(drive);
       add({effort * one.moment, effort * one.force}, placed_.position(drive.at),
-          {ExplanationTex::symbol(drive.turning ? "M" : "F", action.name),
-           (drive.turning ? "M_" : "F_") + action.name});
+          SceneFigure::indexed_symbol(drive.turning ? "\\mathbf{M}" : "\\mathbf{F}", action.name));
     }
   }
 

@@ -237,7 +237,8 @@ scene::Arrow SceneFigure::arrow(scene::Quantity quantity, const std::string& nam
   arrow.name = name;
   arrow.body = body;
   arrow.at = at;
-  arrow.vector = vector;
+  constexpr double rounding = 1e-12;  // of the vector
+  for (std::size_t k = 0; k < 3; ++k) arrow.vector[k] = std::abs(vector[k]) > rounding * norm(vector) ? vector[k] : 0;
   arrow.symbol = symbol.tex;
   arrow.text = symbol.text;
   const Unit& unit = tex_.unit(dimension_of(quantity));
@@ -247,6 +248,16 @@ scene::Arrow SceneFigure::arrow(scene::Quantity quantity, const std::string& nam
 }
 
 ArrowSymbol SceneFigure::vector_symbol(const std::string& name) { return {ExplanationTex::vector_symbol(name), name}; }
+
+ArrowSymbol SceneFigure::named_symbol(const std::string& letter, const std::string& name) {
+  return name.size() <= 2 ? vector_symbol(name) : indexed_symbol(letter, name);
+}
+
+ArrowSymbol SceneFigure::indexed_symbol(const std::string& letter, const std::string& index) {
+  if (index.empty()) return {letter, ExplanationTex::plain(letter)};
+  const std::string tex = letter + "_{" + (index.size() > 1 ? ExplanationTex::upright(index) : index) + "}";
+  return {tex, ExplanationTex::plain(tex)};
+}
 
 bool SceneFigure::vanishes(const Vector3<double>& vector, const Dimension& dimension) const {
   const double size = norm(vector);

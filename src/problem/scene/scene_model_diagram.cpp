@@ -33,10 +33,22 @@ class ModelDiagram {
   const solve::MechanismState& state() const { return figure_.state(); }
 
   // A datum that is a vector or the size of one is shown by its own name.
-  ArrowSymbol symbol_of(const std::optional<Expression>& value, const std::string& otherwise) const {
+  ArrowSymbol symbol_of(const std::optional<Expression>& value, const ArrowSymbol& otherwise) const {
     const Name* datum = value ? value->as<Name>() : nullptr;
-    return SceneFigure::vector_symbol(datum && datum->primes == 0 ? datum->name : otherwise);
+    return datum && datum->primes == 0 ? SceneFigure::vector_symbol(datum->name) : otherwise;
   }
+  static ArrowSymbol turning(const std::string& index) {
+    return SceneFigure::indexed_symbol("\\boldsymbol{\\omega}", index);
+  }
+  static ArrowSymbol turning_rate(const std::string& index) {
+    return SceneFigure::indexed_symbol("\\boldsymbol{\\alpha}", index);
+  }
+  static ArrowSymbol velocity(const std::string& index) { return SceneFigure::indexed_symbol("\\mathbf{v}", index); }
+  static ArrowSymbol acceleration(const std::string& index) {
+    return SceneFigure::indexed_symbol("\\mathbf{a}", index);
+  }
+  static ArrowSymbol force(const std::string& name) { return SceneFigure::named_symbol("\\mathbf{F}", name); }
+  static ArrowSymbol couple(const std::string& name) { return SceneFigure::named_symbol("\\mathbf{M}", name); }
   void add(Quantity quantity, const std::string& name, const scene::Place& at, const Vector3<double>& vector,
            const ArrowSymbol& symbol) {
     if (figure_.vanishes(vector, dimension_of(quantity))) return;
@@ -58,9 +70,10 @@ class ModelDiagram {
       const int on = figure_.mechanism().actions[static_cast<std::size_t>(force.action)].on;
       const Vector3<double> vector = state().on_ground_axes(force.axes, force.vector);
       if (force.couple)
-        add(Quantity::couple, load.name, center_of(on), vector, symbol_of(load.couple, load.name));
+        add(Quantity::couple, load.name, center_of(on), vector, symbol_of(load.couple, couple(load.name)));
       else
-        add(Quantity::force, load.name, figure_.scene_place(force.at), vector, symbol_of(load.force, load.name));
+        add(Quantity::force, load.name, figure_.scene_place(force.at), vector,
+            symbol_of(load.force, this->force(load.name)));
     }
     for (const Joint& joint : situation().joints)
       for (std::size_t k = 0; k < joint.freedoms.size(); ++k)
@@ -74,7 +87,8 @@ class ModelDiagram {
       if (action.name != name) continue;
       const Vector3<double> along = state().direction(drive.along);
       add(drive.turning ? Quantity::couple : Quantity::force, joint.name, figure_.scene_place(drive.at),
-          drive.effort * along, symbol_of(freedom.effort, joint.name));
+          drive.effort * along,
+          symbol_of(freedom.effort, drive.turning ? couple(joint.name) : this->force(joint.name)));
     }
   }
 
@@ -96,11 +110,11 @@ class ModelDiagram {
     for (const StatedRate& rate : figure_.machine().rates)
       if (freedom.rate && rate.velocity == drive.coordinate)
         add(drive.turning ? Quantity::angular_velocity : Quantity::velocity, joint.name, at, rate.value * along,
-            symbol_of(freedom.rate, drive.turning ? "omega_" + joint.name : "v_" + joint.name));
+            symbol_of(freedom.rate, drive.turning ? turning(joint.name) : velocity(joint.name)));
     for (const StatedRate& rate : figure_.machine().accelerations)
       if (freedom.accel && rate.velocity == drive.coordinate)
         add(drive.turning ? Quantity::angular_acceleration : Quantity::acceleration, joint.name, at, rate.value * along,
-            symbol_of(freedom.accel, drive.turning ? "alpha_" + joint.name : "a_" + joint.name));
+            symbol_of(freedom.accel, drive.turning ? turning_rate(joint.name) : acceleration(joint.name)));
   }
 
   void add_frames() {
@@ -109,9 +123,9 @@ class ModelDiagram {
       const auto& motion = state().workspace().motion[static_cast<std::size_t>(body + 1)];
       if (frame.rate)
         add(Quantity::angular_velocity, frame.name, center_of(body), motion.w,
-            symbol_of(frame.rate, "Omega_" + frame.name));
+            symbol_of(frame.rate, SceneFigure::indexed_symbol("\\boldsymbol{\\Omega}", frame.name)));
       if (frame.velocity)
-        add(Quantity::velocity, frame.name, center_of(body), motion.v, symbol_of(frame.velocity, "v_" + frame.name));
+        add(Quantity::velocity, frame.name, center_of(body), motion.v, symbol_of(frame.velocity, velocity(frame.name)));
     }
   }
 
@@ -144,7 +158,7 @@ class ModelDiagram {
     const std::string index = point ? to_string(point->point) : body;
     add(turning ? Quantity::angular_velocity : Quantity::velocity, body, at,
         turning ? motion.w : Vector3<double>(motion.v + cross(motion.w, place - motion.p)),
-        symbol_of(fact.value, (turning ? "omega_" : "v_") + index));
+        symbol_of(fact.value, turning ? this->turning(index) : velocity(index)));
   }
 
   void add_blows() {
@@ -160,7 +174,8 @@ class ModelDiagram {
       const std::optional<Expression> size = stated == situation().impulses.end() ? std::nullopt : stated->value;
       add(impulse.couple ? Quantity::angular_impulse : Quantity::impulse, action.name,
           impulse.couple ? center_of(impulse.on) : figure_.scene_place(impulse.at),
-          state().on_ground_axes(impulse.axes, impulse.vector), symbol_of(size, action.name));
+          state().on_ground_axes(impulse.axes, impulse.vector),
+          symbol_of(size, impulse.couple ? couple(action.name) : force(action.name)));
     }
   }
   static ArrowSymbol particle_symbol(const std::string& name) {

@@ -1,0 +1,132 @@
+// A datum is the distance of two points along an axis of the figure if the distance grows as the datum does: told by
+// the derivatives of their places, so that numbers which are equal by chance are not confused.
+#include "problem/scene/scene_dimensions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/engine/mass/particle_set.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
+#include "problem/language/words.h"
+#include "problem/machine/shapes.h"
+
+namespace poinsot::problem {
+namespace {
+
+class Dimensions {
+ public:
+  explicit Dimensions(SceneFigure& figure) : figure_(figure) {}
+
+  void add() {
+    const Situation& situation = figure_.situation();
+    for (const NamedExpression& item : situation.given)
+      if (item.value.as<Number>()) add(item.name, &item.value);
+    for (const Letter& letter : situation.letters) add(letter.name, nullptr);
+  }
+
+ private:
+  void add(const std::string& name, const Expression* stated) {
+    try {
+      const Value<double> value = figure_.data().value(built(Name{name}, Mark{}));
+      if (!value.is_number() || value.dimension != dimensions::length || !(value.number > 0)) return;
+      text_ = stated && !figure_.data().settings().contains(name) ? name + " = " + to_string(*stated)
+              : is_open(name)                                     ? name
+                                                                  : name + " = " + in_unit(value.number);
+      if (!between_points(name, value)) of_shapes(name, value.number);
+    } catch (const StatementError&) {
+      // What has no value yet has no place in the figure.
+    }
+  }
+  bool is_open(const std::string& name) const {
+    return std::any_of(figure_.scene().drawn_letters.begin(), figure_.scene().drawn_letters.end(),
+                       [&](const scene::DrawnLetter& letter) { return letter.name == name; });
+  }
+  std::string in_unit(double value) const {
+    const Unit& unit = figure_.tex().unit(dimensions::length);
+    return with_digits(value / unit.factor, 6) + " " + unit.text;
+  }
+
+  void put(const std::string& name, const scene::Place& from, const scene::Place& to) {
+    scene::Dimension dimension;
+    dimension.name = name;
+    dimension.text = text_;
+    dimension.from = from;
+    dimension.to = to;
+    figure_.scene().dimensions.push_back(std::move(dimension));
+  }
+
+  // The two points, nearest to each other across it, that lie apart by the datum along an axis of the figure.
+  bool between_points(const std::string& name, const Value<double>& value) {
+    DataScope<Dual<1>> data(figure_.situation(), figure_.data().settings());
+    data.vary(name, as_variable(value));
+    std::vector<std::pair<const scene::Point*, Vector3<Dual<1>>>> points;
+    for (const scene::Point& point : figure_.scene().points) {
+      if (points.size() >= most_points) break;
+      points.emplace_back(&point, data.place(built(Name{point.name}, Mark{})));
+    }
+    const scene::Point origin{"", {}};
+    points.emplace_back(&origin, Vector3<Dual<1>>::zero());
+    constexpr double exact = 1e-9;
+    double nearest = exact * value.number;
+    const scene::Point *from = nullptr, *to = nullptr;
+    bool better = false;
+    for (std::size_t i = 0; i < points.size() && !better; ++i)
+      for (std::size_t j = i + 1; j < points.size() && !better; ++j)
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Vector3<Dual<1>> d = points[j].second - points[i].second;
+          const double sense = d[k].value < 0 ? -1 : 1;
+          if (std::abs(sense * d[k].value - value.number) > exact * value.number) continue;
+          if (std::abs(sense * d[k].partial[0] - 1) > exact) continue;
+          const double across = std::hypot(d[(k + 1) % 3].value, d[(k + 2) % 3].value);
+          if (across > nearest) continue;
+          from = points[i].first;
+          to = points[j].first;
+          better = true;
+        }
+    if (from == nullptr) return false;
+    put(name, from->place, to->place);
+    return true;
+  }
+
+  // A radius or a length that a shape names.
+  void of_shapes(const std::string& name, double value) {
+    for (std::size_t k = 0; k < figure_.situation().bodies.size(); ++k)
+      for (const Part& part : figure_.situation().bodies[k].parts)
+        for (const NamedExpression& argument : part.shape.arguments) {
+          const Name* datum = argument.value.as<Name>();
+          if (datum == nullptr || datum->name != name) continue;
+          if (of_shape(name, value, part.shape, argument.name, static_cast<int>(k))) return;
+        }
+  }
+  bool of_shape(const std::string& name, double value, const Shape& shape, const std::string& argument, int body) {
+    const auto has = [&](const char* other) {
+      return std::any_of(shape.arguments.begin(), shape.arguments.end(),
+                         [&](const NamedExpression& one) { return one.name == other; });
+    };
+    const std::string& file = figure_.situation().file;
+    if (!has("center")) return false;
+    const Vector3<double> center = figure_.data().place(shape_argument(shape, "center", file));
+    Vector3<double> axis{0, 0, 1};
+    for (const char* given : {"normal", "axis"})
+      if (has(given)) axis = figure_.data().direction(shape_argument(shape, given, file));
+    if (argument == "radius" || argument == "inner_radius") {
+      put(name, {body, center}, {body, center + value * cubature::Triad<double>(axis).first});
+    } else if (argument == "length") {
+      put(name, {body, center - 0.5 * value * axis}, {body, center + 0.5 * value * axis});
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  static constexpr std::size_t most_points = 60;  // pairs of them are looked at
+  SceneFigure& figure_;
+  std::string text_;
+};
+
+}  // namespace
+
+void add_dimensions(SceneFigure& figure) { Dimensions(figure).add(); }
+
+}  // namespace poinsot::problem
