@@ -25,7 +25,7 @@ constexpr int shown_digits = 6;
 
 // A number as TeX: "0.25", "3\\cdot 10^{-7}".
 std::string tex_number(double value) {
-  const std::string digits = value == 0 ? "0" : with_digits(value, shown_digits);
+  std::string digits = value == 0 ? "0" : with_digits(value, shown_digits);
   const std::size_t exponent = digits.find('e');
   if (exponent == std::string::npos) return digits;
   return digits.substr(0, exponent) + "\\cdot 10^{" + std::to_string(std::stoi(digits.substr(exponent + 1))) + "}";

@@ -89,10 +89,10 @@ class ForceEquations {
 
   // K (da, dy) = -left, with what left and K are off by.
   Doubted solve(const Doubted& left) const {
-    const Matrix x = -inverse_ * left.value, size = inverse_.cwiseAbs();
+    const Matrix x = -(inverse_ * left.value), size = inverse_.cwiseAbs(), most = x.cwiseAbs(), K = K_.value.cwiseAbs();
     const Real rounding = 8 * static_cast<Real>(K_.value.rows()) * std::numeric_limits<Real>::epsilon();
-    return {x, size * (left.doubt + K_.doubt * x.cwiseAbs() +
-                       rounding * (left.value.cwiseAbs() + K_.value.cwiseAbs() * x.cwiseAbs()))};
+    const Matrix rounded = rounding * (left.value.cwiseAbs() + K * most), off = left.doubt + K_.doubt * most + rounded;
+    return {x, size * off};
   }
 
  private:
@@ -115,7 +115,7 @@ class ForceEquations {
     Eigen::CompleteOrthogonalDecomposition<Matrix> decomposition;
     decomposition.setThreshold(repeats);
     decomposition.compute(even);
-    const Matrix inverse = decomposition.pseudoInverse();
+    const Matrix inverse = decomposition.solve(Matrix::Identity(even.rows(), even.rows()).eval());
     // (1 - K^+ K) keeps what the equations leave open.
     const Matrix open = Matrix::Identity(even.cols(), even.cols()) - inverse * even;
     if (n_ > 0 && open.topRows(n_).cwiseAbs().maxCoeff() > left_open)

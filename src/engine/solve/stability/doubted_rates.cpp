@@ -48,13 +48,15 @@ class RatesTogether {
     for (const Index m : together) rate_ += rates.value[m] / Real(count);
     // So far beside the rate that the equations can be solved, and so near that two steps are enough.
     const std::complex<Real> beside = rate_ + std::complex<Real>(0.7L, 0.6L) * (1e-12L * A.norm());
-    ComplexMatrix shifted = A.cast<std::complex<Real>>();
+    const ComplexMatrix wide = A.cast<std::complex<Real>>();
+    ComplexMatrix shifted = wide;
     shifted.diagonal().array() -= beside;
     motions_ = iterated(shifted, count);
     const ComplexMatrix transposed = shifted.transpose();
     left_ = iterated(transposed, count).transpose();
-    left_ = Eigen::PartialPivLU<ComplexMatrix>(left_ * motions_).solve(left_).eval();
-    ComplexMatrix T = left_ * A * motions_;
+    const ComplexMatrix overlaps = left_ * motions_, led = wide * motions_;
+    left_ = Eigen::PartialPivLU<ComplexMatrix>(overlaps).solve(left_).eval();
+    ComplexMatrix T = left_ * led;
     rate_ = T.trace() / Real(count);
     T.diagonal().array() -= rate_;
     apart_ = T.norm();
@@ -159,7 +161,7 @@ Rates connected_rates(const Doubted& A) {
   Eigen::EigenSolver<Matrix> solver(even);
   rates.value = solver.eigenvalues();
   count_work(20 * cube);
-  const ComplexMatrix right = solver.eigenvectors(), left = Eigen::PartialPivLU<ComplexMatrix>(right).inverse();
+  const ComplexMatrix right = solver.eigenvectors(), left = inverse(right);
   check_budget();
   const Matrix doubt = scale.cwiseInverse().asDiagonal() * A.doubt * scale.asDiagonal();
   const Real solving = 8 * static_cast<Real>(n) * std::numeric_limits<Real>::epsilon() * even.norm();
@@ -199,6 +201,15 @@ std::vector<std::vector<Index>> connected_places(const Doubted& A) {
 }
 
 }  // namespace
+
+Matrix between(const Matrix& left, const Matrix& A, const Matrix& right) {
+  const Matrix led = A * right;
+  return left.transpose() * led;
+}
+
+ComplexMatrix inverse(const ComplexMatrix& A) {
+  return Eigen::PartialPivLU<ComplexMatrix>(A).solve(ComplexMatrix::Identity(A.rows(), A.rows()).eval());
+}
 
 // Part by part: that takes less than all at once, and rates of one part are not in doubt for those of another that are
 // the same.

@@ -13,6 +13,14 @@ using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using ComplexMatrix = Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, Eigen::Dynamic>;
 
+// What costs time here is compiling, not computing: Eigen is compiled anew for each kind of expression that is
+// multiplied or solved for. Factors are therefore plain matrices, and what several files use is compiled in one.
+
+// left^T A right.
+Matrix between(const Matrix& left, const Matrix& A, const Matrix& right);
+
+ComplexMatrix inverse(const ComplexMatrix& A);
+
 // A matrix, and a bound for the error of each entry.
 struct Doubted {
   Matrix value, doubt;

@@ -28,7 +28,7 @@ Matrix kernel_of(const Matrix& A) {
 
 Matrix equilibria_beside(const Doubted& A, const DeviationRows& rows, const Matrix& elsewhere) {
   const Index n = A.value.rows() / 2;
-  const Matrix none(2 * n, 0);
+  Matrix none(2 * n, 0);
   // At rest each condition is one on positions or one on velocities.
   Matrix of_positions(0, n), of_velocities(0, n);
   for (Index i = 0; i < rows.value.rows(); ++i) {

@@ -94,9 +94,9 @@ class Lineariser {
     // The error of the basis adds to that of the entries.
     const Matrix size = basis.cwiseAbs();
     const Matrix off = coupled * Matrix::Ones(1, basis.cols());
-    const Doubted reduced{basis.transpose() * A.value * basis, size.transpose() * A.doubt * size +
-                                                                   off.transpose() * A.value.cwiseAbs() * size +
-                                                                   size.transpose() * A.value.cwiseAbs() * off};
+    const Matrix most = A.value.cwiseAbs();
+    Doubted reduced{between(basis, A.value, basis), between(size, A.doubt, size)};
+    reduced.doubt += between(off, most, size) + between(size, most, off);
     find_modes(result, reduced, basis);
     // A symmetry brings a conserved momentum, and with it one more eigenvalue zero that says nothing about stability.
     leave_out(result, same.momenta);
@@ -144,7 +144,7 @@ class Lineariser {
     // If more directions vanish than there are momenta, some of them are slow motions, and this way is closed.
     if (count == 0 || count > momenta) return;
     const Matrix others = complement(all.rightCols(count)), size = others.cwiseAbs();
-    find_modes(result, {others.transpose() * A.value * others, size.transpose() * doubt * size}, basis * others);
+    find_modes(result, {between(others, A.value, others), between(size, doubt, size)}, basis * others);
     leave_out(result, momenta - count);
   }
 
@@ -171,7 +171,8 @@ class Lineariser {
     seen_ -= U * Eigen::ColPivHouseholderQR<Matrix>(chosen * U).solve(chosen);
     const Matrix size = seen_.cwiseAbs(), sizes = U.cwiseAbs();
     const Matrix led = seen_ * (A.value * U);
-    const Matrix allowed = size * ((computed * A.doubt + unfelt * A.value.cwiseAbs()) * sizes);
+    const Matrix felt = computed * A.doubt + unfelt * A.value.cwiseAbs();
+    const Matrix allowed = size * (felt * sizes);
     if (((led.cwiseAbs() - allowed).array() > 0).any())
       throw std::runtime_error("near the steady motion a force acts on a turning that moves no mass");
     A = {seen_ * A.value, size * A.doubt};

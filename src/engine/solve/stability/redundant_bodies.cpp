@@ -60,7 +60,8 @@ RedundantBodies::RedundantBodies(const SteadyMotion& motion)
     found.mass = body.inertia.mass;
     const Place3 c = found.mass > 0 ? Place3(wide(body.inertia.first_moment) / found.mass) : Place3(Place3::Zero());
     const Turn3 R = wide(at.R), cross = crossing(c);
-    found.inertia = R * (wide(body.inertia.inertia) + found.mass * cross * cross) * R.transpose();
+    const Turn3 inertia = wide(body.inertia.inertia) + found.mass * cross * cross;
+    found.inertia = R * inertia * R.transpose();
     found.center = wide(at.p) + R * c;
     found.angular = wide(at.w);
     found.velocity = wide(at.v) + found.angular.cross(R * c);
@@ -138,7 +139,8 @@ bool RedundantBodies::read_joint(int i) {
   const Place3 origin = wide(now.p);
   const Turn3 axes = wide(now.R);
   const Place3 z = axes.col(2);
-  const auto [x, y] = across(z);
+  const auto sides = across(z);
+  const Place3 &x = sides.first, &y = sides.second;
   const auto apart = [this, i, parent, origin](const Displacements& at) {
     return Place3(moved(i, at, origin) - moved(parent, at, origin));
   };

@@ -9,9 +9,6 @@ namespace poinsot::solve {
 namespace {
 
 using Index = Eigen::Index;
-// How closely displacements must satisfy the constraints, or may depend on each other, as parts of their length: far
-// above the rounding of long doubles, far below any displacement that is meant.
-constexpr Real within = 1e-9L;
 
 // A matrix A, and bounds for the error of A x.
 class Uncertain {
@@ -183,9 +180,9 @@ Matrix leading_to(Matrix elsewhere, const Uncertain& A, const DeviationRows& row
 
 }  // namespace
 
-Matrix complement(const Matrix& columns) {
+Matrix complement(const Matrix& columns, Real dependent) {
   Eigen::ColPivHouseholderQR<Matrix> qr(columns);
-  qr.setThreshold(within);
+  qr.setThreshold(dependent);
   const Matrix Q = qr.householderQ() * Matrix::Identity(columns.rows(), columns.rows());
   return Q.rightCols(columns.rows() - qr.rank());
 }

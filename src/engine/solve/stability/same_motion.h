@@ -27,7 +27,12 @@ struct SameMotion {
 // length one; those that the rows exclude are left out.
 SameMotion same_motion(const Doubted& A, const DeviationRows& rows, const std::vector<Vector>& displacements);
 
-// An orthonormal basis of all vectors that are perpendicular to the columns.
-Matrix complement(const Matrix& columns);
+// How closely displacements must satisfy the constraints, or may depend on each other, as parts of their length: far
+// above the rounding of long doubles, far below any displacement that is meant.
+constexpr Real within = 1e-9L;
+
+// An orthonormal basis of all vectors that are perpendicular to the columns. dependent: the part of a column, of the
+// longest, that counts as rounding where the rest of it depends on the others.
+Matrix complement(const Matrix& columns, Real dependent = within);
 
 }  // namespace poinsot::solve

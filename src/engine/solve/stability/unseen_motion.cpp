@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/solve/linear/decompositions.h"
+#include "engine/solve/stability/same_motion.h"
 #include "poinsot/engine/solve/stability/linearisation.h"
 #include "poinsot/engine/solve/stability/near_equations.h"
 
@@ -49,13 +49,8 @@ std::vector<UnseenMotion> unseen_motions(const Mechanism<double>& mechanism, con
     for (Index k = 0; k < count; ++k) both(count + c, k) = matrices.J[static_cast<std::size_t>(c)][at(k)] * unit[k];
     if (const double length = both.row(count + c).norm(); length > 0) both.row(count + c) /= length;
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-  qr.setThreshold(no_inertia);
-  qr.compute(both.transpose());
-  const Index rank = both.isZero(0) ? 0 : qr.rank(), left = count - rank;
-  if (left == 0) return found;
-  Eigen::MatrixXd motions = Eigen::MatrixXd::Identity(count, count);
-  if (rank > 0) motions = (qr.householderQ() * Eigen::MatrixXd::Identity(count, count)).rightCols(left);
+  Eigen::MatrixXd motions = complement(both.transpose().cast<Real>(), no_inertia).cast<double>();
+  const Index left = motions.cols();
   // Each motion gets a coordinate by which it is known: the largest that is left.
   std::vector<Index> pivots;
   for (Index i = 0; i < left; ++i) {
