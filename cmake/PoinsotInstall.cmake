@@ -10,7 +10,7 @@ foreach(library engine problem)
 endforeach()
 install(DIRECTORY include/poinsot/engine DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/poinsot" COMPONENT engine)
 install(FILES include/poinsot/problem.h include/poinsot/document.h include/poinsot/pictures.h
-              include/poinsot/rendering.h
+              include/poinsot/rendering.h include/poinsot/scene.h
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/poinsot" COMPONENT problem)
 install(TARGETS poinsot RUNTIME COMPONENT program)
 set(texts "${PROJECT_BINARY_DIR}/texts")

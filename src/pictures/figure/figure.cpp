@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "pictures/drawing/font_metrics.h"
@@ -332,6 +334,13 @@ const Diagram* find(const Scene& scene, DiagramKind kind) {
   return found == scene.diagrams.end() ? nullptr : &*found;
 }
 
+// Whether a letter of this unit shows in the proportions of a figure.
+bool is_size_or_angle(const std::string& unit) {
+  static constexpr std::array<std::string_view, 15> units{"m",  "km", "dm",  "cm",   "mm",  "um",  "ft",  "in",
+                                                          "yd", "mi", "rad", "mrad", "deg", "rev", "turn"};
+  return std::ranges::find(units, unit) != units.end();
+}
+
 }  // namespace
 
 std::vector<FigureName> figures_of(const Scene& scene) {
@@ -386,9 +395,10 @@ Drawing figure(const Scene& scene, const FigureName& name, const std::string& ti
   if (!scene.drawn_letters.empty()) {
     std::string letters;
     for (const scene::DrawnLetter& letter : scene.drawn_letters)
-      letters += (letters.empty() ? "Drawn with " : ", ") +
-                 unbroken(letter.name + " = " + value_text(letter.value, letter.unit));
-    caption(drawing, letters, 240);
+      if (is_size_or_angle(letter.unit))
+        letters += (letters.empty() ? "Drawn with " : ", ") +
+                   unbroken(letter.name + " = " + value_text(letter.value, letter.unit));
+    if (!letters.empty()) caption(drawing, letters, 240);
   }
   if (marked) caption(drawing, "Arrows with two strokes are not to scale", 240);
   drawing.paper = drawing.paper.grown(margin);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace poinsot::pictures {
 namespace {
@@ -39,6 +40,46 @@ std::vector<Vector> places_on(const scene::Scene& scene, int body, bool with_poi
   return places;
 }
 
+// The box along the axes of the ground that holds a shape.
+struct Span {
+  Vector low, high;
+
+  explicit Span(const Solid& solid) : low(solid.vertices.front()), high(low) {
+    for (const Vector& v : solid.vertices)
+      for (std::size_t i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], v[i]);
+        high[i] = std::max(high[i], v[i]);
+      }
+  }
+  Vector middle() const { return 0.5 * (low + high); }
+  bool hold(const Vector& place, double little) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!(place[i] > low[i] - little && place[i] < high[i] + little)) return false;
+    return true;
+  }
+};
+
+// Disks, rings and solids have a middle that is drawn as theirs.
+bool has_middle(const Solid& solid) { return solid.extent != scene::Extent::line && solid.vertices.size() > 8; }
+
+// Where the axis on which a body is held at a place meets a shape: a shaft runs to the middle of its disk.
+std::optional<Vector> along_axis(const scene::Scene& scene, int body, const std::vector<Solid>& solids,
+                                 const Vector& place, const std::vector<scene::Pose>& poses, double near) {
+  for (const scene::Symbol& symbol : scene.symbols) {
+    if (symbol.to != body && symbol.from != body) continue;
+    const Vector axis = turned_to_ground(symbol.to, symbol.axis, poses);
+    if (!(norm(axis) > 0) || norm(on_ground(symbol.place, poses) - place) > near) continue;
+    const Vector direction = normalized(axis);
+    for (const Solid& solid : solids) {
+      if (solid.hole || solid.vertices.empty()) continue;
+      const Span bounds(solid);
+      const Vector foot = place + dot(bounds.middle() - place, direction) * direction;
+      if (bounds.hold(foot, near)) return foot;
+    }
+  }
+  return std::nullopt;
+}
+
 // The point of the shapes that is nearest to a place; the place itself if it lies within the bounds of a volume.
 Vector nearest_of_shapes(const std::vector<Solid>& solids, const Vector& place, double little) {
   Vector best = place;
@@ -51,22 +92,14 @@ Vector nearest_of_shapes(const std::vector<Solid>& solids, const Vector& place, 
   };
   for (const Solid& solid : solids) {
     if (solid.hole || solid.vertices.empty()) continue;
-    Vector low = solid.vertices.front(), high = low;
-    for (const Vector& v : solid.vertices) {
-      offer(v);
-      for (std::size_t i = 0; i < 3; ++i) {
-        low[i] = std::min(low[i], v[i]);
-        high[i] = std::max(high[i], v[i]);
-      }
-    }
-    bool inside = solid.extent != scene::Extent::line;
-    for (std::size_t i = 0; i < 3; ++i) inside = inside && place[i] > low[i] - little && place[i] < high[i] + little;
-    if (inside) return place;
+    for (const Vector& v : solid.vertices) offer(v);
+    const Span bounds(solid);
+    if (solid.extent != scene::Extent::line && bounds.hold(place, little)) return place;
     for (const auto& line : solid.lines)
       for (std::size_t i = 0; i + 1 < line.size(); ++i)
         offer(nearest_on({solid.vertices[line[i]], solid.vertices[line[i + 1]]}, place));
     // An arm to a disk or a ring goes to its middle.
-    if (solid.extent != scene::Extent::line && solid.vertices.size() > 8) offer(0.5 * (low + high));
+    if (has_middle(solid)) offer(bounds.middle());
   }
   return best;
 }
@@ -93,6 +126,12 @@ std::array<Vector, 2> way_between(const Solid& first, const Solid& second, doubl
   for (int i = 0; i < rounds; ++i) {
     best[0] = nearest_of_shapes(from, best[1], near);
     best[1] = nearest_of_shapes(to, best[0], near);
+  }
+  // From middle to middle if that is hardly longer.
+  constexpr double hardly_longer = 1.05;
+  if (has_middle(first) && has_middle(second)) {
+    const std::array<Vector, 2> middles{Span(first).middle(), Span(second).middle()};
+    if (norm(middles[1] - middles[0]) <= hardly_longer * norm(best[1] - best[0])) return middles;
   }
   return best;
 }
@@ -135,7 +174,8 @@ std::vector<std::array<Vector, 2>> skeleton_of(const scene::Scene& scene, int bo
   const double near = near_part * scene.length;
   if (!solids.empty()) {
     for (const Vector& place : places) {
-      const Vector end = nearest_of_shapes(solids, place, near);
+      const Vector end =
+          along_axis(scene, body, solids, place, poses, near).value_or(nearest_of_shapes(solids, place, near));
       if (norm(end - place) > near) arms.push_back({place, end});
     }
     join_parts(solids, near, arms);

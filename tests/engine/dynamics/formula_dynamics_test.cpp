@@ -149,14 +149,14 @@ TEST(FormulaDynamics, HasTheTextbooksEquations) {
   Workspace<Formula> workspace(pendulum.model);
   std::vector<Formula> M(4);
   mass_matrix<Formula>(pendulum.model, workspace, pendulum.state.q, M);
-  EXPECT_EQ(text(M[3]), "L2^2*m2");
+  EXPECT_EQ(text(M[3]), "m2*L2^2");
   EXPECT_EQ(M[2], m2 * L2 * (L2 + L1 * cos(b)));
-  EXPECT_EQ(text(M[2]), "L2*m2*(L1*cos(b) + L2)");
+  EXPECT_EQ(text(M[2]), "m2*L2*(L1*cos(b) + L2)");
 
   // At rest only weight acts: on the lower hinge m2 g L2 sin(a + b).
   pendulum.state.v = {0, 0};
   pendulum.given = {0, 0};
-  EXPECT_EQ(text(forces(pendulum)[1]), "g*L2*m2*sin(a + b)");
+  EXPECT_EQ(text(forces(pendulum)[1]), "m2*g*L2*sin(a + b)");
 
   // In steady precession: no couple about the vertical and the spin axis, and on the gimbal that of Eq. 18.44 with
   // I = m r^2/2 about the axis of the disk and I' = m r^2/4 + m h^2 across it.
