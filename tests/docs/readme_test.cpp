@@ -15,6 +15,7 @@
 #include "poinsot/engine/dynamics/forward_dynamics.h"
 #include "poinsot/engine/mass/shapes.h"
 #include "poinsot/engine/model/builder.h"
+#include "poinsot/pictures.h"
 #include "poinsot/problem.h"
 #include "poinsot/rendering.h"
 
@@ -50,6 +51,13 @@ TEST(Readme, ShowsWhatTheProgramPrints) {
     EXPECT_EQ(without_residuals(call + document.file + "\n" + to_terminal(document)),
               without_residuals(transcripts[i]));
   }
+}
+
+// The figures are those that the program draws of the first problem.
+TEST(Readme, ShowsWhatTheProgramDraws) {
+  const Document document = Problem::from_text(blocks_of("yaml").at(0), "askew.yaml").illustrate();
+  EXPECT_EQ(to_svg(document, 0), text_of_page("docs/figures/askew.svg"));
+  EXPECT_EQ(to_svg(document, 0, {.of = "free-body", .values = true}), text_of_page("docs/figures/askew-free-body.svg"));
 }
 
 // The lines of this file between two marks, without their indentation.
