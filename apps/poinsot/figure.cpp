@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 #include "commands.h"
 #include "exit_codes.h"
@@ -23,6 +24,12 @@ poinsot::Document illustrated_until_interrupted(const poinsot::Problem& problem,
 }  // namespace
 
 int figure(const FigureArguments& arguments) {
+  const std::filesystem::path output = arguments.output;
+  if (output.has_extension() && output.extension() != ".svg") {
+    write_message(
+        fmt::format("poinsot: '{}' should end in .svg: a figure is a line drawing in that form", output.string()));
+    return exit_wrong_input;
+  }
   if (const std::string reason = not_to_be_written(arguments.file, arguments.output, arguments.force);
       !reason.empty()) {
     write_message("poinsot: " + reason);

@@ -294,6 +294,33 @@ class ShellTexts(unittest.TestCase):
         self.assertIn("bash", result.stderr)
 
 
+class Figures(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.output = pathlib.Path(self.folder.name) / "a.svg"
+
+    def refused(self, *arguments):
+        result = run("figure", str(EXAMPLES[0]), *arguments)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        return result.stderr
+
+    def test_a_figure_is_written_once(self):
+        result = run("figure", str(EXAMPLES[0]), "-o", str(self.output))
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        drawn = self.output.read_text(encoding="utf-8")
+        self.assertTrue(drawn.startswith("<svg "))
+        self.assertIn("--force", self.refused("-o", str(self.output)))
+        self.assertEqual(run("figure", str(EXAMPLES[0])).stdout, drawn)
+
+    def test_what_is_not_there_is_told_with_what_is(self):
+        self.assertIn("there are model", self.refused("--of", "modle"))
+        self.assertIn("expected front", self.refused("--view", "sideways"))
+        self.assertIn("has 1", self.refused("--solution", "2"))
+        self.assertIn("should end in .svg", self.refused("-o", str(self.output.with_suffix(".png"))))
+        self.assertIn("should end in .html", run("report", str(EXAMPLES[0]), "-o", str(self.output)).stderr)
+
+
 class Folders(unittest.TestCase):
     def test_a_folder_is_solved_file_by_file(self):
         with tempfile.TemporaryDirectory() as folder:
