@@ -218,8 +218,10 @@ void draw_dimensions(Panel& panel) {
   }
 }
 
-void draw_curves(Panel& panel) {
+void draw_curves(Panel& panel, CurvesDrawn which) {
   for (const scene::Curve& curve : panel.scene.curves) {
+    const bool path = curve.kind == scene::CurveKind::path || curve.kind == scene::CurveKind::axis_path;
+    if (path != (which == CurvesDrawn::paths)) continue;
     if (!panel.draws(curve.body)) continue;
     std::vector<Point2> points;
     for (const Vector& point : curve.points) points.push_back(panel.paper({curve.body, point}));

@@ -110,8 +110,10 @@ Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest,
     draw_links(panel);
     draw_symbols(panel);
   }
-  draw_curves(panel);
-  if (kind.cones) draw_cones(panel);
+  if (kind.cones) {
+    draw_curves(panel, CurvesDrawn::of_free_motion);
+    draw_cones(panel);
+  }
   if (kind.axes && kind.axes_at_origin) draw_axes(panel, true);
   if (kind.symbols) draw_dimensions(panel);
   draw_points(panel, diagram.arrows);
@@ -293,7 +295,7 @@ Drawing motion(const Scene& scene, const Looks& looks) {
   draw_bodies(panel);
   draw_links(panel);
   draw_symbols(panel);
-  draw_curves(panel);
+  draw_curves(panel, CurvesDrawn::paths);
   draw_axes(panel, true);
   draw_points(panel, {});
   draw_body_names(panel);
@@ -350,7 +352,12 @@ std::vector<FigureName> figures_of(const Scene& scene) {
     names.push_back({FigureKind::free_body, "free-body", "What acts on the bodies, equal to what it does to them"});
   if (has(DiagramKind::impulses) || has(DiagramKind::momenta_before) || has(DiagramKind::momenta_after))
     names.push_back({FigureKind::impulse, "impulse", "Momenta before, impulses, momenta after"});
-  if (!scene.cones.empty()) names.push_back({FigureKind::cones, "cones", "Body cone and space cone"});
+  const bool polhode = std::ranges::any_of(
+      scene.curves, [](const scene::Curve& curve) { return curve.kind == scene::CurveKind::polhode; });
+  if (!scene.cones.empty() || polhode)
+    names.push_back(
+        {FigureKind::cones, "cones",
+         scene.cones.empty() ? "Polhode and herpolhode of the angular velocity" : "Body cone and space cone"});
   if (scene.motion && !scene.motion->poses.empty() && scene.motion->times.size() == scene.motion->poses.size())
     names.push_back({FigureKind::motion, "motion", "The motion"});
   if (has(DiagramKind::answers)) names.push_back({FigureKind::answers, "answers", "What is asked for"});

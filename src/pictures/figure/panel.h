@@ -72,7 +72,8 @@ void draw_axes(Panel& panel, bool at_origin);
 void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows);
 void draw_body_names(Panel& panel);
 void draw_dimensions(Panel& panel);
-void draw_curves(Panel& panel);
+enum class CurvesDrawn { paths, of_free_motion };
+void draw_curves(Panel& panel, CurvesDrawn which);
 void draw_cones(Panel& panel);
 
 // Strokes under a line, as a draughtsman marks the ground: on the right of the direction from one end to the other.
