@@ -1,5 +1,5 @@
 // What the program writes into the page: the answer document, and what belongs to it. Names are those of the JSON.
-import type { Scene } from "./scene";
+import type { Scene, Vector } from "./scene";
 
 export type Datum = number | boolean | string | null | Datum[];
 
@@ -86,6 +86,7 @@ export interface PageData {
   questions: Named[];
   claims: Named[];
   figures: Figure[][]; // of each solution
+  arms: [Vector, Vector][][][]; // of each body of each solution: what joins its shapes with what holds it
   gallery: string; // the address of the index; "" if the page stands alone
 }
 

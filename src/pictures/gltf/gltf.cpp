@@ -5,6 +5,7 @@
 
 #include "document/program_version.h"
 #include "pictures/gltf/glb.h"
+#include "pictures/solids/solid.h"
 #include "poinsot/engine/math/algebra/quaternion.h"
 #include "poinsot/pictures.h"
 
@@ -86,6 +87,10 @@ class SceneWriter {
         {"name", body.name}, {"translation", numbers(body.pose.p)}, {"rotation", rotation(quaternion_of(body.pose.R))}};
     Json primitives = Json::array();
     for (const scene::Shape& shape : body.shapes) add_shape(primitives, shape, body, index);
+    std::vector<Numbers3> arms;
+    for (const auto& arm : arms_of(scene_, static_cast<int>(index)))
+      for (const Vector3<double>& end : arm) arms.push_back(numbers(end));
+    if (!arms.empty()) add_primitive(primitives, arms, {}, lines, material(body.name, index));
     if (!primitives.empty()) {
       meshes_.push_back({{"name", body.name}, {"primitives", primitives}});
       node["mesh"] = meshes_.size() - 1;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pictures/page/html.h"
+#include "pictures/solids/solid.h"
 #include "poinsot/pictures.h"
 #include "poinsot/rendering.h"
 
@@ -57,6 +58,22 @@ Json figures_json(const Document& document) {
   return solutions;
 }
 
+// What joins the shapes of each body with what holds it, by solution and body: pairs of points on the body's axes.
+Json arms_json(const Document& document) {
+  Json solutions = Json::array();
+  for (const Solution& solution : document.solutions) {
+    Json bodies = Json::array();
+    for (std::size_t i = 0; solution.scene && i < solution.scene->bodies.size(); ++i) {
+      Json arms = Json::array();
+      for (const auto& [from, to] : arms_of(*solution.scene, static_cast<int>(i)))
+        arms.push_back({{from.x, from.y, from.z}, {to.x, to.y, to.z}});
+      bodies.push_back(std::move(arms));
+    }
+    solutions.push_back(std::move(bodies));
+  }
+  return solutions;
+}
+
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
@@ -70,6 +87,7 @@ std::string to_html(const Problem& problem, std::string_view text, const Documen
                     {"questions", questions_json(problem.questions())},
                     {"claims", questions_json(problem.claims())},
                     {"figures", figures_json(document)},
+                    {"arms", arms_json(document)},
                     {"gallery", options.gallery}};
   // The document is text already, and may be long.
   std::string data = dumped(beside);

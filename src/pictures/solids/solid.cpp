@@ -122,6 +122,18 @@ void find_plates(std::vector<Solid>& solids) {
 
 }  // namespace
 
+std::vector<std::array<Vector, 2>> arms_of(const scene::Scene& scene, int body) {
+  const scene::Body& own = scene.bodies.at(static_cast<std::size_t>(body));
+  std::vector<scene::Pose> poses;
+  for (const scene::Body& one : scene.bodies) poses.push_back(one.pose);
+  std::vector<Solid> shapes;
+  for (const scene::Shape& shape : own.shapes) shapes.push_back(solid_of(shape, own.pose, body, own.massless));
+  std::vector<std::array<Vector, 2>> arms = skeleton_of(scene, body, shapes, poses);
+  for (std::array<Vector, 2>& arm : arms)
+    for (Vector& end : arm) end = transpose(own.pose.R) * (end - own.pose.p);
+  return arms;
+}
+
 std::vector<Solid> solids_of(const scene::Scene& scene, const std::vector<int>& bodies,
                              const std::vector<scene::Pose>& poses) {
   std::vector<Solid> solids;

@@ -33,6 +33,9 @@ struct Solid {
 // Meshes beyond this many triangles are made coarser, so that a drawing of them takes as long as one of a few shapes.
 constexpr std::size_t most_triangles = 12000;
 
+// The straight arms from a body's shapes to what holds it, on the axes of the body, as they are at the shown instant.
+std::vector<std::array<Vector, 2>> arms_of(const scene::Scene& scene, int body);
+
 std::vector<Solid> solids_of(const scene::Scene& scene, const std::vector<int>& bodies,
                              const std::vector<scene::Pose>& poses);
 

@@ -2,6 +2,7 @@
 import type { Figure, PageData, Solution } from "../document";
 import { type Child, element, section } from "../element";
 import { motionSection } from "../motion/player";
+import type { Scene, Shape, Vector } from "../scene";
 import { sections } from "../text/markdown";
 import { answersSection } from "./answers";
 import { figureNode } from "./figures";
@@ -23,6 +24,26 @@ function workedSolution(solution: Solution): Child {
   );
 }
 
+// The scene with the arms of its bodies as thin shapes of their own.
+function withArms(scene: Scene, arms: [Vector, Vector][][]): Scene {
+  const armShape = (arm: [Vector, Vector]): Shape => ({
+    kind: "arm",
+    part: "",
+    extent: "line",
+    hole: false,
+    added: false,
+    vertices: arm,
+    triangles: [],
+    normals: [],
+    edges: [[0, 1]],
+  });
+  const bodies = scene.bodies.map((body, i) => ({
+    ...body,
+    shapes: [...body.shapes, ...(arms[i] ?? []).map(armShape)],
+  }));
+  return { ...scene, bodies };
+}
+
 export function solutionNodes(page: PageData, index: number): Child[] {
   const solution = page.document.solutions[index];
   if (!solution) return [];
@@ -31,7 +52,7 @@ export function solutionNodes(page: PageData, index: number): Child[] {
   const diagrams = figures.filter((figure, i) => !isOfStatement(figure, i));
   return [
     first.length > 0 && section("Figure", ...first.map(figureNode)),
-    solution.scene ? motionSection(solution.scene) : null,
+    solution.scene ? motionSection(withArms(solution.scene, page.arms[index] ?? [])) : null,
     answersSection(solution),
     diagrams.length > 0 && section("Diagrams", ...diagrams.map(figureNode)),
     workedSolution(solution),

@@ -303,7 +303,12 @@ export function motionSection(scene: Scene): HTMLElement {
   window.addEventListener("themechange", resize);
   const plots =
     player && player.plots.length > 0
-      ? element("div", { class: "plots" }, ...player.plots.map((plot) => plot.node))
+      ? // Many plots scroll, for which the keyboard has to reach them.
+        element(
+          "div",
+          { class: "plots", tabindex: "0", role: "group", "aria-label": "Plots over time" },
+          ...player.plots.map((plot) => plot.node),
+        )
       : null;
   return section(player ? "Motion" : "View in space", element("div", { class: plots ? "beside" : "" }, view, plots));
 }

@@ -105,7 +105,7 @@ export function bodyNode(body: Body, number: number, size: number, paints: Paint
   group.name = body.name;
   if (body.frame) group.add(...triad(size, paints));
   // Of a body whose shape is not stated, its mass center is all that is known.
-  if (body.shapes.length === 0 && body.mass > 0) {
+  if (body.shapes.every((shape) => shape.kind === "arm") && body.mass > 0) {
     group.add(new Mesh(ball(vector(body.center), 0.02 * size), paints.solid(number, "matter")));
   }
   for (const shape of body.shapes) {

@@ -1,0 +1,52 @@
+// The arms by which figures join the shapes of a body with what holds it.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "pictures/figure/scenes.h"
+#include "pictures/solids/solid.h"
+#include "poinsot/engine/math/algebra/rotation.h"
+
+namespace poinsot::pictures {
+namespace arms_test {
+
+using pictures_test::cylinder_shape;
+
+scene::Symbol bearing(const Vector& at) {
+  return {.kind = scene::SymbolKind::journal, .name = "A", .to = 0, .place = {0, at}, .axis = {0, 0, 1}};
+}
+
+// A wheel far out on its shaft: the arm runs along the axis of the bearing to the wheel's middle, on the body's axes,
+// in whatever way the body is turned and moved.
+TEST(Arms, a_shaft_runs_along_its_axis_to_the_middle_of_its_wheel) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> draw;
+  for (int i = 0; i < 20; ++i) {
+    scene::Scene scene;
+    scene.length = 3;
+    scene::Body body{.name = "wheel", .mass = 1};
+    body.shapes.push_back(cylinder_shape(1, 1.9, 2.1));
+    body.pose.R = rotation_about(normalized(Vector{draw(random), draw(random), draw(random)}), draw(random));
+    body.pose.p = {draw(random), draw(random), draw(random)};
+    scene.bodies.push_back(body);
+    scene.symbols.push_back(bearing({0, 0, 0}));
+    const auto arms = arms_of(scene, 0);
+    ASSERT_EQ(arms.size(), 1u);
+    EXPECT_LT(norm(arms[0][0]), 1e-12);
+    EXPECT_LT(norm(arms[0][1] - Vector{0, 0, 2}), 0.25) << "turned boxes hold the wheel with some play";
+    EXPECT_LT(std::hypot(arms[0][1].x, arms[0][1].y), 1e-12);
+  }
+}
+
+TEST(Arms, a_wheel_that_is_held_in_its_middle_has_none) {
+  scene::Scene scene;
+  scene.length = 2;
+  scene::Body body{.name = "wheel", .mass = 1};
+  body.shapes.push_back(cylinder_shape(1, -0.1, 0.1));
+  scene.bodies.push_back(body);
+  scene.symbols.push_back(bearing({0, 0, 0}));
+  EXPECT_TRUE(arms_of(scene, 0).empty());
+}
+
+}  // namespace arms_test
+}  // namespace poinsot::pictures
