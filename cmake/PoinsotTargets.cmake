@@ -34,6 +34,10 @@ endfunction()
 
 # poinsot_compile_together(TARGET): how each target of the sources of rooms is compiled.
 function(poinsot_compile_together target)
+  # The libraries go into shared objects too, such as a Python module. Hidden names cost nothing there: without them every
+  # call that another object could take over would be neither inlined nor direct.
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+                                             VISIBILITY_INLINES_HIDDEN ON)
   set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX UNITY_BUILD ${POINSOT_UNITY} UNITY_BUILD_MODE GROUP
                                              UNITY_BUILD_CODE_BEFORE_INCLUDE
                                              "// NOLINTNEXTLINE(bugprone-suspicious-include)")
