@@ -108,6 +108,7 @@ std::vector<std::string> problem_files(const std::vector<std::string>& paths) {
 }
 
 int solve(const SolveArguments& arguments) {
+  if (!arguments.output.empty()) return write_worked_solutions(arguments);
   const poinsot::TerminalStyle style{.color = wants_color()};
   const std::vector<std::string> files = problem_files(arguments.files);
   int code = files.empty() ? exit_wrong_input : exit_answered;

@@ -14,11 +14,16 @@ struct SolveArguments {
   bool json = false;
   bool explain = false;  // with worked solutions
   bool scene = false;    // with what a picture shows, in JSON
+  std::string output;    // of a worked solution with figures; none: the standard one, without figures
+  bool force = false;    // replace files that are there
 };
 
 // Solves each file and writes its answers; a file that fails does not keep the others from being solved, and the worst
 // outcome gives the exit code.
 int solve(const SolveArguments& arguments);
+
+// Writes the worked solutions of one file to `output`, and their figures beside it.
+int write_worked_solutions(const SolveArguments& arguments);
 
 struct CheckArguments {
   std::vector<std::string> paths;

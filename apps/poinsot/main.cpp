@@ -122,6 +122,13 @@ int run(int argument_count, const char* const* arguments) {
   solve_command
       ->add_flag("--scene", solve_arguments.scene, "With --json: what a picture of each solution shows, as numbers")
       ->needs("--json");
+  solve_command
+      ->add_option("-o,--output", solve_arguments.output,
+                   "With --explain: the worked solution of one file with its figures beside it, NAME.md")
+      ->needs("--explain")
+      ->excludes("--json")
+      ->type_name("OUTPUT");
+  solve_command->add_flag("--force", solve_arguments.force, "With -o: replace files that are there")->needs("--output");
   add_sets(*solve_command, settings);
 
   CheckArguments check_arguments;

@@ -16,6 +16,8 @@ namespace poinsot {
 struct FigureTitle {
   std::string name;   // as FigureOptions::of has it
   std::string title;  // what it shows
+  // The heading of the worked solution's section to which it belongs; "" if it belongs to none.
+  std::string section{};
 };
 
 // The line drawings of a solution, which are made of its scene (Problem::illustrate): "model" always; "free-body",
@@ -40,6 +42,18 @@ class FigureError : public std::invalid_argument {
 // A line drawing that stands alone, as SVG. Names and texts of the file stay text. Throws FigureError, and
 // std::out_of_range if there is no such solution.
 std::string to_svg(const Document& document, std::size_t solution, const FigureOptions& options = {});
+
+// The worked solutions of a document (to_markdown) with their figures in them, and these figures as files that stand
+// beside the text. stem: of the files' names, without folder: "top" gives top-model.svg and top-free-body.svg, and
+// top-2-model.svg for the second of several solutions.
+struct IllustratedMarkdown {
+  struct Figure {
+    std::string name, svg;
+  };
+  std::string text;
+  std::vector<Figure> figures;
+};
+IllustratedMarkdown to_illustrated_markdown(const Document& document, const std::string& stem);
 
 // The library was built without the script of the pages.
 struct NoPages : std::runtime_error {

@@ -39,12 +39,19 @@ std::string checks_to_json(const std::vector<CheckedFile>& files);
 // The JSON Schema (draft 2020-12) of what to_json() writes of a document, ending in a newline.
 std::string answer_schema();
 
+// A picture that stands in a worked solution, by the address of its file.
+struct MarkdownPicture {
+  std::string section;  // it ends the first section of this heading; the answers, if there is no such section
+  std::string title, address;
+};
+
 // One solution as Markdown with mathematics in TeX: title, sections with displayed equations between `$$`, answers,
 // checks. The text ends in a newline. A document of Problem::explain() has sections, one of Problem::solve() has
 // none. Throws std::out_of_range if there is no such solution.
-std::string to_markdown(const Document& document, std::size_t solution);
-// All solutions, one after the other, and the warnings.
-std::string to_markdown(const Document& document);
+std::string to_markdown(const Document& document, std::size_t solution,
+                        const std::vector<MarkdownPicture>& pictures = {});
+// All solutions, one after the other, each with its pictures, and the warnings.
+std::string to_markdown(const Document& document, const std::vector<std::vector<MarkdownPicture>>& pictures = {});
 
 // The text on one line and without control over the terminal: line ends and tabs become blanks; other control
 // characters, marks that change the direction of writing, and bytes that are not UTF-8 become U+FFFD. Messages

@@ -68,6 +68,26 @@ std::string markdown_code(std::string_view text) {
   return line.find('`') == std::string::npos ? "`" + line + "`" : "`` " + line + " ``";
 }
 
+std::string markdown_picture(const MarkdownPicture& picture) {
+  // Between angle brackets an address may have blanks and parentheses.
+  std::string address;
+  for (const char letter : printable(picture.address))
+    address += letter == '<' ? "%3C" : letter == '>' ? "%3E" : std::string(1, letter);
+  return "\n![" + markdown_text(picture.title) + "](<" + address + ">)\n";
+}
+
+// The pictures that belong to a section, which are taken out of those left. A heading may tell after a comma which
+// instant of several it is about.
+std::string pictures_of(const std::string& heading, std::vector<MarkdownPicture>& left) {
+  std::string text;
+  std::erase_if(left, [&](const MarkdownPicture& picture) {
+    const bool here = heading.substr(0, heading.find(',')) == picture.section;
+    if (here) text += markdown_picture(picture);
+    return here;
+  });
+  return text;
+}
+
 std::string answer_value(const Answer& answer) {
   switch (answer.state) {
     case AnswerState::found:
@@ -129,25 +149,31 @@ std::string answers_section(const Solution& solution) {
 
 namespace poinsot {
 
-std::string to_markdown(const Document& found, std::size_t index) {
+std::string to_markdown(const Document& found, std::size_t index, const std::vector<MarkdownPicture>& pictures) {
   require_values(found);
   const Document document = document::with_named_constants(found);
   const Solution& solution = document.solutions.at(index);
   std::string text = "# " + document::markdown_text(document.title.empty() ? document.file : document.title) + "\n";
   if (document.solutions.size() > 1)
     text += fmt::format("\nSolution {} of {}.\n", index + 1, document.solutions.size());
+  std::vector<MarkdownPicture> left = pictures;
   if (solution.explanation)
     for (const problem::ExplainedSection& section : solution.explanation->sections) {
       text += "\n## " + printable(section.heading) + "\n";
       for (const problem::ExplainedStep& step : section.steps)
         text += "\n" + document::printable_lines(step.text) + document::displayed(step.equations);
+      text += document::pictures_of(section.heading, left);
     }
-  return text + document::answers_section(solution);
+  text += document::answers_section(solution);
+  for (const MarkdownPicture& picture : left) text += document::markdown_picture(picture);
+  return text;
 }
 
-std::string to_markdown(const Document& document) {
+std::string to_markdown(const Document& document, const std::vector<std::vector<MarkdownPicture>>& pictures) {
   std::string text;
-  for (std::size_t i = 0; i < document.solutions.size(); ++i) text += (i == 0 ? "" : "\n") + to_markdown(document, i);
+  for (std::size_t i = 0; i < document.solutions.size(); ++i)
+    text += (i == 0 ? "" : "\n") +
+            to_markdown(document, i, i < pictures.size() ? pictures[i] : std::vector<MarkdownPicture>{});
   if (document.solutions.empty()) {
     text = "# " + document::markdown_text(document.title) + "\n\nThere is no solution.\n";
   }

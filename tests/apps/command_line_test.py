@@ -321,6 +321,50 @@ class Figures(unittest.TestCase):
         self.assertIn("should end in .html", run("report", str(EXAMPLES[0]), "-o", str(self.output)).stderr)
 
 
+class WorkedSolutions(unittest.TestCase):
+    """poinsot solve --explain -o: the text with its figures beside it."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.output = pathlib.Path(self.folder.name) / "worked out (1).md"
+
+    def test_figures_stand_where_they_belong(self):
+        for example, places in (("18.105", {"model": "Model", "free-body": "Component equations", "answers": "Answers"}),
+                                ("18.030", {"model": "Model", "impulse": "Impulse and momentum"})):
+            file = str(SOURCE / "examples" / "textbook" / f"{example}.yaml")
+            result = run("solve", "--explain", file, "-o", str(self.output), "--force")
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            text = self.output.read_text(encoding="utf-8")
+            heading, found = "", {}
+            for line in text.splitlines():
+                heading = line[3:] if line.startswith("## ") else heading
+                picture = re.fullmatch(r"!\[.+\]\(<(.+)>\)", line)
+                if picture:
+                    found[picture[1].removeprefix("worked out (1)-").removesuffix(".svg")] = heading
+                    drawn = (self.output.parent / picture[1]).read_text(encoding="utf-8")
+                    self.assertTrue(drawn.startswith("<svg "), picture[1])
+            self.assertEqual(found, found | places)
+            # Without the pictures it is what is printed.
+            plain = re.sub(r"\n!\[.+\]\(<.+>\)\n", "", text)
+            self.assertEqual(plain, run("solve", "--explain", file).stdout)
+
+    def test_nothing_is_overwritten_and_other_forms_are_refused(self):
+        def refused(*arguments):
+            result = run("solve", "--explain", *arguments)
+            self.assertEqual((result.returncode, result.stdout), (2, ""))
+            return result.stderr
+
+        example = str(EXAMPLES[0])
+        figure = self.output.with_name("worked out (1)-model.svg")
+        figure.write_text("mine", encoding="utf-8")
+        self.assertIn("--force", refused(example, "-o", str(self.output)))
+        self.assertEqual(figure.read_text(encoding="utf-8"), "mine")
+        self.assertFalse(self.output.exists())
+        self.assertIn("should end in .md", refused(example, "-o", str(self.output.with_suffix(".txt"))))
+        self.assertIn("one file", refused(example, example, "-o", str(self.output)))
+
+
 class Folders(unittest.TestCase):
     def test_a_folder_is_solved_file_by_file(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -75,6 +75,7 @@ export interface Situation {
 
 export interface Figure {
   title: string;
+  section: string; // the heading of the worked solution's section to which it belongs; "" for none
   svg: string;
 }
 

@@ -6,6 +6,7 @@
 
 #include "pictures/page/html.h"
 #include "pictures/solids/solid.h"
+#include "pictures/svg/different_figures.h"
 #include "poinsot/pictures.h"
 #include "poinsot/rendering.h"
 
@@ -35,24 +36,13 @@ Json situations_json(const Problem& problem) {
   return list;
 }
 
-// What is drawn, without the title, by which alone some drawings differ.
-std::string_view drawn(std::string_view svg) {
-  const std::size_t end = svg.find("</desc>");
-  return end == std::string_view::npos ? svg : svg.substr(end);
-}
-
 // The line drawings of each solution, the figure of the statement first, and none twice.
 Json figures_json(const Document& document) {
   Json solutions = Json::array();
   for (std::size_t i = 0; i < document.solutions.size(); ++i) {
     Json drawings = Json::array();
-    std::vector<std::string> made;
-    for (const FigureTitle& figure : figures(document, i)) {
-      std::string svg = to_svg(document, i, {.of = figure.name});
-      if (std::ranges::any_of(made, [&](const std::string& one) { return drawn(one) == drawn(svg); })) continue;
-      drawings.push_back({{"title", figure.title}, {"svg", svg}});
-      made.push_back(std::move(svg));
-    }
+    for (const DrawnFigure& figure : different_figures(document, i))
+      drawings.push_back({{"title", figure.title.title}, {"section", figure.title.section}, {"svg", figure.svg}});
     solutions.push_back(drawings);
   }
   return solutions;

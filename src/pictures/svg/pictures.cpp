@@ -17,13 +17,35 @@ std::string with_hint(std::string message, const std::string& word, const std::v
   return message;
 }
 
+// The heading of the worked solution's section to which a figure belongs. What acts on one of several bodies is a part
+// of what acts on all, and belongs to none.
+std::string section_of(pictures::FigureKind kind) {
+  switch (kind) {
+    case pictures::FigureKind::model:
+      return "Model";
+    case pictures::FigureKind::free_body:
+      return "Component equations";
+    case pictures::FigureKind::impulse:
+      return "Impulse and momentum";
+    case pictures::FigureKind::motion:
+      return "Motion through time";
+    case pictures::FigureKind::cones:
+    case pictures::FigureKind::answers:
+      return "Answers";
+    case pictures::FigureKind::body:
+      break;
+  }
+  return "";
+}
+
 }  // namespace
 
 std::vector<FigureTitle> figures(const Document& document, std::size_t solution) {
   std::vector<FigureTitle> titles;
   const Solution& own = document.solutions.at(solution);
   if (!own.scene) return titles;
-  for (const pictures::FigureName& name : pictures::figures_of(*own.scene)) titles.push_back({name.name, name.title});
+  for (const pictures::FigureName& name : pictures::figures_of(*own.scene))
+    titles.push_back({name.name, name.title, section_of(name.kind)});
   return titles;
 }
 

@@ -10,17 +10,28 @@ import { figureNode } from "./figures";
 // What is drawn of the statement comes first; diagrams of the worked solution belong below the answers.
 const isOfStatement = (figure: Figure, index: number): boolean => index === 0 && figure.svg !== "";
 
-function workedSolution(solution: Solution): Child {
+// Diagrams that belong to a section stand at its end; a heading may tell after a comma which instant it is about.
+function workedSolution(solution: Solution, diagrams: Figure[]): Child {
   if (solution.explanation === undefined) return null;
   const parts = sections(solution.explanation).filter(
     (part) => part.heading !== "" && part.heading !== "Model" && part.heading !== "Answers",
   );
   if (parts.length === 0) return null;
+  const shown = new Set<Figure>();
+  const belongsHere = (figure: Figure, heading: string): boolean => {
+    const here = !shown.has(figure) && figure.section === heading.split(",")[0];
+    if (here) shown.add(figure);
+    return here;
+  };
   return element(
     "details",
     { class: "folded" },
     element("summary", {}, element("h2", {}, "Worked solution")),
-    ...parts.flatMap((part) => [element("h3", {}, part.heading), ...part.body]),
+    ...parts.flatMap((part) => [
+      element("h3", {}, part.heading),
+      ...part.body,
+      ...diagrams.filter((figure) => belongsHere(figure, part.heading)).map(figureNode),
+    ]),
   );
 }
 
@@ -55,6 +66,6 @@ export function solutionNodes(page: PageData, index: number): Child[] {
     solution.scene ? motionSection(withArms(solution.scene, page.arms[index] ?? [])) : null,
     answersSection(solution),
     diagrams.length > 0 && section("Diagrams", ...diagrams.map(figureNode)),
-    workedSolution(solution),
+    workedSolution(solution, diagrams),
   ];
 }

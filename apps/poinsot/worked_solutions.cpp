@@ -1,0 +1,55 @@
+// poinsot solve --explain -o: worked solutions with figures beside them.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "commands.h"
+#include "exit_codes.h"
+#include "output_file.h"
+#include "poinsot/pictures.h"
+#include "progress_line.h"
+#include "report.h"
+#include "streams.h"
+
+int write_worked_solutions(const SolveArguments& arguments) {
+  namespace fs = std::filesystem;
+  const fs::path output = arguments.output;
+  const auto refused = [](const std::string& reason) {
+    write_message("poinsot: " + reason);
+    return exit_wrong_input;
+  };
+  std::error_code error;
+  if (arguments.files.size() != 1 || fs::is_directory(arguments.files.front(), error))
+    return refused("-o takes the worked solution of one file; pages of a folder are made by poinsot report");
+  if (output.extension() != ".md")
+    return refused(fmt::format("'{}' should end in .md: a worked solution is Markdown", output.string()));
+  const std::string& file = arguments.files.front();
+  const poinsot::Problem problem = poinsot::Problem::from_file(file);
+  poinsot::Document document;
+  {
+    const InterruptCatcher catcher;
+    ProgressLine line;
+    document = problem.illustrate(arguments.sets, line.budget(), true);
+  }
+  const poinsot::IllustratedMarkdown solution = to_illustrated_markdown(document, output.stem().string());
+  // Nothing is written before it is known that all of it may be.
+  std::vector<std::pair<std::string, std::string_view>> files{{output.string(), solution.text}};
+  for (const auto& figure : solution.figures)
+    files.emplace_back((output.parent_path() / figure.name).string(), figure.svg);
+  for (const auto& [name, content] : files)
+    if (const std::string reason = not_to_be_written(file, name, arguments.force); !reason.empty())
+      return refused(reason);
+  for (const auto& [name, content] : files)
+    if (!write_file(name, content)) {
+      write_message(fmt::format("poinsot: cannot write {}: {}", name, std::strerror(errno)));
+      return exit_internal;
+    }
+  if (!write_answer(arguments.output + "\n")) return exit_answered;
+  if (interrupted()) {
+    write_message("poinsot: interrupted; the output shows what was found until then");
+    return exit_interrupted;
+  }
+  return fully_answered(document) ? exit_answered : exit_unanswered;
+}

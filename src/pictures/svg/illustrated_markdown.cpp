@@ -1,0 +1,23 @@
+// Worked solutions with figures in them.
+#include "pictures/svg/different_figures.h"
+#include "poinsot/pictures.h"
+#include "poinsot/rendering.h"
+
+namespace poinsot {
+
+IllustratedMarkdown to_illustrated_markdown(const Document& document, const std::string& stem) {
+  IllustratedMarkdown illustrated;
+  std::vector<std::vector<MarkdownPicture>> pictures(document.solutions.size());
+  for (std::size_t i = 0; i < document.solutions.size(); ++i)
+    for (pictures::DrawnFigure& figure : pictures::different_figures(document, i)) {
+      if (figure.title.section.empty()) continue;
+      const std::string name =
+          stem + (i > 0 ? "-" + std::to_string(i + 1) : std::string()) + "-" + figure.title.name + ".svg";
+      pictures[i].push_back({figure.title.section, figure.title.title, name});
+      illustrated.figures.push_back({name, std::move(figure.svg)});
+    }
+  illustrated.text = to_markdown(document, pictures);
+  return illustrated;
+}
+
+}  // namespace poinsot
