@@ -7,6 +7,7 @@
 #include "document/check.h"
 #include "document/statement_document.h"
 #include "poinsot/engine/work/budget.h"
+#include "problem/answers/read_settings.h"
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::document {

@@ -6,6 +6,7 @@
 
 #include "poinsot/engine/work/budget.h"
 #include "poinsot/engine/work/work.h"
+#include "problem/answers/read_settings.h"
 #include "problem/answers/solve_statement.h"
 #include "problem/course/course.h"
 #include "problem/language/diagnostic.h"

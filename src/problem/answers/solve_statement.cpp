@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <random>
 #include <set>
 #include <string_view>
 
@@ -14,9 +13,10 @@
 #include "problem/answers/ask_values.h"
 #include "problem/answers/determinacy.h"
 #include "problem/answers/finished_ask.h"
+#include "problem/answers/letter_draws.h"
+#include "problem/answers/read_settings.h"
 #include "problem/answers/rounded_values.h"
 #include "problem/claims/claims.h"
-#include "problem/entries/drawn_letters.h"
 #include "problem/formulas/formula_reach.h"
 #include "problem/formulas/formula_search.h"
 #include "problem/formulas/law_search.h"
@@ -30,19 +30,7 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr int most_first_draws = 32;  // of letters, until unknowns have a solution
 constexpr Work most_draw_work = 8'000'000'000;
-
-// The letters without value.
-std::vector<Letter> open_letters(const Statement& statement, const Settings& settings) {
-  std::vector<Letter> open;
-  for (const Situation& situation : statement.situations)
-    for (const Letter& letter : situation.letters)
-      if (!settings.contains(letter.name) &&
-          std::none_of(open.begin(), open.end(), [&](const Letter& known) { return known.name == letter.name; }))
-        open.push_back(letter);
-  return open;
-}
 
 // Draws values for letters, finds the unknowns and answers the asks for each root.
 class StatementSolver {
@@ -53,12 +41,12 @@ class StatementSolver {
         settings_(std::move(settings)),
         exact_(std::move(exact)),
         search_(statement, settings_),
-        open_(open_letters(statement, settings_)) {}
+        draws_(statement, settings_) {}
 
   // What the budget in force lets be found.
   SolvedStatement solve() {
     SolvedStatement result;
-    result.open_letters = open_;
+    result.open_letters = draws_.letters();
     try {
       add_solutions(result);
     } catch (const BudgetEnded& ended) {
@@ -74,9 +62,9 @@ class StatementSolver {
  private:
   void add_solutions(SolvedStatement& result) {
     if (search_.unknowns().empty()) {
-      if (open_.empty()) hold_later_facts();
+      if (draws_.none()) hold_later_facts();
       result.solutions.push_back(solve_one(AllSettings(statement_.situations.size(), settings_)));
-      if (!open_.empty()) add_formulas(result.solutions.back());
+      if (!draws_.none()) add_formulas(result.solutions.back());
       return;
     }
     // If letters are open, roots are sought at random values of them. Then it is seen which answers depend on which
@@ -84,18 +72,18 @@ class StatementSolver {
     std::optional<StatementError> refusal;
     RootsFound found = roots_at_draw(search_, refusal);
     const WorkLimit limit(most_draw_work);
-    while (!open_.empty() && !makes_sense(found) && ++first_draw_ < most_first_draws && !limit.spent()) {
+    while (!draws_.none() && !makes_sense(found) && draws_.next() && !limit.spent()) {
       UnknownSearch anew(statement_, settings_);
       found = roots_at_draw(anew, refusal);
     }
-    if (found.roots.empty() && refusal) throw told_of_draw(*refusal, refused_alike_);
+    if (found.roots.empty() && refusal) throw draws_.told(*refusal, refused_alike_);
     result.warnings = found.warnings;
-    if (!open_.empty() && found.roots.empty()) tell_draws(result.warnings);
+    if (!draws_.none() && found.roots.empty()) draws_.tell(result.warnings);
     for (const AllSettings& root : found.roots) {
       Solution solution = solve_one(root);
       list_unknowns(root, solution);
       if (found.off_by_scan) solution.checks["roots"] = *found.off_by_scan;
-      if (!open_.empty()) {
+      if (!draws_.none()) {
         leave_to_letters(solution);
         if (found.open.empty()) add_formulas(solution);
       }
@@ -111,7 +99,8 @@ class StatementSolver {
     if (!sample_) return;
     const Solution without = solution;
     try {
-      const FormulaTask task{statement_, open_, exact_, settings_, search_.unknowns(), base_, *sample_, natural_};
+      const FormulaTask task{statement_, draws_.letters(), exact_,  settings_, search_.unknowns(),
+                             base_,      *sample_,         natural_};
       hold_far_off(task, find_formulas(task, solution), solution);
       tell_laws(statement_, solution);
     } catch (const BudgetEnded& ended) {
@@ -143,42 +132,13 @@ class StatementSolver {
   // reason.
   RootsFound roots_at_draw(UnknownSearch& search, std::optional<StatementError>& refusal) {
     try {
-      return search.find_confirmed(settings_with_letters());
+      return search.find_confirmed(draws_.settings());
     } catch (const StatementError& error) {
-      if (open_.empty()) throw;
+      if (draws_.none()) throw;
       refused_alike_ = refused_alike_ && (!refusal || std::string_view(refusal->what()) == error.what());
       if (!refusal) refusal = error;
       return {};
     }
-  }
-
-  // Numbers in what is told of drawn letters are no data of the author's. An error that is the same at every draw has
-  // none of them.
-  StatementError told_of_draw(const StatementError& error, bool alike) const {
-    if (open_.empty() || alike) return StatementError(error);
-    Diagnostic told = error.diagnostics().front();
-    told.message =
-        "the problem makes no sense at any values drawn for the letters without value; at the first of "
-        "them: " +
-        told.message;
-    if (told.hint.empty()) told.hint = "give letters values by --set";
-    return StatementError(told);
-  }
-
-  // Adds the values of the letters to warnings that hold at these values only.
-  void tell_draws(std::vector<std::string>& warnings) const {
-    const int draws = std::min(first_draw_ + 1, most_first_draws);
-    std::string values;
-    const Settings drawn = settings_with_letters();
-    for (const Letter& letter : open_) {
-      values += (values.empty() ? "" : ", ") + letter.name + " = " +
-                with_digits(drawn.at(letter.name).number / letter.unit.factor, 4) +
-                (letter.unit.text.empty() ? "" : " " + letter.unit.text);
-    }
-    for (std::string& warning : warnings)
-      warning += "; the letters have no values: they were drawn " + std::to_string(draws) +
-                 (draws == 1 ? " time" : " times") + ", the last time " + values +
-                 "; at other values there may be solutions: give them by --set";
   }
 
   // Unknowns found at random values of letters depend on the letters, and so do all answers.
@@ -186,7 +146,7 @@ class StatementSolver {
     for (SolvedAsk& ask : solution.asks) {
       ask.state = AskState::needs_letters;
       ask.letters.clear();
-      for (const Letter& letter : open_) ask.letters.push_back(letter.name);
+      for (const Letter& letter : draws_.letters()) ask.letters.push_back(letter.name);
     }
     solution.unknowns.clear();
   }
@@ -220,7 +180,9 @@ class StatementSolver {
     for (const Situation& situation : statement_.situations) {
       if (!has_later_facts(situation)) continue;
       for (const FactMisfit& misfit : later_misfits(situation, settings_, OpenChoice{})) {
-        if (std::abs(misfit.value) <= 1e-7) continue;
+        // A motion is followed to about 1e-10; stated digits beyond the seventh are seldom meant.
+        constexpr double followed = 1e-7;  // of the size of the stated quantity
+        if (std::abs(misfit.value) <= followed) continue;
         const auto later = std::find_if(
             situation.instants.begin(), situation.instants.end(),
             [&](const Instant& instant) { return is_later(situation, instant) && !instant.facts.empty(); });
@@ -244,15 +206,6 @@ class StatementSolver {
                                        .own_name = unknown.name,
                                        .situation = i});
     }
-  }
-
-  Settings settings_with_letters() const {
-    Settings settings = settings_;
-    std::mt19937_64 random(1000 + static_cast<std::uint64_t>(first_draw_));
-    for (const Letter& letter : open_)
-      settings[letter.name] =
-          Value<double>::of_number(drawn_letter(letter, random, first_draw_), letter.unit.dimension);
-    return settings;
   }
 
   // Solves for the answers, with values for everything that will have one.
@@ -288,9 +241,9 @@ class StatementSolver {
     }
     mark_letters(result);
     undetermined_ = mark_undetermined(answers_found(), result);
-    if (open_.empty()) refuse_unphysical(statement_, asked_, *sample_, result);
+    if (draws_.none()) refuse_unphysical(statement_, asked_, *sample_, result);
     check_answers(statement_, *sample_, asked_.extremal, result);
-    if (open_.empty()) add_notes(statement_, *sample_, result);
+    if (draws_.none()) add_notes(statement_, *sample_, result);
     result.notes.insert(result.notes.end(), asked_.notes.begin(), asked_.notes.end());
   }
 
@@ -298,7 +251,7 @@ class StatementSolver {
   // deals with that.
   void mark_letters(Solution& result) {
     if (!search_.unknowns().empty()) return;
-    for (const Letter& letter : open_) {
+    for (const Letter& letter : draws_.letters()) {
       const AskValues other = with_letters(&letter.name);
       for (std::size_t i = 0; i < other.values.size(); ++i) {
         if (!differs(answers_found(), i, other.values[i])) continue;
@@ -329,12 +282,12 @@ class StatementSolver {
     bool alike = true;
     for (int attempt = 0;; ++attempt) {
       AllSettings settings = base_;
-      std::mt19937_64 random(1000 + static_cast<std::uint64_t>(first_draw_ + attempt) + (only ? 500 : 0));
-      for (const Letter& letter : open_) {
-        const double value = drawn_letter(letter, random, first_draw_);
+      const std::vector<Value<double>> drawn = draws_.values(attempt + (only ? 500 : 0));
+      for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const Letter& letter = draws_.letters()[i];
         // A root belongs to the values of the letters at which it was found.
         if (!search_.unknowns().empty() || (only && *only != letter.name)) continue;
-        for (Settings& one : settings) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
+        for (Settings& one : settings) one[letter.name] = drawn[i];
       }
       try {
         auto sample = std::make_unique<Sample>(statement_, settings, OpenChoice{});
@@ -353,12 +306,12 @@ class StatementSolver {
         }
         return values;
       } catch (const StatementError& error) {
-        if (open_.empty() || !search_.unknowns().empty()) throw;
+        if (draws_.none() || !search_.unknowns().empty()) throw;
         alike = alike && (!refusal || std::string_view(refusal->what()) == error.what());
         if (!refusal) refusal = error;
         if (attempt < most_draws) continue;
         if (alike) throw;
-        throw told_of_draw(*refusal, alike);
+        throw draws_.told(*refusal, alike);
       }
     }
   }
@@ -367,45 +320,15 @@ class StatementSolver {
   Settings settings_;
   FormulaValues exact_;
   UnknownSearch search_;
-  std::vector<Letter> open_;
+  LetterDraws draws_;
   AllSettings base_;
   bool refused_alike_ = true;  // whether all draws so far were refused for the same reason
-  int first_draw_ = 0;         // the draw of letters at which unknowns have a solution
   std::unique_ptr<Sample> sample_;
   AskValues asked_;  // the values at sample_
   std::optional<RoundedValues> rounded_;
   std::vector<double> natural_;
   std::set<std::string> undetermined_;  // unknowns that a variation changes
 };
-
-}  // namespace
-
-Settings read_settings(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets) {
-  Settings settings;
-  for (const auto& [name, text] : sets) {
-    std::vector<std::string> known;
-    const Situation* owner = nullptr;
-    for (const Situation& situation : statement.situations) {
-      const std::vector<std::string> names = settable_names(situation);
-      if (!owner && std::find(names.begin(), names.end(), name) != names.end()) owner = &situation;
-      known.insert(known.end(), names.begin(), names.end());
-    }
-    if (!owner) {
-      std::string all;
-      std::set<std::string> unique(known.begin(), known.end());
-      for (const std::string& word : unique) all += (all.empty() ? "" : ", ") + word;
-      const std::string hint = did_you_mean(name, known);
-      fail("--set " + name, {}, "the problem has no letter or datum '" + name + "'",
-           !hint.empty() ? hint
-           : all.empty() ? "it has none at all"
-                         : "it has " + all);
-    }
-    settings[name] = read_setting(*owner, name, text);
-  }
-  return settings;
-}
-
-namespace {
 
 // The statement without situations that only claims are about: their letters are not data of the questions.
 Statement for_questions(const Statement& statement) {
@@ -451,15 +374,8 @@ SolvedStatement solve_statement(const Statement& statement,
                                 const std::vector<std::pair<std::string, std::string>>& sets, bool tell_claims) {
   if (statement.asks.empty() && statement.claims.empty())
     fail(statement.file, Mark{1, 1}, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
-  Settings settings = read_settings(statement, sets);
-  FormulaValues exact;
-  for (const auto& [name, text] : sets)
-    for (const Situation& situation : statement.situations) {
-      const std::vector<std::string> names = settable_names(situation);
-      if (std::find(names.begin(), names.end(), name) == names.end()) continue;
-      exact[name] = exact_setting(situation, name, text);
-      break;
-    }
+  const Settings settings = read_settings(statement, sets);
+  const FormulaValues exact = exact_settings(statement, sets);
   SolvedStatement solved;
   const bool only_claims =
       statement.asks.empty() && std::all_of(statement.situations.begin(), statement.situations.end(),

@@ -20,7 +20,4 @@ namespace poinsot::problem {
 SolvedStatement solve_statement(const Statement& statement,
                                 const std::vector<std::pair<std::string, std::string>>& sets, bool tell_claims = false);
 
-// The settings given by these texts. Throws StatementError.
-Settings read_settings(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets);
-
 }  // namespace poinsot::problem

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "poinsot/engine/model/state.h"
-#include "problem/answers/solve_statement.h"
+#include "problem/answers/read_settings.h"
 #include "problem/equations/traced_machine.h"
 #include "problem/language/diagnostic.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <random>
 
-#include "problem/answers/solve_statement.h"
+#include "problem/answers/read_settings.h"
 #include "problem/entries/drawn_letters.h"
 #include "problem/formulas/formula_answers.h"
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "poinsot/engine/mass/shape_faults.h"
@@ -56,6 +57,13 @@ class ShapeArguments {
     std::vector<Scalar> result;
     for (const Expression& item : items(name, count)) result.push_back(data_.number(item, dimensions::length));
     return result;
+  }
+  // Both ends of a cylinder that is given by center, axis and length.
+  std::pair<Vector, Vector> ends() const {
+    const Scalar length = this->length("length");
+    if (!(plain(length) > 0)) refuse("its length must be more than zero");
+    const Vector center = place("center"), half = Scalar(0.5) * length * direction("axis");
+    return {center - half, center + half};
   }
   const std::string& file() const { return data_.situation().file; }
   const Shape& shape() const { return shape_; }

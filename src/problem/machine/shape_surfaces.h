@@ -31,8 +31,8 @@ RoundSurface<Scalar> circle(const ShapeArguments<Scalar>& a) {
 
 template <class Scalar>
 RoundSurface<Scalar> cylinder(const ShapeArguments<Scalar>& a) {
-  const Vector3<Scalar> center = a.place("center"), half = Scalar(0.5) * a.length("length") * a.direction("axis");
-  return FrustumSurface<Scalar>{center - half, a.length("radius"), center + half, a.length("radius")};
+  const auto [A, B] = a.ends();
+  return FrustumSurface<Scalar>{A, a.length("radius"), B, a.length("radius")};
 }
 
 template <class Scalar>
@@ -253,24 +253,16 @@ Outline hemisphere_shell(const ShapeArguments<Scalar>& a) {
   return outlines::hemisphere_shell(plain(center), plain(a.toward("toward", center)), plain(a.length("radius")));
 }
 
-// The ends of a cylinder that is given by center, axis and length.
-template <class Scalar>
-Side ends(const ShapeArguments<Scalar>& a) {
-  const Vector3<double> center = plain(a.place("center"));
-  const Vector3<double> half = 0.5 * plain(a.length("length")) * plain(a.direction("axis"));
-  return {center - half, center + half};
-}
-
 template <class Scalar>
 Outline cylinder_shell(const ShapeArguments<Scalar>& a) {
-  const Side e = ends(a);
-  return outlines::cylinder_shell(e[0], e[1], plain(a.length("radius")));
+  const auto [A, B] = a.ends();
+  return outlines::cylinder_shell(plain(A), plain(B), plain(a.length("radius")));
 }
 
 template <class Scalar>
 Outline closed_cylinder_shell(const ShapeArguments<Scalar>& a) {
-  const Side e = ends(a);
-  return outlines::closed_cylinder_shell(e[0], e[1], plain(a.length("radius")));
+  const auto [A, B] = a.ends();
+  return outlines::closed_cylinder_shell(plain(A), plain(B), plain(a.length("radius")));
 }
 
 template <class Scalar>
@@ -308,14 +300,14 @@ Outline hemisphere(const ShapeArguments<Scalar>& a) {
 
 template <class Scalar>
 Outline cylinder(const ShapeArguments<Scalar>& a) {
-  const Side e = ends(a);
-  return outlines::cylinder(e[0], e[1], plain(a.length("radius")));
+  const auto [A, B] = a.ends();
+  return outlines::cylinder(plain(A), plain(B), plain(a.length("radius")));
 }
 
 template <class Scalar>
 Outline tube(const ShapeArguments<Scalar>& a) {
-  const Side e = ends(a);
-  return outlines::tube(e[0], e[1], plain(a.length("radius")), plain(a.length("inner_radius")));
+  const auto [A, B] = a.ends();
+  return outlines::tube(plain(A), plain(B), plain(a.length("radius")), plain(a.length("inner_radius")));
 }
 
 template <class Scalar>

@@ -107,15 +107,6 @@ ShapeValues<Scalar> ellipsoid(const ShapeArguments<Scalar>& a) {
   });
 }
 
-// Both ends of a cylinder that is given by center, axis and length.
-template <class Scalar>
-std::pair<Vector3<Scalar>, Vector3<Scalar>> ends_of(const ShapeArguments<Scalar>& a) {
-  const auto length = a.length("length");
-  if (!(plain(length) > 0)) a.refuse("its length must be more than zero");
-  const auto half = Scalar(0.5) * length * a.direction("axis");
-  return {a.place("center") - half, a.place("center") + half};
-}
-
 // Each row: its words, its picture, closed form and particles, what else than round and straight surfaces it touches
 // with, these surfaces.
 template <class Scalar>
@@ -246,7 +237,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
       {"cylinder_shell",
        {"cylinder shell", pictures::cylinder_shell<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
-          const auto [A, B] = ends_of(a);
+          const auto [A, B] = a.ends();
           const auto r = a.length("radius");
           a.check(shape_faults::cylinder_shell(a.owner(), plain(A), plain(B), plain(r)));
           return a.values(Extent::area, shapes::cylinder_shell(A, B, r),
@@ -256,7 +247,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
       {"closed_cylinder_shell",
        {"closed cylinder shell", pictures::closed_cylinder_shell<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
-          const auto [A, B] = ends_of(a);
+          const auto [A, B] = a.ends();
           const auto r = a.length("radius");
           a.check(shape_faults::closed_cylinder_shell(a.owner(), plain(A), plain(B), plain(r)));
           return a.values(Extent::area, shapes::closed_cylinder_shell(A, B, r), [&, &A = A, &B = B] {
@@ -300,7 +291,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
       {"cylinder",
        {"cylinder", pictures::cylinder<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
-          const auto [A, B] = ends_of(a);
+          const auto [A, B] = a.ends();
           const auto r = a.length("radius");
           a.check(shape_faults::cylinder(a.owner(), plain(A), plain(B), plain(r)));
           return a.values(Extent::volume, shapes::cylinder(A, B, r),
@@ -310,7 +301,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
       {"tube",
        {"tube", pictures::tube<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
-          const auto [A, B] = ends_of(a);
+          const auto [A, B] = a.ends();
           const auto r = a.length("radius"), inner = a.length("inner_radius");
           a.check(shape_faults::tube(a.owner(), plain(A), plain(B), plain(r), plain(inner)));
           return a.values(Extent::volume, shapes::tube(A, B, r, inner),

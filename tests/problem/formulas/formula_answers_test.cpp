@@ -11,6 +11,7 @@
 
 #include "docs/fenced_blocks.h"
 #include "poinsot/engine/math/formula/formula_text.h"
+#include "problem/answers/read_settings.h"
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {

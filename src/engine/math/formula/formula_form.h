@@ -75,6 +75,17 @@ ScaledForm trigonometric_form(const Generators& generators, const Polynomial& po
 std::vector<int> half_degrees(const Generators& generators, const Polynomial& polynomial);
 bool is_angle(const Generator& generator);
 
+// t^sine (1 + t)^plus (1 - t)^minus (1 + t^2)^one for the tangent t of half an angle.
+struct HalfTangents {
+  int sine = 0, plus = 0, minus = 0, one = 0;
+};
+// The same, divided by 2^twos, as powers of functions of the angle: those with the shortest form.
+struct AnglePowers {
+  std::vector<FormPower> powers;
+  int twos = 0;
+};
+AnglePowers angle_powers(const Generator& tangent, const HalfTangents& half);
+
 // A polynomial as a sum, its variables written as the forms given; not zero.
 ScaledForm polynomial_form(const Polynomial& polynomial, const std::vector<Form>& variables);
 // The operators of that sum if no factors are pulled out.

@@ -19,11 +19,6 @@ struct Choice {
 };
 Choice choice_of(const Formula& x);
 
-// t^sine (1 + t)^plus (1 - t)^minus (1 + t^2)^one for the tangent t of half an angle.
-struct HalfTangents {
-  int sine = 0, plus = 0, minus = 0, one = 0;
-};
-
 constexpr std::size_t longest_united = 16;  // terms of factors that are tried together
 
 // What a formula without sums is made of, and its sums.
@@ -65,7 +60,10 @@ class Builder {
       exponents.push_back(power.exponent);
     }
     for (std::size_t v = 0; v < generators_.size(); ++v) {
-      if (is_angle(*generators_[v])) write_angle(v);
+      if (!is_angle(*generators_[v])) continue;
+      const AnglePowers angle = angle_powers(*generators_[v], half_[v]);
+      scale_by_two(angle.twos);
+      written_.insert(written_.end(), angle.powers.begin(), angle.powers.end());
     }
     for (std::size_t k = 0; k < sums.size(); ++k) add_sum(sums[k], exponents[k]);
     write_root();
@@ -279,68 +277,6 @@ class Builder {
         powers_[i].base = both;
         powers_[k].exponent = 0;
       }
-  }
-
-  // s^a c^b (1 + s)^p (1 - s)^q (1 + c)^r (1 - c)^u of least length with the powers of t that are to be written.
-  void write_angle(std::size_t v) {
-    const HalfTangents& half = half_[v];
-    if (half.sine == 0 && half.plus == 0 && half.minus == 0 && half.one == 0) return;
-    if (half.plus == 0 && half.minus == 0 && half.one == 0) {
-      const Formula half_angle = ratio_formula(generators_[v]->multiple) * generators_[v]->argument / 2;
-      written_.push_back({call_form("tan", form_of(half_angle)), half.sine});
-      return;
-    }
-    std::optional<std::vector<FormPower>> best;
-    int best_cost = 0;
-    int best_twos = 0;
-    const int reach = std::abs(half.sine) + std::abs(half.plus) + std::abs(half.minus) + std::abs(half.one) + 2;
-    for (int a = -reach; a <= reach; ++a) {
-      if ((a - half.sine) % 2 != 0) continue;
-      for (int b = -reach; b <= reach; ++b) {
-        if ((b - half.plus) % 2 != 0) continue;
-        const int p = (half.plus - b) / 2;
-        const int q = (half.minus - b) / 2;
-        const int u = (half.sine - a) / 2;
-        const int r = -(half.one + a + b + p + q + u);
-        const auto [powers, twos] = angle_powers(v, a, b, p, q, r, u);
-        const int cost = operators(product_form(Integer(1), Integer(1), powers));
-        if (best && cost >= best_cost) continue;
-        best = powers;
-        best_cost = cost;
-        best_twos = twos - a - r - u;
-      }
-    }
-    scale_by_two(best_twos);
-    written_.insert(written_.end(), best->begin(), best->end());
-  }
-
-  std::pair<std::vector<FormPower>, int> angle_powers(std::size_t v, int a, int b, int p, int q, int r, int u) const {
-    const Generator& g = *generators_[v];
-    const Form sine = call_form("sin", angle_form(g, 1));
-    const Form cosine = call_form("cos", angle_form(g, 1));
-    const Form one = number_form(Integer(1));
-    std::vector<FormPower> powers;
-    const auto add = [&powers](Form base, int exponent) {
-      if (exponent != 0) powers.push_back({std::move(base), exponent});
-    };
-    int twos = 0;
-    if (a != 0 && a == b) {
-      add(call_form("sin", angle_form(g, 2)), a);
-      twos = -a;
-    } else if (a * b < 0) {
-      const int shared = std::min(std::abs(a), std::abs(b)) * (a > 0 ? 1 : -1);
-      add(call_form("tan", angle_form(g, 1)), shared);
-      add(sine, a - shared);
-      add(cosine, b + shared);
-    } else {
-      add(sine, a);
-      add(cosine, b);
-    }
-    add(sum_form({one, sine}), p);
-    add(sum_form({one, negative_form(sine)}), q);
-    add(sum_form({one, cosine}), r);
-    add(sum_form({one, negative_form(cosine)}), u);
-    return {powers, twos};
   }
 
   void scale_by_two(int exponent) {

@@ -42,6 +42,9 @@ inline bool same_at_sample(const Rounded& a, const Rounded& b) { return (a - b).
 // A constant of a value with its residue, in the trace that is being recorded. rounding: how far the value is off
 // beyond its last digit.
 Traced traced_constant(double value, const symbolic::Residue& residue, double rounding = 0);
+// The residue of a positive finite number: of the fraction of small numbers whose nearest double it is, if there is
+// one.
+symbolic::Residue residue_of(double x);
 // The residue of a whole number or decimal without sign, digit by digit: "12", "0.25".
 symbolic::Residue residue_of_digits(const std::string& digits);
 

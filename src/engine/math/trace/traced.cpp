@@ -13,7 +13,6 @@
 namespace poinsot {
 
 using symbolic::mixed;
-using symbolic::Modular;
 using symbolic::Residue;
 
 namespace {
@@ -21,29 +20,6 @@ namespace {
 using Op = TracedOperation;
 
 constexpr std::uint64_t input_seed = 0x1b873593U, function_seed = 0xcc9e2d51U;
-
-// The fraction n/d with d up to 10000 whose nearest double is x, by continued fractions.
-bool find_fraction(double x, std::int64_t& numerator, std::int64_t& denominator) {
-  double rest = x;
-  std::int64_t n0 = 0, n1 = 1, d0 = 1, d1 = 0;
-  for (int step = 0; step < 40; ++step) {
-    const double whole = std::floor(rest);
-    if (!(std::fabs(whole) < 1e12)) return false;
-    const auto a = static_cast<std::int64_t>(whole);
-    const std::int64_t n2 = a * n1 + n0, d2 = a * d1 + d0;
-    if (d2 > 10000 || std::abs(n2) > (std::int64_t{1} << 52)) return false;
-    n0 = std::exchange(n1, n2);
-    d0 = std::exchange(d1, d2);
-    if (static_cast<double>(n1) / static_cast<double>(d1) == x) {
-      numerator = n1;
-      denominator = d1;
-      return true;
-    }
-    if (rest == whole) return false;
-    rest = 1 / (rest - whole);
-  }
-  return false;
-}
 
 // How far the value of an operation, computed in doubles, may be off.
 double rounding_of(Op operation, const Rounded& a, const Rounded& b, double value) {
@@ -79,22 +55,6 @@ double rounding_of(Op operation, const Rounded& a, const Rounded& b, double valu
     return 0;
   };
   return static_cast<double>(error()) + std::numeric_limits<double>::epsilon() * std::fabs(value);
-}
-
-// Of a positive finite number.
-Residue residue_of(double x) {
-  std::int64_t n = 0, d = 0;
-  if (find_fraction(x, n, d)) {
-    const Residue above = Residue::of_integer(static_cast<std::uint64_t>(n));
-    return d == 1 ? above : above * inverse(Residue::of_integer(static_cast<std::uint64_t>(d)));
-  }
-  int exponent = 0;
-  const double mantissa = std::frexp(x, &exponent);
-  const auto digits = static_cast<std::uint64_t>(std::ldexp(mantissa, 53));
-  const int shift = exponent - 53;
-  const Modular two = shift < 0 ? inverse(Modular(2)) : Modular(2);
-  const Modular factor = power(two, static_cast<std::uint64_t>(std::abs(shift)));
-  return Residue::of_integer((Modular(digits) * factor).number());
 }
 
 }  // namespace
@@ -274,41 +234,6 @@ Traced operated(TracedOperation operation, const Traced& first, const Traced& se
 Traced traced_constant(double value, const Residue& residue, double rounding) {
   if (residue.is_zero()) return Traced();
   return TraceAccess::constant(value, residue, std::max(rounding, rounding_of(Op::constant, {}, {}, value)));
-}
-
-Residue residue_of_digits(const std::string& digits) {
-  Residue r, tenth = Residue::of_integer(1);
-  const Residue ten = Residue::of_integer(10);
-  bool below = false;
-  for (const char c : digits) {
-    if (c == '.') {
-      below = true;
-      continue;
-    }
-    r = r * ten + Residue::of_integer(static_cast<std::uint64_t>(c - '0'));
-    if (below) tenth = tenth * ten;
-  }
-  return below ? r * inverse(tenth) : r;
-}
-
-SmallFraction small_fraction(const Residue& residue, double value, double tolerance) {
-  if (!(residue.at(0).imaginary == Modular()) || !(residue.at(0) == residue.at(1))) return {};
-  // Of all n/d the one with small numbers, by Euclid's algorithm (Wang, SYMSAC 1981).
-  std::int64_t r0 = static_cast<std::int64_t>(Modular::prime), s0 = 0;
-  auto r1 = static_cast<std::int64_t>(residue.at(0).real.number());
-  std::int64_t s1 = 1;
-  while (r1 > 1'000'000'000) {
-    const std::int64_t q = r0 / r1;
-    r0 = std::exchange(r1, r0 - q * r1);
-    s0 = std::exchange(s1, s0 - q * s1);
-  }
-  if (s1 < 0) {
-    s1 = -s1;
-    r1 = -r1;
-  }
-  if (s1 == 0 || s1 > 1'000'000) return {};
-  const double quotient = static_cast<double>(r1) / static_cast<double>(s1);
-  return std::fabs(quotient - value) <= tolerance * std::fabs(value) ? SmallFraction{r1, s1} : SmallFraction{};
 }
 
 Traced Traced::constant(double number) { return number == 0 ? Traced() : TraceAccess::constant_of(number); }
