@@ -202,9 +202,15 @@ std::vector<std::vector<Index>> connected_places(const Doubted& A) {
 
 }  // namespace
 
+Matrix product(const Matrix& A, const Matrix& B) { return Eigen::Product<Matrix, Matrix>(A, B); }
+Vector product(const Matrix& A, const Vector& x) { return Eigen::Product<Matrix, Vector>(A, x); }
+ComplexMatrix product(const ComplexMatrix& A, const ComplexMatrix& B) {
+  return Eigen::Product<ComplexMatrix, ComplexMatrix>(A, B);
+}
+
 Matrix between(const Matrix& left, const Matrix& A, const Matrix& right) {
-  const Matrix led = A * right;
-  return left.transpose() * led;
+  const Matrix led = A * right, turned = left.transpose();
+  return turned * led;
 }
 
 ComplexMatrix inverse(const ComplexMatrix& A) {

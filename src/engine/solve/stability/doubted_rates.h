@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <complex>
+#include <concepts>
 
 namespace poinsot::solve {
 
@@ -14,7 +15,23 @@ using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using ComplexMatrix = Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, Eigen::Dynamic>;
 
 // What costs time here is compiling, not computing: Eigen is compiled anew for each kind of expression that is
-// multiplied or solved for. Factors are therefore plain matrices, and what several files use is compiled in one.
+// multiplied or solved for. Factors are therefore plain matrices, whose products and inverses are compiled in one file:
+// for them these operators are taken before those of Eigen.
+Matrix product(const Matrix& A, const Matrix& B);
+Vector product(const Matrix& A, const Vector& x);
+ComplexMatrix product(const ComplexMatrix& A, const ComplexMatrix& B);
+template <std::same_as<Matrix> Plain>
+Matrix operator*(const Plain& A, const Plain& B) {
+  return product(A, B);
+}
+template <std::same_as<Matrix> Plain, std::same_as<Vector> Column>
+Vector operator*(const Plain& A, const Column& x) {
+  return product(A, x);
+}
+template <std::same_as<ComplexMatrix> Plain>
+ComplexMatrix operator*(const Plain& A, const Plain& B) {
+  return product(A, B);
+}
 
 // left^T A right.
 Matrix between(const Matrix& left, const Matrix& A, const Matrix& right);

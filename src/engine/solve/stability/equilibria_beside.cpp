@@ -17,11 +17,7 @@ Index rank_of(const Matrix& A) {
 
 // What the columns of A are combinations to zero of: vectors x of length one with A x = 0 but for rounding.
 Matrix kernel_of(const Matrix& A) {
-  if (A.isZero(0)) return Matrix::Identity(A.cols(), A.cols());
-  Eigen::ColPivHouseholderQR<Matrix> qr(A.transpose());
-  qr.setThreshold(depends);
-  const Matrix Q = qr.householderQ() * Matrix::Identity(A.cols(), A.cols());
-  return Q.rightCols(A.cols() - qr.rank());
+  return A.isZero(0) ? Matrix(Matrix::Identity(A.cols(), A.cols())) : complement(A.transpose(), depends);
 }
 
 }  // namespace
@@ -44,8 +40,11 @@ Matrix equilibria_beside(const Doubted& A, const DeviationRows& rows, const Matr
   if (family <= 0) return none;
 
   Matrix free = of_positions.rows() > 0 ? complement(of_positions.transpose()) : Matrix::Identity(n, n);
-  if (same.cols() > 0) free = (free * complement(free.transpose() * same)).eval();
-  const Matrix still = free * kernel_of(A.value.bottomLeftCorner(n, n) * free);
+  if (same.cols() > 0) {
+    const Matrix turned = free.transpose();
+    free = free * complement(turned * same);
+  }
+  const Matrix stiffness = A.value.bottomLeftCorner(n, n), still = free * kernel_of(stiffness * free);
   // If more vanish, an equilibrium is on the point of losing its stability.
   if (still.cols() != family) return none;
   Matrix found = Matrix::Zero(2 * n, family);

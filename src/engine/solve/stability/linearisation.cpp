@@ -93,7 +93,7 @@ class Lineariser {
     result.deviations = static_cast<int>(basis.cols() + same.elsewhere.cols());
     // The error of the basis adds to that of the entries.
     const Matrix size = basis.cwiseAbs();
-    const Matrix off = coupled * Matrix::Ones(1, basis.cols());
+    const Matrix off = coupled.replicate(1, basis.cols());
     const Matrix most = A.value.cwiseAbs();
     Doubted reduced{between(basis, A.value, basis), between(size, A.doubt, size)};
     reduced.doubt += between(off, most, size) + between(size, most, off);
@@ -122,7 +122,10 @@ class Lineariser {
       // Two rates that nearly meet may be off by twice what first order says, and most numbers of a mechanism were
       // rounded more than once before they came here.
       mode.doubt = 4 * rates.doubt[m] * result.pace;
-      const Eigen::VectorXd moved = (basis * rates.motion.col(m).normalized()).cwiseAbs().cast<double>();
+      const ComplexMatrix motion = rates.motion.col(m).normalized();
+      const Matrix real = motion.real(), imaginary = motion.imag();
+      const Matrix along = basis * real, across = basis * imaginary;
+      const Eigen::VectorXd moved = (along.cwiseAbs2() + across.cwiseAbs2()).cwiseSqrt().cast<double>();
       for (int i = 0; i < tree_.body_count(); ++i) mode.moves.push_back(moves(i, moved));
       result.modes.push_back(std::move(mode));
     }
@@ -137,9 +140,9 @@ class Lineariser {
     Index count = 0;
     Matrix doubt = A.doubt;
     for (; count < all.cols(); ++count) {
-      const Vector n = all.col(all.cols() - 1 - count), left = (A.value * n).cwiseAbs();
-      if (!((left - 10 * (A.doubt * n.cwiseAbs())).array() <= 0).all()) break;
-      doubt += left * n.cwiseAbs().transpose();
+      const Vector n = all.col(all.cols() - 1 - count), left = (A.value * n).cwiseAbs(), size = n.cwiseAbs();
+      if (!((left - 10 * (A.doubt * size)).array() <= 0).all()) break;
+      doubt += left * size.transpose();
     }
     // If more directions vanish than there are momenta, some of them are slow motions, and this way is closed.
     if (count == 0 || count > momenta) return;
@@ -168,7 +171,8 @@ class Lineariser {
       U.col(2 * i + 1).tail(n_) = along;
       chosen(2 * i, unseen.coordinate) = chosen(2 * i + 1, n_ + unseen.coordinate) = 1;
     }
-    seen_ -= U * Eigen::ColPivHouseholderQR<Matrix>(chosen * U).solve(chosen);
+    const Matrix parts = Eigen::ColPivHouseholderQR<Matrix>(chosen * U).solve(chosen);
+    seen_ -= U * parts;
     const Matrix size = seen_.cwiseAbs(), sizes = U.cwiseAbs();
     const Matrix led = seen_ * (A.value * U);
     const Matrix felt = computed * A.doubt + unfelt * A.value.cwiseAbs();
@@ -206,7 +210,9 @@ class Lineariser {
     constexpr double closely = 1e-7;
     const Vector v = Eigen::Map<const Eigen::VectorXd>(motion_.v.data(), n_).cast<Real>();
     const Eigen::VectorXd change = (slopes_.a + spin * v).cast<double>();
-    const Eigen::VectorXd turned = (spin.cwiseAbs() * v.cwiseAbs()).cast<double>();
+    const Matrix spin_size = spin.cwiseAbs();
+    const Vector v_size = v.cwiseAbs();
+    const Eigen::VectorXd turned = (spin_size * v_size).cast<double>();
     double largest = 0;
     for (Index k = 0; k < n_; ++k) {
       double terms = turned[k] + unit(k) / (motion_.time * motion_.time);
@@ -273,7 +279,9 @@ class Lineariser {
       if ((elsewhere.col(s).array() != 0).count() > 1) mark(coupled, elsewhere.col(s), 8 * epsilon);
     Matrix kernel = Matrix::Identity(2 * n_, 2 * n_);
     if (rows.value.rows() > 0) kernel = complement(rows.value.transpose());
-    return elsewhere.cols() == 0 ? kernel : Matrix(kernel * complement(kernel.transpose() * elsewhere));
+    if (elsewhere.cols() == 0) return kernel;
+    const Matrix turned = kernel.transpose();
+    return kernel * complement(turned * elsewhere);
   }
   // The stated symmetries of the motion as displacements of length one, each once: a turn about an axis is the same for
   // every point of it.

@@ -42,8 +42,8 @@ bool is_symmetry(const Uncertain& A, const Vector& x) { return is_within(A.times
 
 // By how much a deviation of length one breaks each condition, as far as this exceeds the error of the condition.
 Vector breach(const DeviationRows& rows, const Vector& x) {
-  const Vector off = (rows.value * x).cwiseAbs() - 10 * rows.doubt;
-  return (off.array() > within).select(rows.value * x, Vector::Zero(off.size()));
+  const Vector broken = rows.value * x, off = broken.cwiseAbs() - 10 * rows.doubt;
+  return (off.array() > within).select(broken, Vector::Zero(off.size()));
 }
 bool is_possible(const DeviationRows& rows, const Vector& x) { return breach(rows, x).isZero(0); }
 
@@ -85,7 +85,8 @@ std::optional<Matrix> parts_among(const Matrix& columns, const Uncertain& A, con
   const Eigen::ColPivHouseholderQR<Matrix> qr(columns);
   const Matrix led = A.times(deviations), parts = qr.solve(led), left = led - columns * parts;
   const Index n = columns.cols();
-  const Vector size = columns.cwiseAbs().rowwise().sum();
+  const Matrix sizes = columns.cwiseAbs();
+  const Vector size = sizes.rowwise().sum();
   std::optional<Matrix> inverse_size;
   for (Index i = 0; i < left.cols(); ++i) {
     const Vector rounding = A.uncertainty(size + deviations.col(i).cwiseAbs());
@@ -96,7 +97,7 @@ std::optional<Matrix> parts_among(const Matrix& columns, const Uncertain& A, con
     const Real least = std::abs(qr.matrixR()(n - 1, n - 1));
     if (!is_within(least * left.col(i), least * rounding + most * size)) return std::nullopt;
     if (!inverse_size) inverse_size = qr.solve(Matrix::Identity(columns.rows(), columns.rows())).cwiseAbs();
-    if (!is_within(left.col(i), rounding + columns.cwiseAbs() * (*inverse_size * rounding))) return std::nullopt;
+    if (!is_within(left.col(i), rounding + sizes * (*inverse_size * rounding))) return std::nullopt;
   }
   return parts;
 }

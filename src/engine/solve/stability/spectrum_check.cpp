@@ -52,18 +52,20 @@ class Pencil {
     rows.bottomLeftCorner(slips, n_) = slip_by_place_;
     rows.bottomRightCorner(slips, n_) = slip_slopes_;
     all << gap_slopes_, slip_slopes_;
+    const Matrix transposed = all.transpose();
     // Forces that hold the motion itself: without them it is not steady.
     Vector y = Vector::Zero(gaps + slips);
-    if (gaps + slips > 0) y = Eigen::CompleteOrthogonalDecomposition<Matrix>(all.transpose()).solve(unbalanced_);
-    const Vector left = unbalanced_ - all.transpose() * y;
+    if (gaps + slips > 0) y = Eigen::CompleteOrthogonalDecomposition<Matrix>(transposed).solve(Matrix(unbalanced_));
+    const Vector left = unbalanced_ - transposed * y;
     if (left.norm() > in_balance * (unbalanced_.norm() + stiffness_.norm())) return std::nullopt;
     const Matrix K = stiffness_ - slopes_of_reactions(y);
-    const Matrix N = all.rows() > 0 ? complement(all.transpose()) : Matrix(Matrix::Identity(n_, n_));
+    const Matrix N = all.rows() > 0 ? complement(transposed) : Matrix(Matrix::Identity(n_, n_));
     const Matrix Z = rows.rows() > 0 ? complement(rows.transpose()) : Matrix(Matrix::Identity(2 * n_, 2 * n_));
     const Matrix x = Z.topRows(n_), u = Z.bottomRows(n_);
     Matrix E(n_ + N.cols(), Z.cols()), F(n_ + N.cols(), Z.cols());
-    E << x, N.transpose() * inertia_ * u;
-    F << u, -N.transpose() * (gyration_ * u + K * x);
+    const Matrix resists = gyration_ * u + K * x, allowed = N.transpose();
+    E << x, between(N, inertia_, u);
+    F << u, -(allowed * resists);
     // Masses differ by orders: each equation of motion counts by its own size, if it has one.
     const Real largest = E.bottomRows(N.cols()).norm();
     for (Index i = n_; i < E.rows(); ++i)
@@ -221,7 +223,7 @@ class Pencil {
       for (Index j = 0; j < n_; ++j)
         slopes(j, k) = slope(still_, k, [&](const Displacements& at) { return slope(at, j, held); })[0];
       slopes.col(k) +=
-          slope(still_, k, [&](const Displacements& at) { return Vector(slip_rows(at).transpose() * of_slips); });
+          slope(still_, k, [&](const Displacements& at) { return Matrix(slip_rows(at).transpose()) * of_slips; });
     }
     return slopes;
   }
@@ -240,7 +242,7 @@ class Pencil {
 Real distance(const Matrix& A, std::complex<Real> rate) {
   ComplexMatrix shifted = A.cast<std::complex<Real>>();
   shifted.diagonal().array() -= rate;
-  const Real size = Eigen::PartialPivLU<ComplexMatrix>(shifted).inverse().norm();
+  const Real size = inverse(shifted).norm();
   return std::isfinite(size) ? 1 / size : 0;
 }
 
