@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include "commands.h"
@@ -75,11 +73,7 @@ int equations(const EquationsArguments& arguments) {
     write_message(fmt::format("poinsot: {}\nTry 'poinsot equations --help'.", error.what()));
     return exit_wrong_input;
   }
-  if (const std::string reason = not_to_be_written(arguments.file, arguments.output, arguments.force);
-      !reason.empty()) {
-    write_message("poinsot: " + reason);
-    return exit_wrong_input;
-  }
+  if (!may_be_written(arguments.file, arguments.output, arguments.force)) return exit_wrong_input;
   options.function = arguments.function;
   options.situation = arguments.situation;
   options.sets = arguments.sets;
@@ -87,13 +81,7 @@ int equations(const EquationsArguments& arguments) {
   try {
     const poinsot::Problem problem = poinsot::Problem::from_file(arguments.file);
     const std::string text = equations_until_interrupted(problem, options);
-    if (arguments.output.empty()) {
-      static_cast<void>(write_answer(text));
-    } else if (!write_file(arguments.output, text)) {
-      write_message(fmt::format("poinsot: cannot write {}: {}", arguments.output, std::strerror(errno)));
-      return exit_internal;
-    }
-    return exit_answered;
+    return write_output(arguments.output, text) ? exit_answered : exit_internal;
   } catch (const poinsot::BudgetEnded&) {
     write_message("poinsot: interrupted");
     return exit_interrupted;

@@ -1,8 +1,6 @@
 // poinsot figure.
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 #include "commands.h"
@@ -30,11 +28,7 @@ int figure(const FigureArguments& arguments) {
         fmt::format("poinsot: '{}' should end in .svg: a figure is a line drawing in that form", output.string()));
     return exit_wrong_input;
   }
-  if (const std::string reason = not_to_be_written(arguments.file, arguments.output, arguments.force);
-      !reason.empty()) {
-    write_message("poinsot: " + reason);
-    return exit_wrong_input;
-  }
+  if (!may_be_written(arguments.file, arguments.output, arguments.force)) return exit_wrong_input;
   const poinsot::Document document =
       illustrated_until_interrupted(poinsot::Problem::from_file(arguments.file), arguments.sets);
   if (interrupted()) {
@@ -62,13 +56,7 @@ int figure(const FigureArguments& arguments) {
       return exit_answered;
     }
     const std::string svg = to_svg(document, solution, arguments.options);
-    if (arguments.output.empty()) {
-      static_cast<void>(write_answer(svg));
-    } else if (!write_file(arguments.output, svg)) {
-      write_message(fmt::format("poinsot: cannot write {}: {}", arguments.output, std::strerror(errno)));
-      return exit_internal;
-    }
-    return exit_answered;
+    return write_output(arguments.output, svg) ? exit_answered : exit_internal;
   } catch (const poinsot::FigureError& error) {
     write_message(fmt::format("{}: {}", arguments.file, error.what()));
     return exit_wrong_input;

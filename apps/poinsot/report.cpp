@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -45,8 +43,7 @@ int one_file(const ReportArguments& arguments) {
   if (ending != ".html" && ending != ".glb")
     return refused(
         fmt::format("'{}' should end in .html for a page, or in .glb for the bodies as solids", arguments.output));
-  if (const std::string reason = not_to_be_written(file, arguments.output, arguments.force); !reason.empty())
-    return refused(reason);
+  if (!may_be_written(file, arguments.output, arguments.force)) return exit_wrong_input;
   const ReadProblem read = read_problem(file);
   const Document document = illustrated(read.problem, arguments);
   const std::string content = rendered(read, document, ending == ".html");
@@ -54,16 +51,7 @@ int one_file(const ReportArguments& arguments) {
     write_message(fmt::format("{}: no solution, and nothing to show", file));
     return interrupted() ? exit_interrupted : exit_unanswered;
   }
-  if (!write_file(arguments.output, content)) {
-    write_message(fmt::format("poinsot: cannot write {}: {}", arguments.output, std::strerror(errno)));
-    return exit_internal;
-  }
-  if (!write_answer(arguments.output + "\n")) return exit_answered;
-  if (interrupted()) {
-    write_message("poinsot: interrupted; the output shows what was found until then");
-    return exit_interrupted;
-  }
-  return fully_answered(document) ? exit_answered : exit_unanswered;
+  return write_output(arguments.output, content) ? told_of_output(arguments.output, document) : exit_internal;
 }
 
 }  // namespace

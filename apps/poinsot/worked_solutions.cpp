@@ -1,8 +1,6 @@
 // poinsot solve --explain -o: worked solutions with figures beside them.
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 #include "commands.h"
@@ -39,17 +37,8 @@ int write_worked_solutions(const SolveArguments& arguments) {
   for (const auto& figure : solution.figures)
     files.emplace_back((output.parent_path() / figure.name).string(), figure.svg);
   for (const auto& [name, content] : files)
-    if (const std::string reason = not_to_be_written(file, name, arguments.force); !reason.empty())
-      return refused(reason);
+    if (!may_be_written(file, name, arguments.force)) return exit_wrong_input;
   for (const auto& [name, content] : files)
-    if (!write_file(name, content)) {
-      write_message(fmt::format("poinsot: cannot write {}: {}", name, std::strerror(errno)));
-      return exit_internal;
-    }
-  if (!write_answer(arguments.output + "\n")) return exit_answered;
-  if (interrupted()) {
-    write_message("poinsot: interrupted; the output shows what was found until then");
-    return exit_interrupted;
-  }
-  return fully_answered(document) ? exit_answered : exit_unanswered;
+    if (!write_output(name, content)) return exit_internal;
+  return told_of_output(arguments.output, document);
 }

@@ -17,20 +17,6 @@ using Op = TracedOperation;
 
 constexpr int most_rounds = 4;  // of bringing together
 
-// What of a trace is needed, and how often each operation is used.
-struct Needed {
-  std::vector<std::uint32_t> uses;
-
-  Needed(const std::vector<Trace::Node>& nodes, const std::vector<Traced>& outputs) : uses(nodes.size(), 0) {
-    for (const Traced& output : outputs) ++uses[output.node()];
-    for (std::size_t i = nodes.size(); i-- > 0;) {
-      if (uses[i] == 0 || !is_operation(nodes[i].operation)) continue;
-      ++uses[nodes[i].first.node()];
-      if (nodes[i].second.node() != 0) ++uses[nodes[i].second.node()];
-    }
-  }
-};
-
 // A product: factors of the new trace, in order.
 struct Term {
   bool negative = false;
@@ -42,17 +28,17 @@ struct Term {
 class FactoredTrace {
  public:
   FactoredTrace(const Trace& old, const std::vector<Traced>& outputs)
-      : nodes_(old.nodes()), needed_(nodes_, outputs), mapped_(nodes_.size()) {
+      : nodes_(old.nodes()), uses_(uses_of(nodes_, outputs)), mapped_(nodes_.size()) {
     for (const Trace::Node& node : nodes_)
       if (node.operation == Op::input) inputs_.push_back(trace_.input(node.value));
     const TraceScope scope(trace_);
     // Operations that are used once within sums and products are not computed by themselves.
     inner_.assign(nodes_.size(), 0);
     for (std::size_t i = nodes_.size(); i-- > 1;) {
-      if (needed_.uses[i] == 0) continue;
+      if (uses_[i] == 0) continue;
       const Trace::Node& node = nodes_[i];
       const auto within = [&](const Traced& x, bool allowed) {
-        if (allowed && needed_.uses[x.node()] == 1) inner_[x.node()] = 1;
+        if (allowed && uses_[x.node()] == 1) inner_[x.node()] = 1;
       };
       if (node.operation == Op::add) {
         for (const Traced& x : {node.first, node.second}) within(x, is_sum_or_product(x));
@@ -61,7 +47,7 @@ class FactoredTrace {
       }
     }
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (needed_.uses[i] > 0 && !inner_[i]) mapped_[i] = computed(static_cast<std::uint32_t>(i));
+      if (uses_[i] > 0 && !inner_[i]) mapped_[i] = computed(static_cast<std::uint32_t>(i));
     for (const Traced& output : outputs) outputs_.push_back(now(output));
   }
 
@@ -197,7 +183,7 @@ class FactoredTrace {
   }
 
   const std::vector<Trace::Node>& nodes_;
-  Needed needed_;
+  std::vector<std::uint32_t> uses_;
   std::vector<char> inner_;
   std::vector<Traced> mapped_;
   Trace trace_;
@@ -237,13 +223,13 @@ StraightLine::StraightLine(const Trace& trace, const std::vector<Traced>& output
   }
 
   const std::vector<Trace::Node>& nodes = best->nodes();
-  const Needed needed(nodes, results);
+  const std::vector<std::uint32_t> uses = uses_of(nodes, results);
   std::vector<std::uint32_t> place(nodes.size(), 0);
   steps_.push_back({});
   const auto operand = [&](const Traced& x) { return Operand{place[x.node()], x.negative()}; };
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     const Trace::Node& node = nodes[i];
-    if (needed.uses[i] == 0) continue;
+    if (uses[i] == 0) continue;
     place[i] = static_cast<std::uint32_t>(steps_.size());
     Step step;
     step.operation = node.operation;

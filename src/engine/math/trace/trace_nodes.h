@@ -34,6 +34,9 @@ struct Trace::State {
 // An operation on its operands, recorded; `second` counts for operations on two. Not for constants and inputs.
 Traced operated(TracedOperation operation, const Traced& first, const Traced& second);
 
+// How often each number is used by what the outputs need.
+std::vector<std::uint32_t> uses_of(const std::vector<Trace::Node>& nodes, const std::vector<Traced>& outputs);
+
 // Whether two values at the sample are those of one number: apart by no more than their rounding. Equal residues alone
 // do not tell, since a root may have taken another sign in the field; and a part of the values would not tell either,
 // where the root is small beside the rest.

@@ -26,18 +26,6 @@ using Index = std::uint32_t;
 constexpr std::size_t most_numbers = 160;        // of a trace that is looked at
 constexpr std::size_t most_looked_up = 1000000;  // in all
 
-// How often each number is used by what the outputs need.
-std::vector<Index> uses_of(const std::vector<Trace::Node>& nodes, const std::vector<Traced>& outputs) {
-  std::vector<Index> uses(nodes.size(), 0);
-  for (const Traced& output : outputs) ++uses[output.node()];
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    if (uses[i] == 0 || !is_operation(nodes[i].operation)) continue;
-    ++uses[nodes[i].first.node()];
-    if (nodes[i].second.node() != 0) ++uses[nodes[i].second.node()];
-  }
-  return uses;
-}
-
 static_assert(most_numbers <= PairTable::most_places);
 
 // Recipes for the numbers of a trace. Field: where its values at one point are looked for.
@@ -345,6 +333,17 @@ class Rebuilding {
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> uses_of(const std::vector<Trace::Node>& nodes, const std::vector<Traced>& outputs) {
+  std::vector<std::uint32_t> uses(nodes.size(), 0);
+  for (const Traced& output : outputs) ++uses[output.node()];
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    if (uses[i] == 0 || !is_operation(nodes[i].operation)) continue;
+    ++uses[nodes[i].first.node()];
+    if (nodes[i].second.node() != 0) ++uses[nodes[i].second.node()];
+  }
+  return uses;
+}
 
 std::size_t operations_needed(const Trace& trace, const std::vector<Traced>& outputs) {
   const std::vector<Index> uses = uses_of(trace.nodes(), outputs);
