@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::size_t scanned_points = 200;  // all over six decades
 constexpr std::size_t most_narrowed = 6;     // places from which the margin is made smaller
-constexpr int most_rounds = 30;
-constexpr double first_step = 2;    // in powers of ten; of an angle in radians
-constexpr double last_step = 1e-4;  // the search ends where such steps bring nothing
-constexpr double farthest = 1e8;    // times the unit of a letter, and as small a part of it
-constexpr int random_moves = 6;     // of all letters together, in each round
-constexpr int neighbours = 6;
+constexpr int most_rounds = 30;              // eight quarterings lead from the first step to the last: the others gain
+constexpr double first_step = 2;             // in powers of ten; of an angle in radians
+constexpr double last_step = 1e-4;           // the search ends where such steps bring nothing
+constexpr double farthest = 1e8;             // times the unit of a letter, and as small a part of it
+constexpr int random_moves = 6;              // of all letters together, in each round
+constexpr int neighbours = 6;                // of a find, at which it is looked at too
 constexpr double aside = 1e-5;          // of each letter: far more than moments are out of true by the rounding of data
-constexpr double margin_gained = 1e-9;  // a part of the margin; what gains less is no gain
+constexpr double margin_gained = 1e-9;  // a part of the margin; what gains less is the rounding of its two sides
 
 bool is_angle(const Letter& letter) { return letter.unit.dimension == dimensions::angle; }
 

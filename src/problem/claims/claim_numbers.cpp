@@ -17,6 +17,7 @@ constexpr Work most_number_work = 10'000'000'000;  // of the samples of a claim
 constexpr int most_motions = 10;  // points from which a claim that is meant along the motion is followed in time
 constexpr Work most_attack_work = 300'000'000;  // on making smaller by what a claim holds
 constexpr int most_edge_starts = 4;  // points from which letters are moved, one by one, to where the assumptions end
+// Towards an edge in growing steps, until one is beyond it; halvings then come to a thousandth of that step.
 constexpr int most_edge_steps = 6, most_edge_halvings = 10;
 // Without letters only what the statement leaves open can vary.
 constexpr int most_points_without_letters = 10;

@@ -10,8 +10,8 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr std::size_t most_cases = 12;
-constexpr int most_tries = 60;  // includes cases that prove impossible
+constexpr std::size_t most_cases = 12;  // each is a proof of its own
+constexpr int most_tries = 60;          // includes cases that prove impossible
 
 bool contains(const std::vector<std::string>& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();

@@ -20,13 +20,13 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr int most_points = 400;      // at which a claim without proof is tried
-constexpr int confirming_points = 2;  // at which numbers must confirm a proof
-constexpr Work most_sample_work = 10'000'000'000;
-constexpr int most_edge_points = 4;  // from which edges are looked for
-constexpr Work most_telling_work = 1'000'000'000;
-constexpr Work most_attack_work = 300'000'000;  // on making smaller by what a claim without proof holds
-constexpr std::size_t most_attack_starts = 60;
+constexpr int most_points = 400;                   // at which a claim without proof is tried
+constexpr int confirming_points = 2;               // at which numbers must confirm a proof
+constexpr Work most_sample_work = 10'000'000'000;  // on these points, all together
+constexpr int most_edge_points = 4;                // from which edges are looked for
+constexpr Work most_telling_work = 1'000'000'000;  // on the sides that a worked solution shows
+constexpr Work most_attack_work = 300'000'000;     // on making smaller by what a claim without proof holds
+constexpr std::size_t most_attack_starts = 60;     // of the points, at which that begins
 
 class ClaimSolver {
  public:
@@ -137,6 +137,8 @@ class ClaimSolver {
 
   // Whether the numbers have the sides with which formulas refute the claim, to a small part of their difference.
   static bool found_alike(const Verdict& numbers, const Verdict& formulas) {
+    // Of the difference: sides are good to 1e-9 of themselves, so that differences down to a thousandth of them are
+    // told.
     constexpr double same = 1e-6;
     if (!numbers.holds || formulas.holds || !formulas.sides) return false;
     const auto [left, right] = *formulas.sides;

@@ -12,7 +12,7 @@ namespace {
 
 using Matrix = solve::Rows<Formula>;
 
-constexpr std::size_t most_freedoms = 5;
+constexpr std::size_t most_freedoms = 5;  // a determinant of formulas has up to the factorial of these terms
 constexpr std::size_t highest_power = 6;  // of the rate of growth in the characteristic polynomial
 
 Matrix zeros(std::size_t n) { return Matrix(n, std::vector<Formula>(n)); }

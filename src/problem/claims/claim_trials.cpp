@@ -10,12 +10,12 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr std::size_t most_edge_terms = 60;
-constexpr std::size_t most_edge_letters = 3;  // letters that are moved to an edge, in turn
-constexpr Work most_edge_work = 50'000'000;
-constexpr int most_exact_equalities = 8;  // of one claim, whose sides numbers cannot tell apart
-constexpr Work most_exact_work = 200'000'000;
-constexpr std::size_t most_exact_terms = 20000;
+constexpr std::size_t most_edge_terms = 60;      // of a difference whose factors may vanish at an edge
+constexpr std::size_t most_edge_letters = 3;     // letters that are moved to an edge, in turn
+constexpr Work most_edge_work = 50'000'000;      // on each formula of an edge
+constexpr int most_exact_equalities = 8;         // of one claim, whose sides numbers cannot tell apart
+constexpr Work most_exact_work = 200'000'000;    // on each of these
+constexpr std::size_t most_exact_terms = 20000;  // of their formulas, as of answers
 
 bool is_strict(Relation relation) { return relation == Relation::less || relation == Relation::greater; }
 

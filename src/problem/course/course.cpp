@@ -112,7 +112,7 @@ double Course::reached() const {
 }
 
 bool Course::followed_by_many_steps(double until) const {
-  constexpr std::size_t enough = 100'000;  // steps
+  constexpr std::size_t enough = 100'000;  // steps, in a motion that may go on without end
   std::size_t steps = 0;
   for (const StageRun& stage : stages_)
     for (const Trajectory& piece : stage.pieces)
@@ -206,6 +206,7 @@ MotionState Course::end_of(std::size_t stage) {
 MotionState Course::at(double time) {
   const std::size_t stage = stage_at(time);
   StageRun& now = stages_[stage];
+  // But for the rounding of times, which are sums over the steps.
   const auto beyond = [&] { return now.end && time > *now.end * (1 + 1e-12); };
   if (!beyond() && time > now.time) run(stage, time);
   if (beyond())

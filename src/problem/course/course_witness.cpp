@@ -99,10 +99,12 @@ MotionDoubt Course::contact_doubt(double time) {
 }
 
 std::optional<MotionDoubt> Course::course_misfit(const std::function<void(const SolvedInstant&)>& look) {
-  constexpr std::size_t least = 4, most = 24;
+  constexpr std::size_t least = 4, most = 24;  // windows: these whatever they take, and these if the work allows
   // A window that is too long for the rule, or so long that a stiff motion answers the rounding of its places, is
   // taken in shorter parts: of a wrong rate these are wrong by the same part.
   constexpr int most_cuts = 3;
+  // Of the change in a window: the rule of five points leaves less where the window suits it, and a wrong rate far
+  // more.
   constexpr double good = 1e-9;
   const NaturalSizes sizes = natural_sizes();
   const WorkLimit limit(static_cast<Work>(part_of_work * static_cast<double>(work_)));
@@ -146,6 +148,7 @@ NumberInTime Course::number_at_instants(const Expression& expression, const std:
 }
 
 std::optional<MotionDoubt> Course::scan_misfit() {
+  // Looks: those on which the cost of one is measured, and these if the work allows.
   constexpr std::size_t least = 24, most = 400;
   std::optional<MotionDoubt> worst;
   const double last = reached();

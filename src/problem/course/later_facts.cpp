@@ -57,6 +57,7 @@ double Course::time_of_instant(const Instant& instant) {
 double Course::repeats_to(double range) const {
   constexpr double usual = 1e-7, growth = 100;
   if (tolerance_ <= usual_tolerance) return usual;
+  // Beyond a hundredth of the range nothing would be a repetition.
   return std::min(1e-2, std::max(10 * usual, growth * tolerance_ / std::max(range, 1e-300)));
 }
 

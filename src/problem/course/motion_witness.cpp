@@ -138,8 +138,9 @@ ScanMisfit MotionScan::of_period(double told) const {
   ScanMisfit worst;
   if (!(size_ > 0)) return worst;
   constexpr std::size_t looks = 24;
-  constexpr int most_parts = 13;
-  // What repeats after a part of the period as well as after all of it would have that for its period.
+  constexpr int most_parts = 13;  // the largest prime that is tried
+  // What repeats after a part of the period as well as after all of it would have that for its period. Of the size of
+  // the number: motions repeat to 1e-7 after some periods, and a part of a period changes them in the first digits.
   constexpr double same = 1e-6;
   for (std::size_t k = 0; k < looks; ++k) {
     const double time = from_ + std::max(0.0, to_ - told - from_) * spread_evenly(k);

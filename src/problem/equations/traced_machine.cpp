@@ -20,7 +20,8 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr std::size_t most_terms = 5000;
+constexpr std::size_t most_terms = 5000;  // of a formula of the file that becomes operations
+// On the equations, and on finding values of letters at which the situation makes sense.
 constexpr Work most_work = 10'000'000'000, most_trying_work = 1'000'000'000;
 constexpr int most_points = 50;  // at which the situation is tried until it makes sense
 
@@ -93,6 +94,8 @@ class Names {
       letter.either_sign = !parameter.positive;
     }
     LetterValues values;
+    // Drawn points have simple ratios, which may be special: each value is moved by up to 1.4 %, no two by the same
+    // part.
     for (const auto& [name, value] : draw_point(letters, simple_points + 1 + 4 * attempt))
       values[name] = value * (1 + 0.01 * std::numbers::sqrt2 *
                                       std::fmod(static_cast<double>(values.size()) * std::numbers::phi, 1.0));

@@ -73,10 +73,11 @@ class AskedTable {
   // The values for which there are rows.
   std::vector<double> row_values() {
     std::vector<double> rows;
-    constexpr std::size_t most_rows = 10'000;
+    constexpr std::size_t most_rows = 10'000;  // nobody reads more, and each costs as much as a problem
     if (const Range* range = table_.values.as<Range>()) {
       const double from = number(range->from), to = number(range->to), by = std::abs(number(range->step));
       if (!(by > 0)) fail(situation_.file, range->step.mark(), "the step of a range is not zero");
+      // A range holds as many steps as its decimals say: rounding of the ends and of the step must not take one away.
       const double span = to - from, count = std::floor(std::abs(span) / by * (1 + 1e-12) + 1e-9);
       if (count >= static_cast<double>(most_rows))
         fail(situation_.file, table_.values.mark(), "the table has more than 10 000 rows", "take a larger step");

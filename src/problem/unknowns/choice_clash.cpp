@@ -14,7 +14,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// Of conditions whose rows have the size one: what a choice may leave of them. Slopes come from differences of linear
+// functions and keep twelve digits; a condition that cannot hold is off in its first digits.
 constexpr double tolerance = 1e-9;
+// Of amounts that count as one where they balance a condition alone: what is less is rounding.
+constexpr double no_amount = 1e-14;
+// Of the slopes of the squares: an amount that makes the misfit less by no more than this makes it less by rounding.
+constexpr double no_gain = 1e-12;
 
 // The conditions A x = b, where x >= 0 for all unknowns but those that may have either sign.
 struct LinearConditions {
@@ -33,7 +39,7 @@ double least_misfit(const MatrixXd& A, const VectorXd& b) {
     Index best = -1;
     for (Index k = 0; k < A.cols(); ++k)
       if (std::find(passive.begin(), passive.end(), k) == passive.end() &&
-          slope[k] > 1e-12 * A.norm() * (1 + b.norm()) && (best < 0 || slope[k] > slope[best]))
+          slope[k] > no_gain * A.norm() * (1 + b.norm()) && (best < 0 || slope[k] > slope[best]))
         best = k;
     if (best < 0) break;
     passive.push_back(best);
@@ -52,7 +58,7 @@ double least_misfit(const MatrixXd& A, const VectorXd& b) {
       for (std::size_t i = 0; i < passive.size(); ++i) {
         double& at = x[passive[i]];
         at += part * (z[static_cast<Index>(i)] - at);
-        if (at > 1e-14)
+        if (at > no_amount)
           rest.push_back(passive[i]);
         else
           at = 0;
@@ -118,7 +124,10 @@ std::optional<LinearConditions> linear_conditions(UnknownEquations& equations) {
   if (!there || there->first.size() != base->first.size()) return std::nullopt;
   const VectorXd foretold = base->first + conditions.A * (y - x);
   const VectorXd size = base->second.cwiseMax(there->second);
-  if (((there->first - foretold).cwiseAbs().array() > 1e-7 * size.array()).any()) return std::nullopt;
+  // Of the terms, over several natural sizes: conditions that are linear differ by roundings, others in the first
+  // digits.
+  constexpr double linear = 1e-7;
+  if (((there->first - foretold).cwiseAbs().array() > linear * size.array()).any()) return std::nullopt;
   conditions.b = conditions.A * x - base->first;
   const auto groups = equations.conditions_at(at);
   if (!groups) return std::nullopt;

@@ -11,8 +11,11 @@ namespace poinsot::problem {
 namespace {
 
 constexpr double boundless = std::numeric_limits<double>::infinity();
-constexpr double nothing = 1e-6;  // a part of the scale of the datum below which a value counts as vanishing
-constexpr double unseen = 2e-6;   // an end is known if the conditions are decided within this part of it
+// Of the scale of the datum: a value below this counts as vanishing, since bisection towards zero would never end.
+constexpr double nothing = 1e-6;
+// Of the end: it is known if the conditions are decided within this. Answers are shown to six digits, so that ten times
+// more would be seen in them; linearised equations decide to some 1e-7.
+constexpr double unseen = 2e-6;
 
 std::string number_text(double value) { return with_digits(value, 8); }
 
@@ -79,6 +82,7 @@ ExtremumSearch::Span ExtremumSearch::span() const {
   const Settings& own = settings_[situation_of(statement_, ask_)];
   // A unit is a natural size, unless the problem is of another order.
   if (!is_pure(dimension_)) {
+    // Four orders, as for unknowns (unknown_ranges.cpp): people choose units within a thousand of what they measure.
     constexpr double far = 1e4;
     const double natural = natural_size(own);
     if (natural > far * span.scale || (natural > 0 && natural < span.scale / far)) span.scale = natural;
@@ -194,6 +198,7 @@ std::string ExtremumSearch::told_beyond(double inside, double outside) {
 bool ExtremumSearch::is_at(double value) {
   const double side = ask_.extremum->largest ? 1 : -1;
   const Span range = span();
+  // Far above what ends are found to, and no more than is shown of them.
   const double step = 1e-6 * (value != 0 ? std::abs(value) : range.scale);
   // Beyond the end of its range a datum has no values.
   const bool at_end = side > 0 ? value >= range.upper : value <= range.lower;
@@ -204,6 +209,7 @@ ExtremumFound ExtremumSearch::find() {
   const Span range = span();
   const double side = ask_.extremum->largest ? 1 : -1;
   // The grid of values runs towards the end that is asked for: evenly if the range is finite, otherwise in decades.
+  // Six values to each of the six decades about the scale: what holds on less than a sixth of a decade is passed over.
   constexpr int count = 36;
   std::vector<double> grid;
   for (int i = 0; i <= count; ++i) {
@@ -221,6 +227,7 @@ ExtremumFound ExtremumSearch::find() {
   std::sort(grid.begin(), grid.end());
   if (side < 0) std::reverse(grid.begin(), grid.end());
   // Where nothing in the problem gives the datum a size, its unit is a guess: the end may lie many decades farther out.
+  // With the three of the grid that is more than lies between any two units of one quantity.
   constexpr int more_decades = 15;
   for (int i = 0; i < more_decades && !std::isfinite(side > 0 ? range.upper : range.lower) && holds(grid.back()); ++i)
     grid.push_back(10 * grid.back());

@@ -27,7 +27,8 @@ double misfit(UnknownEquations& equations, const std::vector<double>& x) {
 // Sets a value to zero that rounding has left small, if the equations hold as well with zero.
 void round_to_zero(UnknownEquations& equations, std::vector<double>& point) {
   for (std::size_t k = 0; k < point.size(); ++k) {
-    if (point[k] == 0 || std::abs(point[k]) > 1e-9 * equations.ranges()[k].scale) continue;
+    constexpr double by_rounding = 1e-9;  // of its natural size: the part to which roots are found
+    if (point[k] == 0 || std::abs(point[k]) > by_rounding * equations.ranges()[k].scale) continue;
     std::vector<double> zero = point;
     zero[k] = 0;
     if (misfit(equations, zero) <= misfit(equations, point)) point = std::move(zero);
@@ -38,6 +39,7 @@ void round_to_zero(UnknownEquations& equations, std::vector<double>& point) {
 // same values there, and only one is kept.
 std::vector<std::vector<double>> each_pose_once(UnknownEquations& equations,
                                                 const std::vector<std::vector<double>>& points) {
+  // Of a radian or of the natural size: the part to which roots are found.
   constexpr double turn = 6.283185307179586, same = 1e-9;
   const auto a_turn_apart = [&](const std::vector<double>& a, const std::vector<double>& b) {
     bool turned = false;
@@ -110,6 +112,7 @@ Searched searched_roots(const solve::RootProblem& problem, Work most, Confirmed 
 
 // Whether one of the points is the same but for signs.
 bool has_twin(const std::vector<double>& point, const std::vector<std::vector<double>>& points) {
+  // Of the value: double roots are found to the root of rounding, 1e-8, and so far less closely than others.
   constexpr double same = 1e-6;
   return std::ranges::any_of(points, [&](const std::vector<double>& other) {
     for (std::size_t k = 0; k < point.size(); ++k)
@@ -160,7 +163,9 @@ RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained
         for (std::size_t k = 0; k < point.size(); ++k) {
           const bool open = std::ranges::find(found.open, open_unknown(k)) != found.open.end();
           const double size = std::max({std::abs(point[k]), std::abs(other[k]), equations.ranges()[k].scale});
-          if (!open && std::abs(point[k] - other[k]) > 1e-7 * size) return false;
+          // Of its size: a hundred times what others are found to, since roots on a curve are polished across it alone.
+          constexpr double same_but_open = 1e-7;
+          if (!open && std::abs(point[k] - other[k]) > same_but_open * size) return false;
         }
         return true;
       });

@@ -12,8 +12,11 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double rounding_of_terms = 1e-12;  // a slope per natural size below this part of the terms is rounding
-constexpr double rank_tolerance = 1e-8;      // of columns scaled to the same size
+// Of the terms, for each natural size: a slope below this is rounding, a thousand times that of one operation.
+constexpr double rounding_of_terms = 1e-12;
+// Of columns scaled to the same size: slopes are taken over steps that terms notice by 1e-6 at least, and keep six
+// digits beyond their rounding then. Columns that are meant to be independent differ in their first digits.
+constexpr double rank_tolerance = 1e-8;
 
 struct GroupSlopes {
   std::vector<MatrixXd> groups;                      // of each condition
@@ -48,7 +51,7 @@ bool same_form(const std::vector<GroupConditions>& a, const std::vector<GroupCon
 // The slopes of each group's conditions by each slot, relative to the conditions' size, at a place in the ranges
 // where all have values. Steps are a part of the natural size, and wider until the conditions change.
 GroupSlopes slopes_of(UnknownEquations& equations) {
-  constexpr double noticed = 1e-6;
+  constexpr double noticed = 1e-6;  // of the terms: six digits of the change stand above their rounding then
   const std::size_t n = equations.slots().size();
   for (const std::vector<double>& x : equations.places(8)) {
     const auto base = equations.conditions_at(x);
@@ -249,8 +252,10 @@ std::vector<Index> dependent_columns(MatrixXd matrix) {
   lu.setThreshold(rank_tolerance);
   if (lu.rank() == matrix.cols()) return columns;
   const MatrixXd kernel = lu.kernel();
+  // Of columns of size one, in a combination of size one at least: the rank is told to 1e-8.
+  constexpr double takes_part = 1e-6;
   for (Index k = 0; k < matrix.cols(); ++k)
-    if (kernel.row(k).cwiseAbs().maxCoeff() > 1e-6) columns.push_back(k);
+    if (kernel.row(k).cwiseAbs().maxCoeff() > takes_part) columns.push_back(k);
   return columns;
 }
 

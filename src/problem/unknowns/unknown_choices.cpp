@@ -13,8 +13,11 @@
 namespace poinsot::problem {
 namespace {
 
-// The part of the size of the terms that rounding leaves of conditions which hold without any amounts.
+// The part of the size of the terms that rounding leaves of conditions which hold without any amounts: some thousand
+// roundings. With more, small amounts that make up for a small fault would be passed over.
 constexpr double holds_by_itself = 1e-12;
+// The part by which totals differ that are not alike: roots are found to this.
+constexpr double same_total = 1e-9;
 
 std::string place_of(const Statement& statement, const Mark& mark) {
   return statement.file + ":" + std::to_string(mark.line) + ":" + std::to_string(mark.column) + ": ";
@@ -91,8 +94,8 @@ RootsFound UnknownSearch::find_subsets(const UnknownSystem& system, const AllSet
     for (AllSettings& more : found.roots) {
       if (choice.least_total) {
         const double total = total_of(choice, more);
-        if (total > least * (1 + 1e-9)) continue;
-        if (total < least * (1 - 1e-9)) all.roots.clear();
+        if (total > least * (1 + same_total)) continue;
+        if (total < least * (1 - same_total)) all.roots.clear();
         least = std::min(least, total);
       }
       const bool known = std::any_of(all.roots.begin(), all.roots.end(),

@@ -317,7 +317,10 @@ bool UnknownEquations::hold_as_set() {
   }
   const auto equations = (*this)(x);
   const auto vanish = [](const std::vector<double>& values, double size) {
-    return std::all_of(values.begin(), values.end(), [&](double value) { return std::abs(value) <= 1e-10 * size; });
+    // Of the terms: values in the settings have the digits of a search or of a file, of which ten are reckoned with.
+    constexpr double as_written = 1e-10;
+    return std::all_of(values.begin(), values.end(),
+                       [&](double value) { return std::abs(value) <= as_written * size; });
   };
   return equations && vanish(equations->values, equations->size) && vanish(equations->smooth, equations->smooth_size);
 }
@@ -339,6 +342,7 @@ solve::RootProblem UnknownEquations::problem() {
   }
   if (problem.costly)
     problem.rough = [this](const std::vector<double>& x) {
+      // For a step, where 1e-12 is usual: a scan must see signs, and what it finds is polished with the usual one.
       motion_tolerance_ = 1e-9;
       linear_part_.reset();
       auto equations = (*this)(x);

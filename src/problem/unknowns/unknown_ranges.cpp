@@ -241,10 +241,11 @@ std::vector<solve::RootRange> ranges_of(const Statement& statement, const Unknow
   std::vector<solve::RootRange> ranges = stated_ranges(statement, system, settings);
   for (std::size_t k = 0; k < slots.size(); ++k) {
     // The stated unit of an unknown is its natural size, unless the sizes in the problem are of a very different
-    // order.
+    // order: four decades, as people choose units within a thousand of what they measure.
+    constexpr double far = 1e4;
     ranges[k].scale = slots[k].unknown.unit.factor;
     const double ratio = natural[k] / ranges[k].scale;
-    if (std::isfinite(ratio) && ratio > 0 && (ratio > 1e4 || ratio < 1e-4)) ranges[k].scale = natural[k];
+    if (std::isfinite(ratio) && ratio > 0 && (ratio > far || ratio < 1 / far)) ranges[k].scale = natural[k];
   }
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const Unknown& unknown = slots[k].unknown;

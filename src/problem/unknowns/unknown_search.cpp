@@ -16,6 +16,7 @@
 namespace poinsot::problem {
 namespace {
 
+// Each root is solved as a problem of its own, and nobody reads more of them.
 constexpr std::size_t most_roots = 64;
 
 }  // namespace
@@ -72,6 +73,7 @@ UnknownEquations UnknownSearch::equations_of(const UnknownSystem& system, const 
 RootsFound UnknownSearch::find(const Settings& settings, const OpenChoice& choice) {
   choice_ = choice;
   limit_ = WorkLimit(most_);
+  // Cords and contacts that may each act or give way: every one more doubles the cases, of which each is searched.
   constexpr std::size_t most_in_a_blow = 5;
   std::size_t giving = 0;
   for (const Situation& situation : statement_.situations)

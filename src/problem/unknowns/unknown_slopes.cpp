@@ -21,6 +21,8 @@ std::vector<Dual<1>> UnknownEquations::varied_left_over(std::size_t situation, I
 
 void UnknownEquations::add_slopes(std::vector<GroupConditions>& groups, std::size_t situation,
                                   const SolvedInstant& instant, const std::vector<std::size_t>& unknowns) const {
+  // Of the larger of both: the values with slopes come by the same steps as those without and differ by roundings; a
+  // condition that is another one differs in its first digits.
   constexpr double same = 1e-9;
   const std::vector<std::string> names = settable_names(statement_.situations[situation]);
   const auto own = [&](const GroupConditions& group) { return group.group.situation == situation; };

@@ -56,6 +56,7 @@ std::string text_of_sign(const Formula& x) {
 
 // The convergent p/q of the continued fraction of a number with q <= 10000 that is the same double, if there is one.
 std::optional<symbolic::Ratio> small_fraction(double number) {
+  // Two such fractions differ by 1e-8 at least: of the sixteen digits of a double eight tell that it is meant.
   constexpr double most = 10000;
   if (!(std::fabs(number) < 1e9)) return std::nullopt;
   double rest = number;

@@ -72,7 +72,7 @@ bool is_sum(const Form& form) { return form.kind == Form::Kind::sum; }
 
 // Whether some number in it has as many digits as decimals leave behind.
 bool has_long_number(const Form& form) {
-  constexpr std::size_t many_digits = 5;
+  constexpr std::size_t many_digits = 5;  // a product of data with two digits each has four
   return (form.kind == Form::Kind::number && form.text.size() >= many_digits) ||
          std::any_of(form.parts.begin(), form.parts.end(), has_long_number);
 }

@@ -157,7 +157,7 @@ BallOfLetter spread_point(int attempt) {
 
 // Whether what is zero at one point is so at others, where inverse functions and roots are on other branches.
 bool is_zero_elsewhere(const Generators& generators, const Polynomial& polynomial) {
-  constexpr int points = 24;
+  constexpr int points = 24;  // with both signs and several sizes of each letter
   for (int attempt = 1; attempt <= points; ++attempt) {
     const Ball value = ball_of(generators, polynomial, spread_point(attempt), 256);
     if (arb_is_finite(value.get()) && !arb_contains_zero(value.get())) return false;

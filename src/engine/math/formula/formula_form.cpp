@@ -29,7 +29,7 @@ double nearest_double(const Integer& numerator, const Integer& denominator) {
 // Numbers of many digits as decimals: a decimal of up to 17 digits exactly; what was a double by the digits that tell
 // it from other doubles; what has more than 40 digits by those of a double.
 std::optional<std::string> decimal_digits(const Integer& numerator, const Integer& denominator) {
-  constexpr int short_denominator = 1000;
+  constexpr int short_denominator = 1000;  // three digits are read as a fraction: 7/960, not 0.00729166...
   if (fmpz_cmp_si(denominator.get(), short_denominator) <= 0) return std::nullopt;
   Integer rest(denominator);
   Integer prime(2);

@@ -45,7 +45,7 @@ void check_limits(std::size_t terms) {
 }
 
 void count_formula_work(double operations) {
-  constexpr double of_any = 300;
+  constexpr double of_any = 300;  // what any operation takes beside its terms: memory is taken and given back
   count_work(static_cast<Work>(of_any + operations));
 }
 

@@ -114,7 +114,7 @@ Formula root_of_integer(const Integer& number) {
   Formula root(1);
   IntegerFactors held;
   fmpz_factor_struct* const factors = held.get();
-  // Large numbers are only freed of small factors.
+  // Large numbers are only freed of small factors: beyond this size finding all may take long.
   constexpr int certain_bits = 128;
   if (fmpz_bits(number.get()) <= certain_bits) {
     fmpz_factor(factors, number.get());

@@ -7,6 +7,7 @@ namespace {
 
 using namespace symbolic;
 
+// Each squaring takes away a root and may square the number of terms; with more roots than these nothing is decided.
 constexpr int most_squarings = 4;
 constexpr int most_factored = 250;      // terms, in all
 constexpr int most_splits = 3;          // by coefficients, one within the other

@@ -10,7 +10,7 @@ namespace {
 
 using Exponents = std::vector<int>;
 
-// Beyond so many terms only the plainest forms are tried.
+// Beyond so many terms only the plainest forms are tried, as in formula_trigonometry.cpp.
 constexpr std::size_t few_terms_of_sum = 60;
 
 bool is_root(const Form& form) { return form.kind == Form::Kind::call && form.text == "sqrt"; }

@@ -10,7 +10,7 @@ namespace {
 
 using Exponents = std::vector<int>;
 
-// Beyond so many terms only the plainest forms are tried.
+// Beyond so many terms only the plainest forms are tried, since each further one is a formula of that size.
 constexpr std::size_t few_terms = 60;
 
 Form generator_form(const GeneratorPointer& g);
@@ -194,7 +194,7 @@ ScaledForm trigonometric_form(const Generators& generators, const Polynomial& po
   for (std::size_t k = 0; k < sums.size(); ++k)
     order.emplace_back(flat_operators(sums[k].polynomial, sums[k].variables), k);
   std::sort(order.begin(), order.end());
-  constexpr std::size_t worked_out = 4;
+  constexpr std::size_t worked_out = 4;  // of those that are shortest before factors are pulled out
   if (order.size() > worked_out) order.resize(worked_out);
 
   std::optional<ScaledForm> best;
