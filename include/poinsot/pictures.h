@@ -1,5 +1,5 @@
-// Pictures of what was found: line drawings as a printed text would have them, pages that a browser shows, and files for
-// programs that show solids. They are made from the answer document and contain no mechanics.
+// Pictures of what was found: line drawings as a printed text would have them, pages that a browser shows, and files
+// for programs that show solids. They are made from the answer document and contain no mechanics.
 #pragma once
 
 #include <cstddef>

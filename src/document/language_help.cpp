@@ -92,8 +92,8 @@ std::string help_on_function(std::string_view word, const std::vector<FunctionFo
 
 std::string help_on_unit(std::string_view word) {
   if (const NamedUnit* unit = problem::find_unit(word))
-    return fmt::format("{}: a unit, {:.10g} {}, for {}\n", word, unit->factor,
-                       problem::format_unit(unit->dimension), problem::to_string(unit->dimension));
+    return fmt::format("{}: a unit, {:.10g} {}, for {}\n", word, unit->factor, problem::format_unit(unit->dimension),
+                       problem::to_string(unit->dimension));
   if (const problem::WrongUnit* wrong = problem::find_wrong_unit(word))
     return fmt::format("{}: no unit of the language{}{}; write {}\n", word, wrong->message.empty() ? "" : ": ",
                        wrong->message, wrong->repair);

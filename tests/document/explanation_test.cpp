@@ -321,9 +321,10 @@ claim:
   falls: {claim: "theta'' < 0", assume: [0 < theta < 180 deg]}
   wrong: "theta'' == -g*sin(theta)/L"
 )");
-  for (const char* piece : {"\\text{left} &= \\frac{m L^{2} \\dot{\\theta}^{2}}{6}", "\\text{left} - \\text{right} &= 0",
-                            "\\frac{\\mathrm{d}}{\\mathrm{d}t}\\,V &= \\frac{m g L \\dot{\\theta} \\sin \\theta}{2}",
-                            "\\text{sum} &= 0", "$\\theta = 2 \\arctan p_{1}$", "< 0", "the left side is $"})
+  for (const char* piece :
+       {"\\text{left} &= \\frac{m L^{2} \\dot{\\theta}^{2}}{6}", "\\text{left} - \\text{right} &= 0",
+        "\\frac{\\mathrm{d}}{\\mathrm{d}t}\\,V &= \\frac{m g L \\dot{\\theta} \\sin \\theta}{2}", "\\text{sum} &= 0",
+        "$\\theta = 2 \\arctan p_{1}$", "< 0", "the left side is $"})
     EXPECT_NE(text.find(piece), std::string::npos) << piece << "\n" << text;
 }
 
