@@ -307,6 +307,18 @@ void Course::Piece::check_winding(const Trajectory& way) const {
   }
 }
 
+double Course::Piece::largest_kinetic_energy(const Trajectory& way) {
+  constexpr std::size_t looks = 64;
+  const auto at = [&](double time) {
+    const State<double> there = way.state(time);
+    return dynamics_->kinetic_energy(there.q, there.v);
+  };
+  double largest = 0;
+  for (std::size_t i = 0; i < way.step_count(); i += 1 + way.step_count() / looks)
+    largest = std::max(largest, at(way.step(i).start));
+  return way.empty() ? largest : std::max(largest, at(way.end_time()));
+}
+
 IntegrationResult Course::Piece::follow(double end, Work most) {
   IntegrationOptions options;
   options.tolerance = motion_.tolerance_;

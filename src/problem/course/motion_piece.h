@@ -51,9 +51,8 @@ class Course::Piece {
   bool would_press_in(std::size_t action) {
     return problem::would_press_in(*dynamics_, action, now_.q, now_.v, motion_.pace_time_);
   }
-  double kinetic_energy(std::span<const double> q, std::span<const double> v) {
-    return dynamics_->kinetic_energy(q, v);
-  }
+  // Looked for at some steps of the way, its ends among them.
+  double largest_kinetic_energy(const Trajectory& way);
   std::vector<bool>& acting() { return acting_; }
   const Machine& machine() const { return machine_; }
 

@@ -147,7 +147,7 @@ void Course::keep(std::size_t stage, Piece& piece, IntegrationResult& result) {
     throw UnansweredError(situation_.file, mark_of(stage),
                           words_of(stage) + " cannot be followed: " + poinsot::describe(result), "let it last shorter");
   if (!result.drift.empty()) {
-    const double size = std::max(std::abs(result.drift[0].start), piece.kinetic_energy(result.q, result.v));
+    const double size = std::max(std::abs(result.drift[0].start), piece.largest_kinetic_energy(result.trajectory));
     energy_drift_ = std::max(energy_drift_.value_or(0), size > 0 ? result.drift[0].largest / size : 0);
   }
   StageRun& now = stages_[stage];

@@ -381,10 +381,10 @@ SolvedInstant::Residuals SolvedInstant::check() const {
     }
     bodies.push_back(std::move(body));
   }
-  if (impulse_size > 0) residuals.impulse = impulse_misfit / impulse_size;
-  impulse_moment_size = std::max(impulse_moment_size, impulse_size * scales_.length);
-  if (impulse_moment_size > 0)
-    residuals.impulse = std::max(residuals.impulse, impulse_moment_misfit / impulse_moment_size);
+  // A couple alone leaves nothing but rounding of momenta, and a push towards the origin of moments.
+  const double impulse_scale = std::max(impulse_size, impulse_moment_size / scales_.length);
+  if (impulse_scale > 0)
+    residuals.impulse = std::max(impulse_misfit, impulse_moment_misfit / scales_.length) / impulse_scale;
   residuals.particles = solve::check_with_particles(machine_.links, bodies, machine_.q, v_, a);
   if (!mechanism.constraints.empty()) {
     solve::ConstraintClaim claim{scales_.length, pace(), motion_.has_value(), {}};

@@ -101,7 +101,9 @@ std::optional<std::vector<SolvedInstant::Between>> SolvedInstant::over_all_share
                                : std::vector<double>{};
   };
   const std::size_t directions = motion_->open.size();
-  std::vector<double> here;
+  // One more place shows whether the value is linear; rounding leaves a millionth of a millionth of its terms.
+  constexpr double rounding = 1e-10;
+  std::vector<double> here, size;
   std::vector<std::vector<double>> slopes;  // of each number, along each direction
   bool linear = true;
   try {
@@ -114,7 +116,8 @@ std::optional<std::vector<SolvedInstant::Between>> SolvedInstant::over_all_share
     here = numbers_at(found);
     slopes.assign(here.size(), std::vector<double>(directions, 0));
     const double amount = motion_->size > 0 ? motion_->size : 1;
-    std::vector<double> all(directions), expected = here, size(here.size(), 0);
+    std::vector<double> all(directions), expected = here;
+    size.assign(here.size(), 0);
     for (std::size_t d = 0; d < directions; ++d) {
       std::vector<double> one(directions, 0);
       one[d] = amount;
@@ -126,8 +129,6 @@ std::optional<std::vector<SolvedInstant::Between>> SolvedInstant::over_all_share
         size[i] += std::abs(all[d] * slopes[i][d]) + std::abs(here[i]);
       }
     }
-    // One more place shows whether the value is linear; rounding leaves a millionth of a millionth of its terms.
-    constexpr double rounding = 1e-10;
     const std::vector<double> there = moved(all);
     for (std::size_t i = 0; i < here.size(); ++i)
       linear = linear && std::abs(there[i] - expected[i]) <= rounding * size[i];
@@ -145,7 +146,8 @@ std::optional<std::vector<SolvedInstant::Between>> SolvedInstant::over_all_share
     const std::optional<double> more = largest_over_shares(*motion_, one_sided, accelerations, slopes[i]),
                                 less = largest_over_shares(*motion_, one_sided, accelerations, down);
     if (!more || !less) return std::nullopt;
-    ranges.push_back({here[i] - *less, here[i] + *more});
+    const auto without_rounding = [&](double end) { return std::abs(end) <= rounding * size[i] ? 0 : end; };
+    ranges.push_back({without_rounding(here[i] - *less), without_rounding(here[i] + *more)});
   }
   return ranges;
 }

@@ -137,7 +137,8 @@ Sample::Home Sample::home(const Expression& expression, const Mark& mark) {
          "write " + to_string(expression) + " @ one of " + joined(names_of(statement_.situations)));
   }
   const auto& stages = statement_.situations.front().stages;
-  if (stages.size() > 1 && !statement_.situations.front().has_blow() && !asks_motion_feature(expression)) {
+  if (stages.size() > 1 && !statement_.situations.front().has_blow() && !asks_motion_feature(expression) &&
+      asks_instant(expression)) {
     fail(statement_.file, mark, "in which stage is this asked?",
          "write " + to_string(expression) + " @ one of " + joined(names_of(stages)));
   }

@@ -43,6 +43,26 @@ ask: {t: tension(c), a: acceleration(p), p: momentum(p)}
   EXPECT_EQ(solution.asks[2].state, AskState::found);
 }
 
+// A couple leaves nothing but rounding of linear momenta, which is not held against itself.
+TEST(Unphysical, a_twist_in_no_time_is_no_fault) {
+  const std::string wheel = R"(
+points: {O: [0, 0, 0]}
+bodies: {wheel: {mass: 5 kg, center: O, inertia: {axis: x, axial: 2 kg*m^2, transverse: 2 kg*m^2}}}
+gravity: none
+find: {M: N*m*s}
+impulses: {twist: {body: wheel, couple: [M, 0, 0]}}
+ask: {M: M}
+)";
+  for (const std::string& motion :
+       {std::string("joints: {axle: {revolute: x, at: O, to: wheel, angle: q}}\n"
+                    "instants: {before: {q': 0}, after: {q': 3 rad/s}}\n"),
+        std::string("instants: {before: rest, after: {angular_velocity(wheel): [3 rad/s, 0, 0]}}\n")}) {
+    const Solution solution = solved(wheel + motion);
+    EXPECT_EQ(solution.asks[0].state, AskState::found) << solution.asks[0].reason;
+    EXPECT_NEAR(solution.asks[0].value.number, 6, 1e-12);
+  }
+}
+
 TEST(Unphysical, tables_say_from_which_row_on) {
   const std::string table = "t: {table: {F: F, t: tension(c), a: acceleration(p).y}, over: {F: RANGE}}";
   const auto over = [&](const std::string& range) {

@@ -108,6 +108,18 @@ TEST(ShareRanges, of_sums_are_those_of_the_sum) {
   EXPECT_NE(diagonal.reason.find("it lies between 0 and 98.0665 N"), std::string::npos) << diagonal.reason;
 }
 
+TEST(ShareRanges, begin_at_zero_where_nothing_presses) {
+  // A bevel gear on a turning arm: the bearing of the arm can hold it down on the fixed gear as hard as it likes.
+  const SolvedAsk mesh = asked(
+      "points: {O: [0, 0, 0], G: [8 in, 0, 0], C: [8 in, -4 in, 0]}\n"
+      "bodies: {arm: massless, gear: {disk: {center: G, normal: x, radius: 4 in}, weight: 6 lb}}\n"
+      "joints:\n  column: {revolute: y, at: O, to: arm, rate: 90 rpm, accel: 0}\n"
+      "  pin: {revolute: x, at: G, from: arm, to: gear}\n"
+      "contacts: {mesh: {of: gear, at: C, normal: y, no_slip: true, carries: [push]}}\n"
+      "gravity: -y\nask: {N: force(mesh on gear).y}\n");
+  EXPECT_NE(mesh.reason.find("as none of them pulls, it is 0 lb or more"), std::string::npos) << mesh.reason;
+}
+
 TEST(ShareRanges, nothing_is_said_of_what_nothing_bounds) {
   // Squares of forces are not linear.
   const SolvedAsk square = asked(plate(corners, 10, 0, {0, 0}, "N: 'force(c0 on plate).z^2'"));

@@ -51,6 +51,20 @@ TEST(StoredEnergy, IsLessByWhatADamperTakes) {
   EXPECT_NEAR(solved.number("rate"), taken, 1e-9 * std::abs(taken));
 }
 
+// Let go at the height of the origin with its spring relaxed, an arm has no energy at all, and none of motion when it
+// turns back: the size of what drifts is that on the way.
+TEST(StoredEnergy, IsKeptBetweenTwoStatesOfRest) {
+  constexpr double m = 3, length = 1, k = 4, g = 9.80665, inertia = m * length * length / 3;
+  const SolvedText solved(
+      "title: t\npoints: {O: [0, 0, 0], A: [1 m, 0, 0]}\nbodies: {arm: {rod: [O, A], mass: 3 kg}}\n"
+      "joints: {pin: {revolute: z, at: O, to: arm, angle: q, spring: {stiffness: 4 N*m/rad}}}\n"
+      "gravity: -y\ninstants: {start: {q: 0, q': 0}}\nstages: {swing: {until: q' == 0}}\n"
+      "ask: {fast: max(abs(q'))}\n");
+  double most = 0;
+  for (double q = 0; q < 3; q += 1e-4) most = std::max(most, m * g * length / 2 * std::sin(q) - k * q * q / 2);
+  EXPECT_NEAR(solved.number("fast"), std::sqrt(2 * most / inertia), 1e-7);
+}
+
 TEST(SteadyData, AreRefusedWhereTheyFollowTime) {
   const std::string rail =
       "title: t\ngiven: {k: 10 N/m*(1 + sin(3 rad/s * time)), m: 1 kg}\n"

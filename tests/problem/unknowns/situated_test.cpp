@@ -49,6 +49,22 @@ TEST(Situated, TimesAreThoseOfTheSituationNamed) {
     EXPECT_NEAR(all.items[k].number, (2.0 * static_cast<double>(k) + 1) * large, 1e-9);
 }
 
+// What is found for the whole statement is asked without saying when.
+TEST(Situated, AnUnknownOfSeveralStagesIsOne) {
+  const std::string text =
+      "title: t\nfind: {t: s}\npoints: {O: [0, 0, 0]}\n"
+      "bodies: {w: {mass: 4 kg, center: O, inertia: {axis: z, axial: 3 kg*m^2, transverse: 3 kg*m^2}}}\n"
+      "joints: {axle: {revolute: z, at: O, to: w, angle: a}}\nloads: {motor: {couple: [0, 0, 6 N*m], body: w}}\n"
+      "gravity: none\nstages: {driven: {lasts: t}, coasting: {loads: [], lasts: 10 s}}\n"
+      "instants: {start: rest, driven.end: {\"a'\": 8 rad/s}}\nask: {WHAT}\n";
+  const auto asking = [&](const std::string& what) {
+    std::string whole = text;
+    return whole.replace(whole.find("WHAT"), 4, what);
+  };
+  EXPECT_NEAR(SolvedText(asking("t: t")).number("t"), 4, 1e-9);
+  EXPECT_NE(failure_of_text(asking("w: \"a'\"")).find("in which stage is this asked?"), std::string::npos);
+}
+
 TEST(Situated, ATableMayCompareSituations) {
   const SolvedText solved(
       swings +
