@@ -4,9 +4,17 @@
 #include <cctype>
 
 #include "problem/keys/keys.h"
+#include "problem/language/customary_words.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {
+namespace {
+
+std::string with_article(const std::string& object) {
+  return (std::string_view("aeiou").find(object.front()) == std::string_view::npos ? "a " : "an ") + object;
+}
+
+}  // namespace
 
 Members::Members(const Entry& entry, const std::string& file, std::vector<std::string_view> objects,
                  std::vector<std::string> extra)
@@ -18,12 +26,13 @@ Members::Members(const Entry& entry, const std::string& file, std::vector<std::s
     fail(file, entry.mark, "expected a map of keys for '" + object_ + "'", "its keys are " + joined(known));
   for (const auto& [key, value] : entry.members) {
     if (std::find(known.begin(), known.end(), key.text) != known.end()) continue;
-    const std::string near = nearest(key.text, known);
+    const std::string custom = customary_key(key.text, known);
+    const std::string near = custom.empty() ? nearest(key.text, known) : custom;
     // A number is no key: in braces the comma of 0,8 begins another entry.
     if (!key.text.empty() && key.text.front() >= '0' && key.text.front() <= '9')
       fail(file, key.mark, "a key is expected here, not '" + key.text + "'",
            "a decimal is written with a point: 0.8, not 0,8");
-    fail(file, key.mark, "unknown key '" + key.text + "' in a " + object_,
+    fail(file, key.mark, "unknown key '" + key.text + "' in " + with_article(object_),
          near.empty() ? "known keys: " + joined(known) : "did you mean '" + near + "'?");
   }
 }
@@ -37,7 +46,7 @@ Mark Members::mark_of(std::string_view key) const {
 
 const Entry& Members::require(std::string_view key, std::string_view example) const {
   if (const Entry* found = find(key)) return *found;
-  fail(*file_, entry_->mark, "a " + object_ + " needs the key '" + std::string(key) + "'",
+  fail(*file_, entry_->mark, with_article(object_) + " needs the key '" + std::string(key) + "'",
        "write " + std::string(example));
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "problem/language/customary_words.h"
 #include "problem/language/evaluate_templates.h"
 
 namespace poinsot::problem {
@@ -46,7 +47,9 @@ UnknownCall describe_unknown_call(const Call& call, const std::vector<std::strin
     names.push_back(known.name);
   }
   names.insert(names.end(), others.begin(), others.end());
-  return {"there is no function '" + call.function + "'", did_you_mean(call.function, names)};
+  const std::string custom = customary_call(call.function, names);
+  return {"there is no function '" + call.function + "'",
+          custom.empty() ? did_you_mean(call.function, names) : "write " + custom};
 }
 
 template class Evaluator<double>;

@@ -60,6 +60,9 @@ void fail_unclosed(const ExpressionSource& source, const TokenReader& tokens, co
     if (bracket.list_item && bracket.opening.is_sign("(")) {
       hint += function.empty() ? "; a comma ends the item of a list"
                                : "; a comma ends the item of a list, so " + form_of(function, "are joined by words");
+    } else if (token.kind == Token::Kind::end && bracket.opening.is_sign("(")) {
+      hint += "; if a comma ended it, " +
+              (function.empty() ? "a vector goes into brackets, [a, b, c]" : form_of(function, "are joined by words"));
     }
     source.fail(bracket.opening.begin, "'" + bracket.opening.text + "' is never closed", hint);
   }
@@ -114,6 +117,10 @@ void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, b
   if (tokens.before().kind == Token::Kind::name && token.kind == Token::Kind::name && is_unit_name(token.text))
     source.fail(token.begin, here + " is a unit, which stands behind a number",
                 "write '" + tokens.before().text + " * 1 " + token.text + "'");
+  if (const Token& before = tokens.before();
+      before.kind == Token::Kind::literal && before.has_unit && token.kind == Token::Kind::literal && token.has_unit)
+    source.fail(token.begin, "a sign is missing between " + source.quoted(before) + " and " + here,
+                "write '" + source.written(before) + " + " + source.written(token) + "' to add");
   const std::string repair = simple ? source.written(tokens.before()) + "*" + source.written(token) : "a*b";
   const bool two_names = tokens.before().kind == Token::Kind::name && token.kind == Token::Kind::name;
   const std::string call = two_names && tokens.before().primes == 0

@@ -226,7 +226,9 @@ class Parser {
       const std::size_t mark = now().begin;
       tokens_.step();
       if (expression.as<Number>()) {
-        source_.fail(mark, "a point stands after a number", "components are those of vectors, v.x");
+        source_.fail(mark, "a point stands after a number",
+                     now().kind == Token::Kind::end ? "units are written without one: 12 in"
+                                                    : "components are those of vectors, v.x");
       }
       if (now().kind != Token::Kind::name || now().primes > 0) {
         source_.fail(now().begin, "a name is missing after '.'", "write a component or part of something, v.x");

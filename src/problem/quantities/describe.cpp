@@ -152,7 +152,8 @@ std::string call_words(const Expression& expression, const Situation& situation)
 
 std::string words_of(const Expression& expression, const Situation& situation) {
   if (expression.as<Call>()) return call_words(expression, situation);
-  if (const At* at = expression.as<At>()) return words_of(at->expression, situation) + " @ " + at->instant;
+  if (const At* at = expression.as<At>(); at && !at->expression.as<Binary>())
+    return words_of(at->expression, situation) + " @ " + at->instant;
   if (const Of* of = expression.as<Of>())
     return words_of(of->point, situation) + " of " + words_of(of->body, situation);
   if (const List* list = expression.as<List>()) {

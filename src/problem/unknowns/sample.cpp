@@ -121,14 +121,13 @@ std::optional<Sample::Home> Sample::resolve_in(std::size_t i, const At& at, std:
 
 Sample::Home Sample::home(const Expression& expression, const Mark& mark) {
   const bool one = statement_.situations.size() == 1 && statement_.situations.front().stages.size() <= 1;
-  const At* at = first_at(expression);
-  const bool elsewhere = at && !asks_model(statement_.situations.front(), expression, false);
-  const bool in_time = at && at->when.as<Number>();
-  if (at && (elsewhere || !one || in_time)) {
-    if (!elsewhere)
+  if (const At* at = first_at(expression)) {
+    const bool elsewhere = !asks_model(statement_.situations.front(), expression, false);
+    if (elsewhere) return resolve(*at, at->instant_mark);
+    // What stands without @ is meant where everything begins: with what comes later it would make no sense.
+    if (!one || at->when.as<Number>() || resolve(*at, at->instant_mark).time)
       fail(statement_.file, mark, "a part of this stands without @: when is it meant?",
-           "write @ " + at->instant + " or another instant behind every quantity");
-    return resolve(*at, at->instant_mark);
+           "write @ " + at->instant + " or another instant behind every quantity, or behind the whole in parentheses");
   }
   if (statement_.situations.size() > 1 && !asks_instant(expression) && !asks_own_unknown(expression))
     return start_of(0);

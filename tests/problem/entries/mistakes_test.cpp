@@ -36,6 +36,39 @@ ask: {a: angular_momentum(disk about O)}
 )",
        "test.yaml:3:46: error: unknown key 'raduis' in a disk (did you mean 'radius'?)",
        {}},
+      {"AKeyOfOtherBooks",
+       R"(title: t
+points: {O: [0, 0, 0]}
+bodies: {disk: {disk: {center: O, normal: y, diameter: 0.2 m}, mass: 3 kg}}
+ask: {a: mass(disk)}
+)",
+       "test.yaml:3:46: error: unknown key 'diameter' in a disk (did you mean 'radius'?)",
+       {}},
+      {"AJointOfOtherBooks",
+       R"(title: t
+points: {O: [0, 0, 0]}
+bodies: {disk: {disk: {center: O, normal: y, radius: 0.2 m}, mass: 3 kg}}
+joints: {shaft: {hinge: y, at: O, to: disk}}
+ask: {a: mass(disk)}
+)",
+       "test.yaml:4:18: error: unknown key 'hinge' in a joint (did you mean 'revolute'?)",
+       {}},
+      {"AnUnknownKeyOfAnAsk",
+       R"(title: t
+points: {O: [0, 0, 0]}
+bodies: {disk: {disk: {center: O, normal: y, radius: 0.2 m}, mass: 3 kg}}
+ask: {a: {of: mass(disk), units: slug}}
+)",
+       "test.yaml:4:27: error: unknown key 'units' in an ask (did you mean 'unit'?)",
+       {}},
+      {"AQuantityOfOtherBooks",
+       R"(title: t
+points: {O: [0, 0, 0]}
+bodies: {disk: {disk: {center: O, normal: y, radius: 0.2 m}, mass: 3 kg}}
+ask: {a: speed(disk)}
+)",
+       "test.yaml:4:10: error: there is no function 'speed' (write norm(velocity(A of plate)))",
+       {}},
       {"UnknownKeyAtTheTop",
        R"(titel: t
 bodies: {disk: {disk: {center: O, normal: y, radius: 0.2 m}, mass: 3 kg}}

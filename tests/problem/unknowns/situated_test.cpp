@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "problem/course/motion_support.h"
+#include "problem/quantities/describe.h"
 
 namespace poinsot::problem {
 namespace situated_test {
@@ -63,6 +64,31 @@ TEST(Situated, AnUnknownOfSeveralStagesIsOne) {
   };
   EXPECT_NEAR(SolvedText(asking("t: t")).number("t"), 4, 1e-9);
   EXPECT_NE(failure_of_text(asking("w: \"a'\"")).find("in which stage is this asked?"), std::string::npos);
+}
+
+// An energy at one time and another at the next are no sum.
+TEST(Situated, WhatIsMeantLaterSaysSoOfEveryPart) {
+  const auto asking = [](const std::string& what) {
+    return "title: t\npoints: {O: [0, 0, 0], P: [1 m, 0, 0]}\nbodies: {rod: {rod: [O, P], mass: 2 kg}}\n"
+           "joints: {pin: {revolute: z, at: O, to: rod, angle: q}}\ngravity: -y\n"
+           "instants: {start: {q: 0, \"q'\": 1 rad/s}, low: {first_time: q == -90 deg}}\n"
+           "stages: {run: {lasts: 3 s}}\nask: {E: '" +
+           what + "'}\n";
+  };
+  for (const std::string when : {"low", "run.end", "0.1 s"}) {
+    EXPECT_NE(failure_of_text(asking("kinetic_energy(rod) + potential_energy(rod) @ " + when))
+                  .find("a part of this stands without @: when is it meant? (write @ " + when),
+              std::string::npos)
+        << when;
+    const SolvedText whole(asking("(kinetic_energy(rod) + potential_energy(rod)) @ " + when));
+    EXPECT_NEAR(whole.number("E"), 1.0 / 3, 1e-9) << when;
+  }
+  const Statement statement =
+      read_statement(asking("(kinetic_energy(rod) + potential_energy(rod)) @ low"), "test.yaml");
+  EXPECT_EQ(describe(statement.asks.front(), statement.situations.front(), false),
+            "(kinetic_energy(rod) + potential_energy(rod)) @ low");
+  // The beginning is where everything without @ is meant.
+  EXPECT_NEAR(SolvedText(asking("kinetic_energy(rod) + potential_energy(rod) @ start")).number("E"), 1.0 / 3, 1e-9);
 }
 
 TEST(Situated, ATableMayCompareSituations) {

@@ -1,0 +1,165 @@
+#include "problem/language/customary_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace poinsot::problem {
+namespace {
+
+struct Custom {
+  std::string_view elsewhere;  // in lower case
+  std::string_view here;
+};
+
+// One word may stand several times: which is meant is told by what is known where it stands.
+constexpr std::array customs{
+    // joints
+    Custom{"hinge", "revolute"},
+    Custom{"pin", "revolute"},
+    Custom{"pivot", "revolute"},
+    Custom{"bearing", "revolute"},
+    Custom{"rotational", "revolute"},
+    Custom{"slider", "prismatic"},
+    Custom{"slide", "prismatic"},
+    Custom{"guide", "prismatic"},
+    Custom{"translational", "prismatic"},
+    Custom{"spherical", "ball"},
+    Custom{"socket", "ball"},
+    Custom{"ball_and_socket", "ball"},
+    Custom{"fixed", "weld"},
+    Custom{"rigid", "weld"},
+    Custom{"clamp", "weld"},
+    Custom{"hooke", "universal"},
+    Custom{"cardan", "universal"},
+    Custom{"omega", "rate"},
+    Custom{"angular_velocity", "rate"},
+    Custom{"velocity", "rate"},
+    Custom{"speed", "rate"},
+    Custom{"alpha", "accel"},
+    Custom{"acceleration", "accel"},
+    Custom{"angular_acceleration", "accel"},
+    Custom{"torque", "couple"},
+    Custom{"moment", "couple"},
+    Custom{"body", "to"},
+    Custom{"child", "to"},
+    Custom{"parent", "from"},
+    Custom{"base", "from"},
+    Custom{"point", "at"},
+    Custom{"location", "at"},
+    Custom{"origin", "at"},
+    // bodies and their shapes
+    Custom{"slender_rod", "rod"},
+    Custom{"bar", "rod"},
+    Custom{"slender_bar", "rod"},
+    Custom{"point_mass", "particle"},
+    Custom{"hoop", "ring"},
+    Custom{"circle", "ring"},
+    Custom{"plate", "rectangle"},
+    Custom{"square", "rectangle"},
+    Custom{"circular_plate", "disk"},
+    Custom{"wheel", "disk"},
+    Custom{"block", "box"},
+    Custom{"brick", "box"},
+    Custom{"cuboid", "box"},
+    Custom{"ball", "sphere"},
+    Custom{"hollow_cylinder", "tube"},
+    Custom{"pipe", "tube"},
+    Custom{"diameter", "radius"},
+    Custom{"height", "length"},
+    Custom{"inertia_tensor", "inertia_matrix"},
+    Custom{"tensor", "inertia_matrix"},
+    Custom{"moments_of_inertia", "inertia"},
+    Custom{"radius_of_gyration", "radii_of_gyration"},
+    Custom{"mass_center", "center"},
+    Custom{"center_of_mass", "center"},
+    Custom{"centroid", "center"},
+    Custom{"cg", "center"},
+    Custom{"com", "center"},
+    // springs, contacts and blows
+    Custom{"k", "stiffness"},
+    Custom{"spring_constant", "stiffness"},
+    Custom{"c", "damping"},
+    Custom{"damper", "damping"},
+    Custom{"damping_coefficient", "damping"},
+    Custom{"rest_length", "free_length"},
+    Custom{"natural_length", "free_length"},
+    Custom{"unstretched_length", "free_length"},
+    Custom{"length", "free_length"},
+    Custom{"rolling", "no_slip"},
+    Custom{"rolls", "no_slip"},
+    Custom{"rough", "no_slip"},
+    Custom{"e", "restitution"},
+    Custom{"coefficient_of_restitution", "restitution"},
+    // sections
+    Custom{"data", "given"},
+    Custom{"parameters", "given"},
+    Custom{"constants", "given"},
+    Custom{"known", "given"},
+    Custom{"symbols", "letters"},
+    Custom{"variables", "letters"},
+    Custom{"unknowns", "find"},
+    Custom{"solve", "find"},
+    Custom{"questions", "ask"},
+    Custom{"outputs", "ask"},
+    Custom{"connections", "joints"},
+    Custom{"forces", "loads"},
+    Custom{"initial", "instants"},
+    Custom{"initial_conditions", "instants"},
+    Custom{"name", "title"},
+    // quantities and functions
+    Custom{"speed", "norm(velocity(A of plate))"},
+    Custom{"magnitude", "norm(v)"},
+    Custom{"mag", "norm(v)"},
+    Custom{"length", "norm(v)"},
+    Custom{"power", "dot(force(J on plate) with velocity(A of plate))"},
+    Custom{"ke", "kinetic_energy(plate)"},
+    Custom{"pe", "potential_energy(plate)"},
+    Custom{"energy", "kinetic_energy(plate) + potential_energy(plate)"},
+    Custom{"linear_momentum", "momentum(plate)"},
+    Custom{"omega", "angular_velocity(plate)"},
+    Custom{"alpha", "angular_acceleration(plate)"},
+    Custom{"inertia", "moment_of_inertia(plate about x at A)"},
+    Custom{"inertia_tensor", "inertia_matrix(plate about A)"},
+    Custom{"product_of_inertia", "products_of_inertia(plate about A)"},
+    Custom{"moment", "couple(J on plate about P)"},
+    Custom{"torque", "couple(J on plate about P)"},
+    Custom{"reaction_force", "reaction(J)"},
+    Custom{"reaction_moment", "reaction_couple(J)"},
+    Custom{"mass_center", "center(plate)"},
+    Custom{"center_of_mass", "center(plate)"},
+    Custom{"centroid", "center(plate)"},
+    Custom{"frequency", "frequencies(plate)"},
+    Custom{"natural_frequency", "frequencies(plate)"},
+    Custom{"precession", "precession_rate(plate)"},
+    Custom{"spin", "spin_rate(plate)"},
+    Custom{"arcsin", "asin(x)"},
+    Custom{"arccos", "acos(x)"},
+    Custom{"arctan", "atan(x)"},
+    Custom{"arctan2", "atan2(y to x)"},
+    Custom{"maximum", "max(X)"},
+    Custom{"minimum", "min(X)"},
+};
+
+std::string customary(std::string_view word, const std::vector<std::string>& known, bool call) {
+  std::string lower(word);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const Custom& custom : customs) {
+    const std::size_t name = custom.here.find('(');
+    if (custom.elsewhere == lower && (name != std::string_view::npos) == call &&
+        std::ranges::find(known, custom.here.substr(0, name)) != known.end())
+      return std::string(custom.here);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string customary_key(std::string_view word, const std::vector<std::string>& known) {
+  return customary(word, known, false);
+}
+std::string customary_call(std::string_view word, const std::vector<std::string>& known) {
+  return customary(word, known, true);
+}
+
+}  // namespace poinsot::problem

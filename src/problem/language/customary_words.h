@@ -1,0 +1,15 @@
+// Words that books and other programs use where the language has another.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace poinsot::problem {
+
+// What is called `word` elsewhere: a key among those known here, or a call of a function among those known, as it is
+// written. "" if there is none.
+std::string customary_key(std::string_view word, const std::vector<std::string>& known);
+std::string customary_call(std::string_view word, const std::vector<std::string>& known);
+
+}  // namespace poinsot::problem
