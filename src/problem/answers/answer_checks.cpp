@@ -128,6 +128,16 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
       } catch (const StatementError&) {
         // Nothing is said of it then.
       }
+  // An unknown that was found from forces is right only if they are: they are found for the check, asked for or not.
+  for (const auto& [home, instant] : sample.instants()) {
+    const Situation& situation = statement.situations[home.situation];
+    if (situation.find.empty() || !situation.neglect.empty() || instant->forces_solved()) continue;
+    try {
+      instant->solve_forces();
+    } catch (const StatementError&) {
+      // Forces that nobody asks for may be open, or none may do.
+    }
+  }
   const auto keep = [&](const char* name, double value) {
     auto [entry, fresh] = result.checks.emplace(name, value);
     if (!fresh) entry->second = std::max(entry->second, value);

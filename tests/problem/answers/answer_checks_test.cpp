@@ -63,6 +63,30 @@ ask: {M: M}
   }
 }
 
+// The tilt of a turn indicator follows from couples: forces are checked though none is asked for.
+TEST(Checks, unknowns_found_from_forces_are_checked_by_forces) {
+  const Solution solution = solved(R"(
+given: {m: 0.2 kg, r: 40 mm, k: 500 N/m}
+find: {tilt: deg}
+where: [-45 deg < tilt < 45 deg]
+gravity: none
+points: {O: [0, 0, 0], A: [0, 0, -50 mm], B: [0, 0, 50 mm], C: A - 100 m * y, D: B - 100 m * y}
+frames: {airplane: {origin: O, turns: y, rate: -0.3 rad/s}}
+bodies: {yoke: massless, disk: {disk: {center: O, normal: z, radius: r}, mass: m}}
+joints:
+  pivot: {revolute: x, at: O, from: airplane, to: yoke, angle: tilt}
+  axle: {revolute: z, from: yoke, to: disk, rate: 10000 rpm, accel: 0}
+springs:
+  AC: {from: airplane, at: C, to: yoke, end: A, stiffness: k, tension: 5 N}
+  BD: {from: airplane, at: D, to: yoke, end: B, stiffness: k, tension: 5 N}
+steady: {frame: airplane}
+ask: {a: tilt}
+)");
+  ASSERT_EQ(solution.asks[0].state, AskState::found);
+  ASSERT_TRUE(solution.checks.contains("newton_euler"));
+  EXPECT_LT(solution.checks.at("newton_euler"), 1e-10);
+}
+
 TEST(Unphysical, tables_say_from_which_row_on) {
   const std::string table = "t: {table: {F: F, t: tension(c), a: acceleration(p).y}, over: {F: RANGE}}";
   const auto over = [&](const std::string& range) {

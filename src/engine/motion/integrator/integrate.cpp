@@ -1,7 +1,5 @@
 #include "poinsot/engine/motion/integrator/integrate.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -10,6 +8,7 @@
 #include "engine/motion/integrator/dormand_prince_853.h"
 #include "engine/motion/integrator/event_search.h"
 #include "engine/motion/integrator/integration_arguments.h"
+#include "engine/motion/integrator/integration_run.h"
 #include "engine/motion/integrator/methods.h"
 #include "engine/motion/integrator/packed_collocation.h"
 #include "poinsot/engine/work/budget.h"
@@ -21,54 +20,9 @@ namespace {
 
 constexpr Work of_a_step = 50;  // for each number of the state, beside the accelerations
 
-// One integration from a start to an end.
-class Run {
- public:
-  Run(const MethodMaker& make, const MotionEquations& equations, const IntegrationOptions& options,
-      std::span<const Event> events, double start, double end)
-      : make_(make),
-        equations_(equations),
-        options_(options),
-        events_(events),
-        start_(start),
-        end_(end),
-        right_side_(equations),
-        scale_(equations, options.tolerance, std::fabs(end - start)) {
-    result_.trajectory = Trajectory(equations.position_size, equations.velocity_size, equations.quaternions);
-    result_.time = start;
-  }
+}  // namespace
 
-  IntegrationResult go(std::span<const double> q, std::span<const double> v);
-  double size(std::size_t i) const { return scale_.size(i); }
-
- private:
-  std::optional<Ending> begin(IntegrationMethod method, double start, std::span<const double> y);
-  std::optional<Ending> one_step();
-  bool is_watched() const { return options_.store || options_.observer || !events_.empty(); }
-  std::optional<IntegrationMethod> successor(StepOutcome outcome) const;
-  bool find_events(StepView& step, std::vector<double>& y_end);
-  bool watches_drift() const { return options_.watch_drift && !equations_.conserved.empty(); }
-  void note_drift(double t, std::span<const double> y);
-  static Ending ending_of(StepOutcome outcome);
-  static std::string words_of(IntegrationMethod method);
-
-  const MethodMaker& make_;
-  const MotionEquations& equations_;
-  const IntegrationOptions& options_;
-  std::span<const Event> events_;
-  double start_, end_;
-  RightSide right_side_;
-  ErrorScale scale_;
-  std::unique_ptr<StepMethod> method_;
-  IntegrationMethod in_use_ = IntegrationMethod::automatic;
-  std::vector<double> y_;
-  std::vector<double> y_sample_;
-  std::vector<char> zero_at_start_;  // the event's value was zero where the next step starts
-  IntegrationResult result_;
-  ProgressTeller progress_{"following the motion"};
-};
-
-Ending Run::ending_of(StepOutcome outcome) {
+Ending IntegrationRun::ending_of(StepOutcome outcome) {
   switch (outcome) {
     case StepOutcome::not_finite:
       return Ending::not_finite;
@@ -83,7 +37,7 @@ Ending Run::ending_of(StepOutcome outcome) {
   return Ending::step_too_small;
 }
 
-std::string Run::words_of(IntegrationMethod method) {
+std::string IntegrationRun::words_of(IntegrationMethod method) {
   switch (method) {
     case IntegrationMethod::stiff:
       return "integrated by backward differentiation formulas";
@@ -97,7 +51,7 @@ std::string Run::words_of(IntegrationMethod method) {
   return "integrated by Dormand and Prince's method of order 8";
 }
 
-std::optional<Ending> Run::begin(IntegrationMethod method, double start, std::span<const double> y) {
+std::optional<Ending> IntegrationRun::begin(IntegrationMethod method, double start, std::span<const double> y) {
   if (method_) {
     result_.statistics.rejected += method_->rejected();
     result_.statistics.evaluations += method_->evaluations();
@@ -114,7 +68,7 @@ std::optional<Ending> Run::begin(IntegrationMethod method, double start, std::sp
   return std::nullopt;
 }
 
-void Run::note_drift(double t, std::span<const double> y) {
+void IntegrationRun::note_drift(double t, std::span<const double> y) {
   for (std::size_t i = 0; i < equations_.conserved.size(); ++i) {
     const double value = equations_.conserved[i].value(t, right_side_.q(y), right_side_.v(y));
     if (result_.drift.size() <= i) {
@@ -128,7 +82,7 @@ void Run::note_drift(double t, std::span<const double> y) {
 }
 
 // Appends the hits in the step. True if a terminal one cut it: then step.end is that instant and y_end the state there.
-bool Run::find_events(StepView& step, std::vector<double>& y_end) {
+bool IntegrationRun::find_events(StepView& step, std::vector<double>& y_end) {
   struct Found {
     std::size_t event;
     Zero zero;
@@ -179,7 +133,7 @@ bool Run::find_events(StepView& step, std::vector<double>& y_end) {
 }
 
 // What goes on where the method in use does badly, if the choice was left open.
-std::optional<IntegrationMethod> Run::successor(StepOutcome outcome) const {
+std::optional<IntegrationMethod> IntegrationRun::successor(StepOutcome outcome) const {
   if (options_.method != IntegrationMethod::automatic || outcome == StepOutcome::advanced) return std::nullopt;
   if (in_use_ == IntegrationMethod::collocation) return IntegrationMethod::explicit_runge_kutta;
   if (in_use_ != IntegrationMethod::stiff && outcome == StepOutcome::stiff && has_stiff_solver())
@@ -188,8 +142,8 @@ std::optional<IntegrationMethod> Run::successor(StepOutcome outcome) const {
 }
 
 // Nothing if the integration goes on.
-std::optional<Ending> Run::one_step() {
-  const StepOutcome outcome = method_->advance(end_);
+std::optional<Ending> IntegrationRun::one_step() {
+  const StepOutcome outcome = method_->advance(step_limit_);
   const std::optional<IntegrationMethod> next = successor(outcome);
   if (outcome == StepOutcome::stiff && options_.method == IntegrationMethod::automatic) {
     // The step that raised the suspicion is good. The next ones are another method's, or go on as they did, to the
@@ -229,7 +183,7 @@ std::optional<Ending> Run::one_step() {
   return std::nullopt;
 }
 
-IntegrationResult Run::go(std::span<const double> q, std::span<const double> v) {
+IntegrationResult IntegrationRun::go(std::span<const double> q, std::span<const double> v) {
   const WorkLimit limit(options_.work);
   y_.assign(q.begin(), q.end());
   y_.insert(y_.end(), v.begin(), v.end());
@@ -253,10 +207,15 @@ IntegrationResult Run::go(std::span<const double> q, std::span<const double> v) 
   if (!ending && result_.time == end_) ending = Ending::reached_end;
   while (!ending) {
     try {
+      if (equations_.project) begun_ = {result_.time, 0, y_};
       ending = one_step();
+      remember_beginning();
     } catch (const SingularPose&) {
-      result_.time = method_->time();
-      std::ranges::copy(method_->state(), y_.begin());
+      const double time = method_->time();
+      const std::vector<double> y(method_->state().begin(), method_->state().end());
+      if (step_over_crossing(ending)) continue;
+      result_.time = time;
+      y_ = y;
       ending = Ending::singular_pose;
     }
     if (ending) break;
@@ -276,9 +235,11 @@ IntegrationResult Run::go(std::span<const double> q, std::span<const double> v) 
   return std::move(result_);
 }
 
+namespace {
+
 // Integrates once more, sixteen times coarser, and compares at the ends of its steps and within them.
 void estimate_error(const MethodMaker& make, const MotionEquations& equations, double start, std::span<const double> q,
-                    std::span<const double> v, const IntegrationOptions& options, const Run& fine,
+                    std::span<const double> v, const IntegrationOptions& options, const IntegrationRun& fine,
                     IntegrationResult& result) {
   const std::size_t nq = q.size();
   const auto apart = [&](std::span<const double> y, std::span<const double> fine_q, std::span<const double> fine_v) {
@@ -308,7 +269,7 @@ void estimate_error(const MethodMaker& make, const MotionEquations& equations, d
       return true;
     };
   }
-  const IntegrationResult other = Run(make, equations, coarse, {}, start, result.time).go(q, v);
+  const IntegrationResult other = IntegrationRun(make, equations, coarse, {}, start, result.time).go(q, v);
   result.statistics.evaluations += other.statistics.evaluations;
   const double unknown = std::numeric_limits<double>::infinity();
   const bool arrived = other.ending == Ending::reached_end;
@@ -347,7 +308,7 @@ IntegrationResult integrate_by(const MethodMaker& make, const MotionEquations& e
                                std::span<const double> q, std::span<const double> v, double end,
                                const IntegrationOptions& options, std::span<const Event> events) {
   check_arguments(equations, start, q, v, end, options, events);
-  Run run(make, equations, options, events, start, end);
+  IntegrationRun run(make, equations, options, events, start, end);
   IntegrationResult result = run.go(q, v);
   if (options.estimate_error) estimate_error(make, equations, start, q, v, options, run, result);
   return result;
@@ -357,40 +318,6 @@ IntegrationResult integrate(const MotionEquations& equations, double start, std:
                             std::span<const double> v, double end, const IntegrationOptions& options,
                             std::span<const Event> events) {
   return integrate_by(make_general_method, equations, start, q, v, end, options, events);
-}
-
-std::string describe(const IntegrationResult& result) {
-  const std::string at = fmt::format(" at {:.6g} s", result.time);
-  switch (result.ending) {
-    case Ending::reached_end:
-      return "the integration reached its end" + at;
-    case Ending::terminal_event:
-      return "an event ended the integration" + at;
-    case Ending::interrupted:
-      return "the integration was interrupted" + at;
-    case Ending::step_limit:
-      return "the limit of " + std::to_string(result.statistics.steps) + " steps ended the integration" + at +
-             ": let it last shorter, or raise the limit or the tolerance";
-    case Ending::work_limit:
-      return "the limit of computing time ended the integration" + at;
-    case Ending::step_too_small:
-      return "the steps became too small" + at +
-             ": the motion is singular there, or the tolerance is finer than rounding allows";
-    case Ending::not_finite:
-      return "the equations of motion give no finite accelerations" + at;
-    case Ending::stiff:
-      return "the equations became stiff" + at +
-             ": accuracy asks for far longer steps than an explicit method can take";
-    case Ending::no_convergence:
-      return "the implicit equations of a step could not be solved" + at + ": a shorter step may do";
-    case Ending::singular_pose:
-      return "the motion came to a pose" + at +
-             " from which it can go on in more than one way, or in none: constraints that bind it elsewhere repeat or "
-             "contradict one another there";
-    case Ending::no_stiff_solver:
-      return "stiff equations need SUNDIALS, and this poinsot was built without it";
-  }
-  return {};
 }
 
 }  // namespace poinsot

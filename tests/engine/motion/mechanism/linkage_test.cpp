@@ -36,9 +36,9 @@ Followed follow(MechanismDynamics& dynamics, const State<double>& start, double 
 }
 
 // Opposite bars are equal. Twice in a turn all lie on one line, where it could go on crossed.
-TEST(Linkage, AParallelogramPassesItsFlatPoseOrStopsThere) {
+TEST(Linkage, AParallelogramPassesItsFlatPose) {
   Random random(5);
-  int passed = 0, turned = 0, stopped = 0;
+  int turned = 0;
   for (int i = 0; i < 40; ++i) {
     FourBar bars;
     bars.a = bars.c = random.uniform(0.2, 0.6);
@@ -53,25 +53,16 @@ TEST(Linkage, AParallelogramPassesItsFlatPoseOrStopsThere) {
     dynamics.project(start.q, start.v);
     const Followed followed = follow(dynamics, start, 3);
     const IntegrationResult& result = followed.result;
-    ASSERT_TRUE(result.ending == Ending::reached_end || result.ending == Ending::singular_pose) << describe(result);
+    ASSERT_TRUE(result.complete()) << describe(result);
     // It never goes over to the crossed form: the coupler keeps its attitude, and the rocker turns as the crank.
     EXPECT_NEAR(result.q[0] + result.q[1], 0, 1e-6);
     EXPECT_NEAR(std::remainder(result.q[0] - result.q[2], 2 * pi), 0, 1e-6);
     EXPECT_LT(followed.gap, 1e-7);
     const double energy = dynamics.kinetic_energy(start.q, start.v);
     EXPECT_LT(result.drift[0].largest, 1e-5 * energy);
-    if (result.complete()) {
-      ++passed;
-      turned += std::abs(result.q[0]) > 2 * pi;
-    } else {
-      ++stopped;
-      EXPECT_NEAR(std::sin(bars.crank_angle + result.q[0]), 0, 0.02);
-      EXPECT_NE(describe(result).find("more than one way"), std::string::npos);
-    }
+    turned += std::abs(result.q[0]) > 2 * pi;
   }
-  EXPECT_GT(passed, 25);
-  EXPECT_GT(turned, 20);
-  EXPECT_GT(stopped, 0);
+  EXPECT_GT(turned, 30);
 }
 
 TEST(Linkage, WhatIsDrawnFlatSaysSo) {
