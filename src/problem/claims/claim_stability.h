@@ -5,20 +5,10 @@
 #include <vector>
 
 #include "problem/claims/claim_proof.h"
-#include "problem/machine/machine.h"
+#include "problem/claims/near_steady_formulas.h"
 #include "problem/results/solution.h"
 
 namespace poinsot::problem {
-
-// A steady motion whose numbers are formulas.
-struct SteadyFormulas {
-  const MachineOf<Formula>& machine;
-  const std::vector<Formula>&q, &v;
-  int frame = 0;          // in which everything rests but for spins
-  std::vector<int> held;  // velocity coordinates whose motion is given, and those of massless turning
-  // How many eigenvalues vanish because the whole can be displaced without changing the motion.
-  std::size_t symmetries = 0;
-};
 
 // Whether by the linearised equations no disturbance grows, apart from such displacements, for all values of the
 // letters that satisfy the assumptions. This is decided for trees of bodies (without loops, contacts or cords) with

@@ -6,31 +6,22 @@
 #include "problem/claims/claim_stability.h"
 #include "problem/claims/claim_trials.h"
 #include "problem/formulas/formula_answers.h"
-#include "problem/instant/massless_turning.h"
 
 namespace poinsot::problem {
 namespace {
 
 // The steady motion with formulas for its numbers; nothing if it has none.
-std::optional<SteadyFormulas> steady_formulas(const ClaimFormulas& formulas, ClaimGround& ground,
-                                              std::size_t most_modes) {
-  const MachineOf<Formula>& machine = formulas.instant().machine();
-  SteadyFormulas motion{
-      machine, formulas.positions(), formulas.velocities(), machine.index.at(ground.situation().steady->frame), {}, 0};
-  for (const auto& rate : machine.accelerations) motion.held.push_back(rate.velocity);
-  // What moves no mass is left out where it is a coordinate by itself.
-  const Machine& base = ground.base().machine();
-  for (const solve::UnseenMotion& unseen : unseen_motions(base.mechanism, base.q, motion.held)) {
-    if (std::ranges::count(unseen.along, 0.0) + 1 < std::ssize(unseen.along)) return std::nullopt;
-    motion.held.push_back(unseen.coordinate);
-  }
-  std::sort(motion.held.begin(), motion.held.end());
-  motion.held.erase(std::unique(motion.held.begin(), motion.held.end()), motion.held.end());
+std::optional<SteadyFormulas> steady_motion(const ClaimFormulas& formulas, ClaimGround& ground,
+                                            std::size_t most_modes) {
+  std::optional<SteadyFormulas> motion =
+      steady_formulas(ground.situation(), formulas.instant().machine(), formulas.positions(), formulas.velocities(),
+                      ground.base().machine());
+  if (!motion) return std::nullopt;
   // Twice as many eigenvalues as free velocities exist. Those that are not among the modes belong to displacements
   // that do not change the motion.
-  const std::size_t all = 2 * (motion.v.size() - motion.held.size());
+  const std::size_t all = 2 * (motion->v.size() - motion->held.size());
   if (most_modes > all) return std::nullopt;
-  motion.symmetries = all - most_modes;
+  motion->symmetries = all - most_modes;
   return motion;
 }
 
@@ -55,7 +46,7 @@ bool proves_steady_stability(const Claim& claim, ClaimGround& ground, std::size_
     for (const Letter& letter : ground.letters())
       if (is_positive(letter)) positive.push_back(letter.name);
     const WorkedAssumptions worked(instant.assumptions(), positive);
-    const std::optional<SteadyFormulas> motion = steady_formulas(*formulas, ground, most_modes);
+    const std::optional<SteadyFormulas> motion = steady_motion(*formulas, ground, most_modes);
     if (!motion) return false;
     const bool decided =
         instant.decisions().signs.empty() && !instant.decisions().zeros_by_digits && taken.signs().empty();

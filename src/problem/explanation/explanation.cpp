@@ -2,14 +2,18 @@
 #include "problem/explanation/explanation.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "poinsot/engine/work/work.h"
 #include "problem/explanation/explanation_claims.h"
 #include "problem/explanation/explanation_instant.h"
 #include "problem/explanation/explanation_model.h"
 #include "problem/explanation/explanation_motion.h"
+#include "problem/explanation/explanation_near_steady.h"
+#include "problem/explanation/shared_factors.h"
 #include "problem/explanation/shown_numbers.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/language/expression_walk.h"
@@ -21,12 +25,12 @@ namespace {
 constexpr Work most_instant_work = 1'500'000'000;  // for all formulas of one instant
 constexpr std::size_t formula_terms = 3000;
 
-// Whether a datum appears in formulas as a number, since it has a special value (0, 45 deg) or is a count (2).
+// Whether a datum appears in formulas as a number, since it makes terms vanish (0, 90 deg) or is a count (2).
 bool stays_number(double value, const Dimension& dimension) {
   if (value == 0) return true;
   if (dimension == dimensions::none) return value == std::round(value);
-  const double steps = value / (std::numbers::pi / 12);
-  constexpr double rounding = 1e-9;  // of 15 degrees, of an angle that was stated in radians with nine digits
+  const double steps = value / (std::numbers::pi / 2);
+  constexpr double rounding = 1e-9;  // of a right angle that was stated in radians with nine digits
   return dimension == dimensions::angle && std::abs(steps - std::round(steps)) < rounding;
 }
 
@@ -93,7 +97,13 @@ class Explainer {
 
   void add_models(const ExplanationTex& tex) {
     for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
-      explanation_.sections.push_back(model_section(situation(i), numbers_.settings()[i], tex, "Model" + suffix_of(i)));
+      // The value of what is to be found is no part of what is given.
+      std::set<std::string> hidden;
+      for (const Unknown& unknown : situation(i).find) hidden.insert(unknown.name);
+      if (const auto limit = numbers_.limits().find(i); limit != numbers_.limits().end())
+        hidden.insert(statement_.asks[limit->second].extremum->name);
+      explanation_.sections.push_back(
+          model_section(situation(i), numbers_.settings()[i], hidden, tex, "Model" + suffix_of(i)));
     }
   }
 
@@ -102,14 +112,12 @@ class Explainer {
     SolvedInstant& instant = numbers_.sample().instant(home);
     SolvedInstant* before =
         instant.after_blow() ? &numbers_.sample().instant({home.situation, 0, std::nullopt}) : nullptr;
-    ExplanationTex tex(stated, numbers_.open_letters(home.situation));
     // In the formulas every datum that is a single number is a letter.
     Situation lettered = stated;
     LetterValues point;
-    const FormulaValues values = formula_values(home.situation, lettered, point);
-    LetterValues in_shown_units;
-    for (const auto& [name, value] : point) in_shown_units[name] = value / tex.unit(values.at(name).dimension).factor;
-    if (stated.habits.customary()) tex.set_letters(in_shown_units);
+    FormulaValues values = formula_values(home.situation, lettered, point);
+    std::vector<std::string> open = numbers_.open_letters(home.situation);
+    const std::vector<std::string> masses = letters_of_any_masses(lettered, values, point);
     const FormulaLimitScope limits({formula_terms, most_instant_work});
     const PlainPointScope decisions(point);
     std::unique_ptr<FormulaInstant> formulas;
@@ -121,9 +129,36 @@ class Explainer {
         formulas.reset();
       }
     }
-    InstantExplainer(stated, instant, before, formulas.get(), point, tex, questions,
+    // Without formulas a mass that may be any is seen in numbers alone.
+    if (formulas) open.insert(open.end(), masses.begin(), masses.end());
+    ExplanationTex tex(stated, std::move(open));
+    if (formulas) tex.set_any_masses(masses.size());
+    LetterValues in_shown_units;
+    for (const auto& [name, value] : point) in_shown_units[name] = value / tex.unit(values.at(name).dimension).factor;
+    if (stated.habits.customary()) tex.set_letters(in_shown_units);
+    const std::vector<Formula> factors = factors_of(values);
+    const std::string suffix = suffix_of(home.situation) + instant_words(home);
+    InstantExplainer(stated, instant, before, formulas.get(), point, factors, tex, questions,
                      numbers_.settings()[home.situation], explanation_)
-        .explain(suffix_of(home.situation) + instant_words(home));
+        .explain(suffix);
+    if (!questions.stability) return;
+    NearSteady near{stated, instant, formulas.get(), point, factors};
+    if (const auto limit = numbers_.limits().find(home.situation); limit != numbers_.limits().end()) {
+      const std::string& name = statement_.asks[limit->second].extremum->name;
+      if (const auto datum = values.find(name); datum != values.end())
+        near.limit = FoundDatum{name, datum->second.dimension, point.at(name)};
+    }
+    explanation_.sections.push_back({"Small disturbances" + suffix, near_steady_steps(near, tex)});
+  }
+
+  // What the terms of an equation may share: data, and the sines and cosines of those that are angles.
+  static std::vector<Formula> factors_of(const FormulaValues& values) {
+    std::vector<Formula> letters, angles;
+    for (const auto& [name, value] : values) {
+      if (!value.is_number() || value.number.letters().empty()) continue;
+      (value.dimension == dimensions::angle ? angles : letters).push_back(value.number);
+    }
+    return possible_factors(letters, angles);
   }
 
   void add_motion(std::size_t index) {
@@ -156,6 +191,33 @@ class Explainer {
     if (home.time) return ", at " + with_digits(*home.time, 4) + " s";
     if (stated.has_blow()) return home.instant == 0 ? ", before the blow" : ", after the blow";
     return ", at the start" + (home.instant > 0 ? " of stage " + std::to_string(home.instant + 1) : std::string());
+  }
+
+  // A mass that may be any has a letter in formulas, so that it is seen to cancel; it has the number that instants take
+  // for it. Returns these letters.
+  static std::vector<std::string> letters_of_any_masses(Situation& lettered, FormulaValues& values,
+                                                        LetterValues& point) {
+    std::vector<std::string> letters;
+    const auto is_any = [](const Body& body) {
+      const Name* name = body.amount.mass ? body.amount.mass->as<Name>() : nullptr;
+      return name && name->name == "any" && body.added.empty();
+    };
+    const auto several = std::ranges::count_if(lettered.bodies, is_any) > 1;
+    for (Body& body : lettered.bodies) {
+      if (!is_any(body)) continue;
+      const std::string letter = several || values.contains("m") ? "m_" + body.name : "m";
+      if (values.contains(letter) || !letters_are_plain(letter)) continue;
+      body.amount.mass = built(Name{letter}, body.amount.mass->mark());
+      lettered.given.push_back({letter, built(Number{1, si_unit(dimensions::mass), true, "1 kg"}, Mark{}), {}});
+      values[letter] = Value<Formula>::of_number(Formula::letter(letter, poinsot::Sign::positive), dimensions::mass);
+      point[letter] = 1;
+      letters.push_back(letter);
+    }
+    return letters;
+  }
+  static bool letters_are_plain(const std::string& name) {
+    return std::ranges::all_of(name,
+                               [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
   }
 
   // Data that are single numbers, letters, unknowns and standard gravity as letters; `point` receives their values.

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "problem/explanation/explanation_instant.h"
+#include "problem/explanation/explanation_unknowns.h"
+#include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {
@@ -24,10 +26,27 @@ std::optional<std::string> vanishing_symbol(const std::vector<ShownTerm>& left, 
   return symbol;
 }
 
+// What a row without symbols says of the data in letters: it vanishes.
+std::optional<Formula> condition_of(const std::vector<ShownTerm>& left, const std::vector<ShownTerm>& right) {
+  try {
+    Formula sum(0);
+    for (const auto* side : {&left, &right})
+      for (const ShownTerm& term : *side) {
+        if (!term.coefficient.formula) return std::nullopt;
+        if (!term.symbol.empty() && !term.coefficient.formula->is_zero()) return std::nullopt;
+        if (term.symbol.empty()) sum += side == &left ? *term.coefficient.formula : -*term.coefficient.formula;
+      }
+    return sum.is_zero() ? std::nullopt : std::optional(sum);
+  } catch (const FormulaTooLarge&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 bool InstantExplainer::needs_balance() const {
-  return sudden() || (figures_.numbers.forces && (questions_.asks_forces() || situation_.steady));
+  return sudden() ||
+         (figures_.numbers.forces && (questions_.asks_forces() || (situation_.steady && !situation_.find.empty())));
 }
 
 std::vector<InstantExplainer::System> InstantExplainer::systems() const {
@@ -64,28 +83,6 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
           ? mass_center(massive.front())
           : ExplainedPoint{
                 "O", shown_vector([&](const auto& figures) { return Vector3<ScalarOf<decltype(figures)>>::zero(); })};
-  const std::string who = only ? "" : " of " + names_of(bodies);
-  if (!sudden()) {
-    section("Kinetic side");
-    kinetic_steps("Kinetic side", system, point);
-  } else {
-    for (const int body : massive) {
-      const bool fixed = rests(body, point.position.number);
-      inertia_step(section("Inertia"), body, fixed ? &point : nullptr);
-    }
-  }
-  // If rates of momenta are asked for and all accelerations are known, there is nothing to solve.
-  if (!sudden() && !situation_.steady && questions_.forces.empty() && questions_.pushes.empty() && open.empty()) return;
-  ExplainedSection& free_body = section(sudden() ? "Impulses" : "Free-body side");
-  if (situation_.bodies.size() > 1)
-    free_body.steps.push_back({"Take " + names_of(bodies) +
-                                   (bodies.size() > 1 ? " as one: what they exert on each "
-                                                        "other drops out."
-                                                      : " by itself."),
-                               {}});
-  force_list(free_body, system);
-
-  ExplainedSection& equations = section(sudden() ? "Impulse and momentum" : "Component equations");
   const MotionBalance<double> numbers = balance_of(figures_.numbers, system.plan, point.position.number);
   std::optional<MotionBalance<Formula>> formulas;
   if (figures_.formulas && point.position.formula) {
@@ -97,71 +94,63 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
       formulas.reset();
     }
   }
-  // If forces meet at the reference point and are not asked for, no equations of forces are needed.
-  std::vector<bool> meets;
-  std::vector<std::string> met;
-  bool asked = false;
-  for (std::size_t i = 0; i < numbers.unknown.size(); ++i) {
-    meets.push_back(held && norm(numbers.unknown[i].force) > 0 &&
-                    norm(numbers.unknown[i].moment) <= 1e-9 * solved_.scales().length);
-    if (!meets.back()) continue;
-    met.push_back("$" + system.unknown[i].tex + "$");
-    asked = asked || is_asked(system.plan.unknown[i]);
-  }
-  bool moments_only = !asked && !met.empty();
-  for (std::size_t row = 0; row < 3 && moments_only; ++row) {
-    bool needed = std::abs(numbers.rest.force[row] - numbers.before.force[row]) > noise_size(dimensions::force);
-    bool in_met = false;
-    for (std::size_t i = 0; i < numbers.unknown.size(); ++i) {
-      if (std::abs(numbers.unknown[i].force[row]) <= 1e-9) continue;
-      needed = true;
-      in_met = in_met || meets[i];
+  std::vector<Row> rows;
+  for (std::size_t row = 0; row < 6; ++row) rows.push_back(row_of(system, numbers, formulas, row));
+  const Plane plane = plane_of(bodies, rows);
+  const std::set<std::string> across = symbols_across(rows, plane);
+  const Meeting meet = meeting(system, numbers, held.has_value());
+  // If rates of momenta are asked for and all accelerations are known, there is nothing to solve.
+  const bool rates_only =
+      !sudden() && !situation_.steady && questions_.forces.empty() && questions_.pushes.empty() && open.empty();
+  const std::string who = only ? "" : " of " + names_of(bodies);
+  if (!sudden()) {
+    section("Kinetic side");
+    kinetic_steps("Kinetic side", system, point, meet.moments_only && !rates_only, plane);
+  } else {
+    for (const int body : massive) {
+      const bool fixed = rests(body, point.position.number);
+      inertia_step(section("Inertia"), body, fixed ? &point : nullptr, plane);
     }
-    moments_only = !needed || in_met;
   }
+  if (rates_only) return;
+  ExplainedSection& free_body = section(sudden() ? "Impulses" : "Free-body side");
+  if (situation_.bodies.size() > 1)
+    free_body.steps.push_back({"Take " + names_of(bodies) +
+                                   (bodies.size() > 1 ? " as one: what they exert on each "
+                                                        "other drops out."
+                                                      : " by itself."),
+                               {}});
+  force_list(free_body, system, across);
+
+  ExplainedSection& equations = section(sudden() ? "Impulse and momentum" : "Component equations");
+  if (plane)
+    equations.steps.push_back(
+        {"Everything moves in the $" + tex_.axis((*plane + 1) % 3) + tex_.axis((*plane + 2) % 3) +
+             "$ plane, and nothing is known to act across it: of the six equations those of the plane are left, two of "
+             "forces and one of moments.",
+         {}});
+  std::vector<std::string> met;
+  for (const std::string& symbol : meet.symbols)
+    if (!across.contains(symbol)) met.push_back("$" + symbol + "$");
   std::string text = sudden() ? "Momenta before plus impulses equal momenta after (Eq. 17.4)"
                               : "The forces from outside are equivalent to the kinetic side (Eqs. 18.1, 18.2)";
   text += who;
-  if (moments_only)
+  if (meet.moments_only)
     text += ". About $" + point.label + "$, " + listed(met) + (met.size() > 1 ? " have" : " has") + " no moment:";
   else
     text += "; moments about $" + point.label + "$:";
   ExplainedStep step{text, {}};
   std::vector<std::string> vanishing;
   const auto natural_of = [&](const Dimension& dimension) { return noise_size(dimension); };
-  const Dimension force_dimension = sudden() ? dimensions::momentum : dimensions::force;
-  const Dimension moment_dimension = sudden() ? dimensions::angular_momentum : dimensions::moment;
-  for (std::size_t row = moments_only ? 3 : 0; row < 6; ++row) {
-    const auto pair = [&](const SpatialForce<double>& number, const SpatialForce<Formula>* formula) {
-      return confirmed(entry(number, row), formula ? std::optional(entry(*formula, row)) : std::nullopt);
-    };
-    const auto at = [&](const std::vector<SpatialForce<double>>& list, const std::vector<SpatialForce<Formula>>* exact,
-                        std::size_t i) { return pair(list[i], exact ? &(*exact)[i] : nullptr); };
-    std::vector<ShownTerm> left, right;
-    const auto signed_by = [](Shown coefficient, double sign) {
-      if (sign < 0) {
-        coefficient.number = -coefficient.number;
-        if (coefficient.formula) coefficient.formula = -*coefficient.formula;
-      }
-      return coefficient;
-    };
-    if (sudden()) left.push_back({pair(numbers.before, formulas ? &formulas->before : nullptr)});
-    for (std::size_t i = 0; i < numbers.unknown.size(); ++i)
-      left.push_back(
-          {signed_by(at(numbers.unknown, formulas ? &formulas->unknown : nullptr, i), system.unknown[i].sign),
-           system.unknown[i].tex, system.unknown[i].value, system.unknown[i].dimension});
-    for (std::size_t i = 0; i < numbers.known.size(); ++i)
-      left.push_back({at(numbers.known, formulas ? &formulas->known : nullptr, i)});
-    for (std::size_t i = 0; i < numbers.weights.size(); ++i)
-      left.push_back({at(numbers.weights, formulas ? &formulas->weights : nullptr, i)});
-    for (std::size_t i = 0; i < numbers.motion.size(); ++i)
-      right.push_back({at(numbers.motion, formulas ? &formulas->motion : nullptr, i), system.open[i].tex,
-                       system.open[i].value, system.open[i].dimension});
-    right.push_back({pair(numbers.rest, formulas ? &formulas->rest : nullptr)});
-    const std::string axis = tex_.axis(row % 3);
+  for (std::size_t row = meet.moments_only ? 3 : 0; row < 6; ++row) {
+    if (plane && (row < 3 ? row == *plane : row - 3 != *plane)) continue;
+    const auto& [left, right] = rows[row];
+    const std::string& axis = tex_.axis(row % 3);
     const std::string name = sudden() ? (row < 3 ? axis + "\\text{ components}" : axis + "\\text{ moments}")
                                       : (row < 3 ? "\\Sigma F_{" + axis + "}" : "\\Sigma M_{" + axis + "}");
-    const Dimension& dimension = row < 3 ? force_dimension : moment_dimension;
+    const Dimension dimension = row_dimension(row);
+    if (auto condition = situation_.find.empty() ? std::nullopt : condition_of(left, right))
+      conditions_.push_back(std::move(*condition));
     if (const std::optional<std::string> alone =
             vanishing_symbol(left, right, dimension, natural_of(dimension), natural_coefficient())) {
       vanishing.push_back("$" + *alone + "$");
@@ -196,7 +185,7 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
   };
   for (const Symbol& symbol : system.open) list(symbol);
   for (std::size_t i = 0; i < system.unknown.size(); ++i)
-    if (!moments_only || !meets[i]) list(system.unknown[i]);
+    if ((!meet.moments_only || !meet.meets[i]) && !across.contains(system.unknown[i].tex)) list(system.unknown[i]);
 }
 
 void InstantExplainer::explain_balance() {
@@ -209,23 +198,72 @@ void InstantExplainer::explain_balance() {
   for (const std::size_t k : open_coordinates()) open.push_back(k);
   extra_conditions(open, symbols, section(sudden() ? "Impulse and momentum" : "Component equations"));
   list_unknowns(symbols);
+  explain_found();
+}
+
+// The data that are to be found: what the rows without unknown forces say of them, or what is left of that which is
+// stated, once the forces are solved for.
+void InstantExplainer::explain_found() {
+  UnknownConditions stated{{}, {}, factors_, {}};
+  for (const Unknown& unknown : situation_.find) {
+    const auto value = data_.settings().find(unknown.name);
+    if (value != data_.settings().end() && value->second.is_number())
+      stated.unknown.push_back({unknown.name, unknown.unit.dimension, value->second.number});
+  }
+  if (stated.unknown.empty()) return;
+  const auto speaks_of = [](const Formula& condition, const FoundDatum& datum) {
+    const std::vector<std::string> letters = condition.letters();
+    return std::ranges::find(letters, datum.name) != letters.end();
+  };
+  const auto take = [&](const std::vector<Formula>& from) {
+    for (const Formula& one : from)
+      if (std::ranges::any_of(stated.unknown, [&](const FoundDatum& datum) { return speaks_of(one, datum); }))
+        stated.conditions.push_back(one);
+  };
+  take(conditions_);
+  const bool by_rows = std::ranges::all_of(stated.unknown, [&](const FoundDatum& datum) {
+    return std::ranges::any_of(stated.conditions, [&](const Formula& one) { return speaks_of(one, datum); });
+  });
+  if (!by_rows && formula_instant_) {
+    stated.conditions.clear();
+    stated.from = "Solved for the forces, the equations leave with what is known";
+    take(formula_instant_->remainders());
+  }
+  if (formula_instant_)
+    for (const FoundDatum& datum : stated.unknown)
+      if (neglects(datum.name)) stated.first_order.push_back(datum.name);
+  std::vector<ExplainedStep> steps = condition_steps(stated, letters_, tex_);
+  std::set<std::string> said;
+  for (const ExplainedStep& step : steps)
+    for (const FoundDatum& datum : stated.unknown)
+      for (const ExplainedEquation& equation : step.equations)
+        if (equation.tex.starts_with(ExplanationTex::symbol(datum.name) + " = ")) said.insert(datum.name);
   std::vector<std::string> conditions;
   for (const Instant& instant : situation_.instants)
     for (const Fact& fact : instant.facts)
       if (level_of(situation_, fact.quantity) == Level::force || sudden())
         conditions.push_back("`" + to_string(fact.quantity) + " = " + to_string(fact.value) + "`");
-  ExplainedStep found{"Of the data to be found, the equations" +
+  ExplainedStep found{(steps.empty() ? "Of the data to be found, the equations" : "The equations") +
                           (conditions.empty() ? std::string() : " with what is known, " + listed(conditions) + ",") +
                           " leave",
                       {}};
-  for (const Unknown& unknown : situation_.find) {
-    const auto value = data_.settings().find(unknown.name);
-    if (value == data_.settings().end() || !value->second.is_number()) continue;
-    const Shown one{value->second.number, std::nullopt};
-    if (tex_.can_show(one))
-      found.equations.push_back(tex_.equation(ExplanationTex::symbol(unknown.name), one, unknown.unit.dimension));
+  for (const FoundDatum& datum : stated.unknown) {
+    const Shown one = known_number(datum.value);
+    if (!tex_.numbers_open() && !said.contains(datum.name))
+      found.equations.push_back(tex_.equation(ExplanationTex::symbol(datum.name), one, datum.dimension));
   }
-  if (!found.equations.empty()) section("Unknowns").steps.push_back(std::move(found));
+  if (!found.equations.empty()) steps.push_back(std::move(found));
+  ExplainedSection& here = section("Unknowns");
+  for (ExplainedStep& step : steps) here.steps.push_back(std::move(step));
+}
+
+// Whether squares of an unknown are neglected.
+bool InstantExplainer::neglects(const std::string& unknown) const {
+  return std::ranges::any_of(situation_.neglect, [&](const Expression& item) {
+    std::set<std::string> names;
+    collect_names(item, names);
+    return names.contains(unknown);
+  });
 }
 
 }  // namespace poinsot::problem

@@ -18,9 +18,9 @@ constexpr double formula_tolerance = 1e-8;
 }  // namespace
 
 InstantExplainer::InstantExplainer(const Situation& situation, SolvedInstant& solved, SolvedInstant* before,
-                                   FormulaInstant* formulas, const LetterValues& letters, const ExplanationTex& tex,
-                                   const InstantQuestions& questions, const Settings& settings,
-                                   Explanation& explanation)
+                                   FormulaInstant* formulas, const LetterValues& letters, std::vector<Formula> factors,
+                                   const ExplanationTex& tex, const InstantQuestions& questions,
+                                   const Settings& settings, Explanation& explanation)
     : situation_(situation),
       solved_(solved),
       formula_instant_(formulas),
@@ -29,7 +29,8 @@ InstantExplainer::InstantExplainer(const Situation& situation, SolvedInstant& so
       questions_(questions),
       explanation_(explanation),
       figures_{figures_of(situation, settings, solved, before), {}},
-      data_(situation, settings) {
+      data_(situation, settings),
+      factors_(std::move(factors)) {
   if (formulas) figures_.formulas.emplace(figures_of(*formulas, figures_.numbers.forces));
 }
 
@@ -138,7 +139,7 @@ bool InstantExplainer::rests(int body, const Vector3<double>& point) const {
 }
 
 // Shows moments and products of inertia about the mass center or a fixed point, once for each.
-void InstantExplainer::inertia_step(ExplainedSection& section, int body, const ExplainedPoint* fixed) {
+void InstantExplainer::inertia_step(ExplainedSection& section, int body, const ExplainedPoint* fixed, Plane plane) {
   if (!inertia_said_.insert(fixed ? body + 10000 : body).second) return;
   const auto tensor = [&, fixed](const auto& figures) {
     const auto mass = mass_of(figures.now, body);
@@ -153,25 +154,30 @@ void InstantExplainer::inertia_step(ExplainedSection& section, int body, const E
     if (!is_rounding(norm(G.position.number), solved_.scales().length) && tex_.can_show(G.position))
       step.text +=
           ", mass center at " + tex_.inline_equation("\\mathbf{r}_{" + G.label + "}", G.position, dimensions::length);
-    step.text += ". ";
+    if (tex_.can_show(mass)) step.text += ". ";
   }
-  if (solved_.uses_any() && !any_said_) {
+  if (solved_.uses_any() && !any_said_ && tex_.is_known(mass)) {
     any_said_ = true;
     section.steps.push_back({"What is given as `any` changes no answer; the lines below take one value for it.", {}});
   }
   const std::string axes = "$" + tex_.axis(0) + ", " + tex_.axis(1) + ", " + tex_.axis(2) + "$";
-  step.text += "Moments and products of inertia about $" + (fixed ? fixed->label : G.label) + "$ on axes parallel to " +
-               axes + " (Eqs. 18.5, 18.6" + (fixed ? ", parallel axes" : "") + "):";
+  const std::string about = "$" + (fixed ? fixed->label : G.label) + "$";
+  if (plane)
+    step.text += "Moment of inertia about the " + tex_.axis(*plane) + " axis through " + about + " (Eq. 18.5" +
+                 (fixed ? ", parallel axes" : "") + "):";
+  else
+    step.text += "Moments and products of inertia about " + about + " on axes parallel to " + axes +
+                 " (Eqs. 18.5, 18.6" + (fixed ? ", parallel axes" : "") + "):";
   const SymmetricMatrix3<double> numbers = tensor(figures_.numbers);
   bool any_product = false;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (is_rounding(moment_on(numbers, k), size_of(numbers))) continue;
+    if (is_rounding(moment_on(numbers, k), size_of(numbers)) || (plane && k != *plane)) continue;
     const Shown value = shown([&](const auto& figures) { return moment_on(tensor(figures), k); });
     if (tex_.can_show(value))
       step.equations.push_back(tex_.equation("I_{" + tex_.axis(k) + "}", value, dimensions::moment_of_inertia));
   }
   for (std::size_t k = 0; k < 3; ++k) {
-    if (is_rounding(product_on(numbers, k), size_of(numbers))) continue;
+    if (is_rounding(product_on(numbers, k), size_of(numbers)) || plane) continue;
     any_product = true;
     const Shown value = shown([&](const auto& figures) { return product_on(tensor(figures), k); });
     const std::string index = tex_.axis(k) + tex_.axis((k + 1) % 3);
@@ -181,7 +187,8 @@ void InstantExplainer::inertia_step(ExplainedSection& section, int body, const E
   if (step.equations.empty()) step.text.back() = '.';
   parts_step(section, body, fixed ? *fixed : G);
   section.steps.push_back(std::move(step));
-  if (!any_product) section.steps.push_back({"The products of inertia vanish: these axes are principal axes.", {}});
+  if (!any_product && !plane)
+    section.steps.push_back({"The products of inertia vanish: these axes are principal axes.", {}});
 }
 
 void InstantExplainer::explain_masses() {

@@ -47,11 +47,11 @@ using ScalarOf = decltype(scalar_of(std::declval<Figures>()));
 
 class InstantExplainer {
  public:
-  // formulas: the same instant as formulas, if there are any; letters: the values of their letters. All arguments
-  // must outlive the object.
+  // formulas: the same instant as formulas, if there are any; letters: the values of their letters; factors: what the
+  // terms of a condition on the data may share. All arguments but these must outlive the object.
   InstantExplainer(const Situation& situation, SolvedInstant& solved, SolvedInstant* before, FormulaInstant* formulas,
-                   const LetterValues& letters, const ExplanationTex& tex, const InstantQuestions& questions,
-                   const Settings& settings, Explanation& explanation);
+                   const LetterValues& letters, std::vector<Formula> factors, const ExplanationTex& tex,
+                   const InstantQuestions& questions, const Settings& settings, Explanation& explanation);
 
   // Adds sections with everything that the questions need.
   void explain(const std::string& suffix);
@@ -64,6 +64,10 @@ class InstantExplainer {
     Dimension dimension;
     bool determined = true;
     Shown shown;
+  };
+  // A row of the balance: rows 0 to 2 are those of forces, 3 to 5 those of moments.
+  struct Row {
+    std::vector<ShownTerm> left, right;
   };
   // Bodies that are cut free, with the symbols of the unknown forces on them and of their open coordinates.
   struct System {
@@ -122,7 +126,9 @@ class InstantExplainer {
   void explain_kinematics();
   void motion_step(std::vector<ExplainedStep>& steps, int body, const std::string& index, bool with_velocity,
                    bool with_accelerations);
-  void inertia_step(ExplainedSection& section, int body, const ExplainedPoint* fixed);
+  // plane: the axis across which nothing turns, if motion and forces lie in a plane.
+  using Plane = std::optional<std::size_t>;
+  void inertia_step(ExplainedSection& section, int body, const ExplainedPoint* fixed, Plane plane = {});
   // These are defined in explanation_parts.cpp.
   void parts_step(ExplainedSection& section, int body, const ExplainedPoint& point);
   ExplainedPoint point_of(const Expression& expression);
@@ -135,6 +141,8 @@ class InstantExplainer {
   // These are defined in explanation_balance.cpp.
   bool needs_balance() const;
   void explain_balance();
+  void explain_found();
+  bool neglects(const std::string& unknown) const;
   std::size_t action_of(const UnknownForce& force) const;
   bool is_asked(const UnknownForce& force) const;
   bool has_pure_equation(const std::set<int>& bodies) const;
@@ -149,9 +157,27 @@ class InstantExplainer {
   System system_of(const std::set<int>& bodies) const;
   void explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& listed);
   std::optional<ExplainedPoint> best_point(const BalancePlan& plan) const;
-  void kinetic_steps(const std::string& heading, const System& system, const ExplainedPoint& point);
+  // moments_only: no equation of forces follows.
+  void kinetic_steps(const std::string& heading, const System& system, const ExplainedPoint& point, bool moments_only,
+                     Plane plane);
+  Row row_of(const System& system, const MotionBalance<double>& numbers,
+             const std::optional<MotionBalance<Formula>>& formulas, std::size_t row) const;
+  Dimension row_dimension(std::size_t row) const;
+  bool acts_in(const ShownTerm& term, std::size_t row) const;
+  // The axis across which neither motion nor forces go, if the rows of the plane stand alone.
+  Plane plane_of(const std::set<int>& bodies, const std::vector<Row>& rows) const;
+  bool moves_in_plane(const std::set<int>& bodies, std::size_t axis) const;
+  // The unknowns that act across it.
+  std::set<std::string> symbols_across(const std::vector<Row>& rows, Plane plane) const;
+  // The unknown forces that meet in the reference point.
+  struct Meeting {
+    std::vector<bool> meets;           // of each unknown
+    std::vector<std::string> symbols;  // of those that do
+    bool moments_only = false;         // whether the equations of forces are left out
+  };
+  Meeting meeting(const System& system, const MotionBalance<double>& numbers, bool held) const;
   void rate_step(ExplainedSection& section, int body, const ExplainedPoint& about, bool fixed);
-  void force_list(ExplainedSection& section, const System& system) const;
+  void force_list(ExplainedSection& section, const System& system, const std::set<std::string>& across) const;
   void extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed, ExplainedSection& section);
   void list_unknowns(const std::vector<Symbol>& listed);
   std::vector<std::size_t> open_coordinates() const;
@@ -174,8 +200,10 @@ class InstantExplainer {
   std::string suffix_;
   // What has been shown already, so that it is shown once.
   std::set<int> inertia_said_, mass_said_;
+  std::vector<Formula> conditions_;  // what rows without unknown forces say of the data
   std::set<std::string> motion_said_;
   bool any_said_ = false;
+  std::vector<Formula> factors_;  // that terms of a condition may share
 };
 
 }  // namespace poinsot::problem

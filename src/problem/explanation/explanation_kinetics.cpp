@@ -106,18 +106,22 @@ void InstantExplainer::rate_step(ExplainedSection& section, int body, const Expl
   section.steps.push_back(std::move(step_rate));
 }
 
-void InstantExplainer::kinetic_steps(const std::string& heading, const System& system, const ExplainedPoint& point) {
+void InstantExplainer::kinetic_steps(const std::string& heading, const System& system, const ExplainedPoint& point,
+                                     bool moments_only, Plane plane) {
   for (const int body : system.plan.bodies) {
     if (!(mechanism().tree.body(body).inertia.mass > 0)) continue;
     const bool fixed = is_held(figures_.numbers.now, body, point.position.number, solved_.scales().length);
     const ExplainedPoint G = mass_center(body);
-    inertia_step(section("Inertia"), body, fixed ? &point : nullptr);
+    inertia_step(section("Inertia"), body, fixed ? &point : nullptr, plane);
     ExplainedSection& kinetic = section(heading);
     const auto at = static_cast<std::size_t>(body + 1);
     const ShownVector w = shown_vector([&](const auto& figures) { return figures.now.workspace().motion[at].w; });
-    if (norm(w.number) > 0 && tex_.can_show(w) && !sudden())
+    if (norm(w.number) > 0 && tex_.can_show(w) && !sudden()) {
+      for (const std::string& index : {std::string(), "_{" + ExplanationTex::upright(body_name(body)) + "}"})
+        motion_said_.insert(body_name(body) + "\\boldsymbol{\\omega}" + index);
       kinetic.steps.push_back({"*" + body_name(body) + "* turns at",
                                {tex_.equation("\\boldsymbol{\\omega}", w, dimensions::angular_velocity)}});
+    }
     if (sudden()) continue;
     if (!system.open.empty()) {
       const auto& link = mechanism().tree.body(body);
@@ -136,6 +140,11 @@ void InstantExplainer::kinetic_steps(const std::string& heading, const System& s
       return momentum_rate_of(figures.now, {body}, position_of<ScalarOf<decltype(figures)>>(G)).linear;
     });
     const std::string center = center_label(body);
+    // About a fixed point the moments alone say all that is asked.
+    if (moments_only && fixed) {
+      rate_step(kinetic, body, point, true);
+      continue;
+    }
     if (norm(ma.number) <= 1e-9 * solved_.natural_size(dimensions::force))
       kinetic.steps.push_back({"The mass center of *" + body_name(body) + "* has no acceleration.", {}});
     else if (tex_.can_show(ma))

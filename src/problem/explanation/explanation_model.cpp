@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "problem/keys/joint_kinds.h"
+#include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/machine/shape_row.h"
 
@@ -14,22 +15,29 @@ std::string shape_words(const Shape& shape) { return std::string(shape_row<doubl
 // An expression, followed by its value if this says more.
 class Data {
  public:
-  Data(const Situation& situation, const Settings& settings, const ExplanationTex& tex)
-      : situation_(situation), settings_(settings), tex_(tex) {}
+  Data(const Situation& situation, const Settings& settings, const std::set<std::string>& hidden,
+       const ExplanationTex& tex)
+      : situation_(situation), settings_(settings), hidden_(hidden), tex_(tex) {}
 
   std::string number(const Expression& expression, const Dimension& dimension) const {
     if (const Name* name = expression.as<Name>(); name && name->name == "any") return "any value";
     if (expression.as<Number>() || depends_on_time(situation_, expression)) return code(expression);
+    std::set<std::string> names;
+    collect_names(expression, names);
+    if (std::ranges::any_of(names, [&](const std::string& name) { return hidden_.contains(name); }))
+      return code(expression);
     try {
       if (tex_.letters_open() && !letters_of(situation_, expression).empty()) return code(expression);
       DataScope<double> data(situation_, settings_);
       const double value = data.number(expression, dimension);
-      return code(expression) + " $= " + tex_.number(value, dimension) + tex_.unit_tex(dimension) + "$";
+      return code(expression) + " $= " + tex_.with_unit(value, dimension) + "$";
     } catch (const StatementError&) {
       return code(expression);
     }
   }
   std::string amount(const Amount& amount) const {
+    if (const Name* name = amount.mass ? amount.mass->as<Name>() : nullptr; name && name->name == "any")
+      return "any mass";
     if (amount.mass) return "mass " + number(*amount.mass, dimensions::mass);
     if (amount.weight) return "weight " + number(*amount.weight, dimensions::force);
     if (amount.density) return "density " + code(*amount.density);
@@ -40,6 +48,7 @@ class Data {
  private:
   const Situation& situation_;
   const Settings& settings_;
+  const std::set<std::string>& hidden_;
   const ExplanationTex& tex_;
 };
 
@@ -162,9 +171,10 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
 
 }  // namespace
 
-ExplainedSection model_section(const Situation& situation, const Settings& settings, const ExplanationTex& tex,
+ExplainedSection model_section(const Situation& situation, const Settings& settings,
+                               const std::set<std::string>& hidden, const ExplanationTex& tex,
                                const std::string& heading) {
-  const Data data(situation, settings, tex);
+  const Data data(situation, settings, hidden, tex);
   std::vector<std::string> lines;
   for (const Body& body : situation.bodies) lines.push_back(body_line(body, data));
   for (const Joint& joint : situation.joints) lines.push_back(joint_line(joint, data));
@@ -204,11 +214,15 @@ ExplainedSection principle_section(const Statement& statement, const StatementQu
     if (after)
       add("A blow lasts no time: positions stay, and forces of ordinary size bring nothing. For the bodies together, "
           "momenta before plus the impulses from outside equal momenta after, as vectors and as moments (Eq. 17.4).");
-    if (situation.steady && !after)
-      add("The motion is steady: in axes that turn with the frame nothing changes but constant spins, so the rates of "
-          "the momenta are what the turning of the axes brings (Eqs. 18.22, 18.44). The external forces are equivalent "
-          "to these rates (Eqs. 18.1, 18.2).");
-    else if (asked.asks_forces() && !after)
+    if (situation.steady && !after && (asked.asks_forces() || !situation.find.empty())) {
+      const bool spins = !situation.steady->spins.empty();
+      add(std::string("The motion is steady: in axes that turn with the frame nothing changes") +
+          (spins ? " but constant spins" : "") +
+          ", so the rates of the momenta are what the turning of the axes brings " +
+          (spins ? "(Eqs. 18.22, 18.44)" : "(Eq. 18.22)") +
+          ". The external forces are equivalent to these rates (Eqs. 18.1, 18.2).");
+    }
+    if (!situation.steady && asked.asks_forces() && !after)
       add("At every moment the external forces on a body are equivalent to $m\\,\\mathbf{a}_G$ at $G$ with the couple "
           "$\\dot{\\mathbf{H}}_G$ (Eqs. 18.1, 18.2): the two sides are written down and compared component by "
           "component.");
@@ -223,6 +237,10 @@ ExplainedSection principle_section(const Statement& statement, const StatementQu
     if (energies)
       add("The kinetic energy follows from masses and velocities now: that of $m$ moving with $G$ and that of turning "
           "about $G$ (Eq. 18.17).");
+    if (asked.stability)
+      add("Near a steady motion the equations of motion are linear in small deviations from it. Those that swing keep "
+          "near "
+          "it, those that grow leave it.");
     if (section.steps.empty() && !asked.moving.empty()) add("The velocities follow from how the bodies are held.");
     if (section.steps.empty() && !asked.masses.empty())
       add("Mass, mass center and inertia are sums over the parts, moved by parallel axes (Eqs. 18.5, 18.6).");

@@ -1,6 +1,9 @@
 // The beginning of a worked solution: the model, what is known, the principle.
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "problem/explanation/explanation_questions.h"
 #include "problem/explanation/explanation_tex.h"
 
@@ -8,7 +11,8 @@ namespace poinsot::problem {
 
 // Describes the bodies and how they are held, what acts, what is known of the motion and what is sought. heading:
 // that of the section.
-ExplainedSection model_section(const Situation& situation, const Settings& settings, const ExplanationTex& tex,
+ExplainedSection model_section(const Situation& situation, const Settings& settings,
+                               const std::set<std::string>& hidden, const ExplanationTex& tex,
                                const std::string& heading);
 
 // Names the principle that answers the questions about these instants, and why it does.

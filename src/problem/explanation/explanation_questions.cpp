@@ -83,6 +83,10 @@ class Collector {
       }
       return;
     }
+    if (is({"stable", "stability", "growth_rate", "frequencies"})) {
+      here().stability = true;
+      return;
+    }
     if (is({"mass", "weight", "center", "moment_of_inertia", "radius_of_gyration", "moments_of_inertia",
             "products_of_inertia", "inertia_matrix", "principal_moments", "principal_axes"}))
       for (const int body : bodies_in(call.arguments.front().value)) here().masses.insert(body);

@@ -115,8 +115,9 @@ InstantExplainer::Symbol InstantExplainer::symbol_of_coordinate(std::size_t k, b
   return symbol;
 }
 
-// Lists the external forces one by one.
-void InstantExplainer::force_list(ExplainedSection& here, const System& system) const {
+// Lists the external forces one by one, but for those across the plane of a problem.
+void InstantExplainer::force_list(ExplainedSection& here, const System& system,
+                                  const std::set<std::string>& across) const {
   std::vector<std::string> items;
   const Vector3<double> gravity = mechanism().tree.gravity();
   for (const int body : system.plan.bodies) {
@@ -151,6 +152,7 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system) 
   for (std::size_t i = 0; i < system.plan.unknown.size(); ++i) {
     const UnknownForce& force = system.plan.unknown[i];
     const std::size_t action = action_of(force);
+    if (across.contains(system.unknown[i].tex)) continue;
     std::string symbol = "$" + system.unknown[i].tex + "$";
     if (force.kind == UnknownForce::Kind::component) {
       const Component<double>& component = mechanism().components[force.index];

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <regex>
 #include <set>
 #include <utility>
@@ -22,6 +23,7 @@ constexpr std::size_t longest_line = 150;
 // would be shown as a force of 3e-16 N; what is a billionth of the natural size is real and is shown.
 constexpr double rounding = 1e-10;
 constexpr int shown_digits = 6;
+constexpr double degree = std::numbers::pi / 180;
 
 // A number as TeX: "0.25", "3\\cdot 10^{-7}".
 std::string tex_number(double value) {
@@ -41,24 +43,6 @@ bool is_sum(const std::string& tex) {
     if (depth == 0 && i > 0 && (c == '+' || c == '-') && tex[i - 1] == ' ') return true;
   }
   return false;
-}
-
-// Adds a term to a sum: a factor and the symbol that it multiplies.
-void append_term(std::string& sum, std::string factor, const std::string& symbol) {
-  bool negative = false;
-  if (!symbol.empty() && is_sum(factor)) {
-    factor = "\\left(" + factor + "\\right)";
-  } else if (factor.starts_with('-') && !is_sum(factor)) {
-    negative = true;
-    factor.erase(0, 1);
-  }
-  if (factor == "1" && !symbol.empty()) factor.clear();
-  if (!sum.empty())
-    sum += negative ? " - " : " + ";
-  else if (negative)
-    sum += "-";
-  sum += factor;
-  if (!symbol.empty()) sum += (factor.empty() ? "" : "\\,") + symbol;
 }
 
 std::string escaped(const std::string& text) {
@@ -177,6 +161,7 @@ double ExplanationTex::rounded(double value, const Dimension& dimension) const {
 }
 
 std::string ExplanationTex::with_unit(double value, const Dimension& dimension, bool as_energy) const {
+  if (dimension == dimensions::angle && value != 0) return tex_number(value / degree) + "^{\\circ}";
   const std::string digits = number(value, dimension);
   return digits == "0" ? digits : digits + unit_tex(dimension, as_energy);
 }
@@ -244,7 +229,7 @@ std::string ExplanationTex::vector_tex(const Vector3<double>& value, const Dimen
   int count = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     if (is_rounding(value[k], size_of(value))) continue;
-    append_term(sum, number(value[k], dimension), unit_vector(k));
+    add_term(sum, number(value[k], dimension), unit_vector(k));
     ++count;
   }
   if (count == 0) return "\\mathbf{0}";
@@ -265,7 +250,7 @@ std::optional<std::string> ExplanationTex::vector_formula(const ShownVector& val
     try {
       length += text(component).size();
       if (length > (letters_open() ? 3 * longest_alone : longest_line)) return std::nullopt;
-      append_term(sum, formula_as_tex(component), unit_vector(k));
+      add_term(sum, formula_as_tex(component), unit_vector(k));
     } catch (const FormulaTooLarge&) {
       return std::nullopt;
     }
@@ -322,7 +307,7 @@ std::string ExplanationTex::side_in_numbers(const std::vector<ShownTerm>& terms,
     if (is_rounding(term.coefficient.number * (term.symbol.empty() ? 1 : term.value), natural) &&
         (term.symbol.empty() || is_rounding(term.coefficient.number, natural_coefficient(of_coefficient))))
       continue;
-    append_term(side, number(term.coefficient.number, of_coefficient), term.symbol);
+    add_term(side, number(term.coefficient.number, of_coefficient), term.symbol);
     const double amount = rounded(term.coefficient.number, of_coefficient) * term.value;
     sum += amount;
     size = std::max(size, std::abs(amount));
@@ -339,7 +324,7 @@ std::optional<std::string> ExplanationTex::side_in_symbols(const std::vector<Sho
     if (!fits_units(term.coefficient, dimension / term.dimension)) return std::nullopt;
     try {
       if (text(*term.coefficient.formula).size() > (letters_open() ? longest_alone : longest_line)) return std::nullopt;
-      append_term(side, formula_as_tex(*term.coefficient.formula), term.symbol);
+      add_term(side, formula_as_tex(*term.coefficient.formula), term.symbol);
     } catch (const FormulaTooLarge&) {
       return std::nullopt;
     }
@@ -367,7 +352,7 @@ std::pair<std::vector<ShownTerm>, std::optional<ShownTerm>> without_numbers(cons
   for (const ShownTerm& term : left) {
     if (term.symbol.empty())
       left_number += term.coefficient.number * term.value;
-    else
+    else if (!term.coefficient.formula || !term.coefficient.formula->is_zero())
       unknown.push_back(term);
   }
   for (const ShownTerm& term : right) {
@@ -425,6 +410,11 @@ std::vector<ExplainedEquation> ExplanationTex::balance(const std::string& name, 
     return equations;
   }
   if (!tex.empty()) equations.push_back({name, tex, {}, size});
+  // Two numbers say nothing that the symbols above them have not said.
+  if (!tex.empty() && is_plain_number(left_numbers) && is_plain_number(right_numbers)) {
+    if (numbers) equations.back().sides = {left_sum, right_sum};
+    return equations;
+  }
   if (numbers)
     equations.push_back({equations.empty() ? name : "",
                          left_numbers + " = " + right_end,
@@ -432,6 +422,23 @@ std::vector<ExplainedEquation> ExplanationTex::balance(const std::string& name, 
                          size,
                          symbols_in(left, right)});
   return equations;
+}
+
+void ExplanationTex::add_term(std::string& sum, std::string factor, const std::string& symbol) {
+  bool negative = false;
+  if (!symbol.empty() && is_sum(factor)) {
+    factor = "\\left(" + factor + "\\right)";
+  } else if (factor.starts_with('-') && !is_sum(factor)) {
+    negative = true;
+    factor.erase(0, 1);
+  }
+  if (factor == "1" && !symbol.empty()) factor.clear();
+  if (!sum.empty())
+    sum += negative ? " - " : " + ";
+  else if (negative)
+    sum += "-";
+  sum += factor;
+  if (!symbol.empty()) sum += (factor.empty() ? "" : "\\,") + symbol;
 }
 
 std::string ExplanationTex::upright(const std::string& name) { return "\\mathrm{" + escaped(name) + "}"; }

@@ -49,6 +49,10 @@ class ExplanationTex {
   // Sets the values of letters in the units shown. A formula that does not give the number with these values contains
   // a number that has a unit, in SI, and is not shown.
   void set_letters(LetterValues letters) { letters_ = std::move(letters); }
+  // Of the letters without value so many are masses that may be any: numbers without them are known all the same.
+  void set_any_masses(std::size_t count) { any_masses_ = count; }
+  bool numbers_open() const { return open_.size() > any_masses_; }
+  const LetterValues& letters() const { return letters_; }
   bool letters_open() const { return !open_.empty(); }
   // Whether the number may be shown.
   bool is_known(const Shown& value) const;
@@ -91,6 +95,8 @@ class ExplanationTex {
 
   // The formula alone; nothing if it is too long to read.
   static std::optional<std::string> formula(const Formula& formula);
+  // Adds a term to a sum in TeX: a factor and the symbol that it multiplies.
+  static void add_term(std::string& sum, std::string factor, const std::string& symbol);
   // A name in upright letters, as for an index.
   static std::string upright(const std::string& name);
   // A name of the statement as a symbol with an index: omega1 is \omega_{1}.
@@ -120,6 +126,7 @@ class ExplanationTex {
   std::optional<std::string> vector_formula(const ShownVector& value, const Dimension& dimension) const;
 
   std::vector<std::string> open_;
+  std::size_t any_masses_ = 0;
   std::array<std::string, 3> axes_;
   LetterValues letters_;
   UnitHabits habits_;

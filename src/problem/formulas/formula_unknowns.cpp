@@ -14,25 +14,6 @@ constexpr int highest_degree = 4;
 // roots to 1e-9 and worse where they nearly touch. And as a part of its natural size, where it vanishes.
 constexpr double near_root = 1e-6, near_nothing = 1e-12;
 
-// The coefficients of x as a polynomial in a letter, in ascending order; nothing if it is none of low degree.
-std::optional<std::vector<Formula>> polynomial_in(const Formula& x, const std::string& letter) {
-  std::vector<Formula> coefficients;
-  Formula slope = x, rest = x;
-  const Formula variable = Formula::letter(letter, poinsot::Sign::real);
-  Formula power(1), factorial(1);
-  for (int k = 0; k <= highest_degree; ++k) {
-    if (k > 0) {
-      slope = derivative(slope, letter);
-      power *= variable;
-      factorial *= Formula(k);
-    }
-    coefficients.push_back(substituted(slope, {{letter, Formula(0)}}) / factorial);
-    rest -= coefficients.back() * power;
-    if (rest.is_zero()) return coefficients;
-  }
-  return std::nullopt;
-}
-
 // A root of a polynomial as a formula; `square` is its square, if only that is needed.
 struct Root {
   Formula root;
@@ -112,6 +93,21 @@ std::optional<Found> solve_for(const Formula& remainder, const UnknownLetter& un
 }
 
 }  // namespace
+
+std::optional<std::vector<Formula>> polynomial_in(const Formula& x, const std::string& letter) {
+  std::vector<Formula> coefficients;
+  Formula slope = x;
+  Formula factorial(1);
+  for (int k = 0; k <= highest_degree; ++k) {
+    if (k > 0) {
+      slope = derivative(slope, letter);
+      factorial *= Formula(k);
+    }
+    if (slope.is_zero()) return coefficients;
+    coefficients.push_back(substituted(slope, {{letter, Formula(0)}}) / factorial);
+  }
+  return derivative(slope, letter).is_zero() ? std::optional(coefficients) : std::nullopt;
+}
 
 Formula first_order(const Formula& x, const std::vector<std::string>& small) {
   std::map<std::string, Formula> zero;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct UnknownLetter {
   double value = 0;    // at the root that is meant, where signs are decided too (PlainPointScope)
   double natural = 0;  // the natural size of such an unknown, beside which one that vanishes is found with rounding
 };
+
+// The coefficients of x as a polynomial in a letter, in ascending order; nothing if it is none of the fourth degree or
+// less.
+std::optional<std::vector<Formula>> polynomial_in(const Formula& x, const std::string& letter);
 
 // The formula to first order in letters that are small. Throws std::domain_error if it has no value where they
 // vanish.

@@ -95,7 +95,7 @@ class SceneMaker {
     scene_.diagrams.push_back(model_diagram(figure));
     Explanation unread;
     const std::unique_ptr<FormulaInstant> formulas = formulas_of(home, instant);
-    const InstantExplainer explainer(situation, instant, before, formulas.get(), numbers_.drawn(), tex, questions,
+    const InstantExplainer explainer(situation, instant, before, formulas.get(), numbers_.drawn(), {}, tex, questions,
                                      numbers_.settings()[home.situation], unread);
     or_left_out("the balance of forces", [&] { add_balance_diagrams(figure, explainer); });
     add_answers(figure, sample, home, solution_);

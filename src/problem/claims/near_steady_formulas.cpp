@@ -1,0 +1,173 @@
+#include "problem/claims/near_steady_formulas.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "problem/instant/massless_turning.h"
+
+namespace poinsot::problem {
+namespace {
+
+FormulaMatrix product(const FormulaMatrix& A, const FormulaMatrix& B) {
+  FormulaMatrix C = zeros(A.size());
+  for (std::size_t i = 0; i < A.size(); ++i)
+    for (std::size_t k = 0; k < A.size(); ++k) {
+      if (A[i][k].is_zero()) continue;
+      for (std::size_t j = 0; j < A.size(); ++j)
+        if (!B[k][j].is_zero()) C[i][j] += A[i][k] * B[k][j];
+    }
+  return C;
+}
+FormulaMatrix sum(const FormulaMatrix& A, const FormulaMatrix& B, int sign = 1) {
+  FormulaMatrix C = A;
+  for (std::size_t i = 0; i < A.size(); ++i)
+    for (std::size_t j = 0; j < A.size(); ++j) C[i][j] += Formula(sign) * B[i][j];
+  return C;
+}
+Vector3<Formula> center_of(const SpatialInertia<Formula>& I) {
+  return I.mass.is_zero() ? Vector3<Formula>::zero() : Vector3<Formula>(I.first_moment / I.mass);
+}
+
+// Whether a body's mass is symmetric about the axis through its mass center along w, so that its turning about it
+// changes nothing.
+bool looks_the_same(const SpatialInertia<Formula>& I, const Vector3<Formula>& w) {
+  if (w.x.is_zero() && w.y.is_zero() && w.z.is_zero()) return false;
+  if (I.mass.is_zero()) return true;
+  const Matrix3<Formula> central = as_matrix(I.inertia - I.mass * unit_mass_inertia(center_of(I)));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3<Formula> e = Vector3<Formula>::unit(k);
+    const Vector3<Formula> difference = central * cross(w, e) - cross(w, central * e);
+    if (!difference.x.is_zero() || !difference.y.is_zero() || !difference.z.is_zero()) return false;
+  }
+  return true;
+}
+
+// The spins of bodies on ball and free joints in the frame, about their mass centers, that nobody sees.
+std::vector<std::pair<int, SpatialMotion<Formula>>> unseen_spins(const SteadyFormulas& motion) {
+  const Model<Formula>& tree = motion.machine.mechanism.tree;
+  Workspace<Formula> workspace(tree);
+  update_velocities(tree, workspace, State<Formula>{motion.q, motion.v});
+  const Vector3<Formula> turning =
+      motion.frame == ground ? Vector3<Formula>::zero() : angular_velocity(workspace, motion.frame);
+  std::vector<std::pair<int, SpatialMotion<Formula>>> spins;
+  for (int i = 0; i < tree.body_count(); ++i) {
+    const auto& body = tree.body(i);
+    if (body.joint != JointType::ball && body.joint != JointType::free) continue;
+    const Vector3<Formula> own = direction_on_body(tree, workspace, i, angular_velocity(workspace, i) - turning);
+    if (looks_the_same(body.inertia, own)) spins.push_back({i, {own, cross(center_of(body.inertia), own)}});
+  }
+  return spins;
+}
+
+}  // namespace
+
+FormulaMatrix zeros(std::size_t n) { return FormulaMatrix(n, std::vector<Formula>(n)); }
+
+bool vanishes(const FormulaMatrix& A) {
+  return std::all_of(A.begin(), A.end(), [](const auto& row) {
+    return std::all_of(row.begin(), row.end(), [](const Formula& x) { return x.is_zero(); });
+  });
+}
+
+// Expands by the first row.
+Formula determinant(const FormulaMatrix& A) {
+  if (A.empty()) return Formula(1);
+  if (A.size() == 1) return A[0][0];
+  Formula total;
+  for (std::size_t k = 0; k < A.size(); ++k) {
+    if (A[0][k].is_zero()) continue;
+    FormulaMatrix minor;
+    for (std::size_t i = 1; i < A.size(); ++i) {
+      minor.emplace_back();
+      for (std::size_t j = 0; j < A.size(); ++j)
+        if (j != k) minor.back().push_back(A[i][j]);
+    }
+    const Formula part = A[0][k] * determinant(minor);
+    total += k % 2 == 0 ? part : -part;
+  }
+  return total;
+}
+
+std::optional<SteadyFormulas> steady_formulas(const Situation& situation, const MachineOf<Formula>& machine,
+                                              const std::vector<Formula>& q, const std::vector<Formula>& v,
+                                              const Machine& numbers) {
+  SteadyFormulas motion{machine, q, v, situation.steady ? machine.index.at(situation.steady->frame) : ground, {}, 0};
+  for (const auto& rate : machine.accelerations) motion.held.push_back(rate.velocity);
+  // What moves no mass is left out where it is a coordinate by itself.
+  for (const solve::UnseenMotion& unseen : unseen_motions(numbers.mechanism, numbers.q, motion.held)) {
+    if (std::ranges::count(unseen.along, 0.0) + 1 < std::ssize(unseen.along)) return std::nullopt;
+    motion.held.push_back(unseen.coordinate);
+  }
+  std::sort(motion.held.begin(), motion.held.end());
+  motion.held.erase(std::unique(motion.held.begin(), motion.held.end()), motion.held.end());
+  return motion;
+}
+
+std::vector<std::size_t> free_coordinates(const SteadyFormulas& motion) {
+  std::vector<std::size_t> free;
+  for (std::size_t k = 0; k < motion.v.size(); ++k)
+    if (std::find(motion.held.begin(), motion.held.end(), static_cast<int>(k)) == motion.held.end()) free.push_back(k);
+  return free;
+}
+
+LinearisedFormulas linearised(const SteadyFormulas& motion, const std::vector<std::size_t>& free) {
+  const Mechanism<Formula>& mechanism = motion.machine.mechanism;
+  const FormulaMatrix S = solve::adjoint_rows(mechanism.tree, unseen_spins(motion));
+  const FormulaMatrix D = solve::adjoint_rows(mechanism.tree, solve::own_twists(mechanism.tree, motion.v));
+  // The accelerations of the steady motion: v is constant on axes that follow the frame and not the spin.
+  const std::size_t n = motion.v.size();
+  std::vector<Formula> a(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k) a[i] -= S[i][k] * motion.v[k];
+  for (const auto& rate : motion.machine.accelerations) a[static_cast<std::size_t>(rate.velocity)] = rate.value;
+
+  // How M a + h - Q varies, which is zero along the motion.
+  LinearisedFormulas result;
+  const State<Formula> state{motion.q, motion.v};
+  const std::vector<Formula> left = solve::remainder_of(mechanism, state, a, {}).forces;
+  for (const std::size_t i : free) result.unrest.push_back(left[i]);
+  const solve::RemainderSlopes<Formula> slopes(mechanism, state, a, {});
+  FormulaMatrix by_position = zeros(n), by_velocity = zeros(n);
+  for (const std::size_t k : free) {
+    const std::vector<Formula> moved = slopes.by_position(k).forces, hastened = slopes.by_velocity(k).forces;
+    for (const std::size_t i : free) {
+      by_position[i][k] = moved[i];
+      by_velocity[i][k] = hastened[i];
+    }
+  }
+  const auto of_free = [&](const FormulaMatrix& A) {
+    FormulaMatrix part;
+    for (const std::size_t i : free) {
+      part.emplace_back();
+      for (const std::size_t k : free) part.back().push_back(A[i][k]);
+    }
+    return part;
+  };
+  // With y = (l - S + D) x the deviations of the velocities, M (l - S) y + r_v y + r_q x = 0.
+  const FormulaMatrix spin = of_free(S), drift = of_free(sum(D, S, -1));
+  const FormulaMatrix M = of_free(solve::mass_rows(mechanism.tree, motion.q)), Rv = of_free(by_velocity);
+  result.M = M;
+  result.C = sum(product(M, sum(drift, spin, -1)), Rv);
+  result.K = sum(sum(product(Rv, drift), product(product(M, spin), drift), -1), of_free(by_position));
+  result.follows_spin = !vanishes(spin) || !vanishes(drift);
+  return result;
+}
+
+std::vector<Formula> characteristic_polynomial(const LinearisedFormulas& near) {
+  const std::string name = "rate of growth";
+  const Formula l = Formula::letter(name, poinsot::Sign::real);
+  FormulaMatrix P = near.K;
+  for (std::size_t i = 0; i < P.size(); ++i)
+    for (std::size_t k = 0; k < P.size(); ++k) P[i][k] += l * near.C[i][k] + l * l * near.M[i][k];
+  Formula rest = numerator(determinant(P));
+  std::vector<Formula> coefficients;
+  Formula factorial(1);
+  for (std::size_t k = 0; !rest.is_zero() && k <= 2 * P.size(); ++k) {
+    if (k > 0) factorial *= Formula(static_cast<std::int64_t>(k));
+    coefficients.push_back(poinsot::substituted(rest, {{name, Formula(0)}}) / factorial);
+    rest = derivative(rest, name);
+  }
+  return coefficients;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,50 @@
+// The motion near a steady one in formulas: the linearised equations of the deviations of its free coordinates.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "poinsot/engine/math/formula/formula.h"
+#include "poinsot/engine/solve/stability/near_equations.h"
+#include "problem/formulas/formula_instant.h"
+#include "problem/machine/machine.h"
+
+namespace poinsot::problem {
+
+using FormulaMatrix = solve::Rows<Formula>;
+
+// A steady motion whose numbers are formulas.
+struct SteadyFormulas {
+  const MachineOf<Formula>& machine;
+  const std::vector<Formula>&q, &v;
+  int frame = 0;          // in which everything rests but for spins
+  std::vector<int> held;  // velocity coordinates whose motion is given, and those of massless turning
+  // How many eigenvalues vanish because the whole can be displaced without changing the motion.
+  std::size_t symmetries = 0;
+};
+
+// That of a mechanism without constraints, in a frame of the situation or at rest. numbers: the same machine in
+// numbers. Nothing if massless turning is no coordinate by itself.
+std::optional<SteadyFormulas> steady_formulas(const Situation& situation, const MachineOf<Formula>& machine,
+                                              const std::vector<Formula>& q, const std::vector<Formula>& v,
+                                              const Machine& numbers);
+
+std::vector<std::size_t> free_coordinates(const SteadyFormulas& motion);
+
+// The linearised equations M x'' + C x' + K x = 0 of the deviations of the free coordinates.
+struct LinearisedFormulas {
+  FormulaMatrix M, C, K;
+  bool follows_spin = false;    // whether axes turn relative to those of the coordinates
+  std::vector<Formula> unrest;  // vanishes if the motion is steady
+};
+LinearisedFormulas linearised(const SteadyFormulas& motion, const std::vector<std::size_t>& free);
+
+// The coefficients of det(M l^2 + C l + K) in ascending powers of l.
+std::vector<Formula> characteristic_polynomial(const LinearisedFormulas& near);
+
+FormulaMatrix zeros(std::size_t n);
+// Whether every entry is zero.
+bool vanishes(const FormulaMatrix& A);
+Formula determinant(const FormulaMatrix& A);
+
+}  // namespace poinsot::problem

@@ -1,0 +1,57 @@
+#include "problem/explanation/shared_factors.h"
+
+#include <algorithm>
+
+#include "poinsot/engine/math/formula/formula_text.h"
+
+namespace poinsot::problem {
+namespace {
+
+std::size_t length_of(const std::vector<Formula>& formulas) {
+  std::size_t length = 0;
+  for (const Formula& one : formulas)
+    if (!one.is_zero()) length += text(one).size();
+  return length;
+}
+
+std::vector<Formula> divided(const std::vector<Formula>& formulas, const Formula& by) {
+  std::vector<Formula> result;
+  for (const Formula& one : formulas) result.push_back(one.is_zero() ? one : one / by);
+  return result;
+}
+
+}  // namespace
+
+WithoutShared without_shared_factors(std::vector<Formula> formulas, const std::vector<Formula>& factors) {
+  WithoutShared found{std::move(formulas), {}};
+  std::size_t length = length_of(found.rest);
+  const auto take = [&](const Formula& by) {
+    std::vector<Formula> shorter = divided(found.rest, by);
+    const std::size_t own = length_of(shorter);
+    if (own >= length) return false;
+    found.rest = std::move(shorter);
+    length = own;
+    return true;
+  };
+  constexpr int highest_power = 8;  // of a factor that all share: moments of inertia have fifth powers of lengths
+  for (const Formula& factor : factors)
+    for (int power = 0; power < highest_power && take(factor); ++power) found.divided.push_back(factor);
+  for (const int prime : {2, 3, 5, 7})
+    for (const Formula& by : {Formula(prime), Formula(1) / Formula(prime)})
+      while (take(by)) {
+      }
+  return found;
+}
+
+std::vector<Formula> possible_factors(const std::vector<Formula>& letters, const std::vector<Formula>& angles) {
+  std::vector<Formula> factors = letters;
+  for (const Formula& angle : angles) {
+    factors.push_back(sin(angle));
+    factors.push_back(cos(angle));
+    // Numerators are written in tangents of half angles.
+    factors.push_back(Formula(1) / cos(angle / Formula(2)));
+  }
+  return factors;
+}
+
+}  // namespace poinsot::problem

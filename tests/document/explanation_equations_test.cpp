@@ -1,0 +1,218 @@
+// What worked solutions derive for data that are to be found, for motions near steady ones and in a plane, held against
+// closed forms.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "document/tex_sums.h"
+#include "poinsot/problem.h"
+#include "poinsot/rendering.h"
+#include "problem/explanation/explanation.h"
+
+namespace poinsot::document {
+namespace explanation_equations_test {
+
+Document explained_document(const std::string& statement) {
+  return Problem::from_text(statement, "explained.yaml").explain();
+}
+std::string explained(const std::string& statement, std::size_t solution = 0) {
+  return to_markdown(explained_document(statement), solution);
+}
+
+// The value of a displayed sum of powers "x^{4} - 78.5\,x^{2} + 769.4 = 0" at a number, as a part of its largest term;
+// nothing if there is no line that begins so.
+std::optional<double> polynomial_at(const std::string& text, const std::string& letter, std::size_t degree, double x) {
+  const std::string power = degree == 1 ? letter : letter + fmt::format("^{{{}}}", degree);
+  std::size_t begin = text.find("\n" + power + " ");
+  if (begin == std::string::npos) return std::nullopt;
+  ++begin;
+  std::string line = text.substr(begin, text.find('\n', begin) - begin);
+  for (const std::string& mark : {std::string("&"), std::string(" \\\\")})
+    if (const std::size_t at = line.find(mark); at != std::string::npos) line.erase(at, mark.size());
+  line = line.substr(0, line.find(" = 0"));
+  std::vector<std::pair<std::string, double>> symbols{{letter, x}};
+  for (std::size_t k = 2; k <= degree; ++k) symbols.emplace_back(letter + fmt::format("^{{{}}}", k), std::pow(x, k));
+  const auto sum = testing::TexSumReader(line, symbols).read();
+  if (!sum) return std::nullopt;
+  return std::abs(sum->value) / sum->size;
+}
+
+// The rates of steady precession are the roots of (I (s + p cos theta) - I' p cos theta) p = m g c.
+TEST(ExplainedEquations, PrecessionIsTheQuadraticOfTheTopWithBothRoots) {
+  std::mt19937_64 random(3);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  int tried = 0;
+  for (int i = 0; i < 6; ++i) {
+    const double I = between(1, 2), J = I * between(1.1, 3), c = between(0.05, 0.2), m = between(1, 3);
+    const double theta = i == 0 ? std::numbers::pi / 6 : between(0.3, 1.2), s = between(20, 60), g = 9.81;
+    const double a = (J - I) * std::cos(theta), b = -I * s, d = m * g * c;
+    if (!(b * b - 4 * a * d > 0)) continue;
+    const Document document = explained_document(fmt::format(
+        R"(given: {{I: {} kg*m^2, J: {} kg*m^2, c: {} m, m: {} kg, b: {} deg, s: {} rad/s, g: {} m/s^2}}
+find: {{p: rad/s}}
+gravity: -z
+points: {{O: [0, 0, 0], G: 'c*[sin(b), 0, cos(b)]'}}
+bodies: {{top: {{mass: m, center: G, inertia: {{about: O, axis: O->G, axial: I, transverse: J}}}}}}
+joints: {{tip: {{ball: O, to: top}}}}
+frames: {{figure: {{origin: O, turns: z, rate: p}}}}
+steady: {{frame: figure, spins: {{top: {{about: O->G, rate: s}}}}}}
+ask: {{a: p}}
+)",
+        I, J, c, m, theta * 180 / std::numbers::pi, s, g));
+    ASSERT_EQ(document.solutions.size(), 2u);
+    const double q = -0.5 * (b - std::sqrt(b * b - 4 * a * d)), fast = q / a, slow = d / q;
+    const std::string text = to_markdown(document, 0);
+    for (const double root : {slow, fast}) {
+      const auto left = polynomial_at(text, "p", 2, root);
+      ASSERT_TRUE(left) << text;
+      EXPECT_LT(*left, 1e-5) << text;
+    }
+    EXPECT_GT(*polynomial_at(text, "p", 2, 1.01 * fast), 1e-3);
+    EXPECT_NE(text.find(fmt::format("the other root ${:.6g}", fast)), std::string::npos) << fast << text;
+    // The letter of the angle stays, also where its sine is a simple number.
+    EXPECT_NE(text.find("\\cos b"), std::string::npos) << text;
+    EXPECT_EQ(text.find("\\sqrt{3}"), std::string::npos) << text;
+    ++tried;
+  }
+  EXPECT_GE(tried, 4);
+}
+
+TEST(ExplainedEquations, AnAngleFollowsByItsSineAndAnyMassCancels) {
+  // A rod on a turning shaft: cos(a) = 3 g/(2 L w^2) from the vertical.
+  const std::string text = explained(R"(
+given: {L: 0.83 m, w: 6 rad/s, g: 9.81 m/s^2}
+find: {a: deg}
+where: [1 deg < a < 89 deg]
+gravity: -y
+points: {O: [0, 0, 0], A: 'L*[sin(a), -cos(a), 0]'}
+bodies: {clevis: massless, rod: {rod: [O, A], mass: any}}
+joints:
+  shaft: {revolute: y, at: O, to: clevis, rate: w, accel: 0}
+  hinge: {revolute: z, at: O, from: clevis, to: rod}
+steady: {frame: clevis}
+ask: {a: a}
+)");
+  EXPECT_NE(text.find("apart from $\\sin a = 0$"), std::string::npos) << text;
+  EXPECT_NE(text.find(fmt::format("\\cos a &= \\frac{{3 g}}{{2 L w^{{2}}}} = {:.6g}", 3 * 9.81 / (2 * 0.83 * 36))),
+            std::string::npos)
+      << text;
+  EXPECT_NE(
+      text.find(fmt::format("a &= {:.6g}^{{\\circ}}", std::acos(3 * 9.81 / (2 * 0.83 * 36)) * 180 / std::numbers::pi)),
+      std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("mass $1"), std::string::npos) << text;
+}
+
+TEST(ExplainedEquations, OneFreedomSwingsAtTheRootOfItsStiffnessOverItsInertia) {
+  const std::string text = explained(R"(
+given: {m: 3 kg, L: 0.7 m, k: 40 N*m/rad, g: 9.81 m/s^2}
+points: {O: [0, 0, 0], A: [0, -L, 0]}
+bodies: {bar: {rod: [O, A], mass: m}}
+joints: {pin: {revolute: z, at: O, to: bar, angle: t, spring: {stiffness: k, free_angle: 0 deg}}}
+gravity: -y
+instants: {now: rest}
+ask: {swing: frequencies(bar)}
+)");
+  const double square = (40 + 3 * 9.81 * 0.35) / (3 * 0.49 / 3);
+  EXPECT_NE(text.find("\\ddot{\\xi}"), std::string::npos) << text;
+  EXPECT_NE(text.find(fmt::format("= {:.6g}\\ \\mathrm{{rad^{{2}}/s^{{2}}}}", square)), std::string::npos) << text;
+  EXPECT_NE(text.find(fmt::format("The frequency is ${:.6g}\\ \\mathrm{{rad/s}}$", std::sqrt(square))),
+            std::string::npos)
+      << text;
+}
+
+TEST(ExplainedEquations, SeveralFreedomsHaveTheirCharacteristicPolynomial) {
+  const std::string text = explained(R"(
+given: {m: 1 kg, L: 0.5 m, g: 9.81 m/s^2}
+points: {O: [0, 0, 0], A: [0, -L, 0], B: [0, -2*L, 0]}
+bodies: {one: {particle: A, mass: m}, two: {particle: B, mass: m}}
+joints:
+  upper: {revolute: z, at: O, to: one, angle: a}
+  lower: {revolute: z, at: A, from: one, to: two, angle: b}
+gravity: -y
+instants: {now: rest}
+ask: {swing: frequencies(system)}
+)");
+  for (const double sign : {-1.0, 1.0}) {
+    const auto left = polynomial_at(text, "\\omega", 4, std::sqrt((2 + sign * std::sqrt(2.0)) * 9.81 / 0.5));
+    ASSERT_TRUE(left) << text;
+    EXPECT_LT(*left, 1e-5) << text;
+  }
+  EXPECT_GT(*polynomial_at(text, "\\omega", 4, 5), 1e-2);
+  EXPECT_NE(text.find("\\mathbf{M} &= \\begin{pmatrix}"), std::string::npos) << text;
+}
+
+TEST(ExplainedEquations, ALimitOfStabilityIsWhereTheStiffnessVanishes) {
+  // A rod that hangs from a turning shaft begins to leave it at w^2 = 3 g/(2 L).
+  const std::string text = explained(R"(
+given: {L: 0.83 m, w: 1 rad/s, g: 9.81 m/s^2}
+gravity: -y
+points: {O: [0, 0, 0], A: [0, -L, 0]}
+bodies: {clevis: massless, rod: {rod: [O, A], mass: any}}
+joints:
+  shaft: {revolute: y, at: O, to: clevis, rate: w, accel: 0}
+  hinge: {revolute: z, at: O, from: clevis, to: rod, angle: a}
+instants: {now: {a: 0 deg}}
+steady: {frame: clevis}
+ask: {most: {largest: w, while: stable(rod)}}
+)");
+  EXPECT_NE(text.find(fmt::format("w^{{2}} &= \\frac{{3 g}}{{2 L}} = {:.6g}", 1.5 * 9.81 / 0.83)), std::string::npos)
+      << text;
+  EXPECT_NE(text.find(fmt::format("w &= {:.6g}\\ \\mathrm{{rad/s}}", std::sqrt(1.5 * 9.81 / 0.83))), std::string::npos)
+      << text;
+}
+
+constexpr const char* bar_in_a_plane = R"(
+given: {m: 3 kg, L: 0.7 m, b: 30 deg, g: 9.81 m/s^2}
+points: {O: [0, 0, 0], A: 'L*[sin(b), -cos(b), 0]'}
+bodies: {bar: {rod: [O, A], mass: m}}
+joints: {pin: {revolute: z, at: O, to: bar}}
+gravity: -y
+instants: {now: rest}
+ask: {O: reaction(pin)}
+)";
+
+TEST(ExplainedEquations, InAPlaneThreeEquationsAreShown) {
+  const std::string text = explained(bar_in_a_plane);
+  EXPECT_NE(text.find("moves in the $xy$ plane"), std::string::npos) << text;
+  for (const char* piece : {"\\Sigma F_{x}", "\\Sigma F_{y}", "\\Sigma M_{z}", "O_{x}", "O_{y}", "I_{z}"})
+    EXPECT_NE(text.find(piece), std::string::npos) << piece << text;
+  for (const char* piece : {"\\Sigma F_{z}", "\\Sigma M_{x}", "\\Sigma M_{y}", "O_{z}", "M_{O,x}", "I_{x}"})
+    EXPECT_EQ(text.find(piece), std::string::npos) << piece << text;
+}
+
+// What turns about an axis in the plane of its forces does not move in that plane.
+TEST(ExplainedEquations, AnAskewRotorDoesNotMoveInAPlane) {
+  const std::string text = explained(R"(
+given: {m: 8 kg, r: 150 mm, b: 20 deg, n: 1200 rpm, L: 500 mm}
+points: {A: [-L/2, 0, 0], G: [0, 0, 0], B: [L/2, 0, 0]}
+directions: {across: [cos(b), sin(b), 0]}
+bodies: {disk: {disk: {center: G, normal: across, radius: r}, mass: m}}
+joints: {shaft: {revolute: A->B, at: A, to: disk, rate: n, accel: 0, supports: {A: [x, y, z], B: [y, z]}}}
+gravity: none
+ask: {A: reaction(A)}
+)");
+  EXPECT_EQ(text.find("moves in the"), std::string::npos) << text;
+  EXPECT_NE(text.find("A_{z}"), std::string::npos) << text;
+}
+
+// A force across the plane needs the other equations.
+TEST(ExplainedEquations, AForceAcrossThePlaneKeepsAllEquations) {
+  std::string statement = bar_in_a_plane;
+  statement += "loads: {push: {force: [0, 0, 5 N], at: A, body: bar}}\n";
+  const std::string text = explained(statement);
+  EXPECT_EQ(text.find("moves in the"), std::string::npos) << text;
+  EXPECT_NE(text.find("O_{z}"), std::string::npos) << text;
+}
+
+}  // namespace explanation_equations_test
+}  // namespace poinsot::document
