@@ -32,3 +32,13 @@ if(HDF5_STATIC)
     set(HDF5_LIBRARIES "${hdf5_static_libraries}")
   endif()
 endif()
+
+# The static library is not compiled for shared objects: a target that is one says so by this property of its own.
+if(NOT HDF5_LIBRARIES STREQUAL HDF5_SHARED)
+  set(hdf5_for_programs ${HDF5_LIBRARIES})
+  set(shared "$<BOOL:$<TARGET_PROPERTY:POINSOT_SHARED_OBJECT>>")
+  set(HDF5_LIBRARIES "$<${shared}:${HDF5_SHARED}>")
+  foreach(library ${hdf5_for_programs})
+    list(APPEND HDF5_LIBRARIES "$<$<NOT:${shared}>:${library}>")
+  endforeach()
+endif()

@@ -9,6 +9,9 @@ build_packages=(g++ cmake ninja-build ccache libeigen3-dev libboost-dev libyaml-
 # Node.js and npm make the script of pages; whoever installed them.
 if ! command -v node >/dev/null || ! command -v npm >/dev/null; then build_packages+=(nodejs npm); fi
 page_test_packages=(chromium)
+python_packages=(python3-dev python3-venv)
+# From the Python package index, into an environment of their own below build/.
+python_environment_packages=(nanobind numpy pandas pandas-stubs sympy pint tqdm matplotlib pytest mypy nbclient ipykernel)
 bench_packages=(libbenchmark-dev libsundials-dev python3-venv python3-sympy)
 tidy_packages=(clang-format clang-tidy)
 hunt_packages=(python3 python3-yaml python3-jsonschema)
@@ -56,7 +59,25 @@ ensure_packages() {
   fi
 }
 
+# ensure_python_environment: an environment of Python with what the Python package needs to be built and tested, in
+# $python_environment. Returns 1 if it cannot be had.
+ensure_python_environment() {
+  python_environment=$root/build/python/environment
+  local wanted
+  wanted="$(python3 --version) ${python_environment_packages[*]}"
+  if [[ -f $python_environment/holds ]] && [[ $(<"$python_environment/holds") == "$wanted" ]]; then return; fi
+  say "Installing ${python_environment_packages[*]} in $python_environment"
+  if ! python3 -m venv --clear "$python_environment" </dev/null >&2 ||
+    ! "$python_environment/bin/python" -m pip install -q --disable-pip-version-check "${python_environment_packages[@]}" </dev/null >&2; then
+    say "Could not install these packages: is the Python package index reachable? Going on without the Python package."
+    return 1
+  fi
+  printf '%s\n' "$wanted" >"$python_environment/holds"
+}
+
 # build_preset PRESET [TARGET...]: configures and builds, everything if no target is named. Messages go to standard error.
+# configure_options: what else the configuration is told.
+configure_options=()
 build_preset() {
   local preset=$1
   shift
@@ -65,7 +86,7 @@ build_preset() {
     if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER-} ]] && command -v ccache >/dev/null; then
       export CMAKE_CXX_COMPILER_LAUNCHER=ccache
     fi
-    cmake --preset "$preset" --log-level=WARNING
+    cmake --preset "$preset" --log-level=WARNING ${configure_options[@]+"${configure_options[@]}"}
     cmake --build --preset "$preset" ${1+--target "$@"}
   ) </dev/null >&2
 }

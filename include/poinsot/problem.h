@@ -237,6 +237,10 @@ class Problem {
 // The JSON Schema (draft 2020-12) of the problem file, ending in a newline.
 std::string problem_schema();
 
+// The coherent SI unit of what a unit of the problem language measures: "rad/s" of "rpm", "" of "". Throws
+// std::invalid_argument, which names the bad piece, if it is no unit.
+std::string si_unit_of(std::string_view unit);
+
 // What the problem language means by a word: a key, a function, a unit, and the shortest example of the manual that
 // uses it. The text ends in a newline; it is empty for a word that the language does not know.
 std::string language_help(std::string_view word);

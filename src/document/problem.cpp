@@ -19,6 +19,7 @@
 #include "problem/keys/keys.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/tree.h"
+#include "problem/language/units.h"
 #include "problem/scene/scene.h"
 
 namespace poinsot {
@@ -221,6 +222,10 @@ std::string Problem::equations(const EquationsOptions& options, const Budget& bu
 }
 
 bool is_function_name(std::string_view text) { return is_code_name(text); }
+
+std::string si_unit_of(std::string_view unit) {
+  return unit.empty() ? "" : problem::format_unit(problem::parse_unit(unit).dimension);
+}
 
 std::string problem_schema() { return problem::problem_schema(); }
 

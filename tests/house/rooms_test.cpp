@@ -153,30 +153,43 @@ TEST(House, sources_keep_the_rules) {
 
 // Headers of the project that a program's source includes, but those that stand beside it and those for callers of
 // problems.
-Lines not_for_callers(const std::string& source, const std::set<std::string>& beside) {
+// With `engine`, public headers of the engine may be included too.
+Lines not_for_callers(const std::string& source, const std::set<std::string>& beside, bool engine = false) {
   static const std::set<std::string> for_callers{"poinsot/document.h", "poinsot/pictures.h", "poinsot/problem.h",
                                                  "poinsot/rendering.h", "poinsot/scene.h"};
   static const std::regex quoted(R"re(#\s*include\s*"([^"]*)")re");
   Lines found;
   for (std::sregex_iterator it(source.begin(), source.end(), quoted), none; it != none; ++it)
-    if (const std::string include = (*it)[1]; !beside.contains(include) && !for_callers.contains(include))
+    if (const std::string include = (*it)[1];
+        !beside.contains(include) && !for_callers.contains(include) &&
+        !(engine && include.starts_with("poinsot/engine/")))
       found.push_back(include);
   return found;
+}
+
+// What the sources of a folder include beside each other and the public headers.
+void expect_caller(const fs::path& folder, const std::set<std::string>& written_by_the_build, bool engine = false) {
+  std::set<std::string> beside = written_by_the_build;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) beside.insert(entry.path().filename());
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    std::ostringstream source;
+    source << std::ifstream(entry.path()).rdbuf();
+    EXPECT_EQ(not_for_callers(source.str(), beside, engine), Lines{}) << entry.path();
+  }
+  EXPECT_GT(beside.size(), 5U);
 }
 
 TEST(House, the_program_uses_the_public_headers_for_problems_and_nothing_else) {
   EXPECT_EQ(not_for_callers("#include <map>\n#include \"a.h\"\n#include \"poinsot/problem.h\"\n", {"a.h"}), Lines{});
   EXPECT_EQ(not_for_callers("#include \"problem/language/tree.h\"\n", {}), Lines{"problem/language/tree.h"});
   EXPECT_EQ(not_for_callers("#include \"poinsot/engine/mass/mesh.h\"\n", {}), Lines{"poinsot/engine/mass/mesh.h"});
-  const fs::path folder = fs::path(POINSOT_SOURCE_DIR) / "apps/poinsot";
-  std::set<std::string> beside{"flint_functions.inc"};  // written by the build
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) beside.insert(entry.path().filename());
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    std::ostringstream source;
-    source << std::ifstream(entry.path()).rdbuf();
-    EXPECT_EQ(not_for_callers(source.str(), beside), Lines{}) << entry.path();
-  }
-  EXPECT_GT(beside.size(), 5U);
+  expect_caller(fs::path(POINSOT_SOURCE_DIR) / "apps/poinsot", {"flint_functions.inc"});
+}
+
+TEST(House, the_python_package_uses_public_headers_and_nothing_else) {
+  EXPECT_EQ(not_for_callers("#include \"engine/mass/shape_check.h\"\n", {}, true),
+            Lines{"engine/mass/shape_check.h"});
+  expect_caller(fs::path(POINSOT_SOURCE_DIR) / "python/src", {}, true);
 }
 
 TEST(House, callers_of_problems_have_few_headers) {
@@ -198,6 +211,7 @@ TEST(House, tests_stand_in_the_rooms_that_they_test) {
                                      "install",
                                      "install/engine_client",
                                      "install/problem_client",
+                                     "python",
                                      "threads",
                                      "web"};
   for (const auto& [folder, paths] : files_by_folder(fs::path(POINSOT_SOURCE_DIR) / "tests")) {

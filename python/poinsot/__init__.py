@@ -1,0 +1,53 @@
+"""poinsot answers questions about rigid bodies that move in three dimensions.
+
+    problem = poinsot.Problem.from_file("askew.yaml")
+    result = problem.solve(n="3000 rpm")
+    result["T"].value, result["T"].unit
+"""
+
+from ._core import answer_schema, language_help, language_words, problem_schema
+from ._core import version as __version__
+
+from .answers import Answer, Explanation, Result, Solution, Unknown
+from .errors import (
+    Diagnostic,
+    FigureError,
+    Interrupted,
+    NoAnswer,
+    NoEquations,
+    NoPages,
+    PoinsotError,
+    RecordingError,
+    StatementError,
+    TimedOut,
+)
+from .notebook import Page, Picture
+from .problem import Problem
+from .quantities import si_unit
+
+__all__ = [
+    "Answer",
+    "Diagnostic",
+    "Explanation",
+    "FigureError",
+    "Interrupted",
+    "NoAnswer",
+    "NoEquations",
+    "NoPages",
+    "Page",
+    "Picture",
+    "PoinsotError",
+    "Problem",
+    "RecordingError",
+    "Result",
+    "Solution",
+    "StatementError",
+    "TimedOut",
+    "Unknown",
+    "__version__",
+    "answer_schema",
+    "language_help",
+    "language_words",
+    "problem_schema",
+    "si_unit",
+]

@@ -1,0 +1,268 @@
+"""What a problem answers."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+import numpy as np
+
+from . import _core, formulas, notebook
+from .errors import NoAnswer
+
+if TYPE_CHECKING:
+    import pandas
+
+    from .problem import Problem
+
+_Item = TypeVar("_Item")
+
+
+def _plain(value: Any) -> Any:
+    """Lists of numbers as arrays of NumPy; everything else as it is."""
+    if not isinstance(value, list):
+        return value
+    try:
+        return np.array(value, dtype=float)
+    except (TypeError, ValueError):
+        return value
+
+
+def _each(function: Any, formula: Any) -> Any:
+    return [_each(function, one) for one in formula] if isinstance(formula, list) else function(formula)
+
+
+class ByName(Mapping[str, _Item], Generic[_Item]):
+    """Things by name, in the order of the file."""
+
+    def __init__(self, items: Mapping[str, _Item], what: str) -> None:
+        self._items, self._what = dict(items), what
+
+    def __getitem__(self, name: str) -> _Item:
+        try:
+            return self._items[name]
+        except KeyError:
+            hint = _core.did_you_mean(name, list(self._items))
+            known = f": expected {', '.join(self._items)}" if self._items else ""
+            raise KeyError(f"there is no {self._what} '{name}'{known}{f' ({hint})' if hint else ''}") from None
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._items)
+
+    def __len__(self) -> int:
+        return len(self._items)
+
+    def __repr__(self) -> str:
+        return "{" + ", ".join(f"{name!r}: {item!r}" for name, item in self._items.items()) + "}"
+
+
+class Found:
+    """A value with its unit, and its formula where letters have no value."""
+
+    def __init__(self, core: Any, positive: frozenset[str]) -> None:
+        self._core, self._positive = core, positive
+        self.name: str = core.name
+        self.unit: str = core.unit
+        # Text, a list of texts for vectors and matrices, or None.
+        self.formula: Any = core.formula
+
+    def _wanted(self, value: Any) -> Any:
+        if value is None:
+            raise NoAnswer(f"{self.name} has no value{self._why()}")
+        return _plain(value)
+
+    def _why(self) -> str:
+        return f" while letters are open: it is {self.formula}" if self.formula is not None else ""
+
+    @property
+    def value(self) -> Any:
+        """In `unit`: a number, an array of NumPy, a truth value or a text. NoAnswer if there is none."""
+        return self._wanted(self._core.value)
+
+    @property
+    def si(self) -> Any:
+        """The same in SI base units and radians."""
+        return self._wanted(self._core.si)
+
+    @property
+    def tex(self) -> Any:
+        """The formula as TeX; a list for vectors and matrices, None without formula."""
+        return None if self.formula is None else _each(formulas.tex, self.formula)
+
+    def sympy(self) -> Any:
+        """The formula as an expression of SymPy; a matrix for vectors and matrices."""
+        if self.formula is None:
+            raise NoAnswer(f"{self.name} has no formula: leave letters without value to get one")
+        found = _each(lambda text: formulas.to_sympy(text, set(self._positive)), self.formula)
+        if not isinstance(found, list):
+            return found
+        import sympy
+
+        return sympy.Matrix(found)
+
+    def __float__(self) -> float:
+        return float(self.value)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
+        return np.asarray(self.value, dtype=dtype)
+
+    def _repr_latex_(self) -> str | None:
+        return notebook.equation(self)
+
+
+class Unknown(Found):
+    """What was found of an unknown."""
+
+    def __repr__(self) -> str:
+        return f"<{self.name} = {notebook.text_of(self)}>"
+
+
+class Answer(Found):
+    """The answer to a question or the verdict on a claim."""
+
+    def __init__(self, core: _core.Answer, positive: frozenset[str]) -> None:
+        super().__init__(core, positive)
+        self.ask = core.ask
+        self.words = core.words
+        # "found", "needs_letters", "undetermined" or "refused".
+        self.state = core.state
+        # For every state but "found": why, and what would help.
+        self.reason = core.reason
+        self.axes: list[str] = core.axes
+        self.letters: list[str] = core.letters
+        self.no_formula: str = core.no_formula
+
+    def _why(self) -> str:
+        if self.is_table:
+            return ": it is a table, see frame()"
+        formula = super()._why()
+        return f": {self.reason}" if self.reason else formula or (f": {self.no_formula}" if self.no_formula else "")
+
+    @property
+    def is_table(self) -> bool:
+        return bool(self._core.columns)
+
+    def frame(self, si: bool = False) -> pandas.DataFrame:
+        """A table as a frame of pandas. The units of its columns are in attrs["units"]."""
+        if not self.is_table:
+            raise NoAnswer(f"{self.name} is no table")
+        import pandas
+
+        columns = self._core.columns
+        frame = pandas.DataFrame({one.name: one.si if si else one.value for one in columns})
+        frame.attrs["units"] = {one.name: _core.si_unit_of(one.unit) if si else one.unit for one in columns}
+        return frame
+
+    @property
+    def holds(self) -> bool | None:
+        """Whether a claim holds; None for other answers."""
+        return self._core.claim.holds if self._core.claim and self.state == "found" else None
+
+    @property
+    def claim(self) -> _core.ClaimOutcome | None:
+        """How a claim was decided, and a counterexample if it does not hold."""
+        claim: _core.ClaimOutcome | None = self._core.claim
+        return claim
+
+    def __repr__(self) -> str:
+        return f"<{self.name}: {self.words or self.ask}: {notebook.text_of(self)}>"
+
+    def _repr_html_(self) -> str:
+        return notebook.answers_html([self])
+
+
+class Solution:
+    """The answers for one root of the unknowns."""
+
+    def __init__(self, core: _core.Solution) -> None:
+        positive = frozenset(one.removesuffix(" > 0") for one in core.assumptions if one.endswith(" > 0"))
+        self.unknowns = ByName({one.name: Unknown(one, positive) for one in core.unknowns}, "unknown")
+        self.answers = ByName({one.name: Answer(one, positive) for one in core.answers}, "answer")
+        self.checks: dict[str, float] = core.checks
+        self.notes: list[str] = core.notes
+        self.assumptions: list[str] = core.assumptions
+        self.conditions = [(one.words, one.formula) for one in core.conditions]
+
+    def __getitem__(self, name: str) -> Answer:
+        return self.answers[name]
+
+    def __repr__(self) -> str:
+        return f"<solution: {', '.join(self.answers)}>"
+
+    def _repr_html_(self) -> str:
+        return notebook.solution_html(self)
+
+
+class Result:
+    """All that a run found. With one solution, its answers are at hand: result["T"].value."""
+
+    def __init__(self, core: _core.Document, problem: Problem) -> None:
+        self._core, self._problem = core, problem
+        self.title = core.title
+        self.solutions = [Solution(one) for one in core.solutions]
+        self.warnings: list[str] = core.warnings
+        self.open_letters = {one.name: one.unit for one in core.open_letters}
+        # What ended the run before it was done: "deadline" or "interrupted"; else None.
+        self.ended: str | None = core.ended
+        self.fully_answered: bool = core.fully_answered
+
+    @property
+    def solution(self) -> Solution:
+        """The only solution. NoAnswer if there is none or several."""
+        if len(self.solutions) == 1:
+            return self.solutions[0]
+        if self.solutions:
+            raise NoAnswer(f"there are {len(self.solutions)} solutions: choose one of result.solutions")
+        raise NoAnswer("there is no solution" + (": " + "; ".join(self.warnings) if self.warnings else ""))
+
+    @property
+    def answers(self) -> ByName[Answer]:
+        return self.solution.answers
+
+    @property
+    def unknowns(self) -> ByName[Unknown]:
+        return self.solution.unknowns
+
+    @property
+    def checks(self) -> dict[str, float]:
+        return self.solution.checks
+
+    @property
+    def notes(self) -> list[str]:
+        return self.solution.notes
+
+    def __getitem__(self, name: str) -> Answer:
+        return self.answers[name]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The answer document, as `poinsot solve --json` prints it."""
+        document: dict[str, Any] = json.loads(self._core.to_json())
+        return document
+
+    def to_text(self, digits: int = 6) -> str:
+        """The answers as the program prints them on a terminal."""
+        return self._core.to_text(digits)
+
+    def to_markdown(self) -> str:
+        """As Markdown with TeX; with the steps of the solution if the result is of explain()."""
+        return self._core.to_markdown()
+
+    def __str__(self) -> str:
+        return self.to_text()
+
+    def __repr__(self) -> str:
+        return f"<poinsot.Result of '{self.title}': {len(self.solutions)} solution(s)>"
+
+    def _repr_html_(self) -> str | None:
+        return notebook.result_html(self)
+
+
+class Explanation(Result):
+    """A result with its worked solution."""
+
+    def _repr_html_(self) -> None:
+        return None
+
+    def _repr_markdown_(self) -> str:
+        return self.to_markdown()

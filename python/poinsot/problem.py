@@ -1,0 +1,257 @@
+"""Problem files and what they answer."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any, TypeVar
+
+from . import _core, calls, quantities
+from .answers import Explanation, Result
+from .errors import Interrupted, NoAnswer, StatementError
+from .notebook import Page, Picture
+
+_Kind = TypeVar("_Kind", bound=Result)
+
+
+class Problem:
+    """A problem file that was read and checked. It does not change, and threads may share it."""
+
+    def __init__(self, core: _core.Problem, text: str) -> None:
+        self._core = core
+        self.text = text
+        # The SI units of what can be given; None where the file does not tell.
+        self._units: dict[str, str | None] = {}
+        for situation in core.situations:
+            for datum in situation.data:
+                # A datum that is stated as a formula or a vector has no unit of its own.
+                known = datum.unit or _is_number(datum.text)
+                self._units[datum.name] = quantities.si_unit(datum.unit) if known else None
+            for letter in situation.letters:
+                self._units[letter.name] = quantities.si_unit(letter.unit)
+            for unknown in situation.unknowns:
+                self._units[unknown.name] = quantities.si_unit(unknown.unit)
+
+    @classmethod
+    def from_text(cls, text: str, name: str = "problem") -> Problem:
+        """Reads the text of a problem file; `name` is used in messages. Files that it names are sought beside it."""
+        with _Sources(text):
+            return cls(_core.Problem.from_text(text, name), text)
+
+    @classmethod
+    def from_file(cls, path: str | os.PathLike[str]) -> Problem:
+        """Reads a problem file. OSError if there is none, StatementError if it is wrong."""
+        with open(path, encoding="utf-8", newline="") as file:
+            text = file.read()
+        return cls.from_text(text, os.fspath(path))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self).from_text, (self.text, self.name))
+
+    @property
+    def name(self) -> str:
+        return self._core.name
+
+    @property
+    def title(self) -> str:
+        return self._core.title
+
+    @property
+    def data(self) -> dict[str, str]:
+        """The data of the file and the texts of their values."""
+        return {one.name: one.text for situation in self._core.situations for one in situation.data}
+
+    @property
+    def letters(self) -> dict[str, str]:
+        """The letters, which have no value, and their units."""
+        return {one.name: one.unit for situation in self._core.situations for one in situation.letters}
+
+    @property
+    def unknowns(self) -> dict[str, str]:
+        """What is to be found, and its units."""
+        return {one.name: one.unit for situation in self._core.situations for one in situation.unknowns}
+
+    @property
+    def questions(self) -> dict[str, str]:
+        return {one.name: one.text for one in self._core.questions}
+
+    @property
+    def claims(self) -> dict[str, str]:
+        return {one.name: one.text for one in self._core.claims}
+
+    def solve(
+        self,
+        sets: Mapping[str, quantities.Value] | None = None,
+        /,
+        *,
+        timeout: float | None = None,
+        progress: calls.Progress = None,
+        **values: quantities.Value,
+    ) -> Result:
+        """Answers every question and decides every claim.
+
+        Values of letters, data and unknowns are given by name, solve(n="3000 rpm"), or in a mapping, where a name is no
+        name of Python: text with unit, numbers in SI units, quantities of pint; three of them for a vector. After
+        `timeout` seconds the result holds what was found, and `ended` says so; Ctrl-C raises Interrupted, whose `found`
+        is that result.
+        """
+        return self._found(Result, False, False, sets, timeout, progress, values)
+
+    def explain(
+        self,
+        sets: Mapping[str, quantities.Value] | None = None,
+        /,
+        *,
+        timeout: float | None = None,
+        progress: calls.Progress = None,
+        **values: quantities.Value,
+    ) -> Explanation:
+        """The same with a worked solution: to_markdown()."""
+        return self._found(Explanation, False, True, sets, timeout, progress, values)
+
+    def check(self, *, timeout: float | None = None, progress: calls.Progress = None) -> list[str]:
+        """Compares the answers with the file's own `expect:` and describes each discrepancy."""
+        shortfalls: list[str] = self._called(self._core.check, timeout, progress)
+        return shortfalls
+
+    def equations(
+        self,
+        form: str = "text",
+        *,
+        of: Sequence[str] = (),
+        function: str = "equations",
+        situation: str = "",
+        sets: Mapping[str, quantities.Value] | None = None,
+        letters: Sequence[str] = (),
+        timeout: float | None = None,
+        progress: calls.Progress = None,
+    ) -> str:
+        """The equations of motion as "text", "tex", "c", "c++", "python" or "sympy".
+
+        of: some of "mass-matrix", "right-hand-side", "constraint-matrix", "reduced", "position-rate",
+        "forward-dynamics", "inverse-dynamics". letters: data that remain letters.
+        """
+
+        def call(*ends: Any) -> Any:
+            given = quantities.settings(self, sets or {})
+            return self._core.equations(list(of), form, function, situation, given, list(letters), *ends)
+
+        text: str = self._called(call, timeout, progress)
+        return text
+
+    def figures(self, sets: Mapping[str, quantities.Value] | None = None, /, **values: quantities.Value) -> dict[str, str]:
+        """The names of the figures that figure() draws, and what they show."""
+        return dict(self._illustrated(sets, values)._core.figures(0))
+
+    def figure(
+        self,
+        of: str = "model",
+        sets: Mapping[str, quantities.Value] | None = None,
+        /,
+        *,
+        view: str = "",
+        with_values: bool = False,
+        solution: int = 0,
+        **values: quantities.Value,
+    ) -> Picture:
+        """A line drawing: "model", "free-body", "impulse", "motion", ... (see figures()).
+
+        view: "front", "top", ..., "azimuth,elevation" or "x,y,z". with_values: values beside the symbols.
+        """
+        result = self._illustrated(sets, values)
+        if not 0 <= solution < len(result.solutions):
+            raise NoAnswer(f"there is no solution {solution}: there are {len(result.solutions)}")
+        return Picture(result._core.to_svg(solution, of, view, with_values))
+
+    def report(
+        self,
+        sets: Mapping[str, quantities.Value] | None = None,
+        /,
+        *,
+        timeout: float | None = None,
+        progress: calls.Progress = None,
+        height: int = 720,
+        **values: quantities.Value,
+    ) -> Page:
+        """One page with the statement, a view in space with the player of the motion, answers, worked solution."""
+        result = self._found(Result, True, True, sets, timeout, progress, values)
+        return Page(result._core.to_html(self._core, self.text), height)
+
+    def _illustrated(self, sets: Mapping[str, Any] | None, values: Mapping[str, Any]) -> Result:
+        result = self._found(Result, True, False, sets, None, None, values)
+        result.solutions or result.solution  # raises, if there is nothing to draw
+        return result
+
+    def _found(
+        self,
+        kind: type[_Kind],
+        scene: bool,
+        explanation: bool,
+        sets: Mapping[str, Any] | None,
+        timeout: float | None,
+        progress: calls.Progress,
+        values: Mapping[str, Any],
+    ) -> _Kind:
+        given = quantities.settings(self, {**(sets or {}), **values})
+
+        def call(*ends: Any) -> Any:
+            document, raised = self._core.solve(given, scene, explanation, *ends)
+            return kind(document, self), raised
+
+        found: _Kind = self._called(call, timeout, progress)
+        return found
+
+    def _called(
+        self, call: Callable[..., tuple[Any, Any]], timeout: float | None, progress: calls.Progress
+    ) -> Any:
+        heard = calls.listener(progress)
+        try:
+            with _Sources(self.text):
+                found, raised = call(timeout, heard)
+        finally:
+            calls.close(heard)
+        if isinstance(raised, KeyboardInterrupt):
+            interrupted = Interrupted("interrupted; `found` holds what was found until then")
+            interrupted.found = found
+            raise interrupted from None
+        if raised is not None:
+            raise raised
+        return found
+
+    def __repr__(self) -> str:
+        return f"<poinsot.Problem '{self.title or self.name}'>"
+
+    def _repr_svg_(self) -> str | None:
+        try:
+            return self.figure().svg
+        except (StatementError, NoAnswer):
+            return None
+
+
+class _Sources:
+    """Puts the line of the file into errors that come through."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, kind: Any, error: BaseException | None, trace: Any) -> None:
+        if isinstance(error, StatementError):
+            error.diagnostics = [self._with_source(one) for one in error.diagnostics]
+
+    def _with_source(self, one: Any) -> Any:
+        if not one.line:
+            return replace(one, file=one.file.removeprefix("--set "))
+        lines = self.text.split("\n")
+        return replace(one, source=lines[one.line - 1].rstrip("\r")) if one.line <= len(lines) else one
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True

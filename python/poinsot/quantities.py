@@ -1,0 +1,77 @@
+"""Values that go into a problem: text with unit, numbers in SI units, quantities of pint."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from . import _core
+
+if TYPE_CHECKING:
+    from .problem import Problem
+
+# Text ("3000 rpm"), a number in SI units, a quantity of pint, or three of them for a vector.
+Value: TypeAlias = Any
+
+_SYMBOLS = {"kilogram": "kg", "meter": "m", "second": "s", "radian": "rad", "kelvin": "K"}
+
+
+def _number(value: Any, name: str) -> str:
+    number = float(value)
+    if not math.isfinite(number):
+        raise ValueError(f"{name}: {number} is no value")
+    return repr(number)
+
+
+def _of_pint(quantity: Any, name: str) -> str:
+    base = quantity.to_base_units()
+    unit = ""
+    for part, exponent in base.unit_items() if hasattr(base, "unit_items") else base.units._units.items():
+        if part not in _SYMBOLS:
+            raise ValueError(f"{name}: the unit {quantity.units} has '{part}' in it, of which no problem file knows")
+        if exponent != int(exponent):
+            raise ValueError(f"{name}: the unit {quantity.units} has a broken power of '{part}'")
+        unit += ("*" if unit else "") + _SYMBOLS[part] + (f"^{int(exponent)}" if exponent != 1 else "")
+    return f"{_number(base.magnitude, name)} {unit}".strip()
+
+
+def text_of(value: Value, unit: str | None, name: str) -> str:
+    """The value as a problem file would have it. unit: the SI unit of plain numbers, None where it is not known."""
+    if isinstance(value, str):
+        return value
+    if hasattr(value, "to_base_units"):
+        magnitude = value.magnitude
+        if getattr(magnitude, "ndim", 0) or isinstance(magnitude, (list, tuple)):
+            return "[" + ", ".join(text_of(one * value.units, unit, name) for one in magnitude) + "]"
+        return _of_pint(value, name)
+    if isinstance(value, bool):
+        raise TypeError(f"{name}: a truth value is no value with unit")
+    if isinstance(value, Iterable) and getattr(value, "ndim", None) != 0:
+        return "[" + ", ".join(text_of(one, unit, name) for one in value) + "]"
+    try:
+        number = _number(value, name)
+    except TypeError:
+        raise TypeError(f"{name}: expected text with unit, a number in SI units or a quantity of pint") from None
+    if unit is None:
+        raise ValueError(
+            f"{name}: its value is stated without a unit of its own, so that a plain number could mean anything: "
+            f"write text with unit, as '{number} kg*m^2'"
+        )
+    return f"{number} {unit}".strip()
+
+
+def settings(problem: Problem, values: Mapping[str, Value]) -> list[tuple[str, str]]:
+    """The values as texts, by the units of the problem."""
+    sets = []
+    for name, value in values.items():
+        # A vector's components may stand alone: w.x has the unit of w.
+        # Of a name that the problem does not know it says itself what is wrong.
+        unit = problem._units.get(name, problem._units.get(name.split(".")[0], ""))
+        sets.append((name, text_of(value, unit, name)))
+    return sets
+
+
+def si_unit(unit: str) -> str:
+    """The coherent SI unit of what a unit measures: "rad/s" of "rpm"."""
+    return _core.si_unit_of(unit)

@@ -1,0 +1,63 @@
+"""Values that go into a problem."""
+
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pint
+import pytest
+
+import poinsot
+
+VECTOR = """\
+given: {w: "[1, 2, 3] rad/s", c: 3 m}
+bodies: {b: {sphere: {center: [0, 0, 0], radius: 1 m}, mass: 5 kg}}
+ask: {m: mass(b)}
+"""
+
+
+def kinetic_energy(problem: poinsot.Problem, **values: Any) -> float:
+    return float(problem.solve(**values)["T"].value)
+
+
+def test_all_ways_give_the_same(askew: poinsot.Problem) -> None:
+    units: pint.UnitRegistry[Any] = pint.UnitRegistry()
+    wanted = kinetic_energy(askew, n="955 rpm", r="200 mm")
+    rate = 955 * 2 * np.pi / 60
+    for n in (rate, np.float64(rate), np.array(rate), units("955 rpm"), units.Quantity(rate, "rad/s")):
+        for r in (0.2, Decimal("0.2"), Fraction(1, 5), units("20 cm"), units("0.2 m")):
+            assert kinetic_energy(askew, n=n, r=r) == pytest.approx(wanted, rel=1e-14)
+
+
+def test_a_quantity_of_another_kind_is_refused(askew: poinsot.Problem) -> None:
+    units: pint.UnitRegistry[Any] = pint.UnitRegistry()
+    with pytest.raises(poinsot.StatementError, match="angular velocity"):
+        askew.solve(n=units("3 kg"))
+    with pytest.raises(ValueError, match="ampere"):
+        askew.solve(n=units("3 A"))
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf")])
+def test_numbers_that_are_none(askew: poinsot.Problem, value: float) -> None:
+    with pytest.raises(ValueError, match="n: .* is no value"):
+        askew.solve(n=value)
+
+
+@pytest.mark.parametrize("value", [True, None, object()])
+def test_things_that_are_no_values(askew: poinsot.Problem, value: object) -> None:
+    with pytest.raises(TypeError, match="n: "):
+        askew.solve(n=value)
+
+
+def test_a_number_for_a_formula_is_refused() -> None:
+    problem = poinsot.Problem.from_text(
+        """\
+given: {m: 2 kg, r: 1 m, I: m*r^2}
+bodies: {b: {sphere: {center: [0, 0, 0], radius: r}, mass: m}}
+ask: {m: mass(b)}
+"""
+    )
+    with pytest.raises(ValueError, match="I: .*text with unit"):
+        problem.solve(I=3)
+    assert problem.solve(I="3 kg*m^2")["m"].value == 2
