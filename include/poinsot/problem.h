@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -148,6 +149,46 @@ class RecordingError : public std::runtime_error {
   Fault fault_;
 };
 
+// Thrown if what is asked of a motion has no answer, or the answer fails a check; what() says why.
+class NoMotion : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// A number or a vector along a motion, in SI units.
+struct MotionSeries {
+  std::string name;                          // as it was asked for: "theta", "angular_velocity(disk)"
+  std::string unit;                          // the coherent SI unit: "rad/s"
+  std::vector<std::string> component_names;  // of a vector: the names of the axes; empty for a number
+  std::vector<double> si;                    // time by time, and for each the components
+};
+
+struct MotionValues {
+  std::vector<MotionSeries> series;      // in the order asked for
+  std::map<std::string, double> checks;  // relative misfits, as those of a Solution
+  std::vector<std::string> notes;        // on events during the motion
+};
+
+// The motion of a problem, which is followed as far as it is asked for, once, and kept. Like a Problem it is a value
+// that copies share, and several threads may ask one: they wait for each other.
+class Motion {
+ public:
+  // The coordinates that have names. They can be asked for, and so can their rates: theta'.
+  std::vector<std::string> coordinates(const Budget& budget = {}) const;
+  // Quantities, each as a file would ask for it, at times in any order, s. Each call also asks them at a few of the
+  // times as questions of the file, with what tells whether they are determined and with all checks. axes: those of
+  // vectors, "" for those of the file. Throws StatementError if a quantity or a time is wrong, NoMotion if there is no
+  // answer, and BudgetEnded, which is no std::exception, if the budget ends first.
+  MotionValues values(const std::vector<double>& times, const std::vector<std::string>& quantities,
+                      const std::string& axes = "", const Budget& budget = {}) const;
+
+ private:
+  friend class Problem;
+  struct Parts;
+  explicit Motion(std::shared_ptr<Parts> parts);
+  std::shared_ptr<Parts> parts_;
+};
+
 struct RecordOptions {
   Settings sets{};
   // Whether a data file is replaced that is there without the journal of a recording beside it.
@@ -219,6 +260,11 @@ class Problem {
   // BudgetEnded, which is no std::exception, if the budget ends before the first row, and RecordingError for everything
   // else.
   Recording record(const std::string& output, const RecordOptions& options = {}, const Budget& budget = {}) const;
+
+  // The motion, to be asked for any quantities at any times. Finds the unknowns, and follows nothing yet. Throws
+  // StatementError if a setting is wrong, NoMotion if letters remain, the file has several situations or there is not
+  // one solution, and BudgetEnded, which is no std::exception, if the budget ends first.
+  Motion motion(const Settings& sets = {}, const Budget& budget = {}) const;
 
   // The equations of motion as formulas or code, in SI units. They hold for all positions and velocities of the
   // coordinates; what the file states of an instant is not used. Letters and unknowns remain letters, data become

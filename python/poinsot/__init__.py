@@ -21,6 +21,7 @@ from .errors import (
     StatementError,
     TimedOut,
 )
+from .motion import Motion, MotionValues
 from .notebook import Page, Picture
 from .problem import Problem
 from .quantities import si_unit
@@ -31,6 +32,8 @@ __all__ = [
     "Explanation",
     "FigureError",
     "Interrupted",
+    "Motion",
+    "MotionValues",
     "NoAnswer",
     "NoEquations",
     "NoPages",

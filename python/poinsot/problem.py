@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 from . import _core, calls, quantities
 from .answers import Explanation, Result
 from .errors import Interrupted, NoAnswer, StatementError
+from .motion import Motion
 from .notebook import Page, Picture
 
 _Kind = TypeVar("_Kind", bound=Result)
@@ -139,6 +140,23 @@ class Problem:
 
         text: str = self._called(call, timeout, progress)
         return text
+
+    def motion(
+        self,
+        sets: Mapping[str, quantities.Value] | None = None,
+        /,
+        *,
+        timeout: float | None = None,
+        progress: calls.Progress = None,
+        **values: quantities.Value,
+    ) -> Motion:
+        """The motion, to be asked for any quantities at any times. NoAnswer if there is not one motion."""
+        given = quantities.settings(self, {**(sets or {}), **values})
+
+        def call(*ends: Any) -> Any:
+            return self._core.motion(given, *ends)
+
+        return Motion(self._called(call, timeout, progress), self)
 
     def figures(self, sets: Mapping[str, quantities.Value] | None = None, /, **values: quantities.Value) -> dict[str, str]:
         """The names of the figures that figure() draws, and what they show."""

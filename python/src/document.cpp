@@ -1,4 +1,6 @@
 // The answer document (poinsot/document.h) as plain objects.
+#include "poinsot/document.h"
+
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -6,7 +8,6 @@
 #include <nanobind/stl/vector.h>
 
 #include "bindings.h"
-#include "poinsot/document.h"
 #include "poinsot/pictures.h"
 #include "poinsot/problem.h"
 #include "poinsot/rendering.h"
@@ -98,9 +99,7 @@ void bind_document(nb::module_& module) {
       .def_ro("unit", &Unknown::unit)
       .def_prop_ro("si", &value_in_si<Unknown>)
       .def_prop_ro("formula", [](const Unknown& unknown) { return object_of(unknown.formula); });
-  nb::class_<Condition>(module, "Condition")
-      .def_ro("words", &Condition::words)
-      .def_ro("formula", &Condition::formula);
+  nb::class_<Condition>(module, "Condition").def_ro("words", &Condition::words).def_ro("formula", &Condition::formula);
   nb::class_<Solution>(module, "Solution")
       .def_ro("unknowns", &Solution::unknowns)
       .def_ro("answers", &Solution::answers)
@@ -126,29 +125,36 @@ void bind_document(nb::module_& module) {
                    })
       .def_prop_ro("fully_answered", &fully_answered)
       .def("to_json", &to_json)
-      .def("to_text", [](const Document& document, int digits) { return to_terminal(document, {.digits = digits}); },
-           "digits"_a)
+      .def(
+          "to_text", [](const Document& document, int digits) { return to_terminal(document, {.digits = digits}); },
+          "digits"_a)
       .def("to_markdown", [](const Document& document) { return to_markdown(document); })
-      .def("figures",
-           [](const Document& document, std::size_t solution) {
-             std::vector<std::pair<std::string, std::string>> titles;
-             for (const FigureTitle& one : figures(document, solution)) titles.emplace_back(one.name, one.title);
-             return titles;
-           },
-           "solution"_a)
-      .def("to_svg",
-           [](const Document& document, std::size_t solution, const std::string& of, const std::string& view,
-              bool values) { return to_svg(document, solution, {.of = of, .view = view, .values = values}); },
-           "solution"_a, "of"_a, "view"_a, "values"_a)
-      .def("to_gltf",
-           [](const Document& document, std::size_t solution) {
-             const std::string bytes = to_gltf(document, solution);
-             return nb::bytes(bytes.data(), bytes.size());
-           },
-           "solution"_a)
-      .def("to_html", [](const Document& document, const Problem& problem,
-                         const std::string& text) { return to_html(problem, text, document); },
-           "problem"_a, "text"_a);
+      .def(
+          "figures",
+          [](const Document& document, std::size_t solution) {
+            std::vector<std::pair<std::string, std::string>> titles;
+            for (const FigureTitle& one : figures(document, solution)) titles.emplace_back(one.name, one.title);
+            return titles;
+          },
+          "solution"_a)
+      .def(
+          "to_svg",
+          [](const Document& document, std::size_t solution, const std::string& of, const std::string& view,
+             bool values) { return to_svg(document, solution, {.of = of, .view = view, .values = values}); },
+          "solution"_a, "of"_a, "view"_a, "values"_a)
+      .def(
+          "to_gltf",
+          [](const Document& document, std::size_t solution) {
+            const std::string bytes = to_gltf(document, solution);
+            return nb::bytes(bytes.data(), bytes.size());
+          },
+          "solution"_a)
+      .def(
+          "to_html",
+          [](const Document& document, const Problem& problem, const std::string& text) {
+            return to_html(problem, text, document);
+          },
+          "problem"_a, "text"_a);
 }
 
 }  // namespace poinsot::python

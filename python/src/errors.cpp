@@ -35,6 +35,8 @@ void translate(const std::exception_ptr& thrown, void*) {
     raise("StatementError", diagnostics(error));
   } catch (const NoEquations& error) {
     raise("NoEquations", error);
+  } catch (const NoMotion& error) {
+    raise("NoAnswer", error);
   } catch (const FigureError& error) {
     raise("FigureError", error);
   } catch (const NoPages& error) {

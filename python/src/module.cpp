@@ -7,5 +7,9 @@ NB_MODULE(_core, module) {
   module.attr("version") = POINSOT_VERSION;
   poinsot::python::bind_errors(module);
   poinsot::python::bind_document(module);
+  poinsot::python::bind_engine_model(module);
+  poinsot::python::bind_engine_dynamics(module);
+  poinsot::python::bind_engine_kinematics(module);
+  poinsot::python::bind_motion(module);
   poinsot::python::bind_problem(module);
 }

@@ -1,16 +1,16 @@
 // Problems (poinsot/problem.h).
+#include "poinsot/problem.h"
+
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <map>
-#include <type_traits>
 #include <utility>
 
+#include "all_or_nothing.h"
 #include "bindings.h"
-#include "long_call.h"
-#include "poinsot/problem.h"
 #include "poinsot/rendering.h"
 
 namespace nb = nanobind;
@@ -19,22 +19,16 @@ using namespace nb::literals;
 namespace poinsot::python {
 namespace {
 
-// A result, and what was raised meanwhile by a signal handler or by the listener to progress, or None.
-template <class Result>
-using Found = std::pair<Result, nb::object>;
-using Timeout = std::optional<double>;
-
 const std::map<std::string, EquationForm, std::less<>> forms{
     {"text", EquationForm::text}, {"tex", EquationForm::tex},       {"c", EquationForm::c},
     {"c++", EquationForm::cpp},   {"python", EquationForm::python}, {"sympy", EquationForm::sympy}};
-const std::map<std::string, EquationPart, std::less<>> parts{
-    {"mass-matrix", EquationPart::mass_matrix},
-    {"right-hand-side", EquationPart::right_side},
-    {"constraint-matrix", EquationPart::constraint_matrix},
-    {"reduced", EquationPart::reduced},
-    {"position-rate", EquationPart::position_rate},
-    {"forward-dynamics", EquationPart::forward_dynamics},
-    {"inverse-dynamics", EquationPart::inverse_dynamics}};
+const std::map<std::string, EquationPart, std::less<>> parts{{"mass-matrix", EquationPart::mass_matrix},
+                                                             {"right-hand-side", EquationPart::right_side},
+                                                             {"constraint-matrix", EquationPart::constraint_matrix},
+                                                             {"reduced", EquationPart::reduced},
+                                                             {"position-rate", EquationPart::position_rate},
+                                                             {"forward-dynamics", EquationPart::forward_dynamics},
+                                                             {"inverse-dynamics", EquationPart::inverse_dynamics}};
 
 template <class Kind>
 Kind chosen(const std::map<std::string, Kind, std::less<>>& table, const std::string& word, const char* what) {
@@ -52,7 +46,7 @@ Kind chosen(const std::map<std::string, Kind, std::less<>>& table, const std::st
 }
 
 Found<Document> solve(const Problem& problem, const Settings& sets, bool scene, bool explanation, Timeout timeout,
-            nb::object listener) {
+                      nb::object listener) {
   LongCall call(timeout, std::move(listener));
   Document document = call([&](const Budget& budget) {
     if (scene) return problem.illustrate(sets, budget, explanation);
@@ -61,22 +55,11 @@ Found<Document> solve(const Problem& problem, const Settings& sets, bool scene, 
   return {std::move(document), call.raised()};
 }
 
-// The result of a call that finds all or nothing.
-template <class Work>
-auto all_or_nothing(Timeout timeout, nb::object listener, const Work& work)
-    -> Found<std::optional<std::invoke_result_t<Work, const Budget&>>> {
-  LongCall call(timeout, std::move(listener));
-  try {
-    return {call(work), call.raised()};
-  } catch (const BudgetEnded&) {
-    if (call.raised().is_none()) throw;
-    return {std::nullopt, call.raised()};
-  }
-}
-
-Found<std::optional<std::string>> equations(const Problem& problem, const std::vector<std::string>& of, const std::string& form,
-                const std::string& function, const std::string& situation, const Settings& sets,
-                const std::vector<std::string>& letters, Timeout timeout, nb::object listener) {
+Found<std::optional<std::string>> equations(const Problem& problem, const std::vector<std::string>& of,
+                                            const std::string& form, const std::string& function,
+                                            const std::string& situation, const Settings& sets,
+                                            const std::vector<std::string>& letters, Timeout timeout,
+                                            nb::object listener) {
   EquationsOptions options{.form = chosen(forms, form, "form of equations"),
                            .function = function,
                            .situation = situation,
@@ -108,12 +91,13 @@ void bind_problem(nb::module_& module) {
       .def_ro("unknowns", &StatedSituation::unknowns);
 
   nb::class_<Problem>(module, "Problem")
-      .def_static("from_text",
-                  [](const std::string& text, const std::string& name) {
-                    const nb::gil_scoped_release released;
-                    return Problem::from_text(text, name);
-                  },
-                  "text"_a, "name"_a)
+      .def_static(
+          "from_text",
+          [](const std::string& text, const std::string& name) {
+            const nb::gil_scoped_release released;
+            return Problem::from_text(text, name);
+          },
+          "text"_a, "name"_a)
       .def_prop_ro("name", &Problem::name)
       .def_prop_ro("title", &Problem::title)
       .def_prop_ro("situations", &Problem::situations)
@@ -121,23 +105,36 @@ void bind_problem(nb::module_& module) {
       .def_prop_ro("claims", &Problem::claims)
       .def_prop_ro("expects", &Problem::expects)
       .def("solve", &solve, "sets"_a, "scene"_a, "explanation"_a, "timeout"_a.none(), "listener"_a.none())
-      .def("check",
-           [](const Problem& problem, Timeout timeout, nb::object listener) {
-             return all_or_nothing(timeout, std::move(listener),
-                                   [&](const Budget& budget) { return problem.check(budget); });
-           },
-           "timeout"_a.none(), "listener"_a.none())
+      .def(
+          "check",
+          [](const Problem& problem, Timeout timeout, nb::object listener) {
+            return all_or_nothing(timeout, std::move(listener),
+                                  [&](const Budget& budget) { return problem.check(budget); });
+          },
+          "timeout"_a.none(), "listener"_a.none())
+      .def(
+          "motion",
+          [](const Problem& problem, const Settings& sets, Timeout timeout, nb::object listener) {
+            return all_or_nothing(timeout, std::move(listener),
+                                  [&](const Budget& budget) { return problem.motion(sets, budget); });
+          },
+          "sets"_a, "timeout"_a.none(), "listener"_a.none())
       .def("equations", &equations, "of"_a, "form"_a, "function"_a, "situation"_a, "sets"_a, "letters"_a,
            "timeout"_a.none(), "listener"_a.none());
 
   module.def("problem_schema", &problem_schema);
   module.def("answer_schema", &answer_schema);
-  module.def("language_help", [](const std::string& word) { return language_help(word); }, "word"_a);
+  module.def(
+      "language_help", [](const std::string& word) { return language_help(word); }, "word"_a);
   module.def("language_words", &language_words);
-  module.def("si_unit_of", [](const std::string& unit) { return si_unit_of(unit); }, "unit"_a);
-  module.def("did_you_mean", [](const std::string& word, const std::vector<std::string>& candidates) {
-    return did_you_mean(word, candidates);
-  }, "word"_a, "candidates"_a);
+  module.def(
+      "si_unit_of", [](const std::string& unit) { return si_unit_of(unit); }, "unit"_a);
+  module.def(
+      "did_you_mean",
+      [](const std::string& word, const std::vector<std::string>& candidates) {
+        return did_you_mean(word, candidates);
+      },
+      "word"_a, "candidates"_a);
 }
 
 }  // namespace poinsot::python

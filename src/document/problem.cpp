@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "poinsot/engine/math/trace/straight_line_text.h"
 #include "poinsot/engine/work/budget.h"
 #include "poinsot/rendering.h"
+#include "problem/answers/asked_motion.h"
 #include "problem/answers/solve_statement.h"
 #include "problem/entries/named_files.h"
 #include "problem/entries/statement.h"
@@ -35,6 +37,16 @@ auto with_public_errors(const Call& call) {
     for (const problem::Diagnostic& one : error.diagnostics())
       diagnostics.push_back({one.file, one.mark.line, one.mark.column, one.message, one.hint});
     throw StatementError(std::move(diagnostics), error.what());
+  }
+}
+
+// The same for what is asked of a motion.
+template <class Call>
+auto with_motion_errors(const Call& call) {
+  try {
+    return with_public_errors(call);
+  } catch (const problem::UnansweredRecord& error) {
+    throw NoMotion(error.what());
   }
 }
 
@@ -201,6 +213,39 @@ std::vector<std::string> Problem::check(const Budget& budget) const {
 Recording Problem::record(const std::string& output, const RecordOptions& options, const Budget& budget) const {
   const BudgetScope scope(budget);
   return with_public_errors([&] { return document::record_motion(parts_->statement, parts_->text, output, options); });
+}
+
+struct Motion::Parts {
+  Parts(const problem::Statement& statement, const Settings& sets) : asked(statement, sets) {}
+
+  std::mutex mutex;
+  problem::AskedMotion asked;
+};
+
+Motion::Motion(std::shared_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+Motion Problem::motion(const Settings& sets, const Budget& budget) const {
+  const BudgetScope scope(budget);
+  return with_motion_errors([&] { return Motion(std::make_shared<Motion::Parts>(parts_->statement, sets)); });
+}
+
+std::vector<std::string> Motion::coordinates(const Budget& budget) const {
+  const std::lock_guard lock(parts_->mutex);
+  const BudgetScope scope(budget);
+  return with_motion_errors([&] { return parts_->asked.coordinate_names(); });
+}
+
+MotionValues Motion::values(const std::vector<double>& times, const std::vector<std::string>& quantities,
+                            const std::string& axes, const Budget& budget) const {
+  const std::lock_guard lock(parts_->mutex);
+  const BudgetScope scope(budget);
+  problem::AskedValues asked = with_motion_errors([&] { return parts_->asked.values(times, quantities, axes); });
+  MotionValues values{{}, std::move(asked.checks), std::move(asked.notes)};
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    problem::AskedSeries& one = asked.series[i];
+    values.series.push_back({quantities[i], one.unit.text, std::move(one.component_names), std::move(one.values)});
+  }
+  return values;
 }
 
 std::string Problem::equations(const EquationsOptions& options, const Budget& budget) const {

@@ -160,9 +160,8 @@ Lines not_for_callers(const std::string& source, const std::set<std::string>& be
   static const std::regex quoted(R"re(#\s*include\s*"([^"]*)")re");
   Lines found;
   for (std::sregex_iterator it(source.begin(), source.end(), quoted), none; it != none; ++it)
-    if (const std::string include = (*it)[1];
-        !beside.contains(include) && !for_callers.contains(include) &&
-        !(engine && include.starts_with("poinsot/engine/")))
+    if (const std::string include = (*it)[1]; !beside.contains(include) && !for_callers.contains(include) &&
+                                              !(engine && include.starts_with("poinsot/engine/")))
       found.push_back(include);
   return found;
 }
@@ -187,8 +186,7 @@ TEST(House, the_program_uses_the_public_headers_for_problems_and_nothing_else) {
 }
 
 TEST(House, the_python_package_uses_public_headers_and_nothing_else) {
-  EXPECT_EQ(not_for_callers("#include \"engine/mass/shape_check.h\"\n", {}, true),
-            Lines{"engine/mass/shape_check.h"});
+  EXPECT_EQ(not_for_callers("#include \"engine/mass/shape_check.h\"\n", {}, true), Lines{"engine/mass/shape_check.h"});
   expect_caller(fs::path(POINSOT_SOURCE_DIR) / "python/src", {}, true);
 }
 

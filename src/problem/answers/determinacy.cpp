@@ -53,7 +53,7 @@ class Variation {
     std::size_t turnings = 0;
     for (const auto& [situation, motion] : found_.sample.motions()) {
       turnings = std::max(turnings, motion->open_turnings().size());
-      forces = std::max(forces, motion->open_impulses());
+      forces = std::max({forces, motion->open_impulses(), motion->open_forces()});
     }
     vary_velocities(std::min(velocities, most_directions));
     // In a motion all open directions at its start are varied together, since each variation follows the motion anew.

@@ -4,13 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "poinsot/engine/work/budget.h"
 #include "poinsot/engine/work/work.h"
-#include "problem/answers/read_settings.h"
-#include "problem/answers/solve_statement.h"
+#include "problem/answers/motion_columns.h"
 #include "problem/course/course.h"
 #include "problem/language/diagnostic.h"
-#include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/machine/data.h"
 
@@ -24,18 +21,6 @@ constexpr double recording_tolerance = 1e-8;
 constexpr double most_block_rows = 500;
 constexpr double block_paces = 500;  // in units of the time in which the motion changes noticeably
 
-// A question that the motion does not answer is not an error of the file.
-template <class Function>
-auto answered(Function&& function) {
-  try {
-    return function();
-  } catch (const UnansweredError& error) {
-    throw UnansweredRecord(error.what());
-  }
-}
-
-std::string in_seconds(double time) { return with_digits(time, 17) + " s"; }
-
 const Record& record_of(const Statement& statement) {
   if (!statement.record)
     fail(statement.file, Mark{1, 1}, "the file does not say what to record",
@@ -46,41 +31,7 @@ const Record& record_of(const Statement& statement) {
   return *statement.record;
 }
 
-// Solves for the columns at some times as if they were asked for.
-SolvedStatement solve_at(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
-                         const std::vector<double>& times) {
-  const Record& record = *statement.record;
-  Statement trial = statement;
-  trial.expected.clear();
-  Ask ask;
-  ask.name = ask.text = "record";
-  ask.mark = record.mark;
-  ask.axes = record.axes;
-  ask.table.emplace();
-  ask.table->columns = record.columns;
-  ask.table->units = record.units;
-  ask.table->over = "time";
-  ask.table->over_mark = record.mark;
-  List values;
-  for (const double time : times)
-    values.items.push_back(built(Number{time, si_unit(dimensions::time), true, in_seconds(time)}, record.mark));
-  ask.table->values = built(std::move(values), record.mark);
-  trial.asks = {std::move(ask)};
-  SolvedStatement solved = solve_statement(trial, sets);
-  check_budget();  // What the end of a budget left open is not without an answer.
-  const auto unanswered = [&](const std::string& why) {
-    throw UnansweredRecord(statement.file + ": what is to be recorded has no answer: " + why);
-  };
-  std::string warnings;
-  for (const std::string& warning : solved.warnings) warnings += (warnings.empty() ? "" : "; ") + warning;
-  if (solved.solutions.empty()) unanswered("there is no solution" + (warnings.empty() ? "" : ": " + warnings));
-  if (solved.solutions.size() > 1)
-    unanswered("there are " + std::to_string(solved.solutions.size()) +
-               " solutions: tell by where:, or by --set, which one is meant");
-  const SolvedAsk& found = solved.solutions.front().asks.front();
-  if (found.state != AskState::found) unanswered(found.reason);
-  return solved;
-}
+MotionColumns columns_of(const Statement& statement) { return {*statement.record, "what is to be recorded"}; }
 
 }  // namespace
 
@@ -140,18 +91,7 @@ RecordedMotion::RecordedMotion(Statement statement, const std::vector<std::pair<
   Parts& parts = *parts_;
   const Statement& stated = parts.statement;
   record_of(stated);
-  parts.settings = read_settings(stated, sets);
-  std::vector<std::string> letters;
-  for (const Letter& letter : parts.situation().letters)
-    if (!parts.settings.contains(letter.name)) letters.push_back(letter.name);
-  if (!letters.empty())
-    throw UnansweredRecord(stated.file + ": what is to be recorded needs values for " + joined(letters) + ": --set '" +
-                           letters.front() + "=...'");
-  if (!parts.situation().find.empty() || !parts.situation().choose.empty()) {
-    const SolvedStatement solved = solve_at(stated, sets, {0});
-    for (const SolvedUnknown& unknown : solved.solutions.front().unknowns)
-      parts.settings.insert_or_assign(unknown.name, unknown.value);
-  }
+  parts.settings = settled(stated, sets, columns_of(stated));
   parts.read_times();
 
   // Whether a column is determined may show only after the motion has changed noticeably.
@@ -163,7 +103,7 @@ RecordedMotion::RecordedMotion(Statement statement, const std::vector<std::pair<
     const double span = parts.rows ? parts.time_of(*parts.rows - 1) : std::numeric_limits<double>::infinity();
     return parts.motion->follow(std::min(parts.motion->pace_time(), span));
   });
-  const SolvedStatement solved = solve_at(stated, sets, {0, reached / 3, reached});
+  const SolvedStatement solved = solve_columns(stated, sets, columns_of(stated), {0, reached / 3, reached});
   for (const SolvedColumn& column : solved.solutions.front().asks.front().columns)
     parts.columns.push_back({column.name, column.unit});
 

@@ -6,20 +6,14 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "problem/answers/motion_columns.h"
 #include "problem/entries/statement.h"
 
 namespace poinsot::problem {
-
-// The recording is well stated, but there is no answer; what() says why.
-class UnansweredRecord : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 struct RecordedColumn {
   std::string name;

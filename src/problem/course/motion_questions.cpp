@@ -22,7 +22,13 @@ SolvedInstant& Course::instant_at(double time) {
 Value<double> Course::value(double time, const Expression& expression, const std::optional<Expression>& axes) {
   values_until_ = std::max(values_until_, time);
   probe_->move_to(at(time));
-  return probe_->ask(expression, axes, nullptr);
+  Value<double> value = probe_->ask(expression, axes, nullptr);
+  note_open_forces();
+  return value;
+}
+
+void Course::note_open_forces() {
+  if (probe_->forces_solved()) open_forces_ = std::max(open_forces_, probe_->motion().open.size());
 }
 
 NumberInTime Course::number(const Expression& expression, const std::optional<Expression>& axes) {
@@ -36,7 +42,9 @@ NumberInTime Course::number(const Expression& expression, const std::optional<Ex
     };
   return [this, expression, axes](double time) {
     probe_->move_to(at(time));
-    return probe_->number(expression, axes);
+    const double value = probe_->number(expression, axes);
+    note_open_forces();
+    return value;
   };
 }
 

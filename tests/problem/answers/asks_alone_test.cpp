@@ -19,6 +19,19 @@ TEST(AsksAlone, FrequenciesWhereNothingIsSteady) {
     EXPECT_NE(solved.reason(name).find("this is no steady motion"), std::string::npos) << solved.reason(name);
 }
 
+// Two hinges on one line share the force along it: nothing says how, also where only a table along the motion asks.
+TEST(AsksAlone, SharedForcesInATable) {
+  for (const char* of : {"reaction(A).z", "reaction(B).z + 0*theta"}) {
+    const SolvedText solved(
+        "title: t\npoints: {A: [0, 0, 0], P: [1 m, 0, 0], B: [0, 0, 1 m]}\nbodies: {bar: {rod: [A, P], mass: 2 kg}}\n"
+        "joints: {pin: {revolute: A->B, at: A, to: bar, angle: theta, supports: {A: [x, y, z], B: [x, y, z]}}}\n"
+        "gravity: -y\ninstants: {start: {theta: 0, theta': 0}}\n"
+        "ask: {t: {table: {r: " +
+        std::string(of) + "}, over: {time: [0, 1 s]}}}\n");
+    EXPECT_NE(solved.reason("t").find("share the same load"), std::string::npos) << solved.reason("t");
+  }
+}
+
 // Thrown so that the cord goes slack, at the angle where v^2/L falls to the weight's part; then it catches and goes
 // slack again and again.
 TEST(AsksAlone, TheFirstTimeOfWhatHappensWithoutEnd) {

@@ -1,0 +1,178 @@
+"""The engine: models of rigid bodies and their dynamics, for one state or for many at once in arrays of NumPy.
+
+A batch has a row for each coordinate and a column for each case: q of shape (nq, cases), v, a and tau (nv, cases). Arrays of
+doubles in that order are read in place. The numbers of a case are the same whatever the number of threads.
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+
+Array: TypeAlias = npt.NDArray[np.float64]
+
+_NO_TURN = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+_NOTHING = ((0.0, 0.0, 0.0),) * 3
+
+
+def _three(value: npt.ArrayLike, what: str) -> tuple[float, float, float]:
+    numbers = np.asarray(value, dtype=float)
+    if numbers.shape != (3,):
+        raise ValueError(f"{what} is three numbers, not an array of shape {numbers.shape}")
+    return (float(numbers[0]), float(numbers[1]), float(numbers[2]))
+
+
+def _rows(value: npt.ArrayLike, what: str) -> tuple[tuple[float, float, float], ...]:
+    numbers = np.asarray(value, dtype=float)
+    if numbers.shape != (3, 3):
+        raise ValueError(f"{what} is a matrix of three rows and columns, not an array of shape {numbers.shape}")
+    return tuple(_three(row, what) for row in numbers)
+
+
+def _in_order(value: npt.ArrayLike) -> Array:
+    return np.ascontiguousarray(value, dtype=np.float64)
+
+
+class ModelBuilder:
+    """Builds a model body by body, from the ground up."""
+
+    def __init__(self) -> None:
+        self._core = _core.ModelBuilder()
+
+    def add_body(
+        self,
+        name: str,
+        parent: str = "ground",
+        joint: str = "free",
+        *,
+        axis: npt.ArrayLike = (0.0, 0.0, 1.0),
+        pitch: float = 0.0,
+        place: npt.ArrayLike = (0.0, 0.0, 0.0),
+        rotation: npt.ArrayLike = _NO_TURN,
+        mass: float = 0.0,
+        center: npt.ArrayLike = (0.0, 0.0, 0.0),
+        inertia: npt.ArrayLike = _NOTHING,
+    ) -> None:
+        """Adds a body on a joint: "revolute", "prismatic", "screw", "ball", "free" or "weld".
+
+        place and rotation: the joint's frame in that of the parent; axis: of the joint, in its frame. The body's frame lies on the
+        joint's in the neutral position. center: of mass, m; inertia: the tensor about it, kg m^2.
+        """
+        self._core.add_body(
+            name, parent, joint, _three(axis, "axis"), pitch, _three(place, "place"), _rows(rotation, "rotation"), mass,
+            _three(center, "center"), _rows(inertia, "inertia"),
+        )  # fmt: skip
+
+    def set_gravity(self, gravity: npt.ArrayLike) -> None:
+        """The acceleration of free fall, m/s^2; there is none unless it is set."""
+        self._core.set_gravity(_three(gravity, "gravity"))
+
+    def build(self) -> Model:
+        return Model(self._core.build())
+
+
+class Model:
+    """A tree of bodies. It does not change, and threads may share it."""
+
+    def __init__(self, core: _core.EngineModel) -> None:
+        self._core = core
+        self.names: list[str] = list(core.names)
+        self.parents: list[int] = list(core.parents)  # -1 is the ground
+        self.nq, self.nv = core.nq, core.nv
+        self.gravity = np.array(core.gravity)
+
+    def body(self, name: str) -> int:
+        """The number of a body."""
+        try:
+            return self.names.index(name)
+        except ValueError:
+            hint = _core.did_you_mean(name, self.names)
+            raise KeyError(f"there is no body '{name}'{f' ({hint})' if hint else ''}") from None
+
+    def first_position(self, body: int | str) -> int:
+        """The row of q at which the coordinates of a body's joint begin."""
+        return int(self._core.first_position[self._number(body)])
+
+    def first_velocity(self, body: int | str) -> int:
+        return int(self._core.first_velocity[self._number(body)])
+
+    def neutral(self) -> Array:
+        """The positions in which every body's frame lies on that of its joint."""
+        return np.array(self._core.neutral)
+
+    def _number(self, body: int | str) -> int:
+        return self.body(body) if isinstance(body, str) else body
+
+    def __repr__(self) -> str:
+        return f"<poinsot.engine.Model of {len(self.names)} bodies, nq = {self.nq}, nv = {self.nv}>"
+
+
+def inverse_dynamics(
+    model: Model, q: npt.ArrayLike, v: npt.ArrayLike, a: npt.ArrayLike, *, threads: int = 1
+) -> Array:
+    """The joint forces that give the accelerations a, by the recursive Newton-Euler algorithm."""
+    return _core.inverse_dynamics(model._core, _in_order(q), _in_order(v), _in_order(a), threads)
+
+
+def forward_dynamics(
+    model: Model, q: npt.ArrayLike, v: npt.ArrayLike, tau: npt.ArrayLike, *, threads: int = 1
+) -> Array:
+    """The accelerations under the joint forces tau, by the articulated-body algorithm."""
+    return _core.forward_dynamics(model._core, _in_order(q), _in_order(v), _in_order(tau), threads)
+
+
+def mass_matrix(model: Model, q: npt.ArrayLike, *, threads: int = 1) -> Array:
+    """The mass matrix, of shape (nv, nv) or (nv, nv, cases)."""
+    return _core.mass_matrix(model._core, _in_order(q), threads)
+
+
+def integrate(model: Model, q: npt.ArrayLike, v: npt.ArrayLike, dt: float = 1.0, *, threads: int = 1) -> Array:
+    """The positions after the velocities have held for the time dt."""
+    return _core.integrate(model._core, _in_order(q), _in_order(v), dt, threads)
+
+
+def rotation(model: Model, q: npt.ArrayLike, body: int | str, *, threads: int = 1) -> Array:
+    """The matrix that takes components on the body's axes to those on the ground's."""
+    return _core.body_rotation(model._core, _in_order(q), model._number(body), threads)
+
+
+def position(
+    model: Model, q: npt.ArrayLike, body: int | str, point: npt.ArrayLike = (0.0, 0.0, 0.0), *, threads: int = 1
+) -> Array:
+    """Where a point of the body is; the point is given on the body's axes."""
+    return _core.point_position(model._core, _in_order(q), model._number(body), _three(point, "point"), threads)
+
+
+def jacobian(
+    model: Model, q: npt.ArrayLike, body: int | str, point: npt.ArrayLike = (0.0, 0.0, 0.0), *, threads: int = 1
+) -> Array:
+    """J with (velocity of the point, angular velocity of the body) = J v, on the ground's axes: six rows."""
+    return _core.jacobian(model._core, _in_order(q), model._number(body), _three(point, "point"), threads)
+
+
+def mass_center(model: Model, q: npt.ArrayLike, *, threads: int = 1) -> Array:
+    return _core.mass_center(model._core, _in_order(q), threads)
+
+
+def momentum(
+    model: Model, q: npt.ArrayLike, v: npt.ArrayLike, about: npt.ArrayLike = (0.0, 0.0, 0.0), *, threads: int = 1
+) -> Array:
+    """Linear momentum, then angular momentum about a point of the ground: six rows."""
+    return _core.momentum(model._core, _in_order(q), _in_order(v), _three(about, "about"), threads)
+
+
+def kinetic_energy(model: Model, q: npt.ArrayLike, v: npt.ArrayLike, *, threads: int = 1) -> Array:
+    return _core.kinetic_energy(model._core, _in_order(q), _in_order(v), threads)[0]
+
+
+def potential_energy(model: Model, q: npt.ArrayLike, *, threads: int = 1) -> Array:
+    """Of the weights, zero with all mass at the ground's origin."""
+    return _core.potential_energy(model._core, _in_order(q), threads)[0]
+
+
+# As users of Pinocchio look for them.
+rnea, aba, crba, center_of_mass = inverse_dynamics, forward_dynamics, mass_matrix, mass_center

@@ -1,0 +1,119 @@
+"""Motions, their quantities as arrays over time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core, calls
+
+if TYPE_CHECKING:
+    import pandas
+
+    from .problem import Problem
+
+Array = npt.NDArray[np.float64]
+
+
+class Motion:
+    """The motion of a problem: followed as far as it is asked for, once, and asked for quantities at any times.
+
+        motion = problem.motion()
+        values = motion(np.linspace(0, 10, 1001), "theta", "angular_velocity(disk)", E="kinetic_energy(disk)")
+        values["theta"], values["E"]
+    """
+
+    def __init__(self, core: _core.Motion, problem: Problem) -> None:
+        self._core, self._problem = core, problem
+
+    @property
+    def coordinates(self) -> list[str]:
+        """The coordinates with names; they and their rates (theta') can be asked for."""
+        names: list[str] = self._problem._called(self._core.coordinates, None, False)
+        return names
+
+    def __call__(
+        self,
+        times: npt.ArrayLike,
+        *quantities: str,
+        axes: str = "",
+        timeout: float | None = None,
+        progress: calls.Progress = None,
+        **named: str,
+    ) -> MotionValues:
+        """Quantities at times (s, in any order), each asked for as in a problem file; by default the coordinates.
+
+        Keywords give names: E="kinetic_energy(disk)". axes: those of vectors, as `axes:` of a question. What has no answer
+        raises NoAnswer.
+        """
+        at = np.atleast_1d(np.asarray(times, dtype=float))
+        if at.ndim != 1:
+            raise ValueError(f"times are one number or a list of them, not an array of {at.ndim} dimensions")
+        names = [*quantities, *named]
+        if len(set(names)) != len(names):
+            raise ValueError("a name is given to two quantities")
+        texts = [*quantities, *named.values()]
+        if not texts:
+            names = texts = self.coordinates
+
+        def call(*ends: Any) -> Any:
+            return self._core.values(at.tolist(), texts, axes, *ends)
+
+        return MotionValues(at, names, self._problem._called(call, timeout, progress))
+
+    def __repr__(self) -> str:
+        return f"<poinsot.Motion of '{self._problem.title or self._problem.name}'>"
+
+
+class MotionValues(Mapping[str, Array]):
+    """Arrays over time by name, in SI units: one number for each time, or for a vector a row of three."""
+
+    def __init__(self, times: Array, names: Sequence[str], core: _core.MotionValues) -> None:
+        self.times = times
+        self._arrays: dict[str, Array] = {name: one.si for name, one in zip(names, core.series, strict=True)}
+        self.units: dict[str, str] = {name: one.unit for name, one in zip(names, core.series, strict=True)}
+        self.axes: dict[str, list[str]] = {
+            name: one.axes for name, one in zip(names, core.series, strict=True) if one.axes
+        }
+        self.checks: dict[str, float] = core.checks
+        self.notes: list[str] = core.notes
+
+    def __getitem__(self, name: str) -> Array:
+        try:
+            return self._arrays[name]
+        except KeyError:
+            raise KeyError(f"'{name}' was not asked for: there are {', '.join(self._arrays)}") from None
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._arrays)
+
+    def __len__(self) -> int:
+        return len(self._arrays)
+
+    def frame(self) -> pandas.DataFrame:
+        """As a frame of pandas over the time in seconds; components of vectors are columns of their own."""
+        import pandas
+
+        columns: dict[str, Array] = {}
+        units: dict[str, str] = {}
+        for name, array in self._arrays.items():
+            if array.ndim == 1:
+                columns[name], units[name] = array, self.units[name]
+                continue
+            for axis, component in zip(self.axes[name], array.T, strict=True):
+                columns[f"{name}.{axis}"], units[f"{name}.{axis}"] = component, self.units[name]
+        frame = pandas.DataFrame(columns, index=pandas.Index(self.times, name="time"))
+        frame.attrs["units"] = {"time": "s", **units}
+        return frame
+
+    def __repr__(self) -> str:
+        return f"<poinsot.MotionValues of {', '.join(self._arrays)} at {len(self.times)} times>"
+
+    def _repr_html_(self) -> str:
+        frame = self.frame()
+        units = frame.attrs["units"]
+        headed = frame.rename(columns={name: f"{name} / {unit}" if unit else name for name, unit in units.items()})
+        return str(headed.to_html(max_rows=10))

@@ -1,0 +1,192 @@
+#include "problem/answers/asked_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "poinsot/engine/work/budget.h"
+#include "problem/course/course.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
+#include "problem/language/words.h"
+#include "problem/quantities/asks_model.h"
+
+namespace poinsot::problem {
+namespace {
+
+const char* const asked_words = "what is asked of the motion";
+
+// A quantity as it is asked for: one column for a number, three for a vector.
+struct AskedQuantity {
+  Expression whole;
+  bool vector = false;
+};
+
+Expression quantity_expression(const std::string& text) { return parse_expression(text, "'" + text + "'", Mark{}); }
+
+// The times at which what is asked is answered as a question: the ends and three between, each once.
+std::vector<double> probed_times(const std::vector<double>& times) {
+  std::vector<double> sorted = times;
+  std::ranges::sort(sorted);
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  constexpr std::size_t most = 5;
+  if (sorted.size() <= most) return sorted;
+  std::vector<double> probed;
+  for (std::size_t k = 0; k < most; ++k) probed.push_back(sorted[k * (sorted.size() - 1) / (most - 1)]);
+  return probed;
+}
+
+std::vector<std::string> coordinates_of(Course& course) {
+  std::vector<std::string> names;
+  for (const NamedCoordinate& coordinate : course.instant_at(0).machine().coordinates)
+    if (!coordinate.name.empty()) names.push_back(coordinate.name);
+  return names;
+}
+
+}  // namespace
+
+struct AskedMotion::Parts {
+  Statement statement;
+  SettingTexts sets;
+  Settings settings;
+  std::unique_ptr<Course> motion;
+
+  const Situation& situation() const { return statement.situations.front(); }
+  Course& followed(double time);
+  Record record_for(const std::vector<AskedQuantity>& quantities, const std::optional<Expression>& axes) const;
+  void fill(AskedValues& found, const std::vector<double>& times, const std::vector<AskedQuantity>& quantities,
+            const std::optional<Expression>& axes);
+};
+
+// The motion, followed to the time. If a budget ends on the way, it is begun anew the next time.
+Course& AskedMotion::Parts::followed(double time) {
+  try {
+    if (!motion) motion = std::make_unique<Course>(situation(), settings, OpenChoice{});
+    const double reached = motion->follow(time);
+    // The last instant belongs to the motion, even if rounding puts it behind the end.
+    constexpr double rounding = 1e-12;
+    if (time > reached * (1 + rounding))
+      throw UnansweredRecord(statement.file + ": the motion ends at " + with_digits(reached, 6) +
+                             " s, and what is asked is at " + with_digits(time, 6) + " s");
+  } catch (const BudgetEnded&) {
+    motion.reset();
+    throw;
+  }
+  return *motion;
+}
+
+Record AskedMotion::Parts::record_for(const std::vector<AskedQuantity>& quantities,
+                                      const std::optional<Expression>& axes) const {
+  Record record;
+  record.axes = axes;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    const std::string text = to_string(quantities[i].whole), name = "quantity" + std::to_string(i + 1);
+    if (!quantities[i].vector) {
+      record.columns.push_back({name, quantities[i].whole, Mark{}});
+      continue;
+    }
+    for (const std::string& axis : situation().axes)
+      record.columns.push_back({name + "." + axis, quantity_expression("(" + text + ")." + axis), Mark{}});
+  }
+  return record;
+}
+
+void AskedMotion::Parts::fill(AskedValues& found, const std::vector<double>& times,
+                              const std::vector<AskedQuantity>& quantities, const std::optional<Expression>& axes) {
+  Course& course = *motion;
+  const std::vector<std::string> coordinates = coordinates_of(course);
+  // Coordinates and their rates are in the state itself; everything else takes an instant.
+  const auto in_state = [&](const AskedQuantity& one) {
+    const Name* name = one.whole.as<Name>();
+    return name && name->primes < 2 && std::ranges::find(coordinates, name->name) != coordinates.end();
+  };
+  std::vector<NumberInTime> numbers(quantities.size());
+  bool instants = false;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    if (in_state(quantities[i]))
+      numbers[i] = course.number(quantities[i].whole, axes);
+    else
+      instants = true;
+  }
+  for (const double time : times) {
+    check_budget();
+    SolvedInstant* instant = instants ? &course.instant_at(time) : nullptr;
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+      AskedSeries& series = found.series[i];
+      const auto keep = [&](double number) {
+        if (!std::isfinite(number))
+          throw UnansweredRecord(statement.file + ": " + to_string(quantities[i].whole) + " has no value at " +
+                                 in_seconds(time));
+        series.values.push_back(number);
+      };
+      if (numbers[i]) {
+        keep(numbers[i](time));
+        continue;
+      }
+      const Value<double> value = instant->ask(quantities[i].whole, axes, nullptr);
+      if (quantities[i].vector) {
+        keep(value.vector.x);
+        keep(value.vector.y);
+        keep(value.vector.z);
+      } else {
+        keep(value.number);
+      }
+    }
+  }
+}
+
+AskedMotion::AskedMotion(Statement statement, SettingTexts sets)
+    : parts_(std::make_unique<Parts>(Parts{std::move(statement), std::move(sets), {}, nullptr})) {
+  Parts& parts = *parts_;
+  // Only the motion is asked.
+  parts.statement.asks.clear();
+  parts.statement.claims.clear();
+  if (parts.statement.situations.size() > 1)
+    throw UnansweredRecord(parts.statement.file + ": a motion is followed of a file with one situation");
+  Record record;
+  record.columns.push_back({"time", quantity_expression("time"), Mark{}});
+  parts.settings = settled(parts.statement, parts.sets, {record, asked_words});
+}
+
+AskedMotion::~AskedMotion() = default;
+
+std::vector<std::string> AskedMotion::coordinate_names() {
+  return answered([&] { return coordinates_of(parts_->followed(0)); });
+}
+
+AskedValues AskedMotion::values(const std::vector<double>& times, const std::vector<std::string>& texts,
+                                const std::string& axes_text) {
+  Parts& parts = *parts_;
+  const std::string& file = parts.statement.file;
+  AskedValues found;
+  if (std::ranges::any_of(times, [](double time) { return !(time >= 0) || std::isinf(time); }))
+    fail(file, Mark{}, "the motion begins at 0 s: a time is a number that is not negative");
+  const std::optional<Expression> axes =
+      axes_text.empty() ? std::nullopt : std::optional(quantity_expression(axes_text));
+  return answered([&] {
+    const double last = times.empty() ? 0 : *std::ranges::max_element(times);
+    Course& course = parts.followed(last);
+    std::vector<AskedQuantity> quantities;
+    for (const std::string& text : texts) {
+      const Expression expression = quantity_expression(text);
+      const Value<double> value = course.value(0, expression, axes);
+      if (!value.is_number() && !value.is_vector())
+        fail(file, Mark{}, "'" + text + "' is no number and no vector", "ask for it in the file");
+      quantities.push_back({expression, value.is_vector()});
+      AskedSeries series{si_unit(value.dimension, asks_energy(expression)), {}, {}};
+      if (value.is_vector())
+        series.component_names.assign(parts.situation().axes.begin(), parts.situation().axes.end());
+      found.series.push_back(std::move(series));
+    }
+    if (quantities.empty() || times.empty()) return found;
+    const Record record = parts.record_for(quantities, axes);
+    const SolvedStatement solved =
+        solve_columns(parts.statement, parts.sets, {record, asked_words}, probed_times(times));
+    found.checks = solved.solutions.front().checks;
+    found.notes = solved.solutions.front().notes;
+    parts.fill(found, times, quantities, axes);
+    return found;
+  });
+}
+
+}  // namespace poinsot::problem

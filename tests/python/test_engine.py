@@ -1,0 +1,228 @@
+"""The engine in arrays, against kinematics and Lagrange's equations written down here with NumPy alone."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+import pytest
+
+from poinsot import engine
+
+Array = engine.Array
+
+
+def turn(axis: Array, angle: float) -> Array:
+    """Rodrigues' formula."""
+    k = axis / np.linalg.norm(axis)
+    K = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
+    return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K
+
+
+@dataclass
+class Link:
+    parent: int
+    joint: str
+    axis: Array
+    place: Array
+    rotation: Array
+    mass: float
+    center: Array
+    inertia: Array
+
+
+@dataclass
+class Tree:
+    """A random tree of hinged and sliding bodies, by the formulas of its kinematics."""
+
+    gravity: Array
+    links: list[Link] = field(default_factory=list)
+
+    def poses(self, q: Array) -> list[tuple[Array, Array]]:
+        poses: list[tuple[Array, Array]] = []
+        for link, x in zip(self.links, q, strict=True):
+            R, p = poses[link.parent] if link.parent >= 0 else (np.eye(3), np.zeros(3))
+            R, p = R @ link.rotation, p + R @ link.place
+            if link.joint == "revolute":
+                R = R @ turn(link.axis, x)
+            else:
+                p = p + R @ link.axis / np.linalg.norm(link.axis) * x
+            poses.append((R, p))
+        return poses
+
+    def kinetic_energy(self, q: Array, v: Array) -> float:
+        """From the poses a little before and after."""
+        h, energy = 1e-5, 0.0
+        before, now, after = (self.poses(q + s * h * v) for s in (-1, 0, 1))
+        for link, (R0, p0), (R, _), (R1, p1) in zip(self.links, before, now, after, strict=True):
+            velocity = (p1 + R1 @ link.center - p0 - R0 @ link.center) / (2 * h)
+            W = R.T @ (R1 - R0) / (2 * h)
+            w = np.array([W[2, 1] - W[1, 2], W[0, 2] - W[2, 0], W[1, 0] - W[0, 1]]) / 2
+            energy += 0.5 * link.mass * velocity @ velocity + 0.5 * w @ link.inertia @ w
+        return energy
+
+    def mass_matrix(self, q: Array) -> Array:
+        n = len(self.links)
+        unit = np.eye(n)
+        T = [self.kinetic_energy(q, unit[i]) for i in range(n)]
+        return np.array(
+            [[2 * T[i] if i == j else self.kinetic_energy(q, unit[i] + unit[j]) - T[i] - T[j] for j in range(n)] for i in range(n)]
+        )
+
+    def potential_energy(self, q: Array) -> float:
+        return -sum(
+            link.mass * self.gravity @ (p + R @ link.center) for link, (R, p) in zip(self.links, self.poses(q), strict=True)
+        )
+
+    def inverse_dynamics(self, q: Array, v: Array, a: Array) -> Array:
+        """Lagrange: M a + (dM/dt) v - d(T - V)/dq."""
+        h, n = 1e-4, len(self.links)
+        M_rate = (self.mass_matrix(q + h * v) - self.mass_matrix(q - h * v)) / (2 * h)
+        slope = np.array(
+            [
+                sum(s * (self.kinetic_energy(q + s * h * e, v) - self.potential_energy(q + s * h * e)) for s in (1, -1)) / (2 * h)
+                for e in np.eye(n)
+            ]
+        )
+        return self.mass_matrix(q) @ a + M_rate @ v - slope
+
+    def model(self) -> engine.Model:
+        builder = engine.ModelBuilder()
+        builder.set_gravity(self.gravity)
+        for i, link in enumerate(self.links):
+            parent = "ground" if link.parent < 0 else f"b{link.parent}"
+            builder.add_body(
+                f"b{i}", parent, link.joint, axis=link.axis, place=link.place, rotation=link.rotation, mass=link.mass,
+                center=link.center, inertia=link.inertia,
+            )  # fmt: skip
+        return builder.build()
+
+
+def random_tree(random: np.random.Generator, size: int) -> Tree:
+    tree = Tree(random.normal(size=3) * 5)
+    for i in range(size):
+        A = random.normal(size=(3, 3))
+        squares = A @ A.T
+        tree.links.append(
+            Link(
+                int(random.integers(-1, i)) if i else -1,
+                str(random.choice(["revolute", "prismatic"])),
+                random.normal(size=3),
+                random.normal(size=3),
+                turn(random.normal(size=3), random.uniform(0, 3)),
+                random.uniform(0.5, 3),
+                random.normal(size=3) * 0.3,
+                np.trace(squares) * np.eye(3) - squares,
+            )
+        )
+    return tree
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_random_trees(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    tree = random_tree(random, 1 + seed % 5)
+    model, n = tree.model(), len(tree.links)
+    assert (model.nq, model.nv) == (n, n)
+    q, v, a = random.normal(size=(3, n))
+    scale = 1 + np.abs(tree.mass_matrix(q)).max() * (1 + v @ v)
+    np.testing.assert_allclose(engine.mass_matrix(model, q), tree.mass_matrix(q), atol=1e-7 * scale)
+    tau = engine.inverse_dynamics(model, q, v, a)
+    np.testing.assert_allclose(tau, tree.inverse_dynamics(q, v, a), atol=1e-4 * scale)
+    np.testing.assert_allclose(engine.forward_dynamics(model, q, v, tau), a, rtol=1e-8, atol=1e-8)
+    assert engine.kinetic_energy(model, q, v) == pytest.approx(tree.kinetic_energy(q, v), rel=1e-7)
+    assert engine.potential_energy(model, q) == pytest.approx(tree.potential_energy(q), rel=1e-12)
+    point = random.normal(size=3)
+    R, p = tree.poses(q)[-1]
+    name = f"b{n - 1}"
+    np.testing.assert_allclose(engine.rotation(model, q, name), R, atol=1e-12)
+    np.testing.assert_allclose(engine.position(model, q, name, point), p + R @ point, atol=1e-12)
+    h = 1e-6
+    J = engine.jacobian(model, q, name, point)
+    assert J.shape == (6, n)
+    ends = [tree.poses(q + s * h * v)[-1] for s in (1, -1)]
+    velocity = (ends[0][1] + ends[0][0] @ point - ends[1][1] - ends[1][0] @ point) / (2 * h)
+    W = (ends[0][0] - ends[1][0]) / (2 * h) @ R.T
+    np.testing.assert_allclose(J @ v, [*velocity, W[2, 1], W[0, 2], W[1, 0]], atol=1e-7)
+
+
+def test_momenta_of_a_free_body() -> None:
+    """H about a point is I w + r x m v, whatever the attitude."""
+    random = np.random.default_rng(5)
+    inertia = np.diag([1.0, 2.0, 2.5])
+    builder = engine.ModelBuilder()
+    builder.add_body("b", mass=3.0, inertia=inertia)
+    model = builder.build()
+    q = model.neutral()
+    assert (model.nq, model.nv) == (7, 6) and q[0] == 1
+    q = engine.integrate(model, q, random.normal(size=6))
+    v, about = random.normal(size=6), random.normal(size=3)
+    R, p = engine.rotation(model, q, "b"), engine.position(model, q, "b")
+    linear = 3 * R @ v[3:]
+    angular = R @ inertia @ v[:3] + np.cross(p - about, linear)
+    np.testing.assert_allclose(engine.momentum(model, q, v, about), [*linear, *angular], rtol=1e-12)
+    np.testing.assert_allclose(engine.mass_center(model, q), p, rtol=1e-12)
+    # Without forces w changes by Euler's equations, and the velocity keeps its direction in space.
+    a = engine.forward_dynamics(model, q, v, np.zeros(6))
+    np.testing.assert_allclose(a[:3], -np.cross(v[:3], inertia @ v[:3]) / np.diag(inertia), atol=1e-12)
+    np.testing.assert_allclose(a[3:], -np.cross(v[:3], v[3:]), atol=1e-12)
+
+
+@pytest.fixture(scope="module")
+def arm() -> engine.Model:
+    return random_tree(np.random.default_rng(11), 7).model()
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 5, 17, 1000])
+def test_batches_are_their_cases(arm: engine.Model, count: int) -> None:
+    random = np.random.default_rng(count)
+    q, v, a = random.normal(size=(3, 7, count))
+    for found, single in (
+        (engine.inverse_dynamics(arm, q, v, a), lambda k: engine.inverse_dynamics(arm, q[:, k], v[:, k], a[:, k])),
+        (engine.forward_dynamics(arm, q, v, a), lambda k: engine.forward_dynamics(arm, q[:, k], v[:, k], a[:, k])),
+        (engine.mass_matrix(arm, q), lambda k: engine.mass_matrix(arm, q[:, k])),
+        (engine.jacobian(arm, q, "b6"), lambda k: engine.jacobian(arm, q[:, k], "b6")),
+        (engine.momentum(arm, q, v), lambda k: engine.momentum(arm, q[:, k], v[:, k])),
+        (engine.integrate(arm, q, v, 0.1), lambda k: engine.integrate(arm, q[:, k], v[:, k], 0.1)),
+    ):
+        assert found.shape[-1] == count
+        for k in {0, count // 2, count - 1}:
+            np.testing.assert_allclose(found[..., k], single(k), rtol=1e-9, atol=1e-9)
+
+
+def test_threads_change_no_bit(arm: engine.Model) -> None:
+    q, v, a = np.random.default_rng(3).normal(size=(3, 7, 1003))
+    one = engine.forward_dynamics(arm, q, v, a)
+    for threads in (2, 3, 8, 2000):
+        np.testing.assert_array_equal(engine.forward_dynamics(arm, q, v, a, threads=threads), one)
+
+
+def test_other_orders_and_types_are_understood(arm: engine.Model) -> None:
+    q, v, a = np.random.default_rng(3).normal(size=(3, 7, 10))
+    wanted = engine.inverse_dynamics(arm, q, v, a)
+    np.testing.assert_array_equal(engine.inverse_dynamics(arm, np.asfortranarray(q), v[:, :], a.tolist()), wanted)
+    assert engine.rnea(arm, q, v, a).tobytes() == wanted.tobytes()
+    assert engine.inverse_dynamics(arm, q[:, :0], v[:, :0], a[:, :0]).shape == (7, 0)
+
+
+def test_wrong_shapes_and_names(arm: engine.Model) -> None:
+    q, v, a = np.zeros((3, 7, 4))
+    with pytest.raises(ValueError, match="q has 6 rows, the model needs 7"):
+        engine.inverse_dynamics(arm, q[:6], v, a)
+    with pytest.raises(ValueError, match="v is of 3 cases, q of 4"):
+        engine.inverse_dynamics(arm, q, v[:, :3], a)
+    with pytest.raises(ValueError, match="a is of 1 cases, q of 4"):
+        engine.inverse_dynamics(arm, q, v, a[:, 0])
+    with pytest.raises(ValueError, match="3 dimensions"):
+        engine.mass_matrix(arm, np.zeros((7, 2, 2)))
+    with pytest.raises(KeyError, match="no body 'b66'"):
+        engine.position(arm, q, "b66")
+    with pytest.raises(IndexError, match="no such body"):
+        engine.position(arm, q, 7)
+    builder = engine.ModelBuilder()
+    with pytest.raises(ValueError, match="its mass is negative"):
+        builder.add_body("b", mass=-1)
+    with pytest.raises(ValueError, match="there is no joint 'hinge'"):
+        builder.add_body("b", joint="hinge")
+    with pytest.raises(ValueError, match="not symmetric"):
+        builder.add_body("b", inertia=[[1, 0.1, 0], [0, 1, 0], [0, 0, 1]])
+    with pytest.raises(ValueError, match="parent 'c' is unknown"):
+        builder.add_body("b", "c")

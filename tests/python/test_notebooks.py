@@ -1,0 +1,45 @@
+"""The notebooks run, and what they find is what a closed form or conservation says."""
+
+from pathlib import Path
+
+import nbclient
+import nbformat
+import pytest
+
+NOTEBOOKS = Path(__file__).parents[2] / "examples/notebooks"
+
+# A last cell for each.
+HOLDS = {
+    "first_problem": """
+import sympy
+m, r, b, n, L = (next(one for one in B.free_symbols if one.name == name) for name in "mrbnL")
+assert sympy.simplify(B[1] - m * r**2 * n**2 * sympy.sin(b) * sympy.cos(b) / (4 * L)) == 0
+assert np.allclose(loads, 8 * 0.15**2 * (speeds * np.pi / 30) ** 2 * np.sin(np.radians(40)) / 8 / 0.5)
+""",
+    "balanced_rotor": "assert np.allclose(found, by_hand, rtol=1e-9)",
+    "top": "assert np.allclose(found, by_hand, rtol=1e-9); assert energy_drift < 1e-9",
+    "satellite": "assert momentum_drift < 1e-9 and energy_drift < 1e-9; assert w[:, 1].min() < -4.9 and w[0, 1] == 5",
+    "study": """
+from math import erf, sqrt
+assert misfit < 1e-9
+slope = 8 * 0.15**2 * (100 * np.pi) ** 2 / 4 / 0.5  # of the reaction by the angle
+assert abs(part_below - erf(limit / slope / np.radians(0.1) / sqrt(2))) < 3e-3
+assert max(shares, key=shares.get) == "b"
+""",
+}
+
+
+def test_every_notebook_is_held_to_something() -> None:
+    assert {path.stem for path in NOTEBOOKS.glob("*.ipynb")} == set(HOLDS)
+
+
+@pytest.mark.parametrize("name", sorted(HOLDS))
+def test_runs_and_holds(name: str, tmp_path: Path) -> None:
+    notebook = nbformat.read(NOTEBOOKS / f"{name}.ipynb", as_version=4)
+    assert not any(cell.get("outputs") for cell in notebook.cells), "a notebook is kept without its outputs"
+    notebook.cells.append(nbformat.v4.new_code_cell(HOLDS[name]))
+    nbclient.NotebookClient(notebook, timeout=120, resources={"metadata": {"path": str(tmp_path)}}).execute()
+    shown = [kind for cell in notebook.cells for one in cell.get("outputs", []) for kind in one.get("data", {})]
+    assert "text/html" in shown or "text/latex" in shown
+    if name in ("first_problem", "balanced_rotor"):
+        assert "image/svg+xml" in shown
