@@ -166,12 +166,14 @@ def momentum(
 
 
 def kinetic_energy(model: Model, q: npt.ArrayLike, v: npt.ArrayLike, *, threads: int = 1) -> Array:
-    return _core.kinetic_energy(model._core, _in_order(q), _in_order(v), threads)[0]
+    energy: Array = _core.kinetic_energy(model._core, _in_order(q), _in_order(v), threads)[0]
+    return energy
 
 
 def potential_energy(model: Model, q: npt.ArrayLike, *, threads: int = 1) -> Array:
     """Of the weights, zero with all mass at the ground's origin."""
-    return _core.potential_energy(model._core, _in_order(q), threads)[0]
+    energy: Array = _core.potential_energy(model._core, _in_order(q), threads)[0]
+    return energy
 
 
 # As users of Pinocchio look for them.

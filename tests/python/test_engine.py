@@ -1,5 +1,6 @@
 """The engine in arrays, against kinematics and Lagrange's equations written down here with NumPy alone."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -14,7 +15,8 @@ def turn(axis: Array, angle: float) -> Array:
     """Rodrigues' formula."""
     k = axis / np.linalg.norm(axis)
     K = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
-    return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K
+    turned: Array = np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K
+    return turned
 
 
 @dataclass
@@ -56,7 +58,7 @@ class Tree:
             velocity = (p1 + R1 @ link.center - p0 - R0 @ link.center) / (2 * h)
             W = R.T @ (R1 - R0) / (2 * h)
             w = np.array([W[2, 1] - W[1, 2], W[0, 2] - W[2, 0], W[1, 0] - W[0, 1]]) / 2
-            energy += 0.5 * link.mass * velocity @ velocity + 0.5 * w @ link.inertia @ w
+            energy += float(0.5 * link.mass * velocity @ velocity + 0.5 * w @ link.inertia @ w)
         return energy
 
     def mass_matrix(self, q: Array) -> Array:
@@ -69,7 +71,7 @@ class Tree:
 
     def potential_energy(self, q: Array) -> float:
         return -sum(
-            link.mass * self.gravity @ (p + R @ link.center) for link, (R, p) in zip(self.links, self.poses(q), strict=True)
+            float(link.mass * self.gravity @ (p + R @ link.center)) for link, (R, p) in zip(self.links, self.poses(q), strict=True)
         )
 
     def inverse_dynamics(self, q: Array, v: Array, a: Array) -> Array:
@@ -82,7 +84,8 @@ class Tree:
                 for e in np.eye(n)
             ]
         )
-        return self.mass_matrix(q) @ a + M_rate @ v - slope
+        forces: Array = self.mass_matrix(q) @ a + M_rate @ v - slope
+        return forces
 
     def model(self) -> engine.Model:
         builder = engine.ModelBuilder()
@@ -175,14 +178,15 @@ def arm() -> engine.Model:
 def test_batches_are_their_cases(arm: engine.Model, count: int) -> None:
     random = np.random.default_rng(count)
     q, v, a = random.normal(size=(3, 7, count))
-    for found, single in (
+    compared: list[tuple[Array, Callable[[int], Array]]] = [
         (engine.inverse_dynamics(arm, q, v, a), lambda k: engine.inverse_dynamics(arm, q[:, k], v[:, k], a[:, k])),
         (engine.forward_dynamics(arm, q, v, a), lambda k: engine.forward_dynamics(arm, q[:, k], v[:, k], a[:, k])),
         (engine.mass_matrix(arm, q), lambda k: engine.mass_matrix(arm, q[:, k])),
         (engine.jacobian(arm, q, "b6"), lambda k: engine.jacobian(arm, q[:, k], "b6")),
         (engine.momentum(arm, q, v), lambda k: engine.momentum(arm, q[:, k], v[:, k])),
         (engine.integrate(arm, q, v, 0.1), lambda k: engine.integrate(arm, q[:, k], v[:, k], 0.1)),
-    ):
+    ]
+    for found, single in compared:
         assert found.shape[-1] == count
         for k in {0, count // 2, count - 1}:
             np.testing.assert_allclose(found[..., k], single(k), rtol=1e-9, atol=1e-9)
@@ -223,6 +227,6 @@ def test_wrong_shapes_and_names(arm: engine.Model) -> None:
     with pytest.raises(ValueError, match="there is no joint 'hinge'"):
         builder.add_body("b", joint="hinge")
     with pytest.raises(ValueError, match="not symmetric"):
-        builder.add_body("b", inertia=[[1, 0.1, 0], [0, 1, 0], [0, 0, 1]])
+        builder.add_body("b", inertia=np.array([[1, 0.1, 0], [0, 1, 0], [0, 0, 1]]))
     with pytest.raises(ValueError, match="parent 'c' is unknown"):
         builder.add_body("b", "c")
