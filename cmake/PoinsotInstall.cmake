@@ -9,7 +9,7 @@ foreach(library engine problem)
   install(EXPORT poinsot_${library}_targets NAMESPACE poinsot:: DESTINATION "${poinsot_package}" COMPONENT ${library})
 endforeach()
 install(DIRECTORY include/poinsot/engine DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/poinsot" COMPONENT engine)
-install(FILES include/poinsot/problem.h include/poinsot/document.h include/poinsot/pictures.h
+install(FILES include/poinsot/problem.h include/poinsot/cases.h include/poinsot/document.h include/poinsot/pictures.h
               include/poinsot/rendering.h include/poinsot/scene.h
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/poinsot" COMPONENT problem)
 install(TARGETS poinsot RUNTIME COMPONENT program)

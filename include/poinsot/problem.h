@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "poinsot/cases.h"
 #include "poinsot/document.h"
 #include "poinsot/engine/work/budget.h"
 
@@ -236,6 +237,10 @@ class Problem {
   bool expects() const;  // whether it has an `expect` block
   bool records() const;  // whether it has a `record` block
 
+  // The number in SI units that `text` ("3000 rpm") is for a letter, a datum or an unknown. Throws StatementError if
+  // there is none of this name, or the text is no such value.
+  double value_in_si(const std::string& name, const std::string& text) const;
+
   // Answers every question and decides every claim. Questions without answer are in the document, with state and
   // reason. If the budget ends first, the document says so in `ended` and holds what was found until then. Throws
   // StatementError if a setting is wrong, the statement contradicts itself, or nothing is asked.
@@ -265,6 +270,11 @@ class Problem {
   // StatementError if a setting is wrong, NoMotion if letters remain, the file has several situations or there is not
   // one solution, and BudgetEnded, which is no std::exception, if the budget ends first.
   Motion motion(const Settings& sets = {}, const Budget& budget = {}) const;
+
+  // The problem for many cases that differ in the values of some letters, data or unknowns. Throws StatementError if a
+  // name or a setting is wrong, or a question has neither numbers nor vectors for an answer, and BudgetEnded, which is
+  // no std::exception, if the budget ends first.
+  Cases cases(const CaseQuestions& questions, const Budget& budget = {}) const;
 
   // The equations of motion as formulas or code, in SI units. They hold for all positions and velocities of the
   // coordinates; what the file states of an instant is not used. Letters and unknowns remain letters, data become

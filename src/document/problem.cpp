@@ -13,7 +13,9 @@
 #include "poinsot/engine/work/budget.h"
 #include "poinsot/rendering.h"
 #include "problem/answers/asked_motion.h"
+#include "problem/answers/read_settings.h"
 #include "problem/answers/solve_statement.h"
+#include "problem/cases/cases.h"
 #include "problem/entries/named_files.h"
 #include "problem/entries/statement.h"
 #include "problem/equations/equations.h"
@@ -191,6 +193,14 @@ const std::vector<StatedQuestion>& Problem::claims() const { return parts_->clai
 bool Problem::expects() const { return parts_->statement.expects; }
 bool Problem::records() const { return parts_->statement.record.has_value(); }
 
+double Problem::value_in_si(const std::string& name, const std::string& text) const {
+  return with_public_errors([&] {
+    const problem::Value<double> value = problem::read_settings(parts_->statement, {{name, text}}).at(name);
+    if (!value.is_number()) problem::fail(name, {}, "'" + text + "' is no number");
+    return value.number;
+  });
+}
+
 Document Problem::solve(const Settings& sets, const Budget& budget) const {
   return with_public_errors([&] { return solved_document(parts_->statement, sets, {}, budget); });
 }
@@ -208,6 +218,14 @@ Document Problem::illustrate(const Settings& sets, const Budget& budget, bool wi
 std::vector<std::string> Problem::check(const Budget& budget) const {
   const BudgetScope scope(budget);
   return with_public_errors([&] { return document::own_shortfalls(parts_->statement); });
+}
+
+Cases Problem::cases(const CaseQuestions& questions, const Budget& budget) const {
+  const BudgetScope scope(budget);
+  return with_public_errors([&] {
+    return Cases(std::make_shared<const problem::CompiledCases>(parts_->statement, questions.over, questions.asks,
+                                                                questions.sets, questions.first));
+  });
 }
 
 Recording Problem::record(const std::string& output, const RecordOptions& options, const Budget& budget) const {

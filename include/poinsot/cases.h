@@ -1,0 +1,72 @@
+// One problem for many cases: what is the same for all of them is done once.
+//
+//   poinsot::Cases cases = problem.cases({.over = {"n", "b"}, .asks = {"B"}, .first = {100.0, 0.3}});
+//   poinsot::CaseRows rows = cases.solve({speeds, angles}, 0);
+//   rows.columns[1]  // of cases.columns()[1], "B.y" in N
+//
+// Where the answers have formulas in what is varied, these are evaluated as straight-line code over many cases at once;
+// of every thousandth case the formulas are compared with a full solution. Cases where their conditions do not hold,
+// and all cases where there are no formulas, are solved one by one, with all checks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "poinsot/engine/work/budget.h"
+
+namespace poinsot {
+
+namespace problem {
+class CompiledCases;
+}
+
+struct CaseQuestions {
+  std::vector<std::string> over;  // the letters, data and unknowns that differ from case to case
+  std::vector<std::string> asks;  // the names of the questions; all if there are none
+  std::vector<std::pair<std::string, std::string>> sets{};  // values that are the same for all cases
+  std::vector<double> first{};  // the values in some case, SI: shows the shape of answers where letters do not
+};
+
+// A number of each case, in the coherent SI unit.
+struct CaseColumn {
+  std::string name;  // "T", or "B.y" of a vector
+  std::string unit;
+};
+
+struct CaseRows {
+  std::vector<std::vector<double>> columns;  // as those of Cases::columns(); NaN where a case has no answer
+  std::vector<char> by_formula;              // of each case
+  std::vector<std::pair<std::size_t, std::string>> reasons;  // of the cases in which an answer is missing, ascending
+  std::size_t checked = 0;                                   // cases by formula that were solved in full as well
+  std::size_t refuted = 0;  // those where this gave something else: then all of these cases were solved in full
+};
+
+// A value that copies share and that does not change: several threads may use it at the same time.
+class Cases {
+ public:
+  // What is varied, in the order of `over`.
+  std::vector<CaseColumn> over() const;
+  const std::vector<CaseColumn>& columns() const { return columns_; }
+  bool has_formulas() const;
+  std::string no_formulas() const;  // why there are none; else ""
+
+  // values: a column for each of over(), of as many numbers as there are cases, in SI units. first: the number of the
+  // first of these cases among all. The numbers of a case do not depend on the others in the call, unless a check
+  // refutes a formula. Throws std::invalid_argument if the columns do not fit, and BudgetEnded, which is no
+  // std::exception, if the budget ends first.
+  CaseRows solve(const std::vector<std::span<const double>>& values, std::uint64_t first,
+                 const Budget& budget = {}) const;
+
+ private:
+  friend class Problem;
+  explicit Cases(std::shared_ptr<const problem::CompiledCases> parts);
+  std::shared_ptr<const problem::CompiledCases> parts_;
+  std::vector<CaseColumn> columns_;
+};
+
+}  // namespace poinsot

@@ -1,0 +1,37 @@
+// The formulas of a solved statement as one straight-line program over the data that differ from case to case.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "poinsot/engine/math/trace/column_program.h"
+#include "problem/cases/varied_data.h"
+#include "problem/results/solution.h"
+
+namespace poinsot::problem {
+
+class CaseFormulas {
+ public:
+  // solved: the statement with the data as letters. Nothing, and the reason, if not every question has a formula, or
+  // the conditions under which these hold are known in words alone.
+  static std::optional<CaseFormulas> made(const SolvedStatement& solved, const std::vector<VariedDatum>& data,
+                                          std::string& reason);
+
+  // data: a column for each datum. results: room for a column for each number of the answers, in their order. Returns
+  // for each case whether the conditions hold and every number exists.
+  std::vector<char> evaluate(std::span<const double* const> data, std::size_t rows,
+                             std::span<double* const> results) const;
+
+  std::size_t operations() const { return program_.operations(); }
+
+ private:
+  CaseFormulas(ColumnProgram program, std::size_t conditions) : program_(std::move(program)), conditions_(conditions) {}
+
+  ColumnProgram program_;  // its outputs are the results and then what must be positive
+  std::size_t conditions_ = 0;
+};
+
+}  // namespace poinsot::problem

@@ -1,0 +1,186 @@
+#include "problem/cases/cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "poinsot/engine/work/budget.h"
+#include "problem/answers/solve_statement.h"
+#include "problem/language/diagnostic.h"
+#include "problem/quantities/asks_model.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+// How many cases there are to each that is checked in full.
+constexpr std::uint64_t cases_to_a_check = 1000;
+// Of the size of an answer: the formulas of other roots and other regimes differ by far more. Where the terms of a
+// formula cancel, rounding leaves less than a part in 1e9 of what its answer is at other cases.
+constexpr double same_answer = 1e-7, cancelled = 1e-9;
+
+// The numbers of an answer; nothing if it has none.
+std::vector<double> numbers_of(const SolvedAsk& ask) {
+  if (ask.value.is_number()) return {ask.value.number};
+  if (ask.value.is_vector()) return {ask.value.vector[0], ask.value.vector[1], ask.value.vector[2]};
+  return {};
+}
+
+std::string reason_of(const SolvedAsk& ask) {
+  switch (ask.state) {
+    case AskState::found:
+      return numbers_of(ask).empty() ? "it has no number here" : "";
+    case AskState::needs_letters:
+      return fmt::format("the letters {} have no value", fmt::join(ask.letters, ", "));
+    case AskState::undetermined:
+    case AskState::refused:
+      return ask.reason;
+  }
+  return "";
+}
+
+}  // namespace
+
+CompiledCases::CompiledCases(const Statement& statement, const std::vector<std::string>& over,
+                             const std::vector<std::string>& asks,
+                             std::vector<std::pair<std::string, std::string>> sets, const std::vector<double>& first)
+    : statement_(with_questions(statement, asks)), sets_(std::move(sets)), data_(varied_data(statement, over)) {
+  if (statement_.asks.empty()) fail(statement_.file, Mark{1, 1}, "the file asks nothing", "write ask: {T: ...}");
+  try {
+    const SolvedStatement solved = solve_statement(with_letters(statement_, data_), sets_);
+    if (solved.ended) throw BudgetEnded{*solved.ended};
+    formulas_ = CaseFormulas::made(solved, data_, no_formulas_);
+    if (!solved.solutions.empty()) take_shape(solved.solutions.front());
+  } catch (const StatementError& error) {
+    no_formulas_ = error.diagnostics().front().message;
+  }
+  if (!columns_.empty()) return;
+  // The statement made no sense at letters: the first case shows what there is, or what is wrong.
+  formulas_.reset();
+  std::vector<std::span<const double>> one;
+  for (const double& value : first) one.emplace_back(&value, 1);
+  const SolvedStatement solved = solved_in_full(one, 0);
+  if (solved.ended) throw BudgetEnded{*solved.ended};
+  if (solved.solutions.empty())
+    fail(statement_.file, Mark{1, 1}, "the first case has no solution",
+         solved.warnings.empty() ? "" : solved.warnings.front());
+  take_shape(solved.solutions.front());
+}
+
+void CompiledCases::take_shape(const Solution& solution) {
+  columns_.clear();
+  vectors_.clear();
+  for (std::size_t i = 0; i < solution.asks.size(); ++i) {
+    const SolvedAsk& ask = solution.asks[i];
+    const std::string& name = statement_.asks[i].name;
+    const bool formula = ask.formula && (ask.formula->is_number() || ask.formula->is_vector());
+    const bool vector = formula ? ask.formula->is_vector() : ask.value.is_vector();
+    const Dimension& dimension = formula ? ask.formula->dimension : ask.value.dimension;
+    if (!formula && numbers_of(ask).empty()) {
+      columns_.clear();
+      if (!ask.columns.empty() || ask.value.is_list() || ask.value.is_text())
+        fail(statement_.file, statement_.asks[i].mark, "'" + name + "' is no number and no vector",
+             "a study asks for numbers: leave it out by asks");
+      return;
+    }
+    vectors_.push_back(vector);
+    const std::string unit = format_unit(dimension, std::ranges::all_of(statement_.asks[i].of, asks_energy));
+    if (!vector) columns_.push_back({name, unit});
+    for (std::size_t k = 0; vector && k < 3; ++k) {
+      const std::string axis = k < ask.component_names.size() ? ask.component_names[k] : std::to_string(k + 1);
+      columns_.push_back({name + "." + axis, unit});
+    }
+  }
+}
+
+SolvedStatement CompiledCases::solved_in_full(const std::vector<std::span<const double>>& data, std::size_t row) const {
+  std::vector<std::pair<std::string, std::string>> sets = sets_;
+  for (std::size_t k = 0; k < data_.size(); ++k) sets.emplace_back(data_[k].name, setting_text(data_[k], data[k][row]));
+  return solve_statement(statement_, sets);
+}
+
+std::string CompiledCases::solve_row(const std::vector<std::span<const double>>& data, std::size_t row,
+                                     std::vector<double>& numbers) const {
+  numbers.assign(columns_.size(), missing);
+  for (std::size_t k = 0; k < data_.size(); ++k)
+    if (!std::isfinite(data[k][row])) return "'" + data_[k].name + "' has no value in this case";
+  SolvedStatement solved;
+  try {
+    solved = solved_in_full(data, row);
+  } catch (const StatementError& error) {
+    return error.diagnostics().front().message;
+  }
+  if (solved.ended) throw BudgetEnded{*solved.ended};
+  if (solved.solutions.empty()) return solved.warnings.empty() ? "there is no solution" : solved.warnings.front();
+  if (solved.solutions.size() > 1) return fmt::format("there are {} solutions", solved.solutions.size());
+  std::string reasons;
+  std::size_t at = 0;
+  const std::vector<SolvedAsk>& asks = solved.solutions.front().asks;
+  for (std::size_t i = 0; i < asks.size(); ++i) {
+    const std::size_t size = vectors_[i] ? 3 : 1;
+    std::string reason = reason_of(asks[i]);
+    const std::vector<double> found = numbers_of(asks[i]);
+    if (reason.empty() && found.size() != size) reason = "it has another form than in other cases";
+    if (reason.empty())
+      std::ranges::copy(found, numbers.begin() + static_cast<std::ptrdiff_t>(at));
+    else
+      reasons += (reasons.empty() ? "" : "; ") + statement_.asks[i].name + ": " + reason;
+    at += size;
+  }
+  return reasons;
+}
+
+bool CompiledCases::is_refuted(const std::vector<std::span<const double>>& data, std::size_t row,
+                               const SolvedCases& found, const std::vector<double>& sizes) const {
+  std::vector<double> numbers;
+  if (!solve_row(data, row, numbers).empty()) return true;
+  std::size_t at = 0;
+  for (const bool vector : vectors_) {
+    double off = 0, size = 0, usual = 0;
+    for (const std::size_t end = at + (vector ? 3 : 1); at < end; ++at) {
+      off = std::max(off, std::fabs(found.columns[at][row] - numbers[at]));
+      size = std::max(size, std::fabs(numbers[at]));
+      usual = std::max(usual, sizes[at]);
+    }
+    if (!(off <= same_answer * size + cancelled * usual)) return true;
+  }
+  return false;
+}
+
+SolvedCases CompiledCases::solved(const std::vector<std::span<const double>>& data, std::uint64_t first) const {
+  const std::size_t rows = data.empty() ? 1 : data.front().size();
+  SolvedCases found;
+  found.columns.assign(columns_.size(), std::vector<double>(rows, missing));
+  found.by_formula.assign(rows, 0);
+  if (formulas_) {
+    std::vector<const double*> inputs;
+    for (const std::span<const double>& column : data) inputs.push_back(column.data());
+    std::vector<double*> outputs;
+    for (std::vector<double>& column : found.columns) outputs.push_back(column.data());
+    found.by_formula = formulas_->evaluate(inputs, rows, outputs);
+    std::vector<double> sizes(columns_.size(), 0);
+    for (std::size_t k = 0; k < sizes.size(); ++k)
+      for (std::size_t row = 0; row < rows; ++row)
+        if (found.by_formula[row]) sizes[k] = std::max(sizes[k], std::fabs(found.columns[k][row]));
+    const std::size_t to_first = (cases_to_a_check - first % cases_to_a_check) % cases_to_a_check;
+    for (std::size_t row = to_first; row < rows; row += cases_to_a_check) {
+      if (!found.by_formula[row]) continue;
+      ++found.checked;
+      if (is_refuted(data, row, found, sizes)) ++found.refuted;
+    }
+    if (found.refuted > 0) std::ranges::fill(found.by_formula, 0);
+  }
+  std::vector<double> numbers;
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (found.by_formula[row]) continue;
+    std::string reason = solve_row(data, row, numbers);
+    for (std::size_t k = 0; k < numbers.size(); ++k) found.columns[k][row] = numbers[k];
+    if (!reason.empty()) found.reasons.emplace_back(row, std::move(reason));
+  }
+  return found;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,141 @@
+// Many cases of a problem at once against solving each by itself.
+#include "poinsot/cases.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "poinsot/problem.h"
+
+namespace poinsot {
+namespace cases_test {
+
+// The answers of a document with one solution, number by number; nothing if one is missing.
+std::vector<double> numbers_of(const Document& document) {
+  std::vector<double> numbers;
+  if (document.solutions.size() != 1) return {};
+  for (const Answer& answer : document.solutions.front().answers) {
+    if (answer.claim) continue;
+    if (answer.state != AnswerState::found) return {};
+    if (const auto* number = std::get_if<double>(&answer.si.content)) {
+      numbers.push_back(*number);
+    } else if (const auto* list = std::get_if<std::vector<Datum>>(&answer.si.content)) {
+      for (const Datum& item : *list) numbers.push_back(std::get<double>(item.content));
+    } else {
+      return {};
+    }
+  }
+  return numbers;
+}
+
+struct Compared {
+  std::size_t rows = 0, by_formula = 0, unanswered = 0;
+};
+
+// Compares rows near the data of a file with solving them one by one.
+void compare(const std::string& path, std::mt19937_64& random, Compared& compared) {
+  const Problem problem = Problem::from_file(path);
+  if (problem.situations().size() != 1) return;
+  CaseQuestions questions;
+  std::vector<std::vector<double>> columns;
+  std::uniform_real_distribution<double> part(0.97, 1.03);
+  constexpr std::size_t rows = 3, most_data = 3;
+  for (const StatedDatum& datum : problem.situations().front().data) {
+    if (datum.unit.empty() || questions.over.size() == most_data) continue;
+    const double value = problem.value_in_si(datum.name, datum.text);
+    questions.over.push_back(datum.name);
+    columns.emplace_back();
+    for (std::size_t row = 0; row < rows; ++row) columns.back().push_back(value * part(random));
+    questions.first.push_back(columns.back().front());
+  }
+  if (columns.empty()) return;
+  try {
+    const Cases cases = problem.cases(questions);
+    // The first of these cases is not the first of a thousand, which would be checked in full anyway.
+    const CaseRows found = cases.solve({columns.begin(), columns.end()}, 1);
+    EXPECT_EQ(found.checked, 0U);
+    const std::vector<CaseColumn> over = cases.over();
+    for (std::size_t row = 0; row < rows; ++row) {
+      Settings sets;
+      for (std::size_t k = 0; k < columns.size(); ++k)
+        sets.emplace_back(over[k].name, fmt::format("{} {}", columns[k][row], over[k].unit));
+      std::vector<double> expected;
+      try {
+        expected = numbers_of(problem.solve(sets));
+      } catch (const StatementError&) {
+        // As where data contradict each other once they differ.
+      }
+      const bool missing = std::ranges::any_of(found.reasons, [&](const auto& one) { return one.first == row; });
+      ++compared.rows;
+      compared.by_formula += static_cast<std::size_t>(found.by_formula[row]);
+      if (expected.empty()) {
+        EXPECT_TRUE(missing) << path;
+        ++compared.unanswered;
+        continue;
+      }
+      EXPECT_FALSE(missing) << path;
+      ASSERT_EQ(found.columns.size(), expected.size()) << path;
+      const double size = std::abs(*std::ranges::max_element(expected, {}, [](double x) { return std::abs(x); }));
+      for (std::size_t k = 0; k < expected.size(); ++k)
+        EXPECT_NEAR(found.columns[k][row], expected[k], 1e-9 * std::max(std::abs(expected[k]), 1e-3 * size))
+            << path << " " << cases.columns()[k].name;
+    }
+  } catch (const StatementError&) {
+    // Questions for tables, names or truth values have no columns.
+  }
+}
+
+TEST(Cases, RowsAreWhatSolvingGives) {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/examples/textbook"))
+    paths.push_back(entry.path().string());
+  std::ranges::sort(paths);
+  std::mt19937_64 random(6);
+  Compared compared;
+  for (std::size_t i = 0; i < paths.size(); i += 7) compare(paths[i], random, compared);
+  EXPECT_GT(compared.rows, 30U);
+  EXPECT_GT(compared.by_formula, 20U);
+  EXPECT_GT(compared.rows - compared.unanswered, compared.rows / 2);
+}
+
+// The tension at the top has a formula that holds while the cord is taut: beyond that rows are solved one by one.
+TEST(Cases, BeyondTheConditionsOfAFormula) {
+  const Problem problem = Problem::from_text(
+      "title: Ball on a cord at the top of its circle\ngiven: {m: 2 kg, L: 1.2 m, v: 5 m/s}\n"
+      "points: {O: [0, 0, 0], P: [0, L, 0]}\nbodies: {ball: {particle: P, mass: m}}\n"
+      "cords: {c: {from: ground, at: O, to: ball, end: P}}\ngravity: -y\n"
+      "instants: {top: {velocity(ball): [v, 0, 0]}}\nask: {S: tension(c)}\n",
+      "cord.yaml");
+  const Cases cases = problem.cases({.over = {"v"}, .asks = {"S"}, .sets = {{"L", "1 m"}}});
+  EXPECT_EQ(cases.no_formulas(), "");
+  const std::vector<double> speeds{2, 3, 3.2, 8};
+  const CaseRows found = cases.solve({speeds}, 0);
+  EXPECT_EQ(found.by_formula, (std::vector<char>{0, 0, 1, 1}));
+  ASSERT_EQ(found.reasons.size(), 2U);
+  for (const std::size_t row : {2U, 3U})
+    EXPECT_NEAR(found.columns[0][row], 2 * (speeds[row] * speeds[row] - 9.80665), 1e-12);
+  for (const std::size_t row : {0U, 1U}) EXPECT_TRUE(std::isnan(found.columns[0][row]));
+}
+
+TEST(Cases, WrongNamesAndColumns) {
+  const Problem problem = Problem::from_file(POINSOT_SOURCE_DIR "/examples/textbook/18.005.yaml");
+  EXPECT_THROW(problem.cases({.over = {"nobody"}, .asks = {}}), StatementError);
+  EXPECT_THROW(problem.value_in_si("nobody", "1 m"), StatementError);
+  const std::string name = problem.situations().front().data.front().name;
+  EXPECT_THROW(problem.cases({.over = {name}, .asks = {"nothing"}}), StatementError);
+  const Cases cases = problem.cases({.over = {name}, .asks = {}, .first = {1.0}});
+  EXPECT_THROW(cases.solve({}, 0), std::invalid_argument);
+}
+
+TEST(Cases, ABudgetEndsThem) {
+  const Problem problem = Problem::from_file(POINSOT_SOURCE_DIR "/examples/textbook/18.005.yaml");
+  const std::string name = problem.situations().front().data.front().name;
+  EXPECT_THROW(problem.cases({.over = {name}, .asks = {}, .first = {1.0}}, Budget().end_after(std::chrono::seconds(0))),
+               BudgetEnded);
+}
+
+}  // namespace cases_test
+}  // namespace poinsot
