@@ -25,6 +25,7 @@ from .motion import Motion, MotionValues
 from .notebook import Page, Picture
 from .problem import Problem
 from .quantities import si_unit
+from .studies import Study, StudyError, normal, span, study, tolerance, uniform
 
 __all__ = [
     "Answer",
@@ -45,12 +46,19 @@ __all__ = [
     "Result",
     "Solution",
     "StatementError",
+    "Study",
+    "StudyError",
     "TimedOut",
     "Unknown",
     "__version__",
     "answer_schema",
     "language_help",
     "language_words",
+    "normal",
     "problem_schema",
     "si_unit",
+    "span",
+    "study",
+    "tolerance",
+    "uniform",
 ]

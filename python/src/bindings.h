@@ -12,5 +12,6 @@ void bind_errors(nanobind::module_& module);
 void bind_document(nanobind::module_& module);
 void bind_motion(nanobind::module_& module);
 void bind_problem(nanobind::module_& module);
+void bind_studies(nanobind::module_& module);
 
 }  // namespace poinsot::python

@@ -11,5 +11,6 @@ NB_MODULE(_core, module) {
   poinsot::python::bind_engine_dynamics(module);
   poinsot::python::bind_engine_kinematics(module);
   poinsot::python::bind_motion(module);
+  poinsot::python::bind_studies(module);
   poinsot::python::bind_problem(module);
 }

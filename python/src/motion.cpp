@@ -11,26 +11,13 @@
 
 #include "all_or_nothing.h"
 #include "bindings.h"
+#include "owned_array.h"
 #include "poinsot/problem.h"
 
 namespace nb = nanobind;
 using namespace nb::literals;
 
 namespace poinsot::python {
-namespace {
-
-using Array = nb::ndarray<nb::numpy, double>;
-
-// An array that owns the numbers: one for each time, or a row for each.
-Array array_of(std::vector<double> numbers, std::size_t components) {
-  auto* const kept = new std::vector<double>(std::move(numbers));
-  const nb::capsule owner(kept, [](void* pointer) noexcept { delete static_cast<std::vector<double>*>(pointer); });
-  const std::size_t rows = components == 0 ? kept->size() : kept->size() / components;
-  const std::size_t shape[2] = {rows, components};
-  return Array(kept->data(), components == 0 ? 1 : 2, shape, owner);
-}
-
-}  // namespace
 
 void bind_motion(nb::module_& module) {
   nb::class_<MotionSeries>(module, "MotionSeries")
@@ -38,7 +25,7 @@ void bind_motion(nb::module_& module) {
       .def_ro("unit", &MotionSeries::unit)
       .def_ro("axes", &MotionSeries::component_names)
       .def_prop_ro(
-          "si", [](const MotionSeries& series) { return array_of(series.si, series.component_names.size()); },
+          "si", [](const MotionSeries& series) { return owned_array(series.si, series.component_names.size()); },
           nb::rv_policy::automatic);
   nb::class_<MotionValues>(module, "MotionValues")
       .def_ro("series", &MotionValues::series)

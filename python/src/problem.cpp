@@ -119,6 +119,14 @@ void bind_problem(nb::module_& module) {
                                   [&](const Budget& budget) { return problem.motion(sets, budget); });
           },
           "sets"_a, "timeout"_a.none(), "listener"_a.none())
+      .def(
+          "cases",
+          [](const Problem& problem, const CaseQuestions& questions, Timeout timeout, nb::object listener) {
+            return all_or_nothing(timeout, std::move(listener),
+                                  [&](const Budget& budget) { return problem.cases(questions, budget); });
+          },
+          "questions"_a, "timeout"_a.none(), "listener"_a.none())
+      .def("value_in_si", &Problem::value_in_si, "name"_a, "text"_a)
       .def("equations", &equations, "of"_a, "form"_a, "function"_a, "situation"_a, "sets"_a, "letters"_a,
            "timeout"_a.none(), "listener"_a.none());
 

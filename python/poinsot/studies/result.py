@@ -1,0 +1,181 @@
+"""What a study found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..answers import ByName
+from ..errors import PoinsotError
+from . import shards
+from .axes import Array, is_random
+from .plan import Plan
+
+if TYPE_CHECKING:
+    import pandas
+
+
+class StudyError(PoinsotError):
+    """A study cannot be run there, or is not finished."""
+
+
+class Study(Mapping[str, Array]):
+    """The rows of a study: columns of numbers in SI units by name, for what was varied and for the answers. A row without
+    an answer has NaN there, and its reason."""
+
+    def __init__(self, plan: Plan, counts: shards.Counts, folder: Path | None, kept: dict[int, shards.Rows]) -> None:
+        self.plan, self.counts, self.folder = plan, counts, folder
+        self._kept = kept
+        self.units = shards.units(plan)
+        cases = plan.compiled()
+        self.over = list(plan.over)
+        self.answers = [one.name for one in cases.columns]
+        # Why the rows were solved one by one; "" if they went by formulas.
+        self.no_formulas: str = cases.no_formulas
+        self._columns: dict[str, Array] = {}
+
+    @classmethod
+    def open(cls, folder: Any) -> Study:
+        """A study that was finished, from its folder."""
+        import json
+
+        at = Path(folder)
+        if not (at / "manifest.json").exists():
+            raise StudyError(f"{at} holds no finished study")
+        plan = Plan.from_json((at / "study.json").read_text(encoding="utf-8"))
+        manifest = json.loads((at / "manifest.json").read_text(encoding="utf-8"))
+        counts = shards.Counts(**{name: manifest[name] for name in shards.Counts.__dataclass_fields__})
+        return cls(plan, counts, at, {})
+
+    def __getitem__(self, name: str) -> Array:
+        if name not in self.units:
+            ByName(self.units, "column of the study")[name]  # raises, with what there is
+        if name not in self._columns:
+            self._columns[name] = np.concatenate([self._part(shard, name) for shard in range(self.plan.shards)])
+        return self._columns[name]
+
+    def _part(self, shard: int, name: str) -> Any:
+        if self.folder is None:
+            rows = self._kept[shard]
+            return rows.over[name] if name in rows.over else rows.answers[name]
+        import pyarrow.parquet
+
+        path = shards.path_of(self.folder, shard)
+        column = pyarrow.parquet.read_table(path, columns=[name]).column(0)
+        return column.to_numpy(zero_copy_only=False)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter([*self.over, *self.answers])
+
+    def __len__(self) -> int:
+        return len(self.units)
+
+    @property
+    def reasons(self) -> dict[int, str]:
+        """Why answers are missing, by row."""
+        found: dict[int, str] = {}
+        for shard in range(self.plan.shards):
+            first, _ = self.plan.bounds(shard)
+            if self.folder is None:
+                found.update((first + row, reason) for row, reason in self._kept[shard].reasons)
+                continue
+            import pyarrow.parquet
+
+            column = pyarrow.parquet.read_table(shards.path_of(self.folder, shard), columns=["reason"]).column(0)
+            if column.null_count < len(column):
+                found.update((first + i, text) for i, text in enumerate(column.to_pylist()) if text is not None)
+        return found
+
+    def case(self, row: int) -> dict[str, str]:
+        """What was varied in a row, as Problem.solve() takes it."""
+        if not 0 <= row < self.plan.total:
+            raise IndexError(f"there is no row {row}: the study has {self.plan.total}")
+        values = self.plan.values(row, 1)
+        return {
+            name: f"{float(column[0])!r} {self.units[name]}".strip()
+            for name, column in zip(self.plan.over, values, strict=True)
+        }
+
+    def frame(self) -> pandas.DataFrame:
+        """As a frame of pandas; units in attrs["units"]."""
+        import pandas
+
+        frame = pandas.DataFrame({name: self[name] for name in self}, index=pandas.RangeIndex(self.plan.total, name="row"))
+        reasons = self.reasons
+        if reasons:
+            frame["reason"] = pandas.Series(reasons, dtype=object)
+        frame.attrs["units"] = dict(self.units)
+        return frame
+
+    def summary(self) -> pandas.DataFrame:
+        """Mean, standard deviation, extremes and quantiles of every answer, and how many rows have it."""
+        import pandas
+
+        table = {}
+        for name in self.answers:
+            column = self[name][np.isfinite(self[name])]
+            if len(column) == 0:
+                table[name] = {"count": 0.0}
+                continue
+            low, lower, middle, upper, high = np.quantile(column, [0, 0.05, 0.5, 0.95, 1])
+            table[name] = {
+                "count": float(len(column)),
+                "mean": column.mean(),
+                "std": column.std(ddof=1) if len(column) > 1 else np.nan,
+                "min": low,
+                "5 %": lower,
+                "50 %": middle,
+                "95 %": upper,
+                "max": high,
+            }
+        frame = pandas.DataFrame(table).T
+        frame.attrs["units"] = {name: self.units[name] for name in self.answers}
+        return frame
+
+    def yield_of(self, good: Callable[[Study], npt.NDArray[np.bool_]]) -> float:
+        """The part of the rows that are good: study.yield_of(lambda s: s["B.y"] < 500). Rows without answer are not."""
+        passed = np.asarray(good(self), dtype=bool)
+        if passed.shape != (self.plan.total,):
+            raise ValueError("one truth value is expected for each row")
+        answered = np.ones(self.plan.total, dtype=bool)
+        answered[list(self.reasons)] = False
+        return float((passed & answered).mean())
+
+    def worst(self, name: str, *, least: bool = False) -> int:
+        """The row with the largest value of an answer, or the least: study.case(row) tells its data."""
+        column = self[name]
+        if not np.isfinite(column).any():
+            raise StudyError(f"no row has an answer for {name}")
+        return int(np.nanargmin(column) if least else np.nanargmax(column))
+
+    def tornado(self, name: str) -> pandas.DataFrame:
+        """How much of the spread of an answer comes from each random value: the change of its mean from the lower to
+        the upper tenth of that value, the largest first."""
+        import pandas
+
+        answer = self[name]
+        table = {}
+        for varied, axis in self.plan.over.items():
+            if not is_random(axis):
+                continue
+            column = self[varied]
+            low, high = np.quantile(column, [0.1, 0.9])
+            below, above = np.nanmean(answer[column <= low]), np.nanmean(answer[column >= high])
+            table[varied] = {"low": float(below), "high": float(above), "change": float(above - below)}
+        frame = pandas.DataFrame(table, index=["low", "high", "change"]).T
+        frame.attrs["units"] = {one: self.units[name] for one in ("low", "high", "change")}
+        return frame.loc[frame["change"].abs().sort_values(ascending=False).index]
+
+    def __repr__(self) -> str:
+        missing = self.counts.rows - self.counts.answered
+        without = f", {missing} without an answer" if missing else ""
+        return f"<poinsot.Study of {self.counts.rows} rows{without}: {', '.join(self.answers)}>"
+
+    def _repr_html_(self) -> str:
+        frame = self.frame()
+        headed = frame.rename(columns={name: f"{name} / {unit}" if unit else name for name, unit in self.units.items()})
+        return str(headed.to_html(max_rows=10))

@@ -1,0 +1,230 @@
+"""Runs studies: in threads of this process, or on the workers of a Dask cluster."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .. import _core, calls, quantities
+from ..problem import Problem
+from . import shards
+from .axes import described, is_random
+from .draws import SAMPLINGS
+from .plan import Plan
+from .result import Study, StudyError
+
+# Rows of a shard: with formulas it takes milliseconds, and a thousand rows that are solved one by one some seconds.
+_ROWS_BY_FORMULA, _ROWS_ONE_BY_ONE = 1 << 17, 1 << 10
+
+
+def study(
+    problem: Problem,
+    over: Mapping[str, Any],
+    asks: Sequence[str] = (),
+    *,
+    sets: Mapping[str, quantities.Value] | None = None,
+    rows: int | None = None,
+    seed: int = 0,
+    sampling: str = "random",
+    out: str | os.PathLike[str] | None = None,
+    shard_rows: int | None = None,
+    threads: int | None = None,
+    client: Any = None,
+    progress: calls.Progress = None,
+) -> Study:
+    """Asks a problem for many cases.
+
+    over: for each letter or datum a list of values, a span(), or a distribution: normal(), uniform(), tolerance().
+    Lists and spans make a grid; `rows` draws of the distributions are made at each of its points, "random", by
+    "latin hypercube" or "sobol". asks: the questions that are answered, all by default; sets: values for all rows.
+
+    out: a folder that gets the rows as Parquet, in shards, with a manifest; a study that was stopped goes on there.
+    Without it the rows are kept in memory. threads: all processors by default. client: of dask.distributed, whose
+    workers then see the folder `out`. Whatever computes, the rows are the same.
+    """
+    plan = _plan(problem, over, asks, sets or {}, rows, seed, sampling, shard_rows)
+    if out is None and client is not None:
+        raise ValueError("on a cluster the rows go to a folder that its workers see: name it by out")
+    folder = None if out is None else Path(out)
+    if folder is not None:
+        _begin(plan, folder)
+    heard = calls.listener(progress)
+    try:
+        kept: dict[int, shards.Rows] = {}
+        counts = shards.Counts()
+        for shard, found in _found(plan, folder, threads, client):
+            if isinstance(found, shards.Rows):
+                kept[shard] = found
+                counts += found.counts
+            else:
+                counts += found
+            if heard is not None:
+                heard("solving cases", counts.rows / plan.total, counts.rows)
+    finally:
+        calls.close(heard)
+    if folder is not None:
+        _end(plan, folder, counts)
+        return Study(plan, counts, folder, {})
+    return Study(plan, counts, None, kept)
+
+
+def _plan(
+    problem: Problem,
+    over: Mapping[str, Any],
+    asks: Sequence[str],
+    sets: Mapping[str, quantities.Value],
+    rows: int | None,
+    seed: int,
+    sampling: str,
+    shard_rows: int | None,
+) -> Plan:
+    if not over:
+        raise ValueError("nothing differs from row to row: name what does by over")
+    if both := set(over) & set(sets):
+        raise ValueError(f"{', '.join(sorted(both))} cannot both be set and differ from row to row")
+    if sampling not in SAMPLINGS:
+        hint = _core.did_you_mean(sampling, list(SAMPLINGS))
+        raise ValueError(f"there is no sampling '{sampling}': expected {', '.join(SAMPLINGS)}{f' ({hint})' if hint else ''}")
+    if not 0 <= seed < 2**64:
+        raise ValueError("a seed is a whole number from 0 to 2^64 - 1")
+    axes = {name: described(problem, name, axis) for name, axis in over.items()}
+    random = any(map(is_random, axes.values()))
+    if random and rows is None:
+        raise ValueError("how many draws are made of the distributions? Say it by rows")
+    if not random and rows is not None:
+        raise ValueError("rows counts the draws of distributions, and there are none: a grid has its own number of rows")
+    if rows is not None and rows < 1:
+        raise ValueError("a study has one row or more")
+    if shard_rows is not None and shard_rows < 1:
+        raise ValueError("a shard has one row or more")
+    with _sources(problem):
+        given = quantities.settings(problem, sets)
+    plan = Plan(
+        problem.text,
+        problem.name,
+        axes,
+        list(asks),
+        [list(one) for one in given],
+        rows or 1,
+        seed,
+        sampling,
+        shard_rows or _ROWS_BY_FORMULA,
+        _versions(random),
+    )
+    if shard_rows is None and not plan.compiled().has_formulas:
+        plan = replace(plan, shard_rows=_ROWS_ONE_BY_ONE)
+    plan.compiled()
+    return plan
+
+
+def _sources(problem: Problem) -> Any:
+    from ..problem import _Sources
+
+    return _Sources(problem.text)
+
+
+def _versions(random: bool) -> dict[str, str]:
+    """Of what the numbers of rows come from."""
+    versions = {"poinsot": _core.version, "numpy": np.__version__}
+    if random:
+        import scipy
+
+        versions["scipy"] = scipy.__version__
+    return versions
+
+
+def _begin(plan: Plan, folder: Path) -> None:
+    """Makes the folder of a study, or sees that it is of this one."""
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / "study.json"
+    if path.exists():
+        begun = json.loads(path.read_text(encoding="utf-8"))
+        now = json.loads(plan.to_json())
+        if begun != now:
+            others = ", ".join(key for key in now if begun.get(key) != now[key])
+            raise StudyError(
+                f"{folder} holds another study, which differs in: {others}. Name another folder, or delete this one"
+            )
+        for left in folder.glob(".rows-*"):
+            left.unlink(missing_ok=True)
+        return
+    if any(folder.iterdir()):
+        raise StudyError(f"{folder} holds other files: name a folder that is empty or new")
+    shards.put(path, plan.to_json().encode())
+
+
+def _end(plan: Plan, folder: Path, counts: shards.Counts) -> None:
+    """Writes the manifest: what every file holds."""
+    files = [shards.path_of(folder, shard) for shard in range(plan.shards)]
+    manifest = {
+        **asdict(counts),
+        "units": shards.units(plan),
+        "files": {path.name: {"sha256": shards.digest(path), **asdict(shards.counts_of(path))} for path in files},
+    }
+    shards.put(folder / "manifest.json", (json.dumps(manifest, indent=1) + "\n").encode())
+
+
+def _found(
+    plan: Plan, folder: Path | None, threads: int | None, client: Any
+) -> Iterator[tuple[int, shards.Rows | shards.Counts]]:
+    """Every shard, in any order."""
+    open_shards = []
+    for shard in range(plan.shards):
+        if folder is not None and (path := shards.path_of(folder, shard)).exists():
+            yield shard, shards.counts_of(path)
+        else:
+            open_shards.append(shard)
+    if client is not None:
+        from .cluster import on_cluster
+
+        assert folder is not None
+        yield from on_cluster(client, plan, open_shards, folder)
+    else:
+        yield from _in_threads(plan, open_shards, folder, threads or os.cpu_count() or 1)
+
+
+def _in_threads(
+    plan: Plan, open_shards: Iterable[int], folder: Path | None, threads: int
+) -> Iterator[tuple[int, shards.Rows | shards.Counts]]:
+    if threads < 1:
+        raise ValueError("there is at least one thread")
+    stop = _core.StopFlag()
+
+    def one(shard: int) -> tuple[int, shards.Rows | shards.Counts]:
+        rows = shards.solved(plan, shard, stop)
+        if folder is None:
+            return shard, rows
+        shards.write(plan, shard, rows, folder)
+        return shard, rows.counts
+
+    pool = ThreadPoolExecutor(threads)
+    try:
+        yield from bounded(open_shards, lambda shard: pool.submit(one, shard), 2 * threads)
+    finally:
+        # After Ctrl-C or an error the other threads end soon.
+        stop.set()
+        pool.shutdown(cancel_futures=True)
+
+
+def bounded(
+    open_shards: Iterable[int], submit: Callable[[int], Future[Any]], most: int
+) -> Iterator[tuple[int, Any]]:
+    """The results of calls of which only some wait at a time, so that their results do not fill the memory."""
+    pending: set[Future[Any]] = set()
+    for shard in open_shards:
+        pending.add(submit(shard))
+        if len(pending) >= most:
+            done, pending = wait(pending, return_when=FIRST_COMPLETED)
+            for future in done:
+                yield future.result()
+    while pending:
+        done, pending = wait(pending, return_when=FIRST_COMPLETED)
+        for future in done:
+            yield future.result()

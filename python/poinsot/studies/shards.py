@@ -1,0 +1,132 @@
+"""Rows of a study, a shard at a time: solved, and kept as files of Parquet.
+
+A shard is written beside its place, brought to the disk and then put there, so that a file with a shard's name is
+whole, whenever the process was killed. Its bytes follow from the plan alone.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .. import _core
+from .axes import Array
+from .plan import Plan
+
+
+@dataclass(frozen=True)
+class Counts:
+    """What is known of the rows of one or more shards."""
+
+    rows: int = 0
+    answered: int = 0  # rows in which every answer was found
+    by_formula: int = 0
+    checked: int = 0  # rows by formula that were solved in full as well
+    refuted: int = 0  # those where this gave something else: then all rows of the shard were solved in full
+
+    def __add__(self, other: Counts) -> Counts:
+        return Counts(*(a + b for a, b in zip(asdict(self).values(), asdict(other).values(), strict=True)))
+
+
+@dataclass
+class Rows:
+    """The rows of one shard, in SI units."""
+
+    over: dict[str, Array]
+    answers: dict[str, Array]
+    by_formula: npt.NDArray[np.uint8]
+    reasons: list[tuple[int, str]]  # of rows in which an answer is missing, counted from the first of the shard
+    counts: Counts
+
+
+def solved(plan: Plan, shard: int, stop: _core.StopFlag) -> Rows:
+    """The rows of a shard."""
+    cases = plan.compiled()
+    first, end = plan.bounds(shard)
+    values = plan.values(first, end - first)
+    columns, by_formula, reasons, checked, refuted = cases.solve(values, first, stop)
+    counts = Counts(end - first, end - first - len(reasons), int(by_formula.sum()), checked, refuted)
+    names = [one.name for one in cases.columns]
+    return Rows(
+        dict(zip(plan.over, values, strict=True)),
+        dict(zip(names, columns, strict=True)),
+        by_formula,
+        list(reasons),
+        counts,
+    )
+
+
+def units(plan: Plan) -> dict[str, str]:
+    cases = plan.compiled()
+    return {one.name: one.unit for one in [*cases.over, *cases.columns]}
+
+
+def path_of(folder: Path, shard: int) -> Path:
+    return folder / f"rows-{shard:06}.parquet"
+
+
+def write(plan: Plan, shard: int, rows: Rows, folder: Path) -> None:
+    """Puts a shard into its file."""
+    import pyarrow
+    import pyarrow.parquet
+
+    first, _ = plan.bounds(shard)
+    of = units(plan)
+    arrays: list[Any] = [pyarrow.array(np.arange(first, first + rows.counts.rows))]
+    fields = [pyarrow.field("row", pyarrow.int64(), nullable=False)]
+    for name, column in {**rows.over, **rows.answers}.items():
+        arrays.append(pyarrow.array(column, mask=np.isnan(column)))
+        fields.append(pyarrow.field(name, pyarrow.float64(), metadata={"unit": of[name]}))
+    arrays.append(pyarrow.array(rows.by_formula.astype(bool)))
+    fields.append(pyarrow.field("by_formula", pyarrow.bool_()))
+    reasons: list[str | None] = [None] * rows.counts.rows
+    for row, reason in rows.reasons:
+        reasons[row] = reason
+    arrays.append(pyarrow.array(reasons, type=pyarrow.string()))
+    fields.append(pyarrow.field("reason", pyarrow.string()))
+    schema = pyarrow.schema(fields, metadata={"poinsot": json.dumps(asdict(rows.counts))})
+    table = pyarrow.Table.from_arrays(arrays, schema=schema)
+
+    sink = pyarrow.BufferOutputStream()
+    # Random values share no bytes: to look for such takes longer than all else.
+    pyarrow.parquet.write_table(table, sink, compression="none", use_dictionary=["reason"])
+    put(path_of(folder, shard), sink.getvalue())
+
+
+def put(path: Path, content: Any) -> None:
+    """Writes a file that is there whole or not at all, after a loss of power too."""
+    scratch = path.with_name(f".{path.name}.{os.getpid()}.{os.urandom(4).hex()}")
+    try:
+        with open(scratch, "xb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(scratch, path)
+    except BaseException:
+        scratch.unlink(missing_ok=True)
+        raise
+    folder = os.open(path.parent, os.O_RDONLY)
+    try:
+        os.fsync(folder)
+    finally:
+        os.close(folder)
+
+
+def counts_of(path: Path) -> Counts:
+    """The counts that a shard's file has with it."""
+    import pyarrow.parquet
+
+    metadata = pyarrow.parquet.read_schema(path).metadata
+    return Counts(**json.loads(metadata[b"poinsot"]))
+
+
+def digest(path: Path) -> str:
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
