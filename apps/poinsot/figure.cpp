@@ -51,7 +51,8 @@ int figure(const FigureArguments& arguments) {
     if (arguments.list) {
       std::string text;
       for (const poinsot::FigureTitle& title : figures(document, solution))
-        text += fmt::format("{:<12} {}\n", title.name, title.title);
+        text += fmt::format("{:<12} {}{}\n", title.name, title.title,
+                            title.situation.empty() ? "" : fmt::format(" ({})", title.situation));
       static_cast<void>(write_answer(text));
       return exit_answered;
     }

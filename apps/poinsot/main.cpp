@@ -202,8 +202,10 @@ int run(int argument_count, const char* const* arguments) {
       ->add_option(
           "--view", figure_arguments.options.view,
           "front, back, left, right, top, bottom; AZIMUTH,ELEVATION in degrees from the front, to the right and "
-          "up; X,Y,Z towards the viewer. Without it the view in which least is lost")
+          "up; X,Y,Z towards the viewer. Without it that of the file, or the one in which least is lost")
       ->type_name("VIEW");
+  figure_command->add_option("--situation", figure_arguments.options.situation, "Which of several situations")
+      ->type_name("NAME");
   figure_command->add_flag("--values", figure_arguments.options.values, "Write values beside symbols");
   figure_command->add_flag("--list", figure_arguments.list, "Name the figures that there are");
   figure_command->add_option("--solution", figure_arguments.solution, "Which of several solutions")

@@ -102,6 +102,8 @@ struct Solution {
   std::shared_ptr<const problem::Explanation> explanation{};
   // What a picture of it shows, if it was asked for.
   std::shared_ptr<const poinsot::scene::Scene> scene{};
+  // The same of the statement's other situations, in the order of the file.
+  std::vector<std::shared_ptr<const poinsot::scene::Scene>> other_scenes{};
 };
 
 // A datum without value.

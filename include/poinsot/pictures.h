@@ -18,19 +18,21 @@ struct FigureTitle {
   std::string title;  // what it shows
   // The heading of the worked solution's section to which it belongs; "" if it belongs to none.
   std::string section{};
+  std::string situation{};  // of several: which one it shows
 };
 
 // The line drawings of a solution, which are made of its scene (Problem::illustrate): "model" always; "free-body",
-// "impulse", "cones", "motion", "answers", and the names of bodies on which something acts, where there are such. None
-// if the solution has no scene. Throws std::out_of_range if there is no such solution.
+// "impulse", "cones", "motion", "answers", and the names of bodies on which something acts, where there are such; of
+// each situation in turn. None if the solution has no scene. Throws std::out_of_range if there is no such solution.
 std::vector<FigureTitle> figures(const Document& document, std::size_t solution);
 
 struct FigureOptions {
   std::string of = "model";
   // From where it is seen: "front", "back", "left", "right", "top", "bottom"; "azimuth,elevation" in degrees from the
-  // front, to the right and up; "x,y,z" towards the viewer. "" for the view in which least is lost.
+  // front, to the right and up; "x,y,z" towards the viewer. "" for the one of the file, or that in which least is lost.
   std::string view{};
-  bool values = false;  // with values beside symbols
+  bool values = false;      // with values beside symbols
+  std::string situation{};  // of several; "" for the first
 };
 
 // Thrown where there is no such figure or view; what() says which there are.
@@ -44,8 +46,8 @@ class FigureError : public std::invalid_argument {
 std::string to_svg(const Document& document, std::size_t solution, const FigureOptions& options = {});
 
 // The worked solutions of a document (to_markdown) with their figures in them, and these figures as files that stand
-// beside the text. stem: of the files' names, without folder: "top" gives top-model.svg and top-free-body.svg, and
-// top-2-model.svg for the second of several solutions.
+// beside the text. stem: of the files' names, without folder: "top" gives top-model.svg and top-free-body.svg,
+// top-2-model.svg for the second of several solutions, and top-slow-model.svg for the situation "slow" of several.
 struct IllustratedMarkdown {
   struct Figure {
     std::string name, svg;

@@ -39,6 +39,8 @@ struct Shape {
   Extent extent = Extent::volume;
   bool hole = false;   // matter that is left out
   bool added = false;  // a mass that was added to the body
+  // Of a body of which the statement gives the moments of inertia and no shape: a solid that has them.
+  bool stand_in = false;
   std::vector<Vector3<double>> vertices{};
   // Outward by the right-hand rule for volumes; for surfaces either way.
   std::vector<std::array<std::uint32_t, 3>> triangles{};
@@ -201,10 +203,21 @@ struct Plot {
   std::vector<std::vector<double>> values{};  // for each line, in `unit`
 };
 
+// A vector that changes during a motion.
+struct MovingArrow {
+  Quantity quantity = Quantity::velocity;
+  std::string name;  // of its body, or of the question
+  Place at;
+  std::string symbol, text, unit;          // as those of an Arrow
+  double factor = 1;                       // SI of one of the unit
+  std::vector<Vector3<double>> vectors{};  // for each time, on ground axes, in SI
+};
+
 struct Motion {
   std::vector<double> times{};             // s, ascending
   std::vector<std::vector<Pose>> poses{};  // for each time, of each body
   std::vector<Plot> plots{};
+  std::vector<MovingArrow> arrows{};
   std::vector<Event> events{};
   bool complete = true;  // false if it was followed no further, by a budget or a limit; `stopped` says why
   std::string stopped{};
@@ -220,6 +233,8 @@ struct Scene {
   std::string situation{};  // "" if the file states only one
   std::array<std::string, 3> axes{"x", "y", "z"};
   Vector3<double> up{0, 0, 1};  // against gravity; else what a reader expects to be drawn upward
+  // The direction from which it should be looked at, if the statement gives one.
+  std::optional<Vector3<double>> viewer{};
   bool gravity = false;
   double length = 1;  // m, the size of what is drawn
   std::vector<Body> bodies{};

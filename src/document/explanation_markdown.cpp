@@ -76,12 +76,12 @@ std::string markdown_picture(const MarkdownPicture& picture) {
   return "\n![" + markdown_text(picture.title) + "](<" + address + ">)\n";
 }
 
-// The pictures that belong to a section, which are taken out of those left. A heading may tell after a comma which
-// instant of several it is about.
+// The pictures that belong to a section, which are taken out of those left. A heading may tell more after a comma:
+// which situation or instant of several it is about.
 std::string pictures_of(const std::string& heading, std::vector<MarkdownPicture>& left) {
   std::string text;
   std::erase_if(left, [&](const MarkdownPicture& picture) {
-    const bool here = heading.substr(0, heading.find(',')) == picture.section;
+    const bool here = heading == picture.section || heading.starts_with(picture.section + ",");
     if (here) text += markdown_picture(picture);
     return here;
   });

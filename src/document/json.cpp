@@ -116,6 +116,7 @@ Json solution_json(const Document& document, std::size_t index) {
   if (!solution.notes.empty()) json["notes"] = solution.notes;
   if (solution.explanation) json["explanation"] = to_markdown(document, index);
   if (solution.scene) json["scene"] = scene_json(*solution.scene);
+  for (const auto& scene : solution.other_scenes) json["other_scenes"].push_back(scene_json(*scene));
   return json;
 }
 

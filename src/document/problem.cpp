@@ -72,6 +72,16 @@ struct Beside {
   bool explanation = false, scene = false;
 };
 
+void add_scenes(Solution& solution, std::vector<scene::Scene> scenes) {
+  for (scene::Scene& scene : scenes) {
+    auto shared = std::make_shared<const scene::Scene>(std::move(scene));
+    if (solution.scene)
+      solution.other_scenes.push_back(std::move(shared));
+    else
+      solution.scene = std::move(shared);
+  }
+}
+
 // What is found as far as the budget lasts.
 Document solved_document(const problem::Statement& stated, const Settings& sets, const Beside& beside,
                          const Budget& budget) {
@@ -90,8 +100,7 @@ Document solved_document(const problem::Statement& stated, const Settings& sets,
       if (beside.explanation)
         document.solutions[i].explanation =
             std::make_shared<const problem::Explanation>(problem::explain(stated, sets, solved, i));
-      if (beside.scene)
-        document.solutions[i].scene = std::make_shared<const scene::Scene>(problem::scene_of(stated, sets, solved, i));
+      if (beside.scene) add_scenes(document.solutions[i], problem::scenes_of(stated, sets, solved, i));
     }
   } catch (const BudgetEnded& budget_end) {
     document.ended = budget_end.end;

@@ -117,6 +117,7 @@ Json shape_json(const scene::Shape& shape) {
           {"extent", word(shape.extent)},
           {"hole", shape.hole},
           {"added", shape.added},
+          {"stand_in", shape.stand_in},
           {"vertices", list_json(shape.vertices, vector_json)},
           {"triangles", shape.triangles},
           {"normals", list_json(shape.normals, [](const auto& corners) { return list_json(corners, normal_json); })},
@@ -208,6 +209,15 @@ Json plot_json(const scene::Plot& plot) {
   return {{"name", plot.name}, {"words", plot.words}, {"unit", plot.unit}, {"labels", plot.labels}, {"values", values}};
 }
 
+Json moving_arrow_json(const scene::MovingArrow& arrow) {
+  Json vectors = Json::array();
+  for (const Vector3<double>& vector : arrow.vectors)
+    for (std::size_t i = 0; i < 3; ++i) vectors.push_back(rounded(vector[i], digits_of_places));
+  return {{"quantity", word(arrow.quantity)}, {"name", arrow.name}, {"at", place_json(arrow.at)},
+          {"symbol", arrow.symbol},           {"text", arrow.text}, {"unit", arrow.unit},
+          {"factor", arrow.factor},           {"vectors", vectors}};
+}
+
 // The poses of each body on its own: places one after the other, and turns as quaternions of which each is the nearer
 // one to that before it, so that a renderer can go between them.
 Json motion_json(const scene::Motion& motion) {
@@ -229,6 +239,7 @@ Json motion_json(const scene::Motion& motion) {
   Json json{{"times", list_json(motion.times, [](double t) { return rounded(t, digits_of_places); })},
             {"bodies", bodies},
             {"plots", list_json(motion.plots, plot_json)},
+            {"arrows", list_json(motion.arrows, moving_arrow_json)},
             {"events", list_json(motion.events,
                                  [](const scene::Event& event) -> Json {
                                    return {{"time", event.time}, {"words", event.words}};
@@ -257,6 +268,7 @@ Json scene_json(const scene::Scene& scene) {
             {"dimensions", list_json(scene.dimensions, dimension_json)},
             {"curves", list_json(scene.curves, curve_json)},
             {"cones", list_json(scene.cones, cone_json)}};
+  if (scene.viewer) json["viewer"] = vector_json(*scene.viewer);
   if (scene.motion) json["motion"] = motion_json(*scene.motion);
   json["drawn_letters"] = list_json(scene.drawn_letters, [](const scene::DrawnLetter& letter) -> Json {
     return {{"name", letter.name}, {"unit", letter.unit}, {"value", letter.value}};

@@ -13,6 +13,10 @@ std::string scene_definitions() {
         "situation": {"type": "string", "description": "empty if the file states only one"},
         "axes": {"type": "array", "items": {"type": "string"}, "minItems": 3, "maxItems": 3},
         "up": {"$ref": "#/$defs/vector"},
+        "viewer": {
+          "$ref": "#/$defs/vector",
+          "description": "the direction from which to look at it, if the statement gives one"
+        },
         "gravity": {"type": "boolean"},
         "length": {"type": "number", "exclusiveMinimum": 0, "description": "the size of what is drawn"},
         "bodies": {"type": "array", "items": {"$ref": "#/$defs/scene_body"}},
@@ -54,6 +58,9 @@ std::string scene_definitions() {
       "additionalProperties": false,
       "properties": {"body": {"$ref": "#/$defs/body_number"}, "at": {"$ref": "#/$defs/vector"}}
     },
+    "quantity": {
+      "enum": ["force", "weight", "couple", "impulse", "angular_impulse", "velocity", "angular_velocity", "acceleration", "angular_acceleration", "linear_momentum", "angular_momentum", "rate_of_momentum", "rate_of_angular_momentum"]
+    },
     "body_number": {"type": "integer", "minimum": -1, "description": "the place in bodies; -1 is the ground"},
     "pose": {
       "type": "object",
@@ -81,7 +88,7 @@ std::string scene_definitions() {
     },
     "scene_shape": {
       "type": "object",
-      "required": ["kind", "part", "extent", "hole", "added", "vertices", "triangles", "normals", "edges"],
+      "required": ["kind", "part", "extent", "hole", "added", "stand_in", "vertices", "triangles", "normals", "edges"],
       "additionalProperties": false,
       "properties": {
         "kind": {"type": "string", "description": "the key in the language"},
@@ -89,6 +96,10 @@ std::string scene_definitions() {
         "extent": {"enum": ["point", "line", "surface", "volume"]},
         "hole": {"type": "boolean"},
         "added": {"type": "boolean"},
+        "stand_in": {
+          "type": "boolean",
+          "description": "of a body of which the moments of inertia are given and no shape: a solid that has them"
+        },
         "vertices": {"type": "array", "items": {"$ref": "#/$defs/vector"}},
         "triangles": {
           "type": "array",
@@ -150,9 +161,7 @@ std::string scene_definitions() {
       "required": ["quantity", "name", "body", "at", "vector", "symbol", "text", "value", "unit", "known"],
       "additionalProperties": false,
       "properties": {
-        "quantity": {
-          "enum": ["force", "weight", "couple", "impulse", "angular_impulse", "velocity", "angular_velocity", "acceleration", "angular_acceleration", "linear_momentum", "angular_momentum", "rate_of_momentum", "rate_of_angular_momentum"]
-        },
+        "quantity": {"$ref": "#/$defs/quantity"},
         "name": {"type": "string", "description": "of what it belongs to: a support, a load, a spring, an answer"},
         "body": {"$ref": "#/$defs/body_number"},
         "at": {"$ref": "#/$defs/place"},
@@ -205,7 +214,7 @@ std::string scene_definitions() {
     },
     "scene_motion": {
       "type": "object",
-      "required": ["times", "bodies", "plots", "events", "complete"],
+      "required": ["times", "bodies", "plots", "arrows", "events", "complete"],
       "additionalProperties": false,
       "properties": {
         "times": {"type": "array", "items": {"type": "number"}, "description": "s, ascending"},
@@ -240,6 +249,29 @@ std::string scene_definitions() {
                 "type": "array",
                 "items": {"type": "array", "items": {"type": ["number", "null"]}},
                 "description": "for each line, over the times"
+              }
+            }
+          }
+        },
+        "arrows": {
+          "type": "array",
+          "description": "vectors that change",
+          "items": {
+            "type": "object",
+            "required": ["quantity", "name", "at", "symbol", "text", "unit", "factor", "vectors"],
+            "additionalProperties": false,
+            "properties": {
+              "quantity": {"$ref": "#/$defs/quantity"},
+              "name": {"type": "string", "description": "of its body, or of the question"},
+              "at": {"$ref": "#/$defs/place"},
+              "symbol": {"type": "string", "description": "TeX"},
+              "text": {"type": "string"},
+              "unit": {"type": "string"},
+              "factor": {"type": "number", "exclusiveMinimum": 0, "description": "SI of one of the unit"},
+              "vectors": {
+                "type": "array",
+                "items": {"type": "number"},
+                "description": "on ground axes at each time, in SI, flat"
               }
             }
           }

@@ -81,7 +81,12 @@ std::string answer_schema() {
           "items": {"type": "string"}
         },
         "explanation": {"type": "string", "description": "with --explain: the worked solution, Markdown with TeX"},
-        "scene": {"$ref": "#/$defs/scene", "description": "with --scene"}
+        "scene": {"$ref": "#/$defs/scene", "description": "with --scene"},
+        "other_scenes": {
+          "type": "array",
+          "items": {"$ref": "#/$defs/scene"},
+          "description": "with --scene: those of the other situations"
+        }
       }
     },
     "unknown": {

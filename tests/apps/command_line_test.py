@@ -223,6 +223,29 @@ class Documents(unittest.TestCase):
             self.validator.validate(document)
             self.assertEqual(document["file"], str(example))
 
+    def test_scenes_keep_the_schema(self):
+        # A motion, a blow, cones, situations, bodies of which the inertia alone is known, springs, a view.
+        names = ("textbook/18.C6", "textbook/sp18.1", "textbook/sp18.6", "textbook/18.013", "textbook/18.131",
+                 "published/gyrocompass", "published/hooke-joint", "published/nutation-damper", "published/heavy-top")
+        files = [str(SOURCE / "examples" / f"{name}.yaml") for name in names]
+        result = run("solve", "--json", "--scene", *files)
+        self.assertIn(result.returncode, (0, 1), result.stderr)
+        scenes = []
+        for line in result.stdout.splitlines():
+            document = json.loads(line)
+            self.validator.validate(document)
+            for solution in document["solutions"]:
+                scenes += [solution["scene"], *solution.get("other_scenes", [])]
+        self.assertTrue(any("motion" in scene and scene["motion"]["arrows"] for scene in scenes))
+        self.assertTrue(any(scene["cones"] for scene in scenes))
+        self.assertTrue(any(shape["stand_in"] for scene in scenes for body in scene["bodies"]
+                            for shape in body["shapes"]))
+        self.assertEqual({scene["situation"] for scene in scenes if scene["situation"]} >=
+                         {"free", "turning", "turning_about_center"}, True)
+        broken = json.loads(result.stdout.splitlines()[0])
+        del broken["solutions"][0]["scene"]["bodies"][0]["pose"]
+        self.assertFalse(self.validator.is_valid(broken))
+
     def test_worked_solutions_are_markdown_and_a_field_of_the_document(self):
         for example in (EXAMPLES[0], SOURCE / "examples" / "textbook" / "18.105.yaml"):
             text = run("solve", "--explain", str(example))

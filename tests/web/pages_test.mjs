@@ -124,6 +124,18 @@ function pageWithMotion(name) {
     times,
     bodies,
     plots,
+    arrows: [
+      {
+        quantity: "velocity",
+        name: scene.bodies[0].name,
+        at: { body: 0, at: [0, 0, 0] },
+        symbol: "\\mathbf{v}",
+        text: "v",
+        unit: "m/s",
+        factor: 1,
+        vectors: times.flatMap((t) => [0.1, 0.05, Math.cos(t)]),
+      },
+    ],
     events: [{ time: 1.5, words: "it touches" }],
     complete: true,
   };
@@ -239,4 +251,96 @@ test("a frame with fifty bodies takes less than 8 ms of the script's time", asyn
   assert.ok(took > 0 && took < 8, `${took} ms`);
   assert.deepEqual(wrong, []);
   await close();
+});
+
+test("arrows go with the motion, and can be switched off", async () => {
+  const path = pageWithMotion("arrows");
+  const { times, arrows } = dataOf(path).document.solutions[0].scene.motion;
+  const { page, wrong, close } = await open(browser, path);
+  const shown = () => page.evaluate(() => window.poinsotStages[0].movingArrows()[0]);
+  assert.equal((await shown()).visible, false);
+  for (const index of [3, 20]) {
+    await slide(page, times[index]);
+    const vector = arrows[0].vectors.slice(3 * index, 3 * index + 3);
+    const length = Math.hypot(...vector);
+    const arrow = await shown();
+    assert.ok(arrow.visible);
+    arrow.direction.forEach((part, i) => {
+      assert.ok(Math.abs(part - vector[i] / length) < 1e-6);
+    });
+  }
+  await page.getByLabel("velocities", { exact: true }).uncheck();
+  assert.equal((await shown()).visible, false);
+  // An event is a button that goes there.
+  await page.getByRole("button", { name: "1.5 s: it touches" }).click();
+  assert.equal(await page.evaluate(() => Number(document.querySelector("input[type=range]").value)), 1.5);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("several solutions stand behind tabs that the keyboard moves between", async () => {
+  const path = pageOf("textbook/18.110");
+  const { page, wrong, close } = await open(browser, path);
+  const tabs = page.getByRole("tab");
+  assert.equal(await tabs.count(), 2);
+  const panels = () =>
+    page.evaluate(() => [...document.querySelectorAll("[role=tabpanel]")].map((one) => one.checkVisibility()));
+  assert.deepEqual(await panels(), [true, false]);
+  await tabs.first().focus();
+  await page.keyboard.press("ArrowRight");
+  assert.deepEqual(await panels(), [false, true]);
+  assert.equal(await tabs.nth(1).getAttribute("aria-selected"), "true");
+  await page.keyboard.press("Home");
+  assert.deepEqual(await panels(), [true, false]);
+  assert.deepEqual(await violations(page), []);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("each situation has its figure and its view", async () => {
+  const { page, wrong, close } = await open(browser, pageOf("textbook/18.013"));
+  const situations = page.locator("details.situation");
+  assert.equal(await situations.count(), 3);
+  assert.equal(await page.locator("canvas").count(), 1);
+  for (const i of [1, 2]) await situations.nth(i).locator("summary").click();
+  await page.waitForFunction(() => document.querySelectorAll("canvas").length === 3);
+  assert.equal(await page.locator("details.situation figure svg").count(), 3);
+  assert.deepEqual(await violations(page), []);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test("drawings are dark in the dark, and tell their values where the mouse rests", async () => {
+  const path = pageOf("textbook/18.066");
+  const lightness = async (scheme) => {
+    const { page, wrong, close } = await open(browser, path, { scheme });
+    const figure = page.locator("figure > svg").first();
+    const shot = (await figure.screenshot({ type: "png" })).toString("base64");
+    const mean = await page.evaluate(async (png) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${png}`;
+      await image.decode();
+      const canvas = document.createElement("canvas");
+      canvas.width = image.width;
+      canvas.height = image.height;
+      const context = canvas.getContext("2d");
+      context.drawImage(image, 0, 0);
+      const { data } = context.getImageData(0, 0, image.width, image.height);
+      return data.reduce((sum, part, i) => sum + (i % 4 === 3 ? 0 : part), 0) / (0.75 * data.length);
+    }, shot);
+    const hints = await page.evaluate(() =>
+      [...document.querySelectorAll("figure svg text > title")].map((one) => one.textContent),
+    );
+    assert.deepEqual(wrong, []);
+    await close();
+    return { mean, hints };
+  };
+  const light = await lightness("light");
+  const dark = await lightness("dark");
+  assert.ok(light.mean > 200, `${light.mean} in the light`);
+  assert.ok(dark.mean < 60, `${dark.mean} in the dark`);
+  assert.ok(
+    light.hints.some((hint) => /^C_x = /.test(hint)),
+    light.hints.join("; "),
+  );
 });

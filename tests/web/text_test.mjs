@@ -128,6 +128,9 @@ test("names, units and comparisons are written as in worked solutions", () => {
   assert.equal(nameTex("Fdt"), "\\mathit{Fdt}");
   assert.equal(nameTex("theta'"), "\\theta'");
   assert.equal(nameTex("m"), "m");
+  assert.equal(nameTex("phidot"), "\\dot{\\phi}");
+  assert.equal(nameTex("xddot1"), "\\ddot{x}_{1}");
+  assert.equal(nameTex("robot"), "\\mathit{robot}");
   assert.equal(unitTex("kg*m^2/s"), "\\mathrm{kg\\,m^{2}/s}");
   assert.equal(formulaTex("a > 0"), "a > 0");
   assert.equal(formulaTex("abs(F) <= g*m"), "\\left|F\\right| \\leq g m");

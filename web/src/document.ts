@@ -50,6 +50,7 @@ export interface Solution {
   notes?: string[];
   explanation?: string;
   scene?: Scene;
+  other_scenes?: Scene[]; // of the other situations
 }
 
 export interface AnswerDocument {
@@ -76,6 +77,7 @@ export interface Situation {
 export interface Figure {
   title: string;
   section: string; // the heading of the worked solution's section to which it belongs; "" for none
+  situation: string; // of several: which one it shows
   svg: string;
 }
 
@@ -87,7 +89,8 @@ export interface PageData {
   questions: Named[];
   claims: Named[];
   figures: Figure[][]; // of each solution
-  arms: [Vector, Vector][][][]; // of each body of each solution: what joins its shapes with what holds it
+  // Of each body of each scene of each solution: what joins its shapes with what holds it.
+  arms: [Vector, Vector][][][][];
   gallery: string; // the address of the index; "" if the page stands alone
 }
 

@@ -19,6 +19,7 @@ export interface Shape {
   extent: "point" | "line" | "surface" | "volume";
   hole: boolean;
   added: boolean;
+  stand_in: boolean; // a solid with the moments of inertia of a body whose shape is not stated
   vertices: Vector[];
   triangles: [number, number, number][];
   normals: [Vector, Vector, Vector][];
@@ -115,10 +116,23 @@ export interface Plot {
   values: number[][];
 }
 
+// A vector that changes during a motion.
+export interface MovingArrow {
+  quantity: string;
+  name: string;
+  at: Place;
+  symbol: string;
+  text: string;
+  unit: string;
+  factor: number; // SI of one of the unit
+  vectors: number[]; // three for each time
+}
+
 export interface Motion {
   times: number[];
   bodies: { position: number[]; orientation: number[] }[]; // three and four numbers (w x y z) for each time
   plots: Plot[];
+  arrows: MovingArrow[];
   events: { time: number; words: string }[];
   complete: boolean;
   stopped: string;
@@ -128,6 +142,7 @@ export interface Scene {
   situation: string;
   axes: [string, string, string];
   up: Vector;
+  viewer?: Vector; // from where the statement wants it to be looked at
   gravity: boolean;
   length: number;
   bodies: Body[];

@@ -29,7 +29,7 @@ enum class Role {
 };
 
 enum class Ink { black, grey, light_grey, force, motion, momentum, white };
-enum class Dash { none, hidden, inertial, fine };
+enum class Dash { none, hidden, inertial, fine, chain };
 
 struct Stroke {
   std::vector<Point2> points;
@@ -40,6 +40,7 @@ struct Stroke {
   bool round = true;  // its ends
   bool closed = false;
   double opacity = 1;
+  std::string hint{};  // told where somebody points at it
 };
 
 // Areas: loops, with the rule that what is wound around is inside.
@@ -74,6 +75,7 @@ struct Label {
   Point2 at{};  // what the offsets of the runs are from
   Box box{};    // relative to `at`
   Ink ink = Ink::black;
+  std::string hint{};  // told where somebody points at it
 
   Box placed() const { return box.moved(at); }
 };

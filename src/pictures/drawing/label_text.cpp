@@ -1,5 +1,6 @@
 #include "pictures/drawing/label_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstddef>
@@ -192,6 +193,92 @@ class TexReader {
   Setter setter_;
 };
 
+bool is_of_name(char c) {
+  return is_letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'';
+}
+
+// A name as people read it: phidot1' is the rate of phi with the index 1 and a prime.
+struct NameParts {
+  std::string_view stem, rate;  // rate: "dot", "ddot" or nothing
+  std::string index;
+  std::string_view primes;
+};
+
+bool is_greek(std::string_view word) {
+  return word.size() > 1 && std::isalpha(static_cast<unsigned char>(word[0])) != 0 &&
+         std::ranges::any_of(letters_of_tex, [&](const Word& letter) {
+           return letter.first == word && word != "cdot" && word != "times" && word != "circ" && word != "prime" &&
+                  word != "sum";
+         });
+}
+std::string greek_or(std::string_view word) {
+  if (is_greek(word))
+    for (const auto& [name, letter] : letters_of_tex)
+      if (name == word) return std::string(letter);
+  return std::string(word);
+}
+
+NameParts parts_of(std::string_view name) {
+  NameParts parts;
+  std::size_t end = name.size();
+  while (end > 0 && name[end - 1] == '\'') --end;
+  parts.primes = name.substr(end);
+  std::string_view rest = name.substr(0, end);
+  std::string_view low;
+  if (const std::size_t bar = rest.find('_'); bar != std::string_view::npos && bar > 0 && bar + 1 < rest.size()) {
+    low = rest.substr(bar + 1);
+    rest = rest.substr(0, bar);
+  }
+  std::size_t digits = rest.size();
+  while (digits > 1 && std::isdigit(static_cast<unsigned char>(rest[digits - 1])) != 0) --digits;
+  parts.index = std::string(rest.substr(digits)) + std::string(low);
+  rest = rest.substr(0, digits);
+  for (const std::string_view rate : {std::string_view("ddot"), std::string_view("dot")})
+    if (rest.size() > rate.size() && rest.ends_with(rate)) {
+      const std::string_view stem = rest.substr(0, rest.size() - rate.size());
+      // "robot" is no rate: what is left is a letter, Latin or Greek.
+      if (stem.size() != 1 && !is_greek(stem)) continue;
+      parts.rate = rate;
+      rest = stem;
+      break;
+    }
+  parts.stem = rest;
+  return parts;
+}
+
+// Whether it rises above small letters without a stroke upward.
+bool is_tall(std::string_view stem) {
+  constexpr std::string_view tall_letters = "bdfhklt";
+  if (is_greek(stem))
+    return std::isupper(static_cast<unsigned char>(stem[0])) != 0 || stem == "theta" || stem == "beta";
+  return stem.size() == 1 && (std::isupper(static_cast<unsigned char>(stem[0])) != 0 ||
+                              tall_letters.find(stem[0]) != std::string_view::npos);
+}
+
+void put_name(Setter& setter, std::string_view name) {
+  const NameParts parts = parts_of(name);
+  const double from = setter.x();
+  const std::string stem = greek_or(parts.stem);
+  for (std::size_t i = 0; i < stem.size();) {
+    const std::size_t length = length_of_letter(stem, i);
+    setter.put(std::string_view(stem).substr(i, length), is_letter(stem[i]) ? Face::italic : Face::upright);
+    i += length;
+  }
+  if (!parts.rate.empty())
+    setter.accent(parts.rate == "dot" ? Accent::Kind::dot : Accent::Kind::two_dots, from, is_tall(parts.stem));
+  if (!parts.index.empty()) {
+    setter.lower();
+    for (std::size_t i = 0; i < parts.index.size() && !setter.full();) {
+      const std::size_t length = length_of_letter(parts.index, i);
+      setter.put(std::string_view(parts.index).substr(i, length),
+                 is_letter(parts.index[i]) ? Face::italic : Face::upright);
+      i += length;
+    }
+    setter.restore();
+  }
+  for (std::size_t i = 0; i < parts.primes.size(); ++i) setter.put("′", Face::upright);
+}
+
 }  // namespace
 
 std::string clean(std::string_view text) { return printable(text); }
@@ -204,25 +291,25 @@ Label tex_label(std::string_view tex, double size) {
 Label name_label(std::string_view name, double size) {
   const std::string text = clean(name);
   Setter setter(size);
-  bool low = false;
   for (std::size_t i = 0; i < text.size() && !setter.full();) {
-    const std::size_t length = length_of_letter(text, i);
-    const bool index = text[i] == '_' && i > 0 && i + 1 < text.size() && !low;
-    if (index) {
-      low = true;
-      setter.lower();
+    std::size_t end = i;
+    while (end < text.size() && is_of_name(text[end])) ++end;
+    if (end > i && is_letter(text[i])) {
+      put_name(setter, std::string_view(text).substr(i, end - i));
+      i = end;
     } else {
-      if (low && text[i] == ' ') {
-        setter.restore();
-        low = false;
-      }
-      setter.put(text[i] == '-' ? "−" : std::string_view(text).substr(i, length),
-                 is_letter(text[i]) ? Face::italic : Face::upright);
+      const std::size_t length = length_of_letter(text, i);
+      setter.put(text[i] == '-' ? "−" : std::string_view(text).substr(i, length), Face::upright);
+      i += length;
     }
-    i += length;
   }
   if (setter.full()) setter.put("…", Face::upright);
   return setter.take();
+}
+
+std::string with_greek_letters(std::string_view name) {
+  const NameParts parts = parts_of(name);
+  return parts.rate.empty() ? greek_or(parts.stem) + parts.index : std::string(name);
 }
 
 Label words_label(std::string_view words, double size) {
@@ -232,6 +319,39 @@ Label words_label(std::string_view words, double size) {
     const std::size_t length = length_of_letter(text, i);
     setter.put(std::string_view(text).substr(i, length), Face::upright);
     i += length;
+  }
+  if (setter.full()) setter.put("…", Face::upright);
+  return setter.take();
+}
+
+Label formula_label(std::string_view formula, double size) {
+  const std::string text = clean(formula);
+  Setter setter(size);
+  for (std::size_t i = 0; i < text.size() && !setter.full();) {
+    std::size_t end = i;
+    while (end < text.size() && is_of_name(text[end])) ++end;
+    const std::string_view word = std::string_view(text).substr(i, end - i);
+    if (end > i && is_letter(text[i])) {
+      if (end < text.size() && text[end] == '(')
+        setter.put(word, Face::upright);
+      else
+        put_name(setter, word);
+      i = end;
+    } else if (text[i] == '*') {
+      setter.gap(0.12);
+      ++i;
+    } else if (text[i] == '^' && i + 1 < text.size() && std::isdigit(static_cast<unsigned char>(text[i + 1])) != 0) {
+      end = ++i;
+      while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) != 0) ++end;
+      setter.raise();
+      setter.put(std::string_view(text).substr(i, end - i), Face::upright);
+      setter.restore();
+      i = end;
+    } else {
+      const std::size_t length = length_of_letter(text, i);
+      setter.put(text[i] == '-' ? "−" : std::string_view(text).substr(i, length), Face::upright);
+      i += length;
+    }
   }
   if (setter.full()) setter.put("…", Face::upright);
   return setter.take();

@@ -106,6 +106,7 @@ class ArrowDrawer {
     const double back = head_length * (doubled ? 1.7 : 0.9);
     panel_.line({shaft.tail, shaft.tip - std::min(back, 0.8 * norm(shaft.tip - shaft.tail)) * along}, Role::arrow,
                 style.width, style.ink, style.dash);
+    std::get<Stroke>(panel_.marks.back()).hint = hint_of(arrow);
     if (doubled) {
       draw_head(panel_, shaft.tip - 0.8 * head_length * along, along, style);
       curved(shaft, direction, style);
@@ -222,16 +223,35 @@ class ArrowDrawer {
               style_of(arrow.quantity).ink);
   }
 
+  // Where letters are drawn with values that nobody stated, a number would say something that does not hold.
+  bool has_value(const scene::Arrow& arrow) const {
+    return std::isfinite(arrow.value) && panel_.scene.drawn_letters.empty();
+  }
+
+  // What it is and how large, for who points at it.
+  std::string hint_of(const scene::Arrow& arrow) const {
+    std::string text = arrow.text.empty() ? arrow.name : arrow.text;
+    constexpr std::size_t longest_formula = 200;
+    if (!arrow.formula.empty() && arrow.formula.size() < longest_formula)
+      text += " = " + arrow.formula;
+    else if (has_value(arrow))
+      text += " = " + value_text(arrow.value, arrow.unit);
+    return text;
+  }
+
   void add_label(const scene::Arrow& arrow, std::vector<Anchor> anchors, Ink ink) {
     Label label = !arrow.symbol.empty() ? tex_label(arrow.symbol) : name_label(arrow.text);
     if (panel_.values) {
-      const std::string value = !arrow.formula.empty() && arrow.formula.size() < 28 ? arrow.formula
-                                : std::isfinite(arrow.value) ? value_text(arrow.value, arrow.unit)
-                                                             : "";
-      if (!value.empty()) label = joined(std::move(label), words_label("= " + value, 12), 4);
+      constexpr std::size_t longest_formula = 36;
+      constexpr double size = 12;
+      if (!arrow.formula.empty() && arrow.formula.size() < longest_formula)
+        label = joined(joined(std::move(label), words_label("=", size), 4), formula_label(arrow.formula, size), 4);
+      else if (has_value(arrow))
+        label = joined(std::move(label), words_label("= " + value_text(arrow.value, arrow.unit), size), 4);
     }
     if (label.runs.empty()) return;
     label.ink = ink;
+    label.hint = hint_of(arrow);
     panel_.labels.push_back({std::move(label), std::move(anchors), 3, false, ink});
   }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pictures/figure/panel.h"
+#include "pictures/solids/areas.h"
 #include "pictures/solids/outlines.h"
 
 namespace poinsot::pictures {
@@ -54,6 +55,26 @@ void draw_rods(Panel& panel, std::vector<SeenLine> rods, double strength) {
       }
     begin = end;
   }
+}
+
+// Dashed, where a named point lies behind a body.
+void draw_hidden_edges(Panel& panel, double strength) {
+  std::vector<Vector> behind;
+  for (const scene::Point& point : panel.scene.points) {
+    const Vector at = panel.ground(point.place);
+    if (panel.draws(point.place.body) && !panel.visibility.seen({panel.projection(at), panel.projection.depth(at)}))
+      behind.push_back(at);
+  }
+  if (behind.empty()) return;
+  for (SeenLine& line :
+       hidden_lines(panel.solids, behind, 1e-3 * panel.scene.length, panel.projection, panel.visibility))
+    panel.marks.emplace_back(Stroke{.points = std::move(line.points),
+                                    .width = 0.7,
+                                    .ink = Ink::grey,
+                                    .dash = Dash::hidden,
+                                    .role = Role::hidden,
+                                    .closed = line.closed,
+                                    .opacity = strength});
 }
 
 }  // namespace
@@ -108,9 +129,11 @@ void draw_bodies(Panel& panel, double strength) {
   for (SeenLine& line : lines.edges)
     panel.marks.emplace_back(Stroke{.points = std::move(line.points),
                                     .width = line.silhouette ? silhouette_width : edge_width,
+                                    .dash = line.stand_in ? Dash::fine : Dash::none,
                                     .role = Role::outline,
                                     .closed = line.closed,
                                     .opacity = strength});
+  draw_hidden_edges(panel, strength);
   draw_rods(panel, std::move(lines.rods), strength);
   for (const Solid& solid : panel.solids)
     if (solid.extent == scene::Extent::point)
@@ -122,8 +145,8 @@ void draw_bodies(Panel& panel, double strength) {
   for (const int body : panel.bodies) {
     if (body < 0) continue;
     const scene::Body& own = panel.scene.bodies.at(static_cast<std::size_t>(body));
-    if (own.shapes.empty() && !own.frame && !own.massless)
-      draw_center(panel, panel.paper({body, own.center}), strength);
+    const bool of_unknown_shape = own.shapes.empty() || own.shapes.front().stand_in;
+    if (of_unknown_shape && !own.frame && !own.massless) draw_center(panel, panel.paper({body, own.center}), strength);
   }
 }
 

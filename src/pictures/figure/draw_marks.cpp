@@ -30,13 +30,51 @@ void draw_axis(Panel& panel, const Vector& origin, const Vector& axis, double le
   }
   const Point2 along = direction(seen), side = turned_left(along);
   const Vector end = origin + (length / panel.projection.scale()) * axis;
-  if (behind_bodies)
-    panel.seen_line(origin, end, Role::axis, 0.8, Ink::grey);
-  else
+  if (behind_bodies) {
+    const DeepPoint a{from, panel.projection.depth(origin)}, b{to, panel.projection.depth(end)};
+    const std::vector<Interval> parts = panel.visibility.seen(a, b);
+    for (const Interval& part : parts)
+      panel.line({from + part.first * (to - from), from + part.second * (to - from)}, Role::axis, 0.8, Ink::grey);
+    for (const Interval& part : remainder(parts))
+      panel.line({from + part.first * (to - from), from + part.second * (to - from)}, Role::hidden, 0.6, Ink::grey,
+                 Dash::fine);
+  } else {
     panel.line({from, to}, Role::axis, 0.9, Ink::black);
+  }
   panel.line({to - 6.0 * along + 2.6 * side, to, to - 6.0 * along - 2.6 * side}, Role::axis, 0.9,
              behind_bodies ? Ink::grey : Ink::black);
   panel.labels.push_back({std::move(label), {{to, along, 3, 0}}, 2});
+}
+
+// From the origin until its end is clear of bodies.
+void draw_axis_of_ground(Panel& panel, std::size_t i) {
+  constexpr double least = 44, most = 420, step = 8, beyond = 12;
+  const Vector axis = Vector::unit(i);
+  const Point2 origin = panel.projection(Vector{}), along = panel.projection.direction_of(axis);
+  double length = least;
+  if (norm(along) >= 0.1)
+    while (length < most && (panel.visibility.over_body(origin + length * along) ||
+                             panel.visibility.over_body(origin + length * along + beyond * direction(along))))
+      length += step;
+  draw_axis(panel, {}, axis, length, panel.scene.axes[i], true);
+}
+
+// Those of frames of reference that stand or are turned otherwise than the ground.
+void draw_axes_of_frames(Panel& panel) {
+  constexpr double length = 34, near_part = 0.02, noticeable = 0.02;
+  std::string primes;
+  for (const int body : panel.bodies) {
+    if (body < 0 || !panel.scene.bodies.at(static_cast<std::size_t>(body)).frame) continue;
+    primes += "'";
+    const Vector origin = panel.ground({body, panel.scene.bodies[static_cast<std::size_t>(body)].center});
+    double turned = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      turned = std::max(turned, norm(turned_to_ground(body, Vector::unit(i), panel.poses) - Vector::unit(i)));
+    if (turned < noticeable && norm(origin) < near_part * panel.scene.length) continue;
+    for (std::size_t i = 0; i < 3; ++i)
+      draw_axis(panel, origin, turned_to_ground(body, Vector::unit(i), panel.poses), length,
+                panel.scene.axes[i] + primes, true);
+  }
 }
 
 }  // namespace
@@ -45,16 +83,8 @@ void draw_axes(Panel& panel, bool at_origin) {
   const Box box = content(panel);
   const Point2 origin = panel.projection(Vector{});
   if (at_origin && !box.empty() && box.grown(0.1 * std::max(box.width(), box.height()) + 4).contains(origin)) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vector axis = Vector::unit(i);
-      const Point2 along = panel.projection.direction_of(axis);
-      // Until it stands clear of what is drawn.
-      double length = 40;
-      for (; length < 240; length += 10)
-        if (!box.grown(6).contains(origin + length * along)) break;
-      if (norm(along) < 0.1) length = 0;
-      draw_axis(panel, {}, axis, std::clamp(length + 6, 40.0, 200.0), panel.scene.axes[i], true);
-    }
+    for (std::size_t i = 0; i < 3; ++i) draw_axis_of_ground(panel, i);
+    draw_axes_of_frames(panel);
     return;
   }
   // In the lower left corner, where its longest axis stays clear of everything.
@@ -135,8 +165,9 @@ namespace {
 Label label_of(const scene::Dimension& dimension) {
   const std::size_t sign = dimension.text.find(" = ");
   if (sign == std::string::npos) return name_label(dimension.text.empty() ? dimension.name : dimension.text, 12);
-  return joined(name_label(std::string_view(dimension.text).substr(0, sign), 12),
-                words_label(std::string_view(dimension.text).substr(sign + 1), 12), 3);
+  std::string value = dimension.text.substr(sign + 1);
+  if (value.ends_with(" deg")) value.replace(value.size() - 4, 4, "°");
+  return joined(name_label(std::string_view(dimension.text).substr(0, sign), 12), words_label(value, 12), 3);
 }
 
 void draw_length(Panel& panel, const scene::Dimension& dimension) {

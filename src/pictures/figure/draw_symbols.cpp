@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pictures/figure/panel.h"
+#include "pictures/solids/gimbals.h"
 
 namespace poinsot::pictures {
 namespace {
@@ -149,8 +150,7 @@ void contact(Panel& panel, const Sketch& sketch, const Vector& normal, bool on_g
     panel.line({begin, end}, Role::symbol, 1.1);
 }
 
-void draw(Panel& panel, const scene::Symbol& symbol) {
-  const Vector at = panel.ground(symbol.place);
+void draw(Panel& panel, const scene::Symbol& symbol, const Vector& at) {
   const Vector axis = unit_or(turned_to_ground(symbol.to, symbol.axis, panel.poses), Vector{});
   const bool has_axis = norm(axis) > 0;
   const Vector along = has_axis ? axis : panel.scene.up;
@@ -199,6 +199,26 @@ void draw(Panel& panel, const scene::Symbol& symbol) {
   }
 }
 
+// The axis of a joint as a chain line, as far as named points lie on it.
+void draw_center_line(Panel& panel, const scene::Symbol& symbol) {
+  using scene::SymbolKind;
+  const bool touches = symbol.kind == SymbolKind::contact || symbol.kind == SymbolKind::rolling_contact;
+  if (touches || !(norm(symbol.axis) > 0)) return;
+  const Vector at = panel.ground(symbol.place);
+  const Vector axis = normalized(turned_to_ground(symbol.to, symbol.axis, panel.poses));
+  const double near = 1e-6 * panel.scene.length;
+  double first = 0, last = 0;
+  for (const scene::Point& point : panel.scene.points) {
+    if (!panel.draws(point.place.body)) continue;
+    const Vector d = panel.ground(point.place) - at;
+    if (norm(cross(d, axis)) > near) continue;
+    first = std::min(first, dot(d, axis));
+    last = std::max(last, dot(d, axis));
+  }
+  if (last - first > near)
+    panel.seen_line(at + first * axis, at + last * axis, Role::hidden, 0.7, Ink::grey, Dash::chain);
+}
+
 }  // namespace
 
 void hatch(Panel& panel, Point2 from, Point2 to, double depth) {
@@ -214,7 +234,11 @@ void hatch(Panel& panel, Point2 from, Point2 to, double depth) {
 
 void draw_symbols(Panel& panel) {
   for (const scene::Symbol& symbol : panel.scene.symbols)
-    if (panel.draws(symbol.to) && panel.draws(symbol.from)) draw(panel, symbol);
+    if (panel.draws(symbol.to) && panel.draws(symbol.from)) draw_center_line(panel, symbol);
+  const std::vector<std::optional<Gimbal>> gimbals = gimbals_of(panel.scene, panel.poses);
+  for (const scene::Symbol& symbol : panel.scene.symbols)
+    if (panel.draws(symbol.to) && panel.draws(symbol.from))
+      for (const Vector& at : bearings_of(panel.scene, symbol, gimbals, panel.poses)) draw(panel, symbol, at);
 }
 
 }  // namespace poinsot::pictures

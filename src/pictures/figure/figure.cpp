@@ -10,9 +10,9 @@
 #include <string_view>
 #include <utility>
 
-#include "pictures/drawing/font_metrics.h"
 #include "pictures/drawing/label_text.h"
 #include "pictures/figure/arrows.h"
+#include "pictures/figure/layout.h"
 #include "pictures/figure/panel.h"
 #include "pictures/figure/view_choice.h"
 
@@ -23,7 +23,7 @@ using scene::Diagram;
 using scene::DiagramKind;
 using scene::Scene;
 
-constexpr double margin = 14, operator_size = 26, operator_gap = 18, caption_size = 12, row_gap = 26;
+constexpr double margin = 14, row_gap = 26;
 constexpr std::size_t most_poses = 6;
 const Diagram no_arrows{};
 
@@ -32,7 +32,7 @@ struct Size {
 };
 // The more panels stand side by side, the smaller each is.
 Size size_of_panels(std::size_t count) {
-  return count <= 1 ? Size{400, 300} : count == 2 ? Size{250, 230} : Size{210, 200};
+  return count <= 1 ? Size{400, 300} : count == 2 ? Size{300, 260} : Size{260, 250};
 }
 
 std::vector<int> all_bodies(const Scene& scene) {
@@ -45,10 +45,11 @@ std::vector<int> all_bodies(const Scene& scene) {
 std::vector<Vector> places_of(const Scene& scene, const std::vector<int>& bodies, const std::vector<scene::Pose>& poses,
                               const std::vector<scene::Arrow>& arrows, bool with_symbols) {
   std::vector<Vector> places;
+  for (const Solid& solid : solids_of(scene, bodies, poses))
+    places.insert(places.end(), solid.vertices.begin(), solid.vertices.end());
   for (const int body : bodies) {
+    if (body < 0) continue;
     const scene::Body& own = scene.bodies.at(static_cast<std::size_t>(body));
-    for (const scene::Shape& shape : own.shapes)
-      for (const Vector& vertex : shape.vertices) places.push_back(on_ground({body, vertex}, poses));
     if (own.shapes.empty() && !own.frame) places.push_back(on_ground({body, own.center}, poses));
   }
   const auto drawn = [&](int body) { return body < 0 || std::ranges::find(bodies, body) != bodies.end(); };
@@ -121,77 +122,6 @@ Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest,
   if (kind.axes && !kind.axes_at_origin) draw_axes(panel, false);
   if (kind.body_names) draw_body_names(panel);
   return finished(panel);
-}
-
-// Words in lines of at most the width.
-std::vector<std::string> wrapped(const std::string& words, double width, double size) {
-  std::vector<std::string> lines{""};
-  std::string word;
-  for (const char c : clean(words) + " ") {
-    if (c != ' ') {
-      word += c;
-      continue;
-    }
-    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-    if (!lines.back().empty() && text_width(longer, Face::upright, size) > width)
-      lines.push_back(word);
-    else
-      lines.back() = longer;
-    word.clear();
-  }
-  return lines;
-}
-
-// With blanks at which no line ends.
-std::string unbroken(const std::string& words) {
-  std::string result;
-  for (const char c : words) c == ' ' ? result += "\u00a0" : result += c;
-  return result;
-}
-
-// Writes words below a drawing, centered.
-void caption(Drawing& drawing, const std::string& words, double least_width) {
-  if (words.empty()) return;
-  const double width = std::clamp(drawing.paper.width(), least_width, longest_label);
-  double y = drawing.paper.bottom + 20;
-  const double middle = drawing.paper.center().x;
-  for (const std::string& line : wrapped(words, width, caption_size)) {
-    Label label = words_label(line, caption_size);
-    label.at = {middle - label.box.center().x, y};
-    drawing.paper.include(label.placed());
-    drawing.marks.emplace_back(std::move(label));
-    y += 1.3 * caption_size;
-  }
-}
-
-void append(Drawing& whole, Drawing part) {
-  whole.paper.include(part.paper);
-  std::ranges::move(part.marks, std::back_inserter(whole.marks));
-}
-
-// Drawings side by side with signs between, their origins on one line.
-Drawing side_by_side(std::vector<Drawing> parts, const std::vector<std::string>& signs,
-                     const std::vector<std::string>& captions) {
-  Drawing row;
-  double x = 0, bottom = 0;
-  for (const Drawing& part : parts) bottom = std::max(bottom, part.paper.bottom);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) {
-      Label sign = words_label(signs[i - 1], operator_size);
-      x += operator_gap;
-      sign.at = {x, 8};
-      x += sign.box.width() + operator_gap;
-      row.paper.include(sign.placed());
-      row.marks.emplace_back(std::move(sign));
-    }
-    parts[i].paper.bottom = bottom;
-    caption(parts[i], captions[i], 120);
-    const double left = parts[i].paper.left;
-    Drawing part = moved(std::move(parts[i]), {x - left, 0});
-    x = part.paper.right;
-    append(row, std::move(part));
-  }
-  return row;
 }
 
 bool is_equation_of(DiagramKind kind, FigureKind figure) {
@@ -321,8 +251,11 @@ std::string description(const Scene& scene, const std::vector<const Diagram*>& d
     text += ": ";
     for (std::size_t i = 0; i < diagram->arrows.size(); ++i) {
       const scene::Arrow& arrow = diagram->arrows[i];
-      text += fmt::format("{}{} = {}", i > 0 ? ", " : "", arrow.text.empty() ? arrow.name : arrow.text,
-                          value_text(arrow.value, arrow.unit));
+      text += (i > 0 ? ", " : "") + (arrow.text.empty() ? arrow.name : arrow.text);
+      if (!arrow.formula.empty())
+        text += " = " + arrow.formula;
+      else if (scene.drawn_letters.empty())
+        text += " = " + value_text(arrow.value, arrow.unit);
     }
     text += ". ";
   }
@@ -404,9 +337,12 @@ Drawing figure(const Scene& scene, const FigureName& name, const std::string& ti
     for (const scene::DrawnLetter& letter : scene.drawn_letters)
       if (is_size_or_angle(letter.unit))
         letters += (letters.empty() ? "Drawn with " : ", ") +
-                   unbroken(letter.name + " = " + value_text(letter.value, letter.unit));
+                   unbroken(with_greek_letters(letter.name) + " = " + value_text(letter.value, letter.unit));
     if (!letters.empty()) caption(drawing, letters, 240);
   }
+  if (std::ranges::any_of(scene.bodies,
+                          [](const scene::Body& body) { return !body.shapes.empty() && body.shapes.front().stand_in; }))
+    caption(drawing, "Dotted: solids with the moments of inertia of bodies whose shape is not stated", 240);
   if (marked) caption(drawing, "Arrows with two strokes are not to scale", 240);
   drawing.paper = drawing.paper.grown(margin);
   drawing.title = title.empty() ? name.title : title;

@@ -31,6 +31,7 @@ struct Matter {
   double size = 1;
   Vector center{};
   std::vector<Vector> points;
+  std::vector<Vector> held;  // where symbols stand
   std::vector<Directed> arrows;
   std::vector<std::pair<Vector, double>> rods;  // directions, and how much they count
   std::vector<Plate> plates;
@@ -84,6 +85,7 @@ Matter matter_of(const scene::Scene& scene, const std::vector<int>& bodies, cons
   for (const scene::Symbol& symbol : scene.symbols)
     if (drawn(symbol.to)) {
       named.push_back(on_ground(symbol.place, poses));
+      matter.held.push_back(named.back());
       if (norm(symbol.axis) > 0)
         matter.joint_axes.push_back(normalized(turned_to_ground(symbol.to, symbol.axis, poses)));
     }
@@ -159,6 +161,7 @@ double cost_of(const View& view, const Matter& matter) {
         cost += 1;
     }
   for (const Vector& point : matter.points) cost += hidden(point, matter, view) ? 0.35 : 0;
+  for (const Vector& point : matter.held) cost += hidden(point, matter, view) ? 0.5 : 0;
   return cost;
 }
 
@@ -190,6 +193,7 @@ std::optional<Vector> planar_normal(const Matter& matter) {
 
 View chosen_view(const scene::Scene& scene, const std::vector<int>& bodies, const std::vector<scene::Arrow>& arrows,
                  const std::vector<scene::Pose>& poses) {
+  if (scene.viewer) return view_from(*scene.viewer, scene.up);
   const Matter matter = matter_of(scene, bodies, arrows, poses);
   if (const std::optional<Vector> normal = planar_normal(matter)) {
     // From the side on which the axis of the plane points to the viewer.

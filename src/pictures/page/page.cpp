@@ -42,24 +42,35 @@ Json figures_json(const Document& document) {
   for (std::size_t i = 0; i < document.solutions.size(); ++i) {
     Json drawings = Json::array();
     for (const DrawnFigure& figure : different_figures(document, i))
-      drawings.push_back({{"title", figure.title.title}, {"section", figure.title.section}, {"svg", figure.svg}});
+      drawings.push_back({{"title", figure.title.title},
+                          {"section", figure.title.section},
+                          {"situation", figure.title.situation},
+                          {"svg", figure.svg}});
     solutions.push_back(drawings);
   }
   return solutions;
 }
 
-// What joins the shapes of each body with what holds it, by solution and body: pairs of points on the body's axes.
+// What joins the shapes of each body with what holds it: pairs of points on the body's axes.
+Json arms_json(const scene::Scene& scene) {
+  Json bodies = Json::array();
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    Json arms = Json::array();
+    for (const auto& [from, to] : arms_of(scene, static_cast<int>(i)))
+      arms.push_back({{from.x, from.y, from.z}, {to.x, to.y, to.z}});
+    bodies.push_back(std::move(arms));
+  }
+  return bodies;
+}
+
+// The same by solution and scene, that which is shown first before those of other situations.
 Json arms_json(const Document& document) {
   Json solutions = Json::array();
   for (const Solution& solution : document.solutions) {
-    Json bodies = Json::array();
-    for (std::size_t i = 0; solution.scene && i < solution.scene->bodies.size(); ++i) {
-      Json arms = Json::array();
-      for (const auto& [from, to] : arms_of(*solution.scene, static_cast<int>(i)))
-        arms.push_back({{from.x, from.y, from.z}, {to.x, to.y, to.z}});
-      bodies.push_back(std::move(arms));
-    }
-    solutions.push_back(std::move(bodies));
+    Json scenes = Json::array();
+    if (solution.scene) scenes.push_back(arms_json(*solution.scene));
+    for (const auto& other : solution.other_scenes) scenes.push_back(arms_json(*other));
+    solutions.push_back(std::move(scenes));
   }
   return solutions;
 }

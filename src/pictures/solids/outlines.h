@@ -1,5 +1,4 @@
-// The lines of solids as they are seen: features, silhouettes and thin bodies, without what is hidden; and the areas
-// that they cover.
+// The lines of solids as they are seen: features, silhouettes and thin bodies, without what is hidden.
 #pragma once
 
 #include <vector>
@@ -15,6 +14,7 @@ struct SeenLine {
   int body = 0;
   double depth = 0;  // of its middle
   bool silhouette = false;
+  bool stand_in = false;
   bool closed = false;
 };
 
@@ -26,12 +26,9 @@ struct Lines {
 Lines seen_lines(const std::vector<Solid>& solids, const std::vector<Intersection>& intersections,
                  const Projection& projection, const Visibility& visibility);
 
-// The areas of bodies from the farthest to the nearest.
-struct Area {
-  int body = 0;
-  std::vector<std::vector<Point2>> loops;  // wound in one sense around what is covered
-};
-std::vector<Area> areas_of(const std::vector<Solid>& solids, const std::vector<Intersection>& intersections,
-                           const Projection& projection);
+// The hidden parts of the features that run through one of the places: who looks for a named point that lies behind a
+// body sees it where they end.
+std::vector<SeenLine> hidden_lines(const std::vector<Solid>& solids, const std::vector<Vector>& places, double near,
+                                   const Projection& projection, const Visibility& visibility);
 
 }  // namespace poinsot::pictures

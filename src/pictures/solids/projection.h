@@ -19,8 +19,7 @@ struct View {
 // The view from a direction in which `up` points to the top of the paper; from above or below, as from the front with
 // the paper laid down.
 View view_from(const Vector& viewer, const Vector& up);
-// "front", "back", "left", "right", "top", "bottom"; "azimuth,elevation" in degrees from the front, to the right and
-// up; "x,y,z" towards the viewer. Nothing if the words are none of these.
+// As problem::viewing_direction() understands the words.
 std::optional<View> view_of_words(std::string_view words, const Vector& up);
 
 class Projection {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "pictures/solids/gimbals.h"
+
 namespace poinsot::pictures {
 namespace {
 
@@ -34,6 +36,9 @@ std::vector<Vector> places_on(const scene::Scene& scene, int body, bool with_poi
   for (const scene::Link& link : scene.links)
     for (const scene::Place& place : {link.from, link.to})
       if (place.body == body && !(link.far && &place == &link.to)) add(on_ground(place, poses));
+  if (with_points)
+    for (const scene::Point& point : scene.points)
+      if (point.place.body == body) add(on_ground(point.place, poses));
   if (with_points && !scene.diagrams.empty())
     for (const scene::Arrow& arrow : scene.diagrams.front().arrows)
       if (arrow.body == body && arrow.at.body == body) add(on_ground(arrow.at, poses));
@@ -67,8 +72,9 @@ std::optional<Vector> along_axis(const scene::Scene& scene, int body, const std:
                                  const Vector& place, const std::vector<scene::Pose>& poses, double near) {
   for (const scene::Symbol& symbol : scene.symbols) {
     if (symbol.to != body && symbol.from != body) continue;
+    const bool touches = symbol.kind == scene::SymbolKind::contact || symbol.kind == scene::SymbolKind::rolling_contact;
     const Vector axis = turned_to_ground(symbol.to, symbol.axis, poses);
-    if (!(norm(axis) > 0) || norm(on_ground(symbol.place, poses) - place) > near) continue;
+    if (touches || !(norm(axis) > 0) || norm(on_ground(symbol.place, poses) - place) > near) continue;
     const Vector direction = normalized(axis);
     for (const Solid& solid : solids) {
       if (solid.hole || solid.vertices.empty()) continue;
@@ -168,8 +174,10 @@ void join_parts(const std::vector<Solid>& solids, double near, std::vector<std::
 std::vector<std::array<Vector, 2>> skeleton_of(const scene::Scene& scene, int body, const std::vector<Solid>& solids,
                                                const std::vector<scene::Pose>& poses) {
   const scene::Body& own = scene.bodies.at(static_cast<std::size_t>(body));
-  std::vector<std::array<Vector, 2>> arms;
-  if (own.frame) return arms;
+  if (own.frame) return {};
+  const std::vector<std::optional<Gimbal>> gimbals = gimbals_of(scene, poses);
+  std::vector<std::array<Vector, 2>> arms = gimbal_arms(scene, body, gimbals, poses);
+  if (gimbals[static_cast<std::size_t>(body)]) return arms;
   std::vector<Vector> places = places_on(scene, body, solids.empty(), poses);
   const double near = near_part * scene.length;
   if (!solids.empty()) {

@@ -74,7 +74,8 @@ void find_mesh_edges(Solid& solid) {
 }
 
 Solid solid_of(const scene::Shape& shape, const scene::Pose& pose, int body, bool massless) {
-  Solid solid{.body = body, .extent = shape.extent, .hole = shape.hole, .massless = massless};
+  Solid solid{
+      .body = body, .extent = shape.extent, .hole = shape.hole, .massless = massless, .stand_in = shape.stand_in};
   for (const Vector& vertex : shape.vertices) solid.vertices.push_back(pose.R * vertex + pose.p);
   const Extents extents = extents_of(solid.vertices);
   const bool coarse = shape.triangles.size() > most_triangles;

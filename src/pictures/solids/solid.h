@@ -23,6 +23,7 @@ struct Solid {
   scene::Extent extent = scene::Extent::volume;
   bool hole = false;
   bool massless = false;
+  bool stand_in = false;
   int plate = -1;  // of a surface that is a hole: the solid from which it is left out
   std::vector<Vector> vertices{};
   std::vector<std::array<std::uint32_t, 3>> triangles{};

@@ -17,7 +17,7 @@ std::string_view drawn(std::string_view svg) {
 std::vector<DrawnFigure> different_figures(const Document& document, std::size_t solution) {
   std::vector<DrawnFigure> made;
   for (FigureTitle& figure : figures(document, solution)) {
-    std::string svg = to_svg(document, solution, {.of = figure.name});
+    std::string svg = to_svg(document, solution, {.of = figure.name, .situation = figure.situation});
     if (std::ranges::any_of(made, [&](const DrawnFigure& one) { return drawn(one.svg) == drawn(svg); })) continue;
     made.push_back({std::move(figure), std::move(svg)});
   }

@@ -11,8 +11,10 @@ IllustratedMarkdown to_illustrated_markdown(const Document& document, const std:
   for (std::size_t i = 0; i < document.solutions.size(); ++i)
     for (pictures::DrawnFigure& figure : pictures::different_figures(document, i)) {
       if (figure.title.section.empty()) continue;
-      const std::string name =
-          stem + (i > 0 ? "-" + std::to_string(i + 1) : std::string()) + "-" + figure.title.name + ".svg";
+      std::string name = stem;
+      if (i > 0) name += "-" + std::to_string(i + 1);
+      if (!figure.title.situation.empty()) name += "-" + figure.title.situation;
+      name += "-" + figure.title.name + ".svg";
       pictures[i].push_back({figure.title.section, figure.title.title, name});
       illustrated.figures.push_back({name, std::move(figure.svg)});
     }

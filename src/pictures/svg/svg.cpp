@@ -61,18 +61,26 @@ std::string_view dashes(Dash dash) {
       return "7 3";
     case Dash::fine:
       return "2 3";
+    case Dash::chain:
+      return "10 3 2 3";
   }
   return "";
 }
 
 std::string opacity(double value) { return value < 1 ? fmt::format(" opacity=\"{}\"", number(value)) : ""; }
 
+// What a browser tells where the mouse rests.
+std::string told(const std::string& hint) {
+  return hint.empty() ? "" : fmt::format("<title>{}</title>", escaped(hint));
+}
+
 std::string written(const Stroke& stroke) {
   const std::string_view dash = dashes(stroke.dash);
-  return fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\"{}{}{}/>\n",
+  return fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\"{}{}{}{}\n",
                      path_of(stroke.points, stroke.closed), color_of(stroke.ink), number(stroke.width),
                      stroke.round ? "" : " stroke-linecap=\"butt\"",
-                     dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash), opacity(stroke.opacity));
+                     dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash), opacity(stroke.opacity),
+                     stroke.hint.empty() ? "/>" : ">" + told(stroke.hint) + "</path>");
 }
 
 std::string written(const Fill& fill) {
@@ -110,7 +118,7 @@ std::string written(const Accent& accent, const Label& label) {
 }
 
 std::string written(const Label& label) {
-  std::string text = fmt::format("<text xml:space=\"preserve\" fill=\"{}\">", color_of(label.ink));
+  std::string text = fmt::format("<text xml:space=\"preserve\" fill=\"{}\">{}", color_of(label.ink), told(label.hint));
   for (const Run& run : label.runs)
     text += fmt::format("<tspan x=\"{}\" y=\"{}\" font-size=\"{}\" textLength=\"{}\"{}>{}</tspan>",
                         number(label.at.x + run.offset.x), number(label.at.y + run.offset.y), number(run.size),

@@ -277,6 +277,7 @@ void Course::continue_from(const MotionCheckpoint& checkpoint) {
     now.acting.push_back(state.acting);
   }
   happenings_.clear();
+  changes_.clear();
   energy_drift_.reset();
   // A new probe is made, as the old one keeps rounding from earlier places of the contacts.
   probe_ = std::make_unique<SolvedInstant>(situation_, settings_, state, choice_);

@@ -133,6 +133,12 @@ class Course : public FollowedMotion {
   // Events of the motion, such as cords that went slack and contacts that were lost, and remarks on how extremes were
   // found.
   const std::vector<std::string>& happenings() const { return happenings_; }
+  // A cord or contact that gave way or caught.
+  struct Change {
+    double time = 0;
+    std::string words;  // "the cord 'AB' goes slack"
+  };
+  const std::vector<Change>& changes() const { return changes_; }
   // The drift of the energy relative to its size, if the energy is conserved.
   std::optional<double> energy_drift() const { return energy_drift_; }
   // How the motion was found, in words: "closed form: symmetric top".
@@ -216,6 +222,7 @@ class Course : public FollowedMotion {
   static constexpr double usual_tolerance = 1e-12;
   double tolerance_ = usual_tolerance;  // for a step, relative to natural sizes
   std::vector<std::string> happenings_;
+  std::vector<Change> changes_;
   std::optional<double> energy_drift_;
   struct AskedExtreme {
     Call call;

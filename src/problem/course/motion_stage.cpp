@@ -171,8 +171,8 @@ void Course::change_holds(std::size_t stage, std::size_t action, Piece& piece) {
   acting[action] = !acting[action];
   const std::string change =
       acting[action] ? (cord ? "goes taut" : "touches again") : (cord ? "goes slack" : "is lost");
-  happenings_.push_back((cord ? "the cord '" : "the contact '") + named.name + "' " + change + time +
-                        (acting[action] ? ", without rebound" : ""));
+  changes_.push_back({now.time, (cord ? "the cord '" : "the contact '") + named.name + "' " + change});
+  happenings_.push_back(changes_.back().words + time + (acting[action] ? ", without rebound" : ""));
   if (acting[action]) now.v = probe_->caught(acting);
   now.pieces.emplace_back();
   now.acting.push_back(acting);

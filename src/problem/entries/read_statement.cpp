@@ -16,6 +16,7 @@
 #include "problem/entries/read_meshes.h"
 #include "problem/entries/read_record.h"
 #include "problem/entries/statement.h"
+#include "problem/entries/viewing_direction.h"
 #include "problem/keys/keys.h"
 #include "problem/keys/reader.h"
 
@@ -42,7 +43,7 @@ void note_units(const Entry& entry, const std::string& file, UnitHabits& habits)
   }
   for (const Entry& item : entry.items) note_units(item, file, habits);
   for (const auto& [key, value] : entry.members)
-    if (key.text != "title" && key.text != "source") note_units(value, file, habits);
+    if (key.text != "title" && key.text != "source" && key.text != "view") note_units(value, file, habits);
 }
 
 Situation read_one(const Entry& root, const std::string& file) {
@@ -100,6 +101,11 @@ Situation read_one(const Entry& root, const std::string& file) {
   situation.where = members.list("where");
   situation.assume = read_assumptions(members, file);
   situation.gravity = members.expression("gravity");
+  if (const Entry* view = members.find("view")) {
+    situation.view = scalar_text(*view, file, "from where figures look");
+    if (!viewing_direction(situation.view, {0, 1, 0}))
+      fail(file, view->mark, "there is no view '" + situation.view + "'", "expected " + std::string(viewing_words));
+  }
   situation.points = named_expressions(members, "points", file);
   situation.directions = named_expressions(members, "directions", file);
   situation.define = named_expressions(members, "define", file);

@@ -319,6 +319,7 @@ struct Situation {
   std::vector<Expression> assume;    // comparisons under which claims are made
   std::array<std::string, 3> axes{"x", "y", "z"};
   std::optional<Expression> gravity;  // absent: not stated; the name `none`: no gravity
+  std::string view;                   // from where a figure is looked at, as viewing_direction() has it; "" if open
   std::vector<NamedExpression> points, directions, define;
   std::vector<Frame> frames;
   std::vector<Body> bodies;

@@ -25,6 +25,8 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"problem", "axes", list, "", "the names of the three axes, right-handed; [x, y, z] when left out"},
     {"problem", "gravity", vector, "",
      "the direction in which weights pull, `none`, or the vector of its acceleration"},
+    {"problem", "view", text, "",
+     "from where figures look at it: front, back, left, right, top, bottom, 'AZIMUTH,ELEVATION' in degrees or 'X,Y,Z'"},
     {"problem", "points", named, "", "places as drawn"},
     {"problem", "directions", named, "", "directions as drawn; their length does not count"},
     {"problem", "frames", named, "frame", "points of view that move as stated"},

@@ -16,6 +16,8 @@
 #include "problem/scene/scene_free_motion.h"
 #include "problem/scene/scene_model_diagram.h"
 #include "problem/scene/scene_motion.h"
+#include "problem/scene/scene_points.h"
+#include "problem/scene/scene_stand_ins.h"
 
 namespace poinsot::problem {
 namespace {
@@ -29,31 +31,41 @@ class SceneMaker {
         solution_(solved.solutions[solution]),
         numbers_(statement, sets, solved, solution, LetterSizes::alike) {}
 
-  scene::Scene made() && {
+  // The situation about which is asked first, and then the others as far as they can be drawn.
+  std::vector<scene::Scene> made() && {
     const bool chosen = numbers_.choose();
-    home_ = shown_home(chosen);
-    const Situation& situation = statement_.situations[home_.situation];
+    const std::size_t first = shown_situation(chosen);
+    std::vector<scene::Scene> scenes{scene_in(first)};
+    for (std::size_t k = 0; k < statement_.situations.size() && k < most_situations; ++k) {
+      if (k == first) continue;
+      scene::Scene other = scene_in(k);
+      if (!other.bodies.empty()) scenes.push_back(std::move(other));
+    }
+    return scenes;
+  }
+
+ private:
+  static constexpr std::size_t most_situations = 8;
+
+  std::size_t shown_situation(bool chosen) {
+    if (!chosen || statement_.asks.empty()) return 0;
+    try {
+      return numbers_.sample().home_of(statement_.asks.front()).situation;
+    } catch (const StatementError&) {
+      return 0;  // The question is about no one instant.
+    }
+  }
+
+  // The start of a situation.
+  scene::Scene scene_in(std::size_t number) {
+    const Situation& situation = statement_.situations[number];
+    home_ = {number, situation.has_blow() ? 1U : 0U, std::nullopt};
+    scene_ = {};
     scene_.situation = situation.name;
     scene_.axes = situation.axes;
     tell_letters();
     or_left_out("the figure", [&] { draw(home_); });
-    if (statement_.situations.size() > 1)
-      scene_.notes.push_back("of the situations of the file, only '" + situation.name + "' is drawn");
     return std::move(scene_);
-  }
-
- private:
-  // The start of the situation about which is asked first.
-  Sample::Home shown_home(bool chosen) {
-    std::size_t situation = 0;
-    if (chosen && !statement_.asks.empty()) {
-      try {
-        situation = numbers_.sample().home_of(statement_.asks.front()).situation;
-      } catch (const StatementError&) {
-        // A question about no one instant leaves the first situation.
-      }
-    }
-    return {situation, statement_.situations[situation].has_blow() ? 1U : 0U, std::nullopt};
   }
 
   void tell_letters() {
@@ -91,6 +103,7 @@ class SceneMaker {
     figure.add_points();
     figure.add_symbols();
     figure.add_links();
+    add_stand_ins(figure);
     figure.add_world();
     scene_.diagrams.push_back(model_diagram(figure));
     Explanation unread;
@@ -100,6 +113,7 @@ class SceneMaker {
     or_left_out("the balance of forces", [&] { add_balance_diagrams(figure, explainer); });
     add_answers(figure, sample, home, solution_);
     add_dimensions(figure);
+    leave_out_idle_points(figure, statement_);
     const bool turns_freely = add_free_motion(figure, instant.state());
     if (asks_motion(home.situation))
       or_left_out("the motion", [&] { add_motion(figure, sample, home.situation, solution_); });
@@ -160,8 +174,9 @@ class SceneMaker {
 
 }  // namespace
 
-scene::Scene scene_of(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
-                      const SolvedStatement& solved, std::size_t solution) {
+std::vector<scene::Scene> scenes_of(const Statement& statement,
+                                    const std::vector<std::pair<std::string, std::string>>& sets,
+                                    const SolvedStatement& solved, std::size_t solution) {
   return SceneMaker(statement, sets, solved, solution).made();
 }
 

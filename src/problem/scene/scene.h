@@ -12,8 +12,10 @@
 
 namespace poinsot::problem {
 
-// solution: which of the solutions. What cannot be drawn is left out, and the scene's notes say why.
-scene::Scene scene_of(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
-                      const SolvedStatement& solved, std::size_t solution);
+// One for each situation, first that about which is asked first. solution: which of the solutions. What cannot be drawn
+// is left out, and the scene's notes say why.
+std::vector<scene::Scene> scenes_of(const Statement& statement,
+                                    const std::vector<std::pair<std::string, std::string>>& sets,
+                                    const SolvedStatement& solved, std::size_t solution);
 
 }  // namespace poinsot::problem

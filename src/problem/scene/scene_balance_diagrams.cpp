@@ -138,7 +138,9 @@ class BalanceDiagrams {
 
   void add_known(scene::Diagram& diagram, const KnownAction& known) const {
     const Action& action = mechanism().actions[known.action];
-    const ArrowSymbol symbol = SceneFigure::named_symbol("\\mathbf{F}", action.name);
+    const auto symbol_of = [&](const Wrench& wrench) {
+      return SceneFigure::named_symbol(norm(wrench.force) > 0 ? "\\mathbf{F}" : "\\mathbf{M}", action.name);
+    };
     const auto add = [&](const Wrench& wrench, const Vector3<double>& at, const ArrowSymbol& shown) {
       add_wrench(diagram, {known.sign * wrench.moment, known.sign * wrench.force}, action.name,
                  place_on(action, known.sign, at), shown, std::nullopt, action.kind != ActionKind::spring);
@@ -146,7 +148,7 @@ class BalanceDiagrams {
     const int number = static_cast<int>(known.action);
     if (sudden()) {
       for (const auto& impulse : numbers().blow.impulses)
-        if (impulse.action == number) add(impulse.wrench, placed_.position(impulse.at), symbol);
+        if (impulse.action == number) add(impulse.wrench, placed_.position(impulse.at), symbol_of(impulse.wrench));
       return;
     }
     const Model<double>& tree = mechanism().tree;
@@ -157,7 +159,7 @@ class BalanceDiagrams {
       if constexpr (requires { law.toward; })
         if (known.sign < 0) at = placed_.position(law.toward);
       if (norm(force.force) == 0) at = center_of(known.sign > 0 ? action.on : action.from);
-      add(wrench_of(force), at, symbol);
+      add(wrench_of(force), at, symbol_of(wrench_of(force)));
     });
     for (const Drive<double>& drive : mechanism().drives) {
       if (drive.action != number) continue;

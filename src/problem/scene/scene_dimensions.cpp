@@ -10,6 +10,7 @@
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/machine/shapes.h"
+#include "problem/scene/scene_angles.h"
 
 namespace poinsot::problem {
 namespace {
@@ -21,18 +22,23 @@ class Dimensions {
   void add() {
     const Situation& situation = figure_.situation();
     for (const NamedExpression& item : situation.given)
-      if (item.value.as<Number>()) add(item.name, &item.value);
-    for (const Letter& letter : situation.letters) add(letter.name, nullptr);
+      if (item.value.as<Number>()) add(item.name, &item.value, nullptr);
+    for (const Letter& letter : situation.letters) add(letter.name, nullptr, &letter.unit);
+    for (const Unknown& unknown : situation.find)
+      if (!unknown.vector) add(unknown.name, nullptr, &unknown.unit);
   }
 
  private:
-  void add(const std::string& name, const Expression* stated) {
+  // stated: its value in the file; unit: the one that the file gives it.
+  void add(const std::string& name, const Expression* stated, const Unit* unit) {
     try {
       const Value<double> value = figure_.data().value(built(Name{name}, Mark{}));
-      if (!value.is_number() || value.dimension != dimensions::length || !(value.number > 0)) return;
+      const bool angle = value.dimension == dimensions::angle;
+      if (!value.is_number() || (value.dimension != dimensions::length && !angle) || !(value.number > 0)) return;
       text_ = stated && !figure_.data().settings().contains(name) ? name + " = " + to_string(*stated)
               : is_open(name)                                     ? name
-                                                                  : name + " = " + in_unit(value.number);
+                                                                  : name + " = " + in_unit(value, unit);
+      if (angle) return add_angle(figure_, {name, text_, value.number});
       if (!between_points(name, value)) of_shapes(name, value.number);
     } catch (const StatementError&) {
       // What has no value yet has no place in the figure.
@@ -42,9 +48,10 @@ class Dimensions {
     return std::any_of(figure_.scene().drawn_letters.begin(), figure_.scene().drawn_letters.end(),
                        [&](const scene::DrawnLetter& letter) { return letter.name == name; });
   }
-  std::string in_unit(double value) const {
-    const Unit& unit = figure_.tex().unit(dimensions::length);
-    return with_digits(value / unit.factor, 6) + " " + unit.text;
+  std::string in_unit(const Value<double>& value, const Unit* stated) const {
+    const Unit& unit = stated ? *stated : figure_.tex().unit(value.dimension);
+    constexpr int digits = 5;
+    return with_digits(value.number / unit.factor, digits) + " " + unit.text;
   }
 
   void put(const std::string& name, const scene::Place& from, const scene::Place& to) {

@@ -1,4 +1,4 @@
-// The lengths of a figure that data name.
+// The lengths and angles of a figure that data name.
 #pragma once
 
 #include "problem/scene/scene_figure.h"

@@ -5,7 +5,7 @@
 
 #include "poinsot/engine/dynamics/kinematics.h"
 #include "poinsot/engine/work/work.h"
-#include "problem/language/expression_walk.h"
+#include "problem/entries/viewing_direction.h"
 #include "problem/machine/shapes.h"
 
 namespace poinsot::problem {
@@ -16,13 +16,6 @@ constexpr std::size_t most_vertices = 400'000;  // of a scene; what comes after 
 scene::Extent scene_extent(const Outline& outline) {
   if (!outline.triangles.empty()) return scene::Extent::surface;
   return outline.edges.empty() ? scene::Extent::point : scene::Extent::line;
-}
-
-// Whether an expression names the point, possibly through other data.
-bool names(const Expression& expression, const std::string& point) {
-  std::set<std::string> found;
-  collect_names(expression, found);
-  return found.contains(point);
 }
 
 }  // namespace
@@ -158,60 +151,13 @@ void SceneFigure::add_shape(const Part& part, bool added, scene::Body& drawn) {
   drawn.shapes.push_back(std::move(shape));
 }
 
-// The body to which a point belongs: the first one whose shape is given by it, or else what is held there.
-std::string SceneFigure::body_of_point(const std::string& name) const {
-  const auto any = [&](const auto& expressions) {
-    return std::any_of(expressions.begin(), expressions.end(),
-                       [&](const NamedExpression& argument) { return names(argument.value, name); });
-  };
-  for (const Body& body : situation_.bodies) {
-    for (const Part& part : body.parts)
-      if (any(part.shape.arguments)) return body.name;
-    if (body.center && names(*body.center, name)) return body.name;
-    for (const Part& part : body.added)
-      if (any(part.shape.arguments)) return body.name;
-  }
-  const auto is = [&](const std::optional<Expression>& place) { return place && names(*place, name); };
-  for (const Load& load : situation_.loads)
-    if (is(load.at)) return load.body;
-  for (const Impulse& impulse : situation_.impulses)
-    if (is(impulse.at)) return impulse.body;
-  for (const Joint& joint : situation_.joints) {
-    if (is(joint.place) || is(joint.at)) return joint.to;
-    for (const Support& support : joint.supports)
-      if (is(support.at)) return joint.to;
-  }
-  for (const Contact& contact : situation_.contacts)
-    if (is(contact.at)) return contact.of;
-  for (const Cord& cord : situation_.cords) {
-    if (is(cord.end)) return cord.to;
-    if (is(cord.at)) return cord.from;
-  }
-  for (const Spring& spring : situation_.springs) {
-    if (is(spring.end)) return spring.to;
-    if (is(spring.at)) return spring.from;
-  }
-  return "ground";
-}
-
-void SceneFigure::add_points() {
-  for (const NamedExpression& point : situation_.points) {
-    try {
-      const Vector3<double> drawn = data_.place(point.value);
-      const int body = machine_.index.at(body_of_point(point.name));
-      scene_.points.push_back({point.name, scene_place(machine_.place(body, drawn))});
-    } catch (const StatementError&) {
-      scene_.notes.push_back("the point '" + point.name + "' has no place yet");
-    }
-  }
-}
-
 void SceneFigure::add_world() {
   scene_.axes = situation_.axes;
   const Vector3<double> gravity = mechanism().tree.gravity();
   scene_.gravity = norm(gravity) > 0;
   // Texts draw y upward.
   scene_.up = scene_.gravity ? -normalized(gravity) : Vector3<double>{0, 1, 0};
+  if (!situation_.view.empty()) scene_.viewer = viewing_direction(situation_.view, scene_.up);
   std::vector<Vector3<double>> places;
   for (const scene::Body& body : scene_.bodies) {
     places.push_back(body.pose.R * body.center + body.pose.p);

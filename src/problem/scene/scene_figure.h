@@ -66,8 +66,6 @@ class SceneFigure {
  private:
   void add_shapes(const Body& body, scene::Body& drawn);
   void add_shape(const Part& part, bool added, scene::Body& drawn);
-  scene::Place named_place(const Expression& expression, const std::string& body);
-  std::string body_of_point(const std::string& name) const;
 
   const Situation& situation_;
   const Settings& settings_;

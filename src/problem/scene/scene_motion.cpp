@@ -169,15 +169,46 @@ class SceneMotion {
   }
 
   void add_poses() {
+    begin_velocities();
     solve::MechanismState state(figure_.mechanism());
     for (const double time : motion_.times) {
       const MotionState at = course_.at(time);
       state.set_positions(at.q);
+      state.set_velocities(at.v);
+      add_velocities(state);
       std::vector<scene::Pose> poses;
       for (std::size_t k = 0; k < figure_.scene().bodies.size(); ++k)
         poses.push_back(figure_.pose_of(figure_.tree_body(static_cast<int>(k)), state));
       motion_.poses.push_back(std::move(poses));
       positions_.push_back(at.q);
+    }
+  }
+
+  // Of each body with mass the velocity of its center and its angular velocity.
+  void begin_velocities() {
+    const bool several = figure_.situation().bodies.size() > 1;
+    for (std::size_t k = 0; k < figure_.scene().bodies.size(); ++k) {
+      const scene::Body& body = figure_.scene().bodies[k];
+      if (body.massless || body.frame) continue;
+      const scene::Place at{static_cast<int>(k), body.center};
+      const std::string index = several ? body.name : "";
+      for (const auto& [quantity, letter] : {std::pair{scene::Quantity::velocity, "\\mathbf{v}"},
+                                             std::pair{scene::Quantity::angular_velocity, "\\boldsymbol{\\omega}"}}) {
+        const ArrowSymbol symbol = SceneFigure::indexed_symbol(letter, index);
+        const Unit& unit = figure_.tex().unit(dimension_of(quantity));
+        motion_.arrows.push_back({quantity, body.name, at, symbol.tex, symbol.text, unit.text, unit.factor, {}});
+      }
+    }
+  }
+  void add_velocities(const solve::MechanismState& state) {
+    for (scene::MovingArrow& arrow : motion_.arrows) {
+      const int tree_body = figure_.tree_body(arrow.at.body);
+      const auto& motion = state.workspace().motion[static_cast<std::size_t>(tree_body + 1)];
+      const scene::Pose pose = figure_.pose_of(tree_body, state);
+      const Vector3<double> place = pose.R * arrow.at.at + pose.p;
+      arrow.vectors.push_back(arrow.quantity == scene::Quantity::angular_velocity
+                                  ? motion.w
+                                  : Vector3<double>(motion.v + cross(motion.w, place - motion.p)));
     }
   }
 
@@ -237,6 +268,9 @@ class SceneMotion {
         break;  // The motion does not come so far.
       }
     }
+    constexpr std::size_t most_changes = 12;
+    for (const Course::Change& change : course_.changes())
+      if (motion_.events.size() < most_changes) motion_.events.push_back({change.time, change.words});
     std::erase_if(motion_.events, [&](const scene::Event& event) { return event.time > until_; });
     std::ranges::sort(motion_.events, {}, &scene::Event::time);
   }

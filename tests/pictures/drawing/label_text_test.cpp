@@ -33,7 +33,15 @@ TEST(LabelText, reads_the_tex_of_worked_solutions) {
   EXPECT_EQ(told(tex_label("\\boldsymbol{\\omega}_{\\mathrm{disk}}")), "B:ω u_disk");
   EXPECT_EQ(told(tex_label("\\ddot{x}^2")), "i:x u^2 dots");
   EXPECT_EQ(told(tex_label("-F\\,\\Delta t")), "u:− i:F u:Δ i:t");
-  EXPECT_EQ(told(name_label("omega_0 max")), "i:omega u_0 u:  i:max");
+  EXPECT_EQ(told(name_label("omega_0 max")), "i:ω u_0 u:  i:max");
+  EXPECT_EQ(told(name_label("P12")), "i:P u_12");
+  EXPECT_EQ(told(name_label("phidot")), "i:φ dot");
+  EXPECT_EQ(told(name_label("thetaddot1'")), "i:θ u_1 u:′ dots");
+  EXPECT_EQ(told(name_label("robot, A")), "i:robot u:,  i:A");
+  EXPECT_EQ(told(name_label("m v_ball")), "i:m u:  i:v i_ball");
+  EXPECT_EQ(with_greek_letters("omega1"), "ω1");
+  EXPECT_EQ(with_greek_letters("times"), "times");
+  EXPECT_EQ(told(formula_label("-m*b*omega1^2*sin(2*beta)/12")), "u:− i:m i:b i:ω u_1 u^2 u:sin(2 i:β u:)/12");
   EXPECT_EQ(told(words_label("R = 5 N")), "u:R = 5 N");
 }
 

@@ -38,6 +38,9 @@ export function drawing(svg: string, title: string): Element {
   return document.importNode(parsed, true);
 }
 
+const figureTitle = (figure: Figure): string =>
+  figure.situation === "" ? figure.title : `${figure.title} (${figure.situation.replaceAll("_", " ")})`;
+
 export function figureNode(figure: Figure): HTMLElement {
-  return element("figure", {}, drawing(figure.svg, figure.title), element("figcaption", {}, figure.title));
+  return element("figure", {}, drawing(figure.svg, figure.title), element("figcaption", {}, figureTitle(figure)));
 }

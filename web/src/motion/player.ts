@@ -53,7 +53,7 @@ function arrowControls(scene: Scene, stage: Stage): Child {
     return element("label", {}, box, ` ${label}`);
   };
   const refresh = (): void => {
-    const arrows = scene.diagrams[stage.shown.diagram]?.arrows ?? [];
+    const arrows = [...(scene.diagrams[stage.shown.diagram]?.arrows ?? []), ...(scene.motion?.arrows ?? [])];
     toggles.replaceChildren(
       ...[...new Set(arrows.map((arrow) => arrow.quantity))].map((quantity) =>
         check(quantityWords(quantity), !stage.shown.quantities.has(quantity), (on) => {
@@ -68,7 +68,10 @@ function arrowControls(scene: Scene, stage: Stage): Child {
   const withArrows = scene.diagrams
     .map((diagram, i) => ({ diagram, i }))
     .filter(({ diagram }) => diagram.arrows.length > 0);
-  if (withArrows.length === 0) return element("div", { class: "controls" }, names);
+  if (withArrows.length === 0) {
+    refresh();
+    return element("div", { class: "controls" }, toggles, names);
+  }
   const select = element(
     "select",
     {},
@@ -271,7 +274,7 @@ function makeStage(scene: Scene, canvas: HTMLCanvasElement, layer: HTMLElement):
   }
 }
 
-export function motionSection(scene: Scene): HTMLElement {
+export function motionSection(scene: Scene, situation = ""): HTMLElement {
   const canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": describe(scene) });
   const layer = element("div", { class: "labels", "aria-hidden": "true" });
   const box = element("div", { class: "stage" }, canvas, layer);
@@ -310,5 +313,9 @@ export function motionSection(scene: Scene): HTMLElement {
           ...player.plots.map((plot) => plot.node),
         )
       : null;
-  return section(player ? "Motion" : "View in space", element("div", { class: plots ? "beside" : "" }, view, plots));
+  const heading = player ? "Motion" : "View in space";
+  return section(
+    situation === "" ? heading : `${heading}: ${situation}`,
+    element("div", { class: plots ? "beside" : "" }, view, plots),
+  );
 }

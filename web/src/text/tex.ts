@@ -42,6 +42,15 @@ export function escapedTex(text: string): string {
   return text.replace(/[\\~^{}$&#%_]/g, (letter) => escapes[letter] ?? `\\${letter}`);
 }
 
+// phidot is \dot{\phi}; what is no letter with a rate is a word.
+function letterTex(base: string): string {
+  if (greek.has(base)) return `\\${base}`;
+  if (base.length === 1) return escapedTex(base);
+  const [, stem = "", rate = ""] = /^(.+?)(d?dot)$/.exec(base) ?? [];
+  if (greek.has(stem) || /^[A-Za-z]$/.test(stem)) return `\\${rate}{${letterTex(stem)}}`;
+  return `\\mathit{${escapedTex(base)}}`;
+}
+
 // omega1 is \omega_{1}, Fdt is \mathit{Fdt}; what is no name is text.
 export function nameTex(whole: string): string {
   const primes = /'*$/.exec(whole)?.[0] ?? "";
@@ -51,7 +60,7 @@ export function nameTex(whole: string): string {
   const low = stem.indexOf("_");
   const base = low > 0 ? stem.slice(0, low) : stem;
   const index = (low > 0 ? stem.slice(low + 1) : "") + digits;
-  const letter = greek.has(base) ? `\\${base}` : base.length > 1 ? `\\mathit{${escapedTex(base)}}` : escapedTex(base);
+  const letter = letterTex(base);
   const wordIndex = /^[A-Za-z_0-9]{2,}$/.test(index) && /[A-Za-z]/.test(index);
   return (index ? `${letter}_{${wordIndex ? `\\mathrm{${escapedTex(index)}}` : escapedTex(index)}}` : letter) + primes;
 }

@@ -48,7 +48,12 @@ function head(radius: number, height: number, tip: number): BufferGeometry {
   return new ConeGeometry(radius, height, 16).rotateX(Math.PI / 2).translate(0, 0, tip - height / 2);
 }
 
-export function arrowNode(arrow: Arrow, length: number, size: number, paints: Paints): Group {
+export function arrowNode(
+  arrow: Pick<Arrow, "quantity" | "vector">,
+  length: number,
+  size: number,
+  paints: Paints,
+): Group {
   const group = new Group();
   const thickness = 0.006 * size;
   const cap = Math.min(0.05 * size, 0.5 * length);

@@ -21,6 +21,7 @@ export class Viewpoint {
     private readonly up: Vector3,
     private readonly canvas: HTMLElement,
     private readonly changed: () => void,
+    private readonly wanted: Vector3 | null = null, // from where it is looked at first
   ) {
     this.front = mainAxis(up, 1);
     this.front.addScaledVector(up, -this.front.dot(up)).normalize();
@@ -43,6 +44,10 @@ export class Viewpoint {
 
   // The usual view of figures: the axis that comes after the upward one points to the left and toward the reader.
   asDrawn(): void {
+    if (this.wanted) {
+      this.along(this.wanted);
+      return;
+    }
     this.turn = 0.6;
     this.height = 0.42;
     this.update();

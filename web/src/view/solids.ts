@@ -71,7 +71,7 @@ function edgeLines(shape: Shape): BufferGeometry {
 const vector = (v: Vector): Vector3 => new Vector3(...v);
 
 function shapeNodes(shape: Shape, body: Body, number: number, size: number, paints: Paints): (Mesh | LineSegments)[] {
-  const look = shape.hole || body.massless ? "faint" : shape.added ? "added" : "matter";
+  const look = shape.hole || shape.stand_in || body.massless ? "faint" : shape.added ? "added" : "matter";
   if (shape.extent === "point") {
     return shape.vertices.map((at) => new Mesh(ball(vector(at), 0.02 * size), paints.solid(number, look)));
   }
@@ -105,7 +105,7 @@ export function bodyNode(body: Body, number: number, size: number, paints: Paint
   group.name = body.name;
   if (body.frame) group.add(...triad(size, paints));
   // Of a body whose shape is not stated, its mass center is all that is known.
-  if (body.shapes.every((shape) => shape.kind === "arm") && body.mass > 0) {
+  if (body.shapes.every((shape) => shape.kind === "arm" || shape.stand_in) && body.mass > 0) {
     group.add(new Mesh(ball(vector(body.center), 0.02 * size), paints.solid(number, "matter")));
   }
   for (const shape of body.shapes) {

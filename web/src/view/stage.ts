@@ -25,6 +25,7 @@ import { arrowLengths, arrowNode, tipOf } from "./arrows";
 import { mainAxis, Viewpoint } from "./camera";
 import { type Label, Labels } from "./labels";
 import { linkNode, stretch } from "./links";
+import { MovingArrows } from "./moving_arrows";
 import { Paints } from "./paints";
 import { matrixOf, Track } from "./poses";
 import { bodyNode } from "./solids";
@@ -45,6 +46,7 @@ export class Stage {
   private readonly bodies: Group[];
   private readonly links: Mesh[];
   private readonly arrows = new Group();
+  private readonly moving: MovingArrows;
   private readonly labels: Labels;
   private readonly track: Track | null;
   private readonly size: number;
@@ -64,10 +66,16 @@ export class Stage {
     this.bodies = scene.bodies.map((body, i) => bodyNode(body, i, this.size, this.paints));
     this.links = scene.links.map((link) => linkNode(link, this.size, this.paints));
     const up = new Vector3(...scene.up);
-    this.viewpoint = new Viewpoint(up, canvas, () => {
-      this.ask();
-    });
-    this.space.add(new AmbientLight("#ffffff", 2.0), ...this.bodies, ...this.links, this.arrows);
+    this.viewpoint = new Viewpoint(
+      up,
+      canvas,
+      () => {
+        this.ask();
+      },
+      scene.viewer ? new Vector3(...scene.viewer).normalize() : null,
+    );
+    this.moving = new MovingArrows(scene, this.size, this.paints, this.shown.quantities);
+    this.space.add(new AmbientLight("#ffffff", 2.0), ...this.bodies, ...this.links, this.arrows, this.moving.group);
     const sun = new DirectionalLight("#ffffff", 1.6);
     // The light stands to the left above the reader, wherever he looks from.
     this.viewpoint.camera.add(sun);
@@ -219,6 +227,7 @@ export class Stage {
     else this.shown.quantities.add(quantity);
     for (const node of this.arrows.children)
       node.visible = !this.shown.quantities.has(node.userData.quantity as string);
+    this.moving.setTime(this.time, (place) => this.whereIs(place));
     this.ask();
   }
 
@@ -252,7 +261,7 @@ export class Stage {
         place: () => this.whereIs(one.from).add(this.whereIs(one.to)).multiplyScalar(0.5),
         shown: () => names() && this.time === null,
       }));
-    this.labels.set([...this.arrowLabels, ...points, ...axes, ...dimensions]);
+    this.labels.set([...this.arrowLabels, ...this.moving.labels, ...points, ...axes, ...dimensions]);
     if (!this.axesDrawn) this.drawAxes();
   }
 
@@ -281,6 +290,7 @@ export class Stage {
   setTime(time: number | null): void {
     this.setPoses(time);
     this.arrows.visible = time === null;
+    this.moving.setTime(time, (place) => this.whereIs(place));
     this.ask();
   }
 
@@ -319,6 +329,11 @@ export class Stage {
     this.renderer.render(this.space, this.viewpoint.camera);
     this.labels.arrange(this.viewpoint.camera, width, height);
     this.scriptTime = performance.now() - begin;
+  }
+
+  // What the arrows of the motion show, for tests.
+  movingArrows(): { name: string; quantity: string; visible: boolean; direction: number[]; length: number }[] {
+    return this.moving.told();
   }
 
   // Where the bodies stand in the picture, for tests: position and turn (x y z w) of each.

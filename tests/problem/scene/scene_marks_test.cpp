@@ -1,0 +1,231 @@
+// What a figure marks: angles that data name, points that matter, solids that stand for bodies, views, events.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include "poinsot/engine/mass/mesh.h"
+#include "poinsot/problem.h"
+#include "poinsot/scene.h"
+
+namespace poinsot {
+namespace scene_marks_test {
+
+using Vector = Vector3<double>;
+
+Document illustrated(const std::string& text) { return Problem::from_text(text, "marks.yaml").illustrate(); }
+const scene::Scene& scene_of(const Document& document) { return *document.solutions.at(0).scene; }
+
+Vector on_ground(const scene::Scene& scene, const scene::Place& place) {
+  if (place.body == scene::ground) return place.at;
+  const scene::Pose& pose = scene.bodies.at(static_cast<std::size_t>(place.body)).pose;
+  return pose.R * place.at + pose.p;
+}
+
+double drawn_angle(const scene::Scene& scene, const scene::Dimension& dimension) {
+  const Vector corner = on_ground(scene, dimension.corner);
+  const Vector a = on_ground(scene, dimension.from) - corner, b = on_ground(scene, dimension.to) - corner;
+  return std::atan2(norm(Vector(cross(a, b))), dot(a, b));
+}
+
+const scene::Dimension* angle_named(const scene::Scene& scene, const std::string& name) {
+  for (const scene::Dimension& dimension : scene.dimensions)
+    if (dimension.angle && dimension.name == name) return &dimension;
+  return nullptr;
+}
+
+std::string degrees(double value) { return std::to_string(value) + " deg"; }
+
+TEST(SceneMarks, angles_are_drawn_as_large_as_they_are_wherever_data_make_them) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> draw(5, 85);
+  for (int round = 0; round < 8; ++round) {
+    const double b = draw(random);
+    const std::string askew =
+        "title: t\ngiven: {b: " + degrees(b) +
+        ", n: 3 rad/s}\npoints: {G: [0, 0, 0]}\ndirections: {across: [cos(b), sin(b), 0]}\n"
+        "bodies: {d: {disk: {center: G, normal: across, radius: 1 m}, mass: 1 kg}}\n"
+        "joints: {s: {revolute: x, at: G, to: d, rate: n, accel: 0}}\nask: {T: kinetic_energy(d)}\n";
+    const std::string rod = "title: t\ngiven: {b: " + degrees(b) +
+                            "}\npoints: {O: [0, 0, 0], A: [sin(b)*1 m, -cos(b)*1 m, 0]}\n"
+                            "bodies: {r: {rod: [O, A], mass: 1 kg}}\njoints: {p: {revolute: z, at: O, to: r, rate: 1 "
+                            "rad/s}}\nask: {T: kinetic_energy(r)}\n";
+    const std::string turned =
+        "title: t\ngiven: {b: " + degrees(b) +
+        "}\npoints: {O: [0, 0, 0], A: [1 m, 0, 0]}\n"
+        "bodies: {r: {rod: [O, A], mass: 1 kg}}\njoints: {p: {revolute: z, at: O, to: r, angle: b, "
+        "rate: 1 rad/s}}\nask: {T: kinetic_energy(r)}\n";
+    const std::string pushed = "title: t\ngiven: {b: " + degrees(b) +
+                               ", P: 5 N}\npoints: {O: [0, 0, 0], A: [1 m, 0, 0]}\n"
+                               "bodies: {r: {rod: [O, A], mass: 1 kg}}\nloads: {P: {body: r, at: A, force: [P*cos(b), "
+                               "P*sin(b), 0]}}\ninstants: {now: rest}\nask: {a: acceleration(r)}\ngravity: none\n";
+    for (const std::string& text : {askew, rod, turned, pushed}) {
+      const Document document = illustrated(text);
+      const scene::Dimension* angle = angle_named(scene_of(document), "b");
+      ASSERT_NE(angle, nullptr) << text;
+      // The text has six decimals of the degrees.
+      EXPECT_NEAR(drawn_angle(scene_of(document), *angle), b * std::numbers::pi / 180, 1e-8) << text;
+    }
+  }
+}
+
+TEST(SceneMarks, an_angle_that_is_equal_by_chance_is_not_marked) {
+  const Document document = illustrated(
+      "title: t\ngiven: {b: 30 deg, c: 30 deg}\npoints: {O: [0, 0, 0], A: [sin(b)*1 m, -cos(b)*1 m, 0]}\n"
+      "bodies: {r: {rod: [O, A], mass: 1 kg}}\njoints: {p: {revolute: z, at: O, to: r, rate: 1 rad/s}}\n"
+      "ask: {T: kinetic_energy(r)*sin(c)}\n");
+  EXPECT_NE(angle_named(scene_of(document), "b"), nullptr);
+  EXPECT_EQ(angle_named(scene_of(document), "c"), nullptr);
+}
+
+TEST(SceneMarks, points_that_help_to_say_where_others_are_ride_with_their_body_and_idle_ones_are_left_out) {
+  const Document document = illustrated(
+      "title: t\ngiven: {b: 40 deg}\npoints: {O: [0, 0, 0], A: [1 m, 0, 0], Q: A + 1 m * z, Far: [9 m, 9 m, 9 m], "
+      "Asked: "
+      "[2 m, 0, 0]}\nbodies: {r: {wire: [O, Q], mass: 1 kg}}\njoints: {p: {revolute: y, at: O, to: r, angle: b, rate: "
+      "1 rad/s}}\nask: {H: angular_momentum(r about Asked)}\n");
+  const scene::Scene& scene = scene_of(document);
+  std::set<std::string> names;
+  for (const scene::Point& point : scene.points) {
+    names.insert(point.name);
+    if (point.name == "A") {
+      EXPECT_EQ(point.place.body, 0);
+      EXPECT_NEAR(norm(Vector(on_ground(scene, point.place) - Vector{std::cos(40 * std::numbers::pi / 180), 0,
+                                                                     -std::sin(40 * std::numbers::pi / 180)})),
+                  0, 1e-12);
+    }
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"O", "A", "Q", "Asked"}));
+}
+
+// The moments of a uniform solid inside a closed surface, by tetrahedra from the origin.
+Vector moments_of_solid(const scene::Shape& shape, const Vector& center, double mass) {
+  double volume = 0;
+  Vector squares{};
+  for (const auto& t : shape.triangles) {
+    const Vector a = shape.vertices[t[0]] - center, b = shape.vertices[t[1]] - center,
+                 c = shape.vertices[t[2]] - center;
+    const double v = dot(a, cross(b, c)) / 6;
+    volume += v;
+    const Vector sum = a + b + c;
+    for (std::size_t k = 0; k < 3; ++k)
+      squares[k] += v / 20 * (a[k] * a[k] + b[k] * b[k] + c[k] * c[k] + sum[k] * sum[k]);
+  }
+  squares = squares * (mass / volume);
+  return {squares.y + squares.z, squares.z + squares.x, squares.x + squares.y};
+}
+
+TEST(SceneMarks, solids_stand_for_bodies_whose_inertia_is_known) {
+  const Document document = illustrated(
+      "title: t\npoints: {O: [0, 0, 0]}\nbodies: {r: {mass: 2 kg, center: O, inertia: {axis: z, axial: 0.5 kg*m^2, "
+      "transverse: 0.5 kg*m^2}}}\njoints: {p: {ball: O, to: r}}\ninstants: {now: rest}\ngravity: none\n"
+      "ask: {T: kinetic_energy(r)}\n");
+  const scene::Body& body = scene_of(document).bodies.at(0);
+  ASSERT_EQ(body.shapes.size(), 1U);
+  EXPECT_TRUE(body.shapes[0].stand_in);
+  const Vector moments = moments_of_solid(body.shapes[0], body.center, body.mass);
+  // A round surface of flat facets lies inside the true one.
+  EXPECT_NEAR(moments.z, 0.5, 0.01 * 0.5);
+  EXPECT_NEAR(moments.x, 0.5, 0.01 * 0.5);
+  EXPECT_NEAR(moments.y, 0.5, 0.01 * 0.5);
+}
+
+TEST(SceneMarks, nothing_stands_for_a_body_of_three_different_moments_or_of_known_shape) {
+  const Document document = illustrated(
+      "title: t\npoints: {O: [0, 0, 0]}\nbodies: {r: {mass: 2 kg, center: O, inertia: {x: 3 kg*m^2, y: 4 kg*m^2, z: 5 "
+      "kg*m^2, xy: 0, yz: 0, zx: 0}}, s: {sphere: {center: [3 m, 0, 0], radius: 1 m}, mass: 1 kg}}\n"
+      "gravity: none\ninstants: {now: rest}\nask: {T: kinetic_energy(r)}\n");
+  EXPECT_TRUE(scene_of(document).bodies.at(0).shapes.empty());
+  EXPECT_FALSE(scene_of(document).bodies.at(1).shapes.at(0).stand_in);
+}
+
+const char* hung =
+    "title: t\npoints: {O: [0, 0, 0], A: [1 m, 0, 0]}\nbodies: {r: {rod: [O, A], mass: 1 kg}}\n"
+    "joints: {p: {revolute: y, at: O, to: r}}\ngravity: -z\ninstants: {start: rest}\n"
+    "ask: {w: angular_velocity(r) @ 0.5 s}\n";
+
+TEST(SceneMarks, the_view_of_the_file_is_the_direction_to_the_viewer) {
+  EXPECT_FALSE(scene_of(illustrated(hung)).viewer);
+  const auto viewer = [](const std::string& words) {
+    const Document document = illustrated("view: " + words + "\n" + hung);
+    return scene_of(document).viewer.value();
+  };
+  EXPECT_NEAR(norm(Vector(viewer("top") - Vector{0, 0, 1})), 0, 1e-12);
+  EXPECT_NEAR(norm(Vector(viewer("front") - Vector{0, -1, 0})), 0, 1e-12);
+  EXPECT_NEAR(norm(Vector(viewer("90,0") - Vector{1, 0, 0})), 0, 1e-12);
+  EXPECT_NEAR(norm(Vector(viewer("0,2,0") - Vector{0, 1, 0})), 0, 1e-12);
+  try {
+    illustrated(std::string("view: fromt\n") + hung);
+    FAIL();
+  } catch (const StatementError& error) {
+    EXPECT_EQ(error.diagnostics().at(0).line, 1);
+    EXPECT_NE(std::string(error.what()).find("there is no view 'fromt'"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("AZIMUTH"), std::string::npos);
+  }
+}
+
+TEST(SceneMarks, arrows_of_a_motion_are_the_rates_of_its_poses) {
+  const Document document = illustrated(hung);
+  const scene::Motion& motion = scene_of(document).motion.value();
+  ASSERT_EQ(motion.arrows.size(), 2U);
+  std::size_t compared = 0;
+  for (const scene::MovingArrow& arrow : motion.arrows) {
+    ASSERT_EQ(arrow.vectors.size(), motion.times.size());
+    for (std::size_t k = 1; k + 1 < motion.times.size(); ++k) {
+      const double step = motion.times[k + 1] - motion.times[k - 1];
+      const auto place = [&](std::size_t i) {
+        const scene::Pose& pose = motion.poses[i][0];
+        return Vector(pose.R * arrow.at.at + pose.p);
+      };
+      Vector rate = (place(k + 1) - place(k - 1)) / step;
+      if (arrow.quantity == scene::Quantity::angular_velocity) {
+        // The axial vector of dR/dt R^T.
+        const Matrix3<double> d = motion.poses[k + 1][0].R * transpose(motion.poses[k][0].R) -
+                                  motion.poses[k - 1][0].R * transpose(motion.poses[k][0].R);
+        rate = Vector{d(2, 1) - d(1, 2), d(0, 2) - d(2, 0), d(1, 0) - d(0, 1)} / (2 * step);
+      }
+      EXPECT_NEAR(norm(Vector(rate - arrow.vectors[k])), 0, 2e-3 * (1 + norm(rate))) << motion.times[k];
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 100U);
+}
+
+TEST(SceneMarks, cords_that_go_slack_are_events_of_the_motion) {
+  const Document document = illustrated(
+      "title: t\npoints: {O: [0, 0, 0], A: [1 m, 0, 0]}\nbodies: {b: {particle: A, mass: 1 kg}}\n"
+      "cords: {c: {from: ground, at: O, to: b, end: A}}\ngravity: -z\n"
+      "instants: {start: {velocity(b): [0, 0, 3.5 m/s]}}\nask: {v: velocity(b) @ 0.9 s}\n");
+  const scene::Motion& motion = scene_of(document).motion.value();
+  const auto slack = std::find_if(motion.events.begin(), motion.events.end(),
+                                  [](const scene::Event& event) { return event.words == "the cord 'c' goes slack"; });
+  ASSERT_NE(slack, motion.events.end());
+  // v^2 = v0^2 - 2 g z, and the cord pulls no more where v^2 = g z: z = v0^2 / (3 g).
+  const double z = 3.5 * 3.5 / (3 * 9.80665);
+  double nearest = 1e9, height = 0;
+  for (std::size_t k = 0; k < motion.times.size(); ++k)
+    if (std::abs(motion.times[k] - slack->time) < nearest) {
+      nearest = std::abs(motion.times[k] - slack->time);
+      height = (motion.poses[k][0].R * scene_of(document).bodies[0].center + motion.poses[k][0].p).z;
+    }
+  EXPECT_NEAR(height, z, 0.02);
+}
+
+TEST(SceneMarks, each_situation_has_a_scene) {
+  const Document document = illustrated(
+      "title: t\npoints: {O: [0, 0, 0], A: [1 m, 0, 0], B: [0, 1 m, 0]}\ngravity: none\nsituations:\n"
+      "  long: {bodies: {r: {rod: [O, A], mass: 1 kg}}, joints: {p: {revolute: z, at: O, to: r, rate: 1 rad/s}}}\n"
+      "  upright: {bodies: {r: {rod: [O, B], mass: 1 kg}}, joints: {p: {revolute: z, at: O, to: r, rate: 2 rad/s}}}\n"
+      "ask: {T: kinetic_energy(r) @ upright, U: kinetic_energy(r) @ long}\n");
+  const Solution& solution = document.solutions.at(0);
+  EXPECT_EQ(solution.scene->situation, "upright");
+  ASSERT_EQ(solution.other_scenes.size(), 1U);
+  EXPECT_EQ(solution.other_scenes[0]->situation, "long");
+  EXPECT_NEAR(solution.other_scenes[0]->bodies.at(0).center.x, 0.5, 1e-12);
+}
+
+}  // namespace scene_marks_test
+}  // namespace poinsot
