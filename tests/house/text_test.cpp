@@ -69,7 +69,8 @@ std::set<std::string> files_with(const Test& test, const fs::path& folder, const
 }
 
 // The rooms that read a file.
-const std::set<std::string> readers{"src/problem/language", "src/problem/keys", "src/problem/entries"};
+const std::set<std::string> readers{"src/problem/habits", "src/problem/language", "src/problem/keys",
+                                    "src/problem/entries"};
 
 TEST(Text, expressions_are_parsed_where_a_file_is_read) {
   // A value from outside the file is read when it is set, and what is asked of a motion when it is asked.

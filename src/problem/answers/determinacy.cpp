@@ -53,7 +53,7 @@ class Variation {
     std::size_t turnings = 0;
     for (const auto& [situation, motion] : found_.sample.motions()) {
       turnings = std::max(turnings, motion->open_turnings().size());
-      forces = std::max({forces, motion->open_impulses(), motion->open_forces()});
+      forces = std::max({forces, motion->open_impulses(), motion->open_forces().size()});
     }
     vary_velocities(std::min(velocities, most_directions));
     // In a motion all open directions at its start are varied together, since each variation follows the motion anew.
@@ -70,8 +70,7 @@ class Variation {
     std::vector<bool> until_now;
     std::ranges::transform(result_.asks, std::back_inserter(until_now), is_found);
     for (std::size_t d = 0; d < std::min(forces, most_directions); ++d)
-      vary({.seed = 14, .forces = true, .direction = d},
-           [&](const Ask& ask) { return open_force(found_.sample.instant_of(ask), d); });
+      vary({.seed = 14, .forces = true, .direction = d}, [&](const Ask& ask) { return open_force_of(ask, d); });
     for (std::size_t i = 0; i < until_now.size(); ++i)
       if (until_now[i] && !is_found(result_.asks[i]))
         if (const std::string range = range_in_words(found_.statement.asks[i], result_.asks[i], found_.sample);
@@ -189,6 +188,15 @@ class Variation {
       }
     }
     return values;
+  }
+
+  // What is open of forces where the ask asks for them: at its instant, or along the motion.
+  std::string open_force_of(const Ask& ask, std::size_t direction) {
+    const SolvedInstant& instant = found_.sample.instant_of(ask);
+    if (!instant.forces_solved())
+      for (const auto& [situation, motion] : found_.sample.motions())
+        if (direction < motion->open_forces().size()) return motion->open_forces()[direction];
+    return open_force(instant, direction);
   }
 
   bool rests_on_forces(const Ask& ask) const {

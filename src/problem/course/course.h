@@ -111,8 +111,9 @@ class Course : public FollowedMotion {
   // the names of its coordinates. Then the number of directions that the impulses of a blow leave open.
   const std::vector<std::vector<std::string>>& open_turnings() const { return open_turnings_; }
   std::size_t open_impulses() const { return open_impulses_; }
-  // The largest number of directions in which forces were open at an instant that was asked for along the motion.
-  std::size_t open_forces() const { return open_forces_; }
+  // What is open of forces at the instants that were asked for along the motion: a sentence for each direction, as many
+  // as were open at once.
+  const std::vector<std::string>& open_forces() const { return open_forces_; }
 
   // The steps of the integration up to a time; within each the motion is smooth. For a closed form they are intervals
   // in which the motion changes noticeably. After most_nodes of them only the last one is added.
@@ -214,7 +215,8 @@ class Course : public FollowedMotion {
   std::unique_ptr<SolvedInstant> start_, probe_;
   std::vector<StageRun> stages_;
   std::vector<std::vector<std::string>> open_turnings_;
-  std::size_t open_impulses_ = 0, open_forces_ = 0;
+  std::size_t open_impulses_ = 0;
+  std::vector<std::string> open_forces_;
   State<double> state_;  // the last one computed
   double pace_time_ = 1;
   Work most_work_ = 60'000'000'000;

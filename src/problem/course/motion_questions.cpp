@@ -8,6 +8,7 @@
 #include "problem/course/course.h"
 #include "problem/course/motion_features.h"
 #include "problem/course/work_counted.h"
+#include "problem/instant/open_words.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/quantities/state_scope.h"
@@ -28,7 +29,9 @@ Value<double> Course::value(double time, const Expression& expression, const std
 }
 
 void Course::note_open_forces() {
-  if (probe_->forces_solved()) open_forces_ = std::max(open_forces_, probe_->motion().open.size());
+  if (!probe_->forces_solved()) return;
+  for (std::size_t d = open_forces_.size(); d < probe_->motion().open.size(); ++d)
+    open_forces_.push_back(open_force(*probe_, d));
 }
 
 NumberInTime Course::number(const Expression& expression, const std::optional<Expression>& axes) {

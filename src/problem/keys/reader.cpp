@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "problem/habits/customary_words.h"
 #include "problem/keys/keys.h"
-#include "problem/language/customary_words.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "problem/language/customary_words.h"
+#include "problem/habits/customary_words.h"
 #include "problem/language/evaluate_templates.h"
 
 namespace poinsot::problem {

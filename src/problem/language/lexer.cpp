@@ -7,14 +7,13 @@
 #include <cmath>
 #include <utility>
 
+#include "problem/habits/foreign_signs.h"
 #include "problem/language/expression.h"
-#include "problem/language/foreign_signs.h"
 #include "problem/language/utf8.h"
 
 namespace poinsot::problem {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 

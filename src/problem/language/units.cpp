@@ -17,8 +17,6 @@ namespace {
 constexpr std::size_t longest_unit = 100;
 constexpr int largest_exponent = 100;  // the same as for dimensions, so that the program can read what it writes
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 // Whether a character can begin the name of a unit: a letter, % or the underscore.
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '%' || c == '_'; }
 

@@ -20,6 +20,9 @@ std::optional<Character> character_at(std::string_view text, std::size_t offset)
 // return.
 std::optional<std::size_t> first_binary_byte(std::string_view text);
 
+// Of the digits of numbers, in any locale.
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 // The number of characters in a valid text.
 int character_count(std::string_view text);
 

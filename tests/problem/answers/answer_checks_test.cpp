@@ -75,7 +75,7 @@ frames: {airplane: {origin: O, turns: y, rate: -0.3 rad/s}}
 bodies: {yoke: massless, disk: {disk: {center: O, normal: z, radius: r}, mass: m}}
 joints:
   pivot: {revolute: x, at: O, from: airplane, to: yoke, angle: tilt}
-  axle: {revolute: z, from: yoke, to: disk, rate: 10000 rpm, accel: 0}
+  axle: {revolute: z, at: O, from: yoke, to: disk, rate: 10000 rpm, accel: 0}
 springs:
   AC: {from: airplane, at: C, to: yoke, end: A, stiffness: k, tension: 5 N}
   BD: {from: airplane, at: D, to: yoke, end: B, stiffness: k, tension: 5 N}

@@ -21,7 +21,7 @@ TEST(AsksAlone, FrequenciesWhereNothingIsSteady) {
 
 // Two hinges on one line share the force along it: nothing says how, also where only a table along the motion asks.
 TEST(AsksAlone, SharedForcesInATable) {
-  for (const char* of : {"reaction(A).z", "reaction(B).z + 0*theta"}) {
+  for (const char* of : {"reaction(A).z", "reaction(B).z + 0 * 1 N * theta"}) {
     const SolvedText solved(
         "title: t\npoints: {A: [0, 0, 0], P: [1 m, 0, 0], B: [0, 0, 1 m]}\nbodies: {bar: {rod: [A, P], mass: 2 kg}}\n"
         "joints: {pin: {revolute: A->B, at: A, to: bar, angle: theta, supports: {A: [x, y, z], B: [x, y, z]}}}\n"

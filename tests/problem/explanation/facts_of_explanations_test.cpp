@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -169,7 +170,8 @@ ask: {top: max(theta)}
   EXPECT_TRUE(says(text, "Where $\\theta$ is largest its rate vanishes")) << text;
   const double kept = 2 * 1.5 * 1.5 * 9 / 6.0 - 2 * 9.80665 * 0.75;
   EXPECT_TRUE(says(text, fmt::format("\\cos \\theta}}{{2}} = {:.5f}\\ \\mathrm{{J}}", kept))) << text;
-  EXPECT_TRUE(says(text, fmt::format("$\\theta = {:.6f}\\ \\mathrm{{rad}}$", std::acos(-kept / (2 * 9.80665 * 0.75)))))
+  EXPECT_TRUE(says(text, fmt::format("$\\theta = {:.4f}^{{\\circ}}$",
+                                     std::acos(-kept / (2 * 9.80665 * 0.75)) * 180 / std::numbers::pi)))
       << text;
 
   const std::string two = explained(R"(given: {L: 1.5 m}

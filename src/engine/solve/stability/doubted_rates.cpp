@@ -158,10 +158,16 @@ Rates connected_rates(const Doubted& A) {
   if (n == 0) return rates;
   const Work cube = static_cast<Work>(n) * static_cast<Work>(n) * static_cast<Work>(n);
   count_work(40 * cube);
-  Eigen::EigenSolver<Matrix> solver(even);
-  rates.value = solver.eigenvalues();
+  const std::optional<Spectrum> spectrum = spectrum_of(even, true);
+  if (!spectrum) {
+    rates.value = ComplexVector::Zero(n);
+    rates.doubt = Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity());
+    rates.motion = ComplexMatrix::Identity(n, n);
+    return rates;
+  }
+  rates.value = spectrum->value;
   count_work(20 * cube);
-  const ComplexMatrix right = solver.eigenvectors(), left = inverse(right);
+  const ComplexMatrix &right = spectrum->motion, left = inverse(right);
   check_budget();
   const Matrix doubt = scale.cwiseInverse().asDiagonal() * A.doubt * scale.asDiagonal();
   const Real solving = 8 * static_cast<Real>(n) * std::numeric_limits<Real>::epsilon() * even.norm();
@@ -215,6 +221,28 @@ Matrix between(const Matrix& left, const Matrix& A, const Matrix& right) {
 
 ComplexMatrix inverse(const ComplexMatrix& A) {
   return Eigen::PartialPivLU<ComplexMatrix>(A).solve(ComplexMatrix::Identity(A.rows(), A.rows()).eval());
+}
+
+std::optional<Spectrum> spectrum_of(const Matrix& A, bool with_motions) {
+  // The steps of the QR algorithm may go round in a circle where rates are equal and opposite. In another basis, here
+  // after one more reflection, they do not.
+  constexpr int bases = 5;
+  const Index n = A.rows();
+  Matrix turned = A, basis = Matrix::Identity(n, n);
+  for (int tried = 1; tried <= bases; ++tried) {
+    const Eigen::EigenSolver<Matrix> solver(turned, with_motions);
+    if (solver.info() == Eigen::Success) {
+      Spectrum found{solver.eigenvalues(), {}};
+      if (with_motions)
+        found.motion = tried == 1 ? solver.eigenvectors() : basis.cast<std::complex<Real>>() * solver.eigenvectors();
+      return found;
+    }
+    const Vector v = Vector::NullaryExpr(n, [&](Index i) { return std::sin(Real(tried + i * i)); }).normalized();
+    const Matrix reflection = Matrix::Identity(n, n) - 2 * v * v.transpose();
+    turned = reflection * turned * reflection;
+    basis = basis * reflection;
+  }
+  return std::nullopt;
 }
 
 // Part by part: that takes less than all at once, and rates of one part are not in doubt for those of another that are

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <complex>
 #include <concepts>
+#include <optional>
 
 namespace poinsot::solve {
 
@@ -43,8 +44,17 @@ struct Doubted {
   Matrix value, doubt;
 };
 
+using ComplexVector = Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, 1>;
+
+// Eigenvalues, and if they are wanted eigenvectors, one a column. Nothing if they cannot be computed.
+struct Spectrum {
+  ComplexVector value;
+  ComplexMatrix motion;
+};
+std::optional<Spectrum> spectrum_of(const Matrix& A, bool with_motions);
+
 struct Rates {
-  Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, 1> value;
+  ComplexVector value;
   Eigen::VectorXd doubt;  // a bound for the error of each, by perturbation of first order
   ComplexMatrix motion;   // eigenvectors, a column for each value
 };

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/solve/stability/doubted_rates.h"
 #include "engine/solve/stability/redundant_bodies.h"
 #include "engine/solve/stability/same_motion.h"
 
@@ -263,7 +264,9 @@ std::optional<double> spectrum_misfit(const SteadyMotion& motion, const Linearis
     if (mode.frequency != 0) told.push_back(std::conj(rate));
     misfit = std::max(misfit, distance(*A, rate));
   }
-  const Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, 1> own = Eigen::EigenSolver<Matrix>(*A, false).eigenvalues();
+  const std::optional<Spectrum> spectrum = spectrum_of(*A, false);
+  if (!spectrum) return 1;
+  const ComplexVector& own = spectrum->value;
   for (Index m = 0; m < own.size(); ++m) {
     const auto nearest =
         std::ranges::min_element(told, {}, [&](const std::complex<Real>& rate) { return std::abs(rate - own[m]); });

@@ -12,8 +12,6 @@
 namespace poinsot::solve {
 namespace doubted_rates_test {
 
-using ComplexVector = Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, 1>;
-
 // A slow oscillation beside a fast one keeps the accuracy of its own entries.
 TEST(DoubtedRates, ASlowRateBesideAFastOne) {
   for (const Real slow : {1e-3L, 1e-6L, 1e-9L}) {
@@ -49,6 +47,26 @@ TEST(DoubtedRates, DisturbancesMoveThemByNoMore) {
       EXPECT_LE(static_cast<double>(nearest), rates.doubt[m] * (1 + 1e-3)) << trial;
     }
   }
+}
+
+// Two upright pendulums that know nothing of each other but for rounding: the steps of the QR algorithm go round in a
+// circle.
+TEST(DoubtedRates, EqualAndOppositeRates) {
+  const Real rounding = std::ldexp(Real(1), -58);
+  Matrix A = Matrix::Zero(4, 4);
+  A << 0, 0, 1, rounding, 0, 0, -rounding, 1, 1, rounding, 0, 0, -rounding, 1, 0, 0;
+  EXPECT_NE(Eigen::EigenSolver<Matrix>(A).info(), Eigen::Success);
+  const std::optional<Spectrum> spectrum = spectrum_of(A, true);
+  ASSERT_TRUE(spectrum);
+  Real sum = 0;
+  for (Eigen::Index m = 0; m < 4; ++m) {
+    const std::complex<Real> rate = spectrum->value[m];
+    EXPECT_LT(std::abs(std::abs(rate.real()) - 1) + std::abs(rate.imag()), 1e-15L);
+    sum += rate.real();
+    const ComplexMatrix motion = spectrum->motion.col(m), led = A.cast<std::complex<Real>>() * motion;
+    EXPECT_LT((led - rate * motion).norm(), 1e-15L * motion.norm());
+  }
+  EXPECT_LT(std::abs(sum), 1e-15L);
 }
 
 // Two that meet can be told only to the root of the entries' doubts.

@@ -1,4 +1,4 @@
-#include "problem/language/customary_words.h"
+#include "problem/habits/customary_words.h"
 
 #include <algorithm>
 #include <array>
