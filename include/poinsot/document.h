@@ -59,6 +59,12 @@ struct ClaimOutcome {
   std::vector<std::string> assumptions;
 };
 
+// One of several formulas of an answer, and the inequalities between formulas under which it is this one.
+struct FormulaWhere {
+  Datum formula;
+  std::vector<std::string> where;  // "L - 2*a > 0", in SI units; all of them hold
+};
+
 struct Answer {
   std::string name;   // the key under `ask:` or `claim:`
   std::string ask;    // the ask as written
@@ -74,6 +80,7 @@ struct Answer {
   // If letters have no value: the answer in SI units as text (for vectors a list), or why it has none.
   Datum formula{};
   std::string no_formula{};
+  std::vector<FormulaWhere> formulas{};  // where it has another one at other letters: all of them, `formula` first
   std::optional<ClaimOutcome> claim{};
 };
 

@@ -136,6 +136,10 @@ std::string datum_text(const Datum& datum, const std::string& unit, int digits) 
 
 std::vector<std::string> assumptions_in_words(const Solution& solution) {
   std::vector<std::string> words = solution.assumptions;
+  // What stands beside one of several formulas is not said again.
+  for (const Answer& answer : solution.answers)
+    for (const FormulaWhere& formula : answer.formulas)
+      for (const std::string& where : formula.where) std::erase(words, where + " for '" + answer.name + "'");
   for (std::string& one : words)
     for (const Condition& condition : solution.conditions)
       if (condition.words == one) {

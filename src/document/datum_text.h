@@ -17,7 +17,8 @@ std::string datum_text(const Datum& datum, const std::string& unit, int digits);
 // Whether that text is a list in brackets, as the rows of a matrix are. vector: whether three numbers are a vector.
 bool has_brackets(const Datum& datum, bool vector = true);
 
-// The assumptions of a solution. Those that have a condition are followed by its formula: "the cord 'c' stays taut: F
+// The assumptions of a solution, without those of a single one of several formulas of an answer. Those that have a
+// condition are followed by its formula: "the cord 'c' stays taut: F
 // - g*m > 0".
 std::vector<std::string> assumptions_in_words(const Solution& solution);
 

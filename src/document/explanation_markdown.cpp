@@ -88,16 +88,23 @@ std::string pictures_of(const std::string& heading, std::vector<MarkdownPicture>
   return text;
 }
 
+std::string formula_code(const Answer& answer, const Datum& formula) {
+  const std::string text = datum_text(formula, "", significant_digits);
+  return answer.component_names.empty() || has_brackets(formula) ? "`" + text + "`" : "`(" + text + ")`";
+}
+
 std::string answer_value(const Answer& answer) {
   switch (answer.state) {
     case AnswerState::found:
       break;
     case AnswerState::needs_letters:
-      if (!answer.formula.empty()) {
-        const std::string formula = datum_text(answer.formula, "", significant_digits);
-        return answer.component_names.empty() || has_brackets(answer.formula) ? "`" + formula + "`"
-                                                                              : "`(" + formula + ")`";
+      if (!answer.formulas.empty()) {
+        std::vector<std::string> all;
+        for (const FormulaWhere& one : answer.formulas)
+          all.push_back(formula_code(answer, one.formula) + fmt::format(" where `{}`", fmt::join(one.where, "`, `")));
+        return fmt::format("{}", fmt::join(all, "; "));
       }
+      if (!answer.formula.empty()) return formula_code(answer, answer.formula);
       return fmt::format("needs values for {}", fmt::join(answer.letters, ", "));
     case AnswerState::undetermined:
       return "not determined: " + answer.reason;
@@ -126,8 +133,8 @@ std::string answers_section(const Solution& solution) {
         printable(fmt::format("* *{}*, {}: {}", answer.name,
                               answer.words.empty() ? markdown_code(answer.ask) : answer.words, answer_value(answer))) +
         "\n";
-  if (!solution.assumptions.empty())
-    text += fmt::format("\nwhere {}\n", fmt::join(assumptions_in_words(solution), ", "));
+  const std::vector<std::string> assumptions = assumptions_in_words(solution);
+  if (!assumptions.empty()) text += fmt::format("\nwhere {}\n", fmt::join(assumptions, ", "));
   for (const std::string& note : solution.notes) text += "\n" + printable(note) + "\n";
   std::vector<std::string> checks;
   for (const auto& [name, residual] : solution.checks)

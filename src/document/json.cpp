@@ -86,6 +86,8 @@ Json answer_json(const Answer& answer) {
       break;
   }
   if (!answer.formula.empty()) json["formula"] = datum_json(answer.formula);
+  for (const FormulaWhere& one : answer.formulas)
+    json["formulas"].push_back({{"formula", datum_json(one.formula)}, {"where", one.where}});
   if (!answer.no_formula.empty()) json["no_formula"] = answer.no_formula;
   if (answer.claim) add_claim(json, *answer.claim);
   return json;

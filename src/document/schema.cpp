@@ -126,6 +126,24 @@ std::string answer_schema() {
           "$ref": "#/$defs/formula",
           "description": "where letters were left open: the answer in SI base units and the letters"
         },
+        "formulas": {
+          "type": "array",
+          "minItems": 2,
+          "description": "where the answer has several formulas, each at other letters: all of them, `formula` first",
+          "items": {
+            "type": "object",
+            "required": ["formula", "where"],
+            "properties": {
+              "formula": {"$ref": "#/$defs/formula"},
+              "where": {
+                "type": "array",
+                "items": {"type": "string"},
+                "minItems": 1,
+                "description": "inequalities such as L - 2*a > 0, all of which hold"
+              }
+            }
+          }
+        },
         "no_formula": {"type": "string", "description": "why there is no formula where letters were left open"},
         "holds": {"type": "boolean", "description": "of a claim; value and si are the same"},
         "how": {"enum": ["proved", "sampled"], "description": "of a claim that holds"},

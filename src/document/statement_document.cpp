@@ -103,6 +103,8 @@ Solution solution_of(const problem::Statement& stated, const problem::Solution& 
     }
     if (found.formula) answer.formula = formula_datum(*found.formula);
     answer.no_formula = found.no_formula;
+    for (const problem::RegimeFormula& one : found.regimes)
+      answer.formulas.push_back({formula_datum(one.formula), one.where});
     solution.answers.push_back(std::move(answer));
   }
   for (std::size_t i = 0; i < solved.claims.size(); ++i)

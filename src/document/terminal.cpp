@@ -70,11 +70,9 @@ class TerminalText {
       text_ += unknowns.empty() ? "\n" : fmt::format(": {}\n", fmt::join(unknowns, ", "));
     }
     answers(solution.answers);
-    if (!solution.assumptions.empty())
-      text_ +=
-          "  " +
-          painted(Role::faint, printable(fmt::format("where {}", fmt::join(assumptions_in_words(solution), ", ")))) +
-          "\n";
+    const std::vector<std::string> assumptions = assumptions_in_words(solution);
+    if (!assumptions.empty())
+      text_ += "  " + painted(Role::faint, printable(fmt::format("where {}", fmt::join(assumptions, ", ")))) + "\n";
     for (const std::string& note : solution.notes) text_ += "  " + printable(note) + "\n";
     if (!solution.checks.empty()) text_ += "  " + painted(Role::faint, check_line(solution.checks)) + "\n";
   }
@@ -169,12 +167,20 @@ class TerminalText {
   }
 
   std::vector<std::string> formula_lines(const Answer& answer) const {
+    if (answer.formulas.empty()) return formula_lines(answer, answer.formula);
     std::vector<std::string> lines;
-    for (const std::string& line : datum_lines(answer.formula, "", style_.digits, false)) lines.push_back(line);
-    if (!answer.component_names.empty() && std::holds_alternative<std::vector<Datum>>(answer.formula.content)) {
+    for (const FormulaWhere& one : answer.formulas) {
+      for (const std::string& line : formula_lines(answer, one.formula)) lines.push_back(line);
+      lines.back() += "  " + painted(Role::faint, printable(fmt::format("where {}", fmt::join(one.where, ", "))));
+    }
+    return lines;
+  }
+  std::vector<std::string> formula_lines(const Answer& answer, const Datum& formula) const {
+    std::vector<std::string> lines = datum_lines(formula, "", style_.digits, false);
+    if (!answer.component_names.empty() && std::holds_alternative<std::vector<Datum>>(formula.content)) {
       const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
       // A vector gets parentheses; the rows of a matrix have brackets.
-      if (lines.size() == 1 && !has_brackets(answer.formula, false)) lines.front() = "(" + lines.front() + ")";
+      if (lines.size() == 1 && !has_brackets(formula, false)) lines.front() = "(" + lines.front() + ")";
       lines.back() += "  " + painted(Role::faint, axes);
     }
     return lines;

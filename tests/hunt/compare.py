@@ -87,13 +87,31 @@ def columns_of(answer):
     return sorted(answer["table"]["columns"], key=lambda column: column["name"])
 
 
+def formula_at(answer, letters):
+    """The formula of an answer at these values of the letters, if it has several the one whose conditions hold."""
+    for one in answer.get("formulas", []):
+        if all(holds(condition, letters) for condition in one["where"]):
+            return one["formula"]
+    return answer["formula"]
+
+
+def holds(condition, letters):
+    """Whether an inequality such as "L - 2*a > 0" holds at these values of the letters."""
+    for sign in (" >= ", " <= ", " > ", " < "):
+        left, found, right = condition.partition(sign)
+        if found:
+            less = number_of(left, letters) - number_of(right, letters)
+            return less > 0 if ">" in sign else less < 0
+    raise NotUnderstood(condition)
+
+
 def value_of(answer, letters):
     """The answer's value in SI units, of a formula at these values of the letters; of a table the columns'."""
     kind = state(answer)
     if kind == "found":
         return answer["si"]
     if kind == "formula":
-        return number_of(answer["formula"], letters)
+        return number_of(formula_at(answer, letters), letters)
     if kind == "table":
         return [column["si"] for column in columns_of(answer)]
     if kind == "claim":

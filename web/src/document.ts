@@ -23,6 +23,7 @@ export interface Answer {
   reason?: string;
   formula?: Datum;
   no_formula?: string;
+  formulas?: { formula: Datum; where: string[] }[];
   holds?: boolean;
   how?: string;
   counterexample?: {

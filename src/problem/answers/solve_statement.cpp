@@ -18,6 +18,7 @@
 #include "problem/answers/rounded_values.h"
 #include "problem/claims/claims.h"
 #include "problem/formulas/formula_reach.h"
+#include "problem/formulas/formula_regimes.h"
 #include "problem/formulas/formula_search.h"
 #include "problem/formulas/law_search.h"
 #include "problem/language/diagnostic.h"
@@ -101,7 +102,10 @@ class StatementSolver {
     try {
       const FormulaTask task{statement_, draws_.letters(), exact_,  settings_, search_.unknowns(),
                              base_,      *sample_,         natural_};
-      hold_far_off(task, find_formulas(task, solution), solution);
+      const FormulaGrounds grounds = find_formulas(task, solution);
+      std::vector<HeldCondition> held = hold_far_off(task, grounds, solution);
+      find_regimes(task, grounds, held, solution);
+      tell_conditions(task, grounds, held, solution);
       tell_laws(statement_, solution);
     } catch (const BudgetEnded& ended) {
       solution = without;

@@ -18,6 +18,15 @@ std::vector<Formula> domain_of(const Value<Formula>& formula) {
   return all;
 }
 
+std::vector<std::string> assumptions_of(const Value<Formula>& formula) {
+  std::vector<std::string> all;
+  const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
+  if (formula.is_number()) add(formula.number.assumptions());
+  for (std::size_t k = 0; formula.is_vector() && k < 3; ++k) add(formula.vector[k].assumptions());
+  for (const Value<Formula>& item : formula.items) add(assumptions_of(item));
+  return all;
+}
+
 bool is_implied(const HeldCondition& condition, const std::vector<HeldCondition>& conditions) {
   return std::ranges::any_of(conditions, [&](const HeldCondition& other) {
     if (&other == &condition || !other.needed || !std::ranges::all_of(condition.asks, [&](std::size_t i) {
@@ -55,7 +64,8 @@ std::string condition_words(const Formula& positive, const std::vector<Letter>& 
   const Formula start = best;
   for (int number = 2; number <= 12; ++number)
     for (const Formula& factor : {Formula(number), Formula(1) / Formula(number)}) tried(start * factor, best, words);
-  return words + " > 0";
+  const std::string opposite = formula_words(-best);
+  return opposite.size() < words.size() ? opposite + " < 0" : words + " > 0";
 }
 
 }  // namespace poinsot::problem

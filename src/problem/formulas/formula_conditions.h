@@ -22,6 +22,9 @@ struct HeldCondition {
 // What must not be negative where all numbers of a value have one.
 std::vector<Formula> domain_of(const Value<Formula>& formula);
 
+// What was assumed when the numbers of a value were simplified: "m > 0".
+std::vector<std::string> assumptions_of(const Value<Formula>& formula);
+
 // Whether a condition holds wherever another one does that is told for at least the same answers. Of two that say the
 // same the first is told. condition: one of them.
 bool is_implied(const HeldCondition& condition, const std::vector<HeldCondition>& conditions);

@@ -11,7 +11,6 @@
 #include "problem/formulas/formula_conditions.h"
 #include "problem/formulas/letter_scan.h"
 #include "problem/language/expression_walk.h"
-#include "problem/language/words.h"
 #include "problem/machine/masses.h"
 #include "problem/quantities/quantity_functions.h"
 #include "problem/results/compare_values.h"
@@ -23,7 +22,7 @@ namespace {
 constexpr std::size_t most_points = 24;        // at which the statement is solved by numbers
 constexpr std::size_t most_scanned = 10;       // of these, where all letters are far from their ordinary values
 constexpr std::size_t condition_points = 250;  // at which the formula of a condition is looked at
-constexpr int most_confirmations = 3;          // of what it shows, by numbers
+constexpr int most_confirmations = 12;         // of what it shows, by numbers
 constexpr double branch_tolerance = 1e-6;  // relative difference of answers from which they are on different branches
 // The search far off may take as much as the formulas took, and this in any case.
 constexpr Work least_far_work = 20'000'000;
@@ -72,7 +71,7 @@ class FarSearch {
         scan_(task.open, base_),
         limit_(std::clamp(grounds.work, least_far_work, most_far_work)) {}
 
-  void run() {
+  std::vector<HeldCondition> run() {
     for (const Ask& ask : task_.statement.asks) at_instant_.push_back(is_at_instant(task_, ask));
     collect_conditions();
     for (const FarPoint& point : far_points(task_.open, base_, scan_)) {
@@ -85,10 +84,11 @@ class FarSearch {
     for (const std::vector<std::size_t>& any : doubtful_)
       if (std::ranges::none_of(any, [&](std::size_t k) { return conditions_[k].needed; }))
         for (const std::size_t k : any) conditions_[k].needed = true;
-    tell_conditions();
-    if (!misfit_) return;
-    double& check = solution_.checks["formulas"];
-    check = std::max(check, *misfit_);
+    if (misfit_) {
+      double& check = solution_.checks["formulas"];
+      check = std::max(check, *misfit_);
+    }
+    return told();
   }
 
  private:
@@ -227,10 +227,14 @@ class FarSearch {
     // First where nothing else fails, so that what is seen comes from this condition.
     for (const bool alone : {true, false})
       for (std::size_t i = 0; i < condition_points && confirmations < most_confirmations; ++i) {
-        // To look at a bound takes the formula alone.
-        if (condition.needed || (limit_.spent() && !condition.bound)) return;
+        if (condition.needed) return;
         const LetterValues letters = scan_.point(most_scanned + i);
         if (!fails(condition, letters)) continue;
+        // To look at a bound takes the formula alone. What was not looked at is told.
+        if (limit_.spent() && !condition.bound) {
+          conditions_[k].needed = true;
+          return;
+        }
         if (alone && std::ranges::any_of(conditions_, [&](const HeldCondition& other) {
               return &other != &condition && fails(other, letters);
             }))
@@ -244,28 +248,11 @@ class FarSearch {
       }
   }
 
-  void tell_conditions() {
-    std::vector<std::size_t> all;
-    for (std::size_t i = 0; i < solution_.asks.size(); ++i)
-      if (has_formula(i)) all.push_back(i);
-    for (const HeldCondition& condition : conditions_) {
-      if (!condition.needed || is_implied(condition, conditions_)) continue;
-      std::vector<std::string> names;
-      std::size_t concerned = 0;
-      for (const std::size_t i : all)
-        if (std::ranges::find(condition.asks, i) != condition.asks.end()) {
-          names.push_back("'" + task_.statement.asks[i].name + "'");
-          ++concerned;
-        }
-      // Bounds are of the unknowns, which have formulas even where no answer has.
-      if (concerned == 0 && !(condition.bound && !grounds_.unknowns.empty())) continue;
-      const std::string words = condition_words(condition.positive, task_.open);
-      tell(concerned == all.size() ? words : words + " for " + listed(names));
-    }
-  }
-  void tell(const std::string& assumption) {
-    auto& all = solution_.assumptions;
-    if (std::find(all.begin(), all.end(), assumption) == all.end()) all.push_back(assumption);
+  std::vector<HeldCondition> told() const {
+    std::vector<HeldCondition> all;
+    for (const HeldCondition& condition : conditions_)
+      if (condition.needed && !is_implied(condition, conditions_)) all.push_back(condition);
+    return all;
   }
 
   static const std::string& name_of(const SolvedInstant& instant, const SolvedInstant::OneSidedFault& fault) {
@@ -349,9 +336,10 @@ class FarSearch {
 
 }  // namespace
 
-void hold_far_off(const FormulaTask& task, const FormulaGrounds& grounds, Solution& solution) {
+std::vector<HeldCondition> hold_far_off(const FormulaTask& task, const FormulaGrounds& grounds, Solution& solution) {
   // Unknowns without formulas are what they are at the first values of the letters only.
-  if (task.unknowns.empty() || !grounds.unknowns.empty()) FarSearch(task, grounds, solution).run();
+  if (!task.unknowns.empty() && grounds.unknowns.empty()) return {};
+  return FarSearch(task, grounds, solution).run();
 }
 
 }  // namespace poinsot::problem

@@ -8,9 +8,11 @@
 #include "poinsot/engine/math/formula/formula_domain.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
 #include "problem/entries/drawn_letters.h"
+#include "problem/formulas/formula_conditions.h"
 #include "problem/formulas/formula_unknowns.h"
 #include "problem/formulas/law_search.h"
 #include "problem/quantities/quantity_functions.h"
+#include "problem/results/compare_values.h"
 #include "problem/unknowns/asked_value.h"
 #include "problem/unknowns/unknown_ranges.h"
 #include "problem/unknowns/unknown_search.h"
@@ -22,6 +24,7 @@ constexpr int draws = 2;                    // random points at which every form
 constexpr int most_attempts = 30;           // attempts to draw a point at which the statement makes sense
 constexpr double formula_tolerance = 1e-8;  // relative difference allowed between formula and numbers
 constexpr double check_tolerance = 1e-8;
+constexpr double rounding_of_natural = 1e-14;
 constexpr double unknown_tolerance = 1e-7;  // the same for unknowns, which are found by a search
 
 // The letter for an unknown or for one of its components.
@@ -232,13 +235,21 @@ class FormulaSearch {
       bool same = false;
       try {
         same = agrees(formula, asked_value(*point.sample, ask), point.letters,
-                      task_.unknowns.empty() ? formula_tolerance : unknown_tolerance, task_.natural[i]) &&
+                      task_.unknowns.empty() ? formula_tolerance : unknown_tolerance, natural_at(point, i)) &&
                confirmed_by_particles(*point.sample);
       } catch (const StatementError& error) {
         throw NoFormula("it cannot be checked: " + error.diagnostics().front().message);
       }
       if (!same) throw NoFormula("the formula found does not agree with numbers everywhere");
     }
+  }
+
+  // The size beside which an answer is compared: of what is asked, but of the whole instant for what is rounding there.
+  double natural_at(const Checkpoint& point, std::size_t i) const {
+    const Ask& ask = task_.statement.asks[i];
+    const Value<double> value = asked_value(*point.sample, ask);
+    const double of_all = point.sample->instant_of(ask).natural_size(dimension_of(value));
+    return size_of(value) <= rounding_of_natural * of_all ? std::max(of_all, task_.natural[i]) : task_.natural[i];
   }
 
   // Solves the statement at random values of the letters.
@@ -324,19 +335,6 @@ class FormulaSearch {
     LetterValues values;
     for (const Letter& letter : task_.open) values[letter.name] = settings.at(letter.name).number;
     return values;
-  }
-
-  static std::vector<std::string> assumptions_of(const Value<Formula>& formula) {
-    std::vector<std::string> all;
-    const auto add = [&](const Formula& number) {
-      for (const std::string& assumption : number.assumptions()) all.push_back(assumption);
-    };
-    if (formula.is_number()) add(formula.number);
-    if (formula.is_vector())
-      for (std::size_t k = 0; k < 3; ++k) add(formula.vector[k]);
-    for (const Value<Formula>& item : formula.items)
-      for (const std::string& assumption : assumptions_of(item)) all.push_back(assumption);
-    return all;
   }
 
   const FormulaTask& task_;

@@ -59,6 +59,23 @@ std::optional<Root> root_of(std::vector<Formula> c, double value) {
   return std::nullopt;
 }
 
+// The angle u near a value for which c[0] + c[1] t + c[2] t^2 = 0 with t = tan(u/2), where this gives the sine or the
+// tangent of u alone: sin u = 2t/(1 + t^2), tan u = 2t/(1 - t^2).
+std::optional<Formula> angle_without_half(const std::vector<Formula>& c, double value) {
+  if (c.size() != 3 || c[1].is_zero() || c[2].is_zero()) return std::nullopt;
+  const Formula half_turn = value < 0 ? -Formula::pi() : Formula::pi();
+  const bool behind = std::cos(value) < 0;
+  if ((c[0] - c[2]).is_zero()) {
+    const Formula angle = asin(Formula(-2) * c[2] / c[1]);
+    return behind ? half_turn - angle : angle;
+  }
+  if ((c[0] + c[2]).is_zero()) {
+    const Formula angle = atan(Formula(2) * c[2] / c[1]);
+    return behind ? half_turn + angle : angle;
+  }
+  return std::nullopt;
+}
+
 // The formula of an unknown for which an expression vanishes. `degree` orders such formulas by the effort that they
 // took.
 struct Found {
@@ -82,6 +99,7 @@ std::optional<Found> solve_for(const Formula& remainder, const UnknownLetter& un
     const Formula algebraic = numerator(substituted(remainder, {{unknown.name, Formula(2) * atan(t)}}));
     const auto coefficients = polynomial_in(algebraic, half);
     if (!coefficients) return std::nullopt;
+    if (const auto angle = angle_without_half(*coefficients, unknown.value)) return Found{*angle, coefficients->size()};
     const std::optional<Root> root = root_of(*coefficients, std::tan(unknown.value / 2));
     if (!root) return std::nullopt;
     if (!root->square) return Found{Formula(2) * atan(root->root), coefficients->size()};

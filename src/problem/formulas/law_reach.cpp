@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "poinsot/engine/math/formula/formula_text.h"
 #include "poinsot/engine/work/work_scope.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/formulas/letter_groups.h"
@@ -173,14 +172,12 @@ class Reach {
     for (const Letter& letter : letters_)
       if (letter.either_sign && parts(k, [&](const LetterValues& at) { return at.at(letter.name) < 0; })) {
         const Formula x = formula_of(letter).number;
-        result.condition = text(base_.at(letter.name) > 0 ? x : -x) + " > 0";
+        result.positive = base_.at(letter.name) > 0 ? x : -x;
         return result;
       }
     for (const LetterGroup& group : groups_of(letters_)) {
-      const auto condition = bound_by(k, group);
-      if (!condition) continue;
-      result.condition = condition;
-      return result;
+      result.positive = bound_by(k, group);
+      if (result.positive) return result;
     }
     return result;
   }
@@ -191,7 +188,7 @@ class Reach {
         tried_, [&](const Tried& one) { return !one.holds[k].has_value() || *one.holds[k] != is_true(one.letters); });
   }
 
-  std::optional<std::string> bound_by(std::size_t k, const LetterGroup& group) {
+  std::optional<Formula> bound_by(std::size_t k, const LetterGroup& group) {
     double low_holds = INFINITY, high_holds = 0, low_fails = INFINITY, high_fails = 0;
     for (const Tried& one : tried_) {
       if (!one.holds[k].has_value()) continue;
@@ -218,7 +215,7 @@ class Reach {
     }
     if (confirmed == 0) return std::nullopt;
     const Formula positive = group.below(*found);
-    return text(below ? positive : -positive) + " > 0";
+    return below ? positive : -positive;
   }
   // The bound between two values of a group, with the other letters as at the base: a simple number that parts them, or
   // the one that is closed in. Just at a bound there is often no answer, or a motion that takes for ever.

@@ -18,8 +18,8 @@ struct HeldLaw {
 };
 
 struct LawReach {
-  std::optional<std::string> condition;  // under which the law holds: "4*g - L*w^2 > 0"
-  std::optional<LetterValues> fails;     // where it does not, if no condition was found
+  std::optional<Formula> positive;    // wherever the law holds, and nowhere else: 4*g - L*w^2
+  std::optional<LetterValues> fails;  // where it does not hold
   // A letter that the law leaves out though there was no answer where it is much larger or smaller: it may matter
   // there.
   std::string untried{};

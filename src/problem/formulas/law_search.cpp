@@ -1,12 +1,17 @@
 #include "problem/formulas/law_search.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
 #include "poinsot/engine/work/work.h"
+#include "poinsot/engine/work/work_scope.h"
 #include "problem/formulas/formula_answers.h"
+#include "problem/formulas/formula_conditions.h"
+#include "problem/formulas/formula_words.h"
 #include "problem/formulas/law_reach.h"
+#include "problem/formulas/law_regimes.h"
 #include "problem/formulas/scaling_law.h"
 #include "problem/instant/open_words.h"
 #include "problem/language/words.h"
@@ -19,8 +24,13 @@ namespace poinsot::problem {
 namespace {
 
 constexpr Work most_work_each = 400'000'000;  // of a trial, of which there are some twenty
+constexpr Work most_work_of_all = 2'500'000'000;
+constexpr const char* takes_too_long = "it takes too long to find it at other values of the letters";
 constexpr std::size_t most_changes_each = 50;
-constexpr Work least_reach_work = 20'000'000;  // on holding laws far from where they were found
+constexpr Work least_reach_work = 100'000'000;  // on holding laws far from where they were found
+constexpr Work least_regime_search = 400'000'000, regimes_over_reach = 10;  // on finding others there
+constexpr Work slower_there = 6,
+               at_least_there = 5'000'000;  // a trial there may take so many times the first, and more
 
 bool has_numbers(const Value<double>& value) {
   if (value.is_list()) return !value.items.empty() && std::ranges::all_of(value.items, has_numbers);
@@ -57,18 +67,21 @@ class LawSearch {
     }
     if (wanted.empty() && fixed_.empty()) return;
     const std::map<std::string, double>& checks = solution_.checks;
-    const double error = checks.contains("motion_error") ? checks.at("motion_error") : 0;
+    error_ = checks.contains("motion_error") ? checks.at("motion_error") : 0;
     LetterValues base;
     std::vector<std::string> names;
     for (const Letter& letter : task_.open) {
       base[letter.name] = task_.settings.front().at(letter.name).number;
       names.push_back(letter.name);
     }
-    ScalingTrials trials(task_.open, base, !task_.unknowns.empty(), error,
-                         [this](const LetterValues& letters) { return answers_at(letters); });
+    const Work before = work_done();
+    static_cast<void>(why_no_formula([&] { kept_answers_at(base); }));
+    each_there_ = slower_there * (work_done() - before) + at_least_there;
+    ScalingTrials trials(task_.open, base, !task_.unknowns.empty(), error_,
+                         [this](const LetterValues& letters) { return kept_answers_at(letters); });
     for (const std::size_t i : wanted) add_law(trials, i);
     for (std::size_t k = 0; k < unknowns_.size(); ++k) add_unknown(trials, k, names);
-    hold_far_off(wanted, base, std::max(1e-6, 16 * error), work_done() - begin);
+    hold_far_off(wanted, base, std::max(1e-6, 16 * error_), work_done() - begin);
   }
 
  private:
@@ -126,20 +139,71 @@ class LawSearch {
       if (const SolvedUnknown* known = listed_unknown(k)) laws.push_back({solution_.asks.size() + k, *known->formula});
     if (laws.empty()) return;
     double misfit = 0;
-    const std::vector<LawReach> reaches = reach_of(
-        laws, task_.open, base, [this](const LetterValues& letters) { return answers_at(letters); }, tolerance,
-        std::max(spent, least_reach_work), misfit);
-    for (std::size_t n = 0; n < laws.size(); ++n) take(laws[n], reaches[n]);
+    const ScalingTrials::Solve solve = [this](const LetterValues& letters) {
+      return within(each_there_, [&] { return kept_answers_at(letters); });
+    };
+    // What is reached is measured by the work at the base, which is done again.
+    const ScalingTrials::Solve solve_anew = [this](const LetterValues& letters) {
+      return kept_[letters] = bounded_answers_at(letters);
+    };
+    const Work most = std::max(spent, least_reach_work);
+    const std::vector<LawReach> reaches = reach_of(laws, task_.open, base, solve_anew, tolerance, most, misfit);
+    for (std::size_t n = 0; n < laws.size(); ++n)
+      if (!take_regimes(laws[n], reaches[n], base, solve, tolerance,
+                        std::max(regimes_over_reach * most, least_regime_search)))
+        take(laws[n], reaches[n]);
     double& check = solution_.checks["formulas"];
     check = std::max(check, misfit);
+  }
+  // Looks for the laws where the first one fails. Whether all of them were found, with what parts them.
+  bool take_regimes(const HeldLaw& first, const LawReach& reach, const LetterValues& base,
+                    const ScalingTrials::Solve& solve, double tolerance, Work most) {
+    const bool sizes_only = std::ranges::none_of(task_.open, [](const Letter& letter) {
+      return letter.either_sign || letter.unit.dimension == dimensions::angle;
+    });
+    if (!reach.fails || first.answer >= solution_.asks.size() || !task_.unknowns.empty() || !sizes_only) return false;
+    SolvedAsk& ask = solution_.asks[first.answer];
+    std::vector<std::string> names;
+    for (const Letter& letter : task_.open) names.push_back(letter.name);
+    std::string road = ask.formula_road;
+    const auto find = [&](const LetterValues& around) {
+      std::optional<Value<Formula>> law;
+      static_cast<void>(why_no_formula([&] {
+        ScalingTrials trials(task_.open, around, true, error_, solve);
+        const ScalingLaw found = scaling_law(trials, first.answer, names);
+        law = found.formula;
+        if (road.empty()) road = road_of(found);
+      }));
+      return law;
+    };
+    const auto regimes = law_regimes(first, reach.positive, task_.open, base, solve, find, tolerance, most);
+    if (!regimes) return false;
+    ask.formula = regimes->front().law;
+    ask.formula_road = road;
+    ask.state = AskState::needs_letters;
+    std::set<std::string> letters;
+    for (const LawRegime& regime : *regimes) {
+      for (const std::string& letter : letters_in(regime.law)) letters.insert(letter);
+      RegimeFormula told{regime.law, {}};
+      for (const Formula& positive : regime.positive) {
+        for (const std::string& letter : positive.letters()) letters.insert(letter);
+        told.where.push_back(condition_words(positive, task_.open));
+      }
+      if (regimes->size() > 1) ask.regimes.push_back(std::move(told));
+    }
+    if (!ask.regimes.empty())
+      for (const std::string& words : ask.regimes.front().where)
+        solution_.assumptions.push_back(words + " for '" + task_.statement.asks[first.answer].name + "'");
+    ask.letters.assign(letters.begin(), letters.end());
+    return true;
   }
   void take(const HeldLaw& law, const LawReach& reach) {
     if (!reach.fails && reach.untried.empty()) return;
     const bool of_ask = law.answer < solution_.asks.size();
     const std::string name =
         of_ask ? task_.statement.asks[law.answer].name : unknowns_[law.answer - solution_.asks.size()].unknown->name;
-    if (reach.condition) {
-      solution_.assumptions.push_back(*reach.condition + " for '" + name + "'");
+    if (reach.positive) {
+      solution_.assumptions.push_back(formula_words(*reach.positive) + " > 0 for '" + name + "'");
       return;
     }
     if (!of_ask) {
@@ -195,9 +259,28 @@ class LawSearch {
     }));
   }
 
+  // What was found at the same letters before is not found again.
+  ScalingTrials::Answers kept_answers_at(const LetterValues& letters) {
+    const auto known = kept_.find(letters);
+    return known != kept_.end() ? known->second : (kept_[letters] = bounded_answers_at(letters));
+  }
+  ScalingTrials::Answers bounded_answers_at(const LetterValues& letters) {
+    if (work_done() - begin_ > most_work_of_all) throw NoFormula(takes_too_long);
+    return within(most_work_each, [&] { return answers_at(letters); });
+  }
+  // What find returns if it takes no more work.
+  static ScalingTrials::Answers within(Work most, const std::function<ScalingTrials::Answers()>& find) {
+    try {
+      const WorkScope scope(most);
+      return find();
+    } catch (const BudgetEnded&) {
+      // Either this takes too long, or the caller waits no longer.
+      check_budget();
+      throw NoFormula(takes_too_long);
+    }
+  }
   // The answers of the asks, followed by the unknowns.
   ScalingTrials::Answers answers_at(const LetterValues& letters) {
-    const WorkLimit limit(most_work_each);
     ScalingTrials::Answers answers(solution_.asks.size() + unknowns_.size());
     const std::optional<AllSettings> settings = settings_at(letters);
     if (!settings || !is_assumed(*settings))
@@ -218,7 +301,6 @@ class LawSearch {
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
       answers[solution_.asks.size() + k] = (*settings)[unknowns_[k].situation].at(unknowns_[k].unknown->name);
     if (!confirmed_by_particles(sample)) throw NoFormula("the check on particles does not confirm its numbers");
-    if (limit.spent()) throw NoFormula("it takes too long to find it at other values of the letters");
     return answers;
   }
 
@@ -278,6 +360,10 @@ class LawSearch {
   std::vector<std::size_t> fixed_;   // asks over a motion that no letter was seen to change
   std::optional<std::size_t> root_;  // the index of this solution's root, in ascending order
   std::size_t roots_ = 0;
+  double error_ = 0;  // of the motion
+  const Work begin_ = work_done();
+  Work each_there_ = 0;
+  std::map<LetterValues, ScalingTrials::Answers> kept_;
 };
 
 }  // namespace

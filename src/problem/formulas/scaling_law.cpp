@@ -7,6 +7,7 @@
 #include "poinsot/engine/math/formula/formula_text.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/formulas/law_shape.h"
+#include "problem/formulas/law_sums.h"
 #include "problem/results/compare_values.h"
 
 namespace poinsot::problem {
@@ -61,6 +62,19 @@ class OneNumber {
     for (const Letter& letter : sizes_)
       if (letter.either_sign) throw NoFormula("'" + letter.name + "' may have either sign");
     find_units();
+    try {
+      return product();
+    } catch (const NoFormula&) {
+      std::optional<Formula> sum;
+      static_cast<void>(why_no_formula([&] { sum = as_sum(); }));
+      if (sum) return *sum;
+      throw;
+    }
+  }
+
+ private:
+  // A product of powers of letters and functions of angles.
+  Formula product() {
     find_pivots();
     for (std::size_t i = 0; i < sizes_.size(); ++i)
       if (std::ranges::find(pivots_, i) == pivots_.end()) measure(i);
@@ -69,7 +83,25 @@ class OneNumber {
     return with_numbers();
   }
 
- private:
+  // A sum of such products, or its root, as it is around the base.
+  std::optional<Formula> as_sum() {
+    std::vector<Letter> letters = sizes_;
+    letters.insert(letters.end(), angles_.begin(), angles_.end());
+    SumSamples samples;
+    for (const ScalingTrials::Point& point : trials_.around()) {
+      const std::optional<double> number = at(point);
+      if (!number || *number == 0) return std::nullopt;
+      samples.letters.push_back(point.letters);
+      samples.numbers.push_back(*number);
+    }
+    const std::optional<SumLaw> sum =
+        sum_law(letters, dimension_, units_, samples, tolerance_, trials_.error() / measured_over_actual);
+    if (!sum) return std::nullopt;
+    for (const Letter& letter : letters) law_.by_trial.push_back(letter.name);
+    law_.digits = law_.digits == 0 ? sum->digits : std::min(law_.digits, sum->digits);
+    return sum->formula;
+  }
+
   // The number at a point; zero if it is rounding beside the other numbers of its answer.
   std::optional<double> at(const ScalingTrials::Point& point) const {
     const std::optional<Value<double>>& value = point.answers[answer_];
@@ -85,8 +117,11 @@ class OneNumber {
   }
   bool vanishes() {
     if (at_base() != 0) return false;
-    for (const ScalingTrials::Point& point : trials_.drawn())
-      if (at(point).value_or(1) != 0) throw NoFormula("it vanishes for some values of the letters only");
+    const auto everywhere = [&](const std::vector<ScalingTrials::Point>& points) {
+      return std::ranges::all_of(points, [&](const ScalingTrials::Point& point) { return at(point).value_or(1) == 0; });
+    };
+    if (!everywhere(trials_.drawn()) && !everywhere(trials_.around()))
+      throw NoFormula("it vanishes for some values of the letters only");
     return true;
   }
 

@@ -10,6 +10,7 @@ namespace poinsot::problem {
 namespace {
 
 constexpr std::size_t draws = 3;
+constexpr std::size_t points_around = 16;
 constexpr int most_attempts = 12;
 constexpr const char* nowhere_else = "no other values of the letters were found at which the statement makes sense";
 
@@ -141,6 +142,22 @@ const std::vector<ScalingTrials::Point>& ScalingTrials::drawn() {
       if (std::optional<Point> point = tried(letters)) points.push_back(std::move(*point));
     }
     if (points.size() < draws) throw NoFormula(nowhere_else);
+    return points;
+  });
+}
+
+const std::vector<ScalingTrials::Point>& ScalingTrials::around() {
+  return around_.get([&] {
+    std::vector<Point> points;
+    std::mt19937_64 random(7100);
+    for (std::size_t n = 0; n < points_around; ++n) {
+      LetterValues letters = base_letters_;
+      for (const Letter& letter : letters_)
+        letters[letter.name] *= 1 + std::uniform_real_distribution<double>(-1, 1)(random) / 7;
+      std::optional<Point> point = tried(letters);
+      if (!point) throw NoFormula(nowhere_else);
+      points.push_back(std::move(*point));
+    }
     return points;
   });
 }

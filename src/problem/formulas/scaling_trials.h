@@ -53,6 +53,9 @@ class ScalingTrials {
   const std::vector<Point>& turned(const std::string& angle);
   // Three points at which all letters are random.
   const std::vector<Point>& drawn();
+  // Sixteen points at which all letters are random within a seventh of the base: on the same side of every branch as
+  // the base, unless it lies close to the border.
+  const std::vector<Point>& around();
 
  private:
   // Points that are found once, or the reason why there are none.
@@ -76,7 +79,7 @@ class ScalingTrials {
   std::optional<Point> base_;
   std::map<Units, std::pair<double, Point>> scaled_;
   std::map<std::string, Known> moved_, turned_;
-  Known drawn_;
+  Known drawn_, around_;
 };
 
 }  // namespace poinsot::problem

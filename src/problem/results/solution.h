@@ -23,6 +23,12 @@ struct SolvedColumn {
   std::vector<double> values;  // SI
 };
 
+// A formula of an answer that has another one at other letters, and the inequalities under which it is this one.
+struct RegimeFormula {
+  Value<poinsot::Formula> formula;
+  std::vector<std::string> where;  // "L - 2*a > 0"; all of them hold
+};
+
 struct SolvedAsk {
   AskState state = AskState::found;
   Value<double> value;                       // in SI units; vectors are on the axes that were asked for
@@ -35,6 +41,8 @@ struct SolvedAsk {
   // If letters have no value: the answer as a formula, in SI units, or else why it has none.
   std::optional<Value<poinsot::Formula>> formula;
   std::string no_formula;
+  // Where the answer has several formulas, each on its side of a branch: all of them, `formula` first.
+  std::vector<RegimeFormula> regimes;
   std::string formula_road;  // how a formula was found that was not derived exactly: "by dimensional analysis"
   // Where the caller's budget ended before the answer was found or known to be determined: it is undetermined for that.
   std::optional<BudgetEnd> ended;

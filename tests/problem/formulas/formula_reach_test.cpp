@@ -30,9 +30,11 @@ gravity: -y
 ask: {f: impulse(f on p)}
 )");
   ASSERT_TRUE(solution.asks[0].formula.has_value());
-  const bool pushes = !solution.asks[0].formula->vector.y.is_zero();
-  const std::string told = pushes ? "3*a - 2*L > 0" : "2*L - 3*a > 0";
-  EXPECT_EQ(std::count(solution.assumptions.begin(), solution.assumptions.end(), told), 1);
+  ASSERT_EQ(solution.asks[0].regimes.size(), 2U);
+  for (const RegimeFormula& one : solution.asks[0].regimes) {
+    const bool pushes = !one.formula.vector.y.is_zero();
+    EXPECT_EQ(one.where, std::vector<std::string>{pushes ? "3*a - 2*L > 0" : "2*L - 3*a > 0"});
+  }
 }
 
 // Whatever formula is given for an angle between lines agrees with numbers in every quadrant.

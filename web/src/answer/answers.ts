@@ -86,7 +86,18 @@ function answerNodes(name: string, answer: Answer): Child[] {
     ];
   const nodes: Child[] = [];
   const axes = answer.axes ?? [];
-  if (answer.formula !== undefined && answer.formula !== null) {
+  if (answer.formulas) {
+    for (const one of answer.formulas)
+      nodes.push(
+        formulaLines(one.formula, axes, `formula of ${name}`),
+        element(
+          "p",
+          { class: "faint" },
+          "where ",
+          ...one.where.flatMap((words, i) => [i > 0 ? ", " : "", conditionNode(words)]),
+        ),
+      );
+  } else if (answer.formula !== undefined && answer.formula !== null) {
     nodes.push(formulaLines(answer.formula, axes, `formula of ${name}`));
   }
   if (answer.table) nodes.push(table(answer.table.columns, `table of ${name}`));
@@ -122,8 +133,13 @@ function checks(solution: Solution): Child {
 }
 
 function conditions(solution: Solution): Child {
-  if (!solution.assumptions || solution.assumptions.length === 0) return null;
-  const parts = solution.assumptions.flatMap((words, i) => {
+  // What stands beside one of several formulas is not said again.
+  const beside = Object.entries(solution.answers).flatMap(([name, answer]) =>
+    (answer.formulas ?? []).flatMap((one) => one.where.map((words) => `${words} for '${name}'`)),
+  );
+  const told = (solution.assumptions ?? []).filter((words) => !beside.includes(words));
+  if (told.length === 0) return null;
+  const parts = told.flatMap((words, i) => {
     const condition = solution.conditions?.find((one) => one.words === words);
     return [i > 0 ? ", " : "", conditionNode(words), ...(condition ? [": ", conditionNode(condition.formula)] : [])];
   });

@@ -209,5 +209,12 @@ TEST(FormulaText, SpeaksOtherLanguages) {
   }
 }
 
+// Of a letter that may have either sign.
+TEST(FormulaText, ASizeIsARootOfASquareExceptInTex) {
+  const Formula x = Formula::letter("x", poinsot::Sign::real);
+  EXPECT_EQ(text(sqrt(x * x)), "sqrt(x^2)");
+  EXPECT_EQ(text(sqrt(x * x), Notation::tex), "\\left|x\\right|");
+}
+
 }  // namespace formula_text_test
 }  // namespace poinsot

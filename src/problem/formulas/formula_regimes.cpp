@@ -1,0 +1,333 @@
+#include "problem/formulas/formula_regimes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "poinsot/engine/work/work.h"
+#include "problem/formulas/formula_reach.h"
+#include "problem/formulas/letter_scan.h"
+#include "problem/language/words.h"
+#include "problem/results/compare_values.h"
+#include "problem/unknowns/asked_value.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr std::size_t regime_points = 250;  // points at which the conditions of all formulas are looked at
+constexpr std::size_t most_formulas = 6;    // of one answer
+constexpr std::size_t most_places = 8;      // to find one more, each from another point
+constexpr double same_branch = 1e-6;        // relative difference of numbers on one branch
+constexpr Work least_regime_work = 20'000'000;
+constexpr Work times_first = 8;  // what the first formulas took, so many times, may go into all others
+
+class RegimeSearch {
+ public:
+  RegimeSearch(const FormulaTask& task, const FormulaGrounds& grounds, std::vector<HeldCondition>& held,
+               Solution& solution)
+      : task_(task),
+        solution_(solution),
+        held_(held),
+        scan_(task.open, letters_of(task)),
+        limit_(std::max(least_regime_work, times_first * grounds.work)) {}
+
+  void run() {
+    for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
+      if (!solution_.asks[i].formula) continue;
+      std::vector<Formula> positive;
+      for (const HeldCondition& condition : held_)
+        if (!condition.bound && concerns(condition, i)) positive.push_back(condition.positive);
+      if (!positive.empty()) look_elsewhere(i, std::move(positive));
+    }
+    std::erase_if(held_, [](const HeldCondition& condition) { return condition.asks.empty() && !condition.bound; });
+  }
+
+ private:
+  struct Regime {
+    Value<Formula> formula;
+    std::vector<Formula> positive;   // wherever the formula holds
+    std::vector<std::string> words;  // what it rests on besides
+  };
+  struct Place {
+    LetterValues letters;
+    AllSettings settings;
+    std::unique_ptr<Sample> sample;
+    Value<double> value;
+  };
+
+  static LetterValues letters_of(const FormulaTask& task) {
+    LetterValues letters;
+    for (const Letter& letter : task.open) letters[letter.name] = task.settings.front().at(letter.name).number;
+    return letters;
+  }
+  static bool concerns(const HeldCondition& condition, std::size_t i) {
+    return std::ranges::find(condition.asks, i) != condition.asks.end();
+  }
+  static bool covers(const Regime& regime, const LetterValues& letters) {
+    return std::ranges::all_of(regime.positive, [&](const Formula& one) { return value_at(one, letters) > 0; });
+  }
+  // Borders, and what lies so near that rounding decides, belong to no side.
+  static bool on_border(const std::vector<Regime>& regimes, const LetterValues& letters) {
+    return std::ranges::any_of(regimes, [&](const Regime& regime) {
+      return std::ranges::any_of(regime.positive, [&](const Formula& one) { return value_at(one, letters) == 0; });
+    });
+  }
+
+  // The statement with these letters, if the question has an answer there.
+  std::optional<Place> place_at(const LetterValues& letters, std::size_t i) const {
+    Place place{letters, task_.settings, nullptr, {}};
+    for (Settings& one : place.settings)
+      for (const Letter& letter : task_.open)
+        one[letter.name] = Value<double>::of_number(letters.at(letter.name), letter.unit.dimension);
+    place.sample = std::make_unique<Sample>(task_.statement, place.settings, OpenChoice{});
+    try {
+      place.value = asked_value(*place.sample, task_.statement.asks[i]);
+      const SolvedInstant& instant = place.sample->instant_of(task_.statement.asks[i]);
+      if (instant.forces_solved() && !instant.one_sided_faults().empty()) return std::nullopt;
+    } catch (const StatementError&) {
+      return std::nullopt;
+    }
+    return place;
+  }
+
+  void look_elsewhere(std::size_t i, std::vector<Formula> positive) {
+    SolvedAsk& ask = solution_.asks[i];
+    std::vector<Regime> regimes{{*ask.formula, std::move(positive), {}}};
+    std::optional<LetterValues> without;  // letters at which there is an answer, and no formula
+    std::size_t attempts = 0;
+    for (std::size_t n = 0; n < regime_points; ++n) {
+      const LetterValues letters = scan_.point(n);
+      if (on_border(regimes, letters) ||
+          std::ranges::any_of(regimes, [&](const Regime& one) { return covers(one, letters); }))
+        continue;
+      if (limit_.spent() || attempts == most_places || regimes.size() == most_formulas) {
+        if (!without) without = letters;
+        break;
+      }
+      const std::optional<Place> place = place_at(letters, i);
+      if (!place) continue;
+      ++attempts;
+      std::optional<Regime> found = regime_at(*place, i);
+      if (found && found->positive.empty() && found->words.empty()) {
+        take_everywhere(i, std::move(*found));
+        return;
+      }
+      if (found && covers(*found, letters))
+        regimes.push_back(std::move(*found));
+      else if (!without)
+        without = letters;
+    }
+    hold_together(i, regimes);
+    if (regimes.empty()) return;
+    const std::vector<Formula> before = regimes.front().positive;
+    if (regimes.size() > 2) join(regimes);
+    if (regimes.front().positive != before) hold_under(i, regimes.front().positive);
+    if (regimes.size() > 1) {
+      for (const Regime& regime : regimes) ask.regimes.push_back(written(regime));
+      depend_on_all(ask, regimes);
+    }
+    if (without) tell_rest(i, *without);
+  }
+
+  // Where the conditions of several formulas hold, these agree; else numbers tell which is wrong, and its conditions
+  // with it.
+  void hold_together(std::size_t i, std::vector<Regime>& regimes) const {
+    for (std::size_t n = 0; n < regime_points; ++n) {
+      const LetterValues letters = scan_.point(n);
+      if (std::ranges::count_if(regimes, [&](const Regime& one) { return covers(one, letters); }) < 2) continue;
+      const std::optional<Place> place = place_at(letters, i);
+      if (!place) continue;
+      const auto wrong = [&](const Regime& one) {
+        return covers(one, letters) &&
+               !(misfit_of(one.formula, place->value, letters, size_of(place->value)) <= same_branch);
+      };
+      if (wrong(regimes.front())) {
+        solution_.asks[i].formula.reset();
+        solution_.asks[i].no_formula = "the formula found holds for some values of the letters only";
+        regimes.clear();
+        return;
+      }
+      std::erase_if(regimes, wrong);
+    }
+  }
+
+  // Of the same formula on either side of a border one is left: where a < b and where b < a.
+  void join(std::vector<Regime>& regimes) const {
+    for (std::size_t k = 1; k < regimes.size(); ++k)
+      for (std::size_t j = 0; j < k; ++j)
+        if (auto one = joined(regimes[j], regimes[k]); one && regimes.size() > 2) {
+          regimes[j].positive = std::move(*one);
+          regimes.erase(regimes.begin() + static_cast<std::ptrdiff_t>(k));
+          k = 0;
+          break;
+        }
+  }
+  // What is positive in the one or the other, without what has opposite signs in them.
+  std::optional<std::vector<Formula>> joined(const Regime& one, const Regime& other) const {
+    if (!is_same(one.formula, other.formula) || one.words != other.words) return std::nullopt;
+    std::vector<Formula> all;
+    const auto add = [&](const std::vector<Formula>& positive, const std::vector<Formula>& opposite) {
+      for (const Formula& sign : positive)
+        if (std::ranges::find(opposite, -sign) == opposite.end() && std::ranges::find(all, sign) == all.end())
+          all.push_back(sign);
+    };
+    add(one.positive, other.positive);
+    add(other.positive, one.positive);
+    const Regime together{one.formula, all, one.words};
+    for (std::size_t n = 0; n < regime_points; ++n) {
+      const LetterValues letters = scan_.point(n);
+      if (on_border({one, other}, letters)) continue;
+      if (covers(together, letters) != (covers(one, letters) || covers(other, letters))) return std::nullopt;
+    }
+    return all;
+  }
+
+  static bool is_same(const Value<Formula>& one, const Value<Formula>& other) {
+    if (one.is_number() && other.is_number()) return one.number == other.number;
+    if (one.is_vector() && other.is_vector())
+      return one.vector.x == other.vector.x && one.vector.y == other.vector.y && one.vector.z == other.vector.z;
+    return one.is_list() && other.is_list() && std::ranges::equal(one.items, other.items, is_same);
+  }
+
+  // The conditions held of an answer become these.
+  void hold_under(std::size_t i, const std::vector<Formula>& positive) const {
+    for (HeldCondition& condition : held_)
+      if (!condition.bound) std::erase(condition.asks, i);
+    for (const Formula& one : positive) {
+      const auto known = std::ranges::find_if(
+          held_, [&](const HeldCondition& condition) { return !condition.bound && condition.positive == one; });
+      if (known == held_.end())
+        held_.push_back({one, {i}, false, false, true});
+      else
+        known->asks.push_back(i);
+    }
+  }
+
+  // The formula that holds around a place, with its conditions.
+  std::optional<Regime> regime_at(const Place& place, std::size_t i) const {
+    Solution part = solution_;
+    part.assumptions.clear();
+    part.conditions.clear();
+    part.notes.clear();
+    for (SolvedAsk& other : part.asks) other.state = AskState::refused;
+    SolvedAsk& ask = part.asks[i];
+    ask.state = AskState::needs_letters;
+    ask.value = place.value;
+    ask.formula.reset();
+    std::vector<double> natural = task_.natural;
+    natural[i] = place.sample->instant_of(task_.statement.asks[i]).natural_size(dimension_of(place.value));
+    const FormulaTask task{task_.statement, task_.open,     task_.given,   task_.known,
+                           task_.unknowns,  place.settings, *place.sample, natural};
+    const FormulaGrounds grounds = find_formulas(task, part);
+    if (!ask.formula || !ask.formula_road.empty()) return std::nullopt;
+    const std::vector<HeldCondition> held = hold_far_off(task, grounds, part);
+    if (!ask.formula) return std::nullopt;
+    Regime regime{*ask.formula, {}, {}};
+    for (const HeldCondition& condition : held)
+      if (concerns(condition, i)) regime.positive.push_back(condition.positive);
+    for (const std::string& words : part.assumptions) {
+      if (std::ranges::find(solution_.assumptions, words) != solution_.assumptions.end()) continue;
+      const auto known = std::ranges::find(part.conditions, words, &FormulaCondition::words);
+      if (says_that_positive(words))
+        solution_.assumptions.push_back(words);
+      else if (known != part.conditions.end())
+        regime.positive.push_back(known->positive);
+      else
+        regime.words.push_back(words);
+    }
+    double& check = solution_.checks["formulas"];
+    if (part.checks.contains("formulas")) check = std::max(check, part.checks.at("formulas"));
+    return regime;
+  }
+
+  // Whether it says no more than that a letter is positive, which all but those of either sign are.
+  bool says_that_positive(const std::string& words) const {
+    return std::ranges::any_of(task_.open, [&](const Letter& letter) {
+      return !letter.either_sign && !is_angle(letter) && words == letter.name + " > 0";
+    });
+  }
+
+  void take_everywhere(std::size_t i, Regime found) const {
+    solution_.asks[i].formula = std::move(found.formula);
+    for (HeldCondition& condition : held_)
+      if (!condition.bound) std::erase(condition.asks, i);
+  }
+
+  // The answer depends on the letters of all its formulas and of what parts them, also where one of them has none.
+  void depend_on_all(SolvedAsk& ask, const std::vector<Regime>& regimes) const {
+    std::set<std::string> letters;
+    for (const Regime& regime : regimes) {
+      for (const std::string& letter : letters_in(regime.formula)) letters.insert(letter);
+      for (const Formula& one : regime.positive)
+        for (const std::string& letter : one.letters()) letters.insert(letter);
+    }
+    ask.state = AskState::needs_letters;
+    ask.letters.clear();
+    for (const Letter& letter : task_.open)
+      if (letters.contains(letter.name)) ask.letters.push_back(letter.name);
+  }
+
+  RegimeFormula written(const Regime& regime) const {
+    RegimeFormula result{regime.formula, regime.words};
+    for (const Formula& one : regime.positive) {
+      std::string words = condition_words(one, task_.open);
+      if (std::ranges::find(result.where, words) == result.where.end()) result.where.push_back(std::move(words));
+    }
+    return result;
+  }
+
+  void tell_rest(std::size_t i, const LetterValues& letters) const {
+    std::string where;
+    for (const Letter& letter : task_.open)
+      where += (where.empty() ? "" : ", ") + letter.name + " = " +
+               with_digits(letters.at(letter.name) / letter.unit.factor, 3) +
+               (letter.unit.text.empty() ? "" : " " + letter.unit.text);
+    solution_.notes.push_back("no formula of '" + task_.statement.asks[i].name + "' was found for letters such as " +
+                              where);
+  }
+
+  const FormulaTask& task_;
+  Solution& solution_;
+  std::vector<HeldCondition>& held_;
+  const LetterScan scan_;
+  const WorkLimit limit_;
+};
+
+}  // namespace
+
+void find_regimes(const FormulaTask& task, const FormulaGrounds& grounds, std::vector<HeldCondition>& held,
+                  Solution& solution) {
+  if (task.unknowns.empty()) RegimeSearch(task, grounds, held, solution).run();
+}
+
+void tell_conditions(const FormulaTask& task, const FormulaGrounds& grounds, const std::vector<HeldCondition>& held,
+                     Solution& solution) {
+  const auto tell = [&](const std::string& words) {
+    if (std::ranges::find(solution.assumptions, words) == solution.assumptions.end())
+      solution.assumptions.push_back(words);
+  };
+  const auto count = std::ranges::count_if(task.statement.asks, [&](const Ask& ask) {
+    const auto i = static_cast<std::size_t>(&ask - task.statement.asks.data());
+    return solution.asks[i].formula && is_at_instant(task, ask);
+  });
+  for (const HeldCondition& condition : held) {
+    const std::string words = condition_words(condition.positive, task.open);
+    std::vector<std::string> together;
+    for (const std::size_t i : condition.asks) {
+      if (!solution.asks[i].formula) continue;
+      const std::string name = "'" + task.statement.asks[i].name + "'";
+      // What stands beside each of several formulas is told of each question by itself.
+      if (solution.asks[i].regimes.empty())
+        together.push_back(name);
+      else
+        tell(words + " for " + name);
+    }
+    // Bounds are of the unknowns, which have formulas even where no answer has.
+    const bool of_unknowns = condition.bound && !grounds.unknowns.empty();
+    if (together.empty() && !of_unknowns) continue;
+    tell(static_cast<std::ptrdiff_t>(together.size()) == count ? words : words + " for " + listed(together));
+  }
+}
+
+}  // namespace poinsot::problem
