@@ -168,6 +168,8 @@ struct Dimension {
   bool angle = false;  // then it is between the directions from `corner` to the two places
   Place from, to;
   Place corner{};
+  // Of a radius, on the axes of the body of `from`: a drawing may show it in any direction across this. Else zero.
+  Vector3<double> axis{};
 };
 
 // A curve in space, as points: the path of a point, a polhode, a herpolhode.

@@ -179,6 +179,7 @@ Json dimension_json(const scene::Dimension& dimension) {
             {"from", place_json(dimension.from)},
             {"to", place_json(dimension.to)}};
   if (dimension.angle) json["corner"] = place_json(dimension.corner);
+  if (norm(dimension.axis) > 0) json["axis"] = vector_json(dimension.axis);
   return json;
 }
 

@@ -184,7 +184,8 @@ std::string scene_definitions() {
         "angle": {"type": "boolean"},
         "from": {"$ref": "#/$defs/place"},
         "to": {"$ref": "#/$defs/place"},
-        "corner": {"$ref": "#/$defs/place", "description": "of an angle: it is between the directions to the places"}
+        "corner": {"$ref": "#/$defs/place", "description": "of an angle: it is between the directions to the places"},
+        "axis": {"$ref": "#/$defs/vector", "description": "of a radius, on the axes of the body of `from`: it may be drawn in any direction across this"}
       }
     },
     "curve": {

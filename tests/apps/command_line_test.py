@@ -211,9 +211,9 @@ class Documents(unittest.TestCase):
             self.assertIn(old, good)
             self.assertFalse(self.validator.is_valid(json.loads(good.replace(old, new, 1))), f"{old} -> {new}")
 
-    def test_documents_of_the_examples_keep_the_schema(self):
+    def test_documents_of_the_examples_keep_the_schema_with_their_scenes(self):
         self.assertTrue(EXAMPLES)
-        result = run("solve", "--json", *map(str, EXAMPLES))
+        result = run("solve", "--json", "--scene", *map(str, EXAMPLES))
         self.assertIn(result.returncode, (0, 1), result.stderr)
         lines = result.stdout.splitlines()
         self.assertEqual(len(lines), len(EXAMPLES))
@@ -222,6 +222,8 @@ class Documents(unittest.TestCase):
             document = json.loads(line)
             self.validator.validate(document)
             self.assertEqual(document["file"], str(example))
+            for solution in document["solutions"]:
+                self.assertTrue(solution["scene"]["bodies"], example)
 
     def test_scenes_keep_the_schema(self):
         # A motion, a blow, cones, situations, bodies of which the inertia alone is known, springs, a view.

@@ -65,6 +65,57 @@ test("solids pass the validator of their format", async () => {
   }
 });
 
+// three.js reads the form by itself.
+async function loader() {
+  const { build } = packages("esbuild");
+  const made = await build({
+    stdin: {
+      contents:
+        'export { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js"; export { AnimationMixer, Vector3, Quaternion } from "three";',
+      resolveDir: join(root, "web"),
+    },
+    bundle: true,
+    write: false,
+    format: "esm",
+    platform: "neutral",
+    mainFields: ["module", "main"],
+    logLevel: "error",
+  });
+  return import(`data:text/javascript;base64,${Buffer.from(made.outputFiles[0].contents).toString("base64")}`);
+}
+
+test("another program finds the bodies where the motion has them", async () => {
+  const { GLTFLoader, AnimationMixer, Vector3, Quaternion } = await loader();
+  const file = join(examples, "textbook/18.C6.yaml");
+  const path = join(folder, "moving.glb");
+  poinsot("report", file, "-o", path, "--force");
+  const { scene } = JSON.parse(poinsot("solve", "--json", "--scene", file)).solutions[0];
+  const bytes = readFileSync(path);
+  const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+  const read = await new GLTFLoader().parseAsync(buffer, "");
+  assert.equal(read.animations.length, 1);
+  const mixer = new AnimationMixer(read.scene);
+  mixer.clipAction(read.animations[0]).play();
+  const { times, bodies } = scene.motion;
+  let compared = 0;
+  for (const index of [0, 7, Math.floor(times.length / 2), times.length - 2]) {
+    mixer.setTime(times[index] - times[0]);
+    read.scene.updateMatrixWorld(true);
+    const root = read.scene.getObjectByName(scene.bodies[0].name).parent;
+    scene.bodies.forEach((body, k) => {
+      const node = read.scene.getObjectByName(body.name);
+      assert.ok(node, body.name);
+      assert.equal(node.parent, root);
+      const place = new Vector3(...bodies[k].position.slice(3 * index, 3 * index + 3));
+      const [w, x, y, z] = bodies[k].orientation.slice(4 * index, 4 * index + 4);
+      assert.ok(node.position.distanceTo(place) < 1e-5 * Math.max(scene.length, 1e-9), `${body.name} ${index}`);
+      assert.ok(node.quaternion.angleTo(new Quaternion(x, y, z, w)) < 1e-3, `${body.name} ${index}`);
+      compared += 1;
+    });
+  }
+  assert.ok(compared >= 4);
+});
+
 const refused = (words, message) => {
   const run = spawnSync(program, ["report", ...words], { encoding: "utf8" });
   assert.equal(run.status, 2, run.stderr);

@@ -95,11 +95,11 @@ const slide = (page, time) =>
   }, time);
 
 // A page of which the document has a motion, made up here: what a page shows does not depend on where it comes from.
-function pageWithMotion(name) {
+function pageWithMotion(name, frames = 41) {
   const path = pageOfText(name, swing);
   const data = dataOf(path);
   const { scene } = data.document.solutions[0];
-  const times = Array.from({ length: 41 }, (_, i) => 1 + 0.05 * i);
+  const times = Array.from({ length: frames }, (_, i) => 1 + (2 * i) / (frames - 1));
   const bodies = scene.bodies.map((_, k) => ({
     position: times.flatMap((t) => [0.1 * t, 0.05 * k * t, Math.sin(t)]),
     orientation: times.flatMap((t) => [Math.cos(2 * t), 0.6 * Math.sin(2 * t), 0, 0.8 * Math.sin(2 * t)]),
@@ -276,6 +276,21 @@ test("arrows go with the motion, and can be switched off", async () => {
   assert.equal(await page.evaluate(() => Number(document.querySelector("input[type=range]").value)), 1.5);
   assert.deepEqual(wrong, []);
   await close();
+});
+
+test("a page with ten thousand frames takes less than a second to be there", async () => {
+  const path = pageWithMotion("frames", 10_000);
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  // The time in which the page's thread works: what else the machine does is not counted.
+  const session = await context.newCDPSession(page);
+  await session.send("Performance.enable", { timeDomain: "threadTicks" });
+  await page.goto(`file://${path}`);
+  await page.waitForFunction(() => window.poinsotStages?.[0]?.movingArrows().length === 1);
+  const { metrics } = await session.send("Performance.getMetrics");
+  const { value } = metrics.find((one) => one.name === "TaskDuration");
+  assert.ok(value > 0.01 && value < 1, `${value} s`);
+  await context.close();
 });
 
 test("several solutions stand behind tabs that the keyboard moves between", async () => {

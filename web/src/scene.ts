@@ -89,6 +89,7 @@ export interface Dimension {
   from: Place;
   to: Place;
   corner: Place;
+  axis?: Vector;
 }
 
 export interface Curve {

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double over_mark = 1000;  // what it costs to stand over a line
 constexpr double over_label = 5000;
-constexpr double clear = 1.5;  // around a label, free of lines
+constexpr double reads_on = 14, apart = 9;  // labels on one line, nearer than this, read as one word
+constexpr double clear = 1.5;               // around a label, free of lines
 constexpr double leader_beyond = 15;
 constexpr std::array<double, 14> distances{0, 4, 9, 15, 22, 30, 40, 52, 66, 84, 110, 150, 210, 300};
 constexpr double most_for_optional = 40;
@@ -192,7 +193,10 @@ class Placement {
     for (std::size_t other = 0; other < requests_.size(); ++other) {
       if (other == i || !std::isfinite(placed_[other].cost) || left_out(other)) continue;
       const Box theirs = requests_[other].label.box.moved(placed_[other].at);
-      if (theirs.grown(1.5).overlaps(box)) sum += over_label;
+      if (theirs.grown(1.5).overlaps(box))
+        sum += over_label;
+      else if (Box{theirs.left - apart, theirs.top + 3, theirs.right + apart, theirs.bottom - 3}.overlaps(box))
+        sum += reads_on;
       if (with_leader && meets(theirs, here.leader->first, here.leader->second)) sum += over_label;
       if (placed_[other].leader && meets(box, placed_[other].leader->first, placed_[other].leader->second))
         sum += over_label;

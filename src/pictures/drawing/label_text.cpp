@@ -45,6 +45,10 @@ class Setter {
   explicit Setter(double size) : size_(size) {}
 
   void put(std::string_view text, Face face) {
+    // A prime beside the end of a bar would look like the head of an arrow.
+    if (text == "′" || text == "'")
+      for (const Accent& accent : label_.accents)
+        if (std::abs(accent.to.x - x_) < 0.1 * size_) x_ += 0.14 * size_;
     Run run{std::string(text), face, size_, {x_, y_}, text_width(text, face, size_)};
     x_ += run.width;
     auto& runs = label_.runs;

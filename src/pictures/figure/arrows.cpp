@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -16,6 +17,8 @@ using scene::Quantity;
 
 constexpr double end_on_part = 0.12;  // of its length: an arrow that is seen shorter is drawn as a point or a cross
 constexpr double head_length = 10, head_half_width = 3.4;
+constexpr double around = 0.42;  // where the curved arrow of a turning goes around its shaft, as a part of it
+constexpr double shortest_turning = 46;
 
 enum class Head { full, open, hollow };
 
@@ -99,7 +102,9 @@ class ArrowDrawer {
     const Point2 seen = panel_.projection.direction_of(direction);
     const Point2 at = panel_.paper(arrow.at);
     if (norm(seen) < end_on_part) return end_on(arrow, at, dot(direction, panel_.projection.view().viewer) > 0);
-    const Shaft shaft = place(arrow, at, full * seen);
+    // What is not to scale has its least length on the paper.
+    const Shaft shaft =
+        place(arrow, at, marked ? least_length(arrow.quantity) * pictures::direction(seen) : full * seen);
     const Style style = style_of(arrow.quantity);
     const Point2 along = pictures::direction(shaft.tip - shaft.tail);
     const bool doubled = turns(arrow.quantity);
@@ -112,12 +117,15 @@ class ArrowDrawer {
       curved(shaft, direction, style);
     }
     draw_head(panel_, shaft.tip, along, style);
-    if (marked) mark(shaft, style);
+    if (marked) mark(shaft, style, doubled);
     drawn_.push_back(shaft);
     label(arrow, shaft, along);
   }
 
  private:
+  // A double head and a curved arrow need more room.
+  static double least_length(Quantity quantity) { return turns(quantity) ? shortest_turning : shortest_arrow; }
+
   // The best of some places: tail or head at the point, or beside it, clear of bodies and of other arrows.
   Shaft place(const scene::Arrow& arrow, Point2 at, Point2 arm) const {
     const Point2 side = turned_left(direction(arm));
@@ -154,7 +162,7 @@ class ArrowDrawer {
     constexpr double radius = 9, least_opening = 0.35, gap = 0.75;
     const Point2 nearest = (toward > 0 ? -1 : 1) * std::max(std::abs(toward), least_opening) * shaft_along;
     const Point2 onward = -turned_left(shaft_along);  // where the right hand turns what is nearest
-    const Point2 center = shaft.tail + 0.42 * (shaft.tip - shaft.tail);
+    const Point2 center = shaft.tail + around * (shaft.tip - shaft.tail);
     std::vector<Point2> points;
     const double from = -std::numbers::pi + gap, to = std::numbers::pi - gap;
     for (int i = 0; i <= 30; ++i) {
@@ -169,10 +177,11 @@ class ArrowDrawer {
   }
 
   // Two strokes across the shaft.
-  void mark(const Shaft& shaft, const Style& style) {
+  void mark(const Shaft& shaft, const Style& style, bool turning) {
     panel_.not_to_scale = true;
     const Point2 along = direction(shaft.tip - shaft.tail), side = turned_left(along);
-    for (const double part : {0.22, 0.34}) {
+    // Clear of the arrow that goes around.
+    for (const double part : turning ? std::array{0.08, 0.17} : std::array{0.22, 0.34}) {
       const Point2 at = shaft.tail + part * (shaft.tip - shaft.tail);
       panel_.line({at - 4.0 * side - 1.5 * along, at + 4.0 * side + 1.5 * along}, Role::arrow, 1, style.ink);
     }

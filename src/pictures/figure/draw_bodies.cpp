@@ -134,6 +134,9 @@ void draw_bodies(Panel& panel, double strength) {
                                     .closed = line.closed,
                                     .opacity = strength});
   draw_hidden_edges(panel, strength);
+  // Stand-ins are no more than pictures: what they hide shines through.
+  constexpr double through = 0.3;
+  draw_rods(panel, std::move(lines.rods_within), through * strength);
   draw_rods(panel, std::move(lines.rods), strength);
   for (const Solid& solid : panel.solids)
     if (solid.extent == scene::Extent::point)

@@ -69,6 +69,12 @@ void foot(Panel& panel, const Sketch& sketch, const Vector& axis, double radius)
   hatch(panel, base - half * across_foot, base + half * across_foot);
 }
 
+// Whether the paper lies flat, so that no direction on it is down.
+bool seen_from_above(const Panel& panel) {
+  constexpr double steep = 0.95;
+  return std::abs(dot(panel.scene.up, panel.projection.view().viewer)) > steep;
+}
+
 // A pin seen along its axis: a circle, on a triangle where the ground holds it.
 void pin(Panel& panel, Point2 at, bool on_ground, const Vector& axis) {
   if (on_ground) {
@@ -170,7 +176,7 @@ void draw(Panel& panel, const scene::Symbol& symbol, const Vector& at) {
     case SymbolKind::journal:
     case SymbolKind::thrust:
     case SymbolKind::listed_support:
-      if (end_on || !has_axis) return pin(panel, sketch.at(), on_ground, along);
+      if (end_on || !has_axis) return pin(panel, sketch.at(), on_ground && !seen_from_above(panel), along);
       if (on_ground) foot(panel, sketch, along, 5);
       sketch.tube(along, 7, 5);
       if (symbol.kind == SymbolKind::thrust) {

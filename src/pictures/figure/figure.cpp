@@ -106,7 +106,9 @@ Drawing finished(Panel& panel) {
 }
 
 Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest, const PanelKind& kind) {
-  draw_bodies(panel);
+  // The cones are what is shown; the body tells how it is turned.
+  constexpr double beside_cones = 0.4;
+  draw_bodies(panel, kind.cones ? beside_cones : 1);
   if (kind.symbols) {
     draw_links(panel);
     draw_symbols(panel);
@@ -117,7 +119,7 @@ Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest,
   }
   if (kind.axes && kind.axes_at_origin) draw_axes(panel, true);
   if (kind.symbols) draw_dimensions(panel);
-  draw_points(panel, diagram.arrows);
+  if (!kind.cones) draw_points(panel, diagram.arrows, !kind.symbols);
   draw_arrows(panel, diagram.arrows, largest);
   if (kind.axes && !kind.axes_at_origin) draw_axes(panel, false);
   if (kind.body_names) draw_body_names(panel);
@@ -184,7 +186,9 @@ Drawing single(const Scene& scene, const Diagram& diagram, const PanelKind& kind
   const std::vector<int> bodies = diagram.bodies.empty() ? all_bodies(scene) : diagram.bodies;
   Largest largest;
   for (const scene::Arrow& arrow : diagram.arrows) largest.include(arrow);
-  const View view = looks.view ? *looks.view : chosen_view(scene, bodies, diagram.arrows, poses);
+  const View view = looks.view   ? *looks.view
+                    : kind.cones ? chosen_view_of_cones(scene, bodies, poses)
+                                 : chosen_view(scene, bodies, diagram.arrows, poses);
   Panel panel(scene, bodies, poses,
               fitted(view, places_of(scene, bodies, poses, diagram.arrows, kind.symbols), size_of_panels(1)));
   panel.values = looks.values;
@@ -309,15 +313,17 @@ Drawing figure(const Scene& scene, const FigureName& name, const std::string& ti
   std::vector<const Diagram*> shown;
   switch (name.kind) {
     case FigureKind::model:
-    case FigureKind::cones:
     case FigureKind::answers: {
       const Diagram* diagram =
           find(scene, name.kind == FigureKind::answers ? DiagramKind::answers : DiagramKind::model);
       const Diagram& own = diagram != nullptr ? *diagram : no_arrows;
       shown.push_back(&own);
-      drawing = single(scene, own, {.cones = name.kind == FigureKind::cones}, looks, marked);
+      drawing = single(scene, own, {}, looks, marked);
       break;
     }
+    case FigureKind::cones:
+      drawing = single(scene, no_arrows, {.symbols = false, .cones = true}, looks, marked);
+      break;
     case FigureKind::motion:
       drawing = motion(scene, looks);
       break;

@@ -69,7 +69,8 @@ void draw_symbols(Panel& panel);
 void draw_links(Panel& panel);
 // The axes of the ground, from its origin where that is near, else in a corner.
 void draw_axes(Panel& panel, bool at_origin);
-void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows);
+// cut_free: of the ground's points only those at which something acts.
+void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut_free = false);
 void draw_body_names(Panel& panel);
 void draw_dimensions(Panel& panel);
 enum class CurvesDrawn { paths, of_free_motion };

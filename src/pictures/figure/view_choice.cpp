@@ -19,6 +19,7 @@ constexpr double near_part = 0.04;         // of the picture: places should not 
 struct Directed {
   Vector at, direction;
   bool turning = false;
+  double size = 1;  // beside the largest that is drawn to the same scale
 };
 
 struct Plate {
@@ -37,6 +38,7 @@ struct Matter {
   std::vector<Plate> plates;
   std::vector<std::array<Vector, 3>> facets;
   std::vector<Vector> joint_axes;
+  std::vector<Vector> cone_axes;  // into the cones one should look, and see how high they are
 };
 
 void add_point(Matter& matter, const Vector& at) {
@@ -107,7 +109,8 @@ Matter matter_of(const scene::Scene& scene, const std::vector<int>& bodies, cons
   for (const scene::Arrow& arrow : arrows)
     if (const double size = norm(arrow.vector);
         size > rounding_part * largest[static_cast<std::size_t>(scale_of(arrow.quantity))])
-      matter.arrows.push_back({on_ground(arrow.at, poses), arrow.vector / size, turns(arrow.quantity)});
+      matter.arrows.push_back({on_ground(arrow.at, poses), arrow.vector / size, turns(arrow.quantity),
+                               size / largest[static_cast<std::size_t>(scale_of(arrow.quantity))]});
   add_solids(matter, solids);
   return matter;
 }
@@ -136,11 +139,21 @@ double cost_of(const View& view, const Matter& matter) {
   const Projection projection(view, 1 / matter.size);
   const auto length = [&](const Vector& v) { return norm(projection.direction_of(v)); };
   double cost = 0;
-  for (const Directed& arrow : matter.arrows) cost += 2.5 * shortfall(length(arrow.direction));
+  // What is short in itself, and would be drawn to scale, should not become shorter yet.
+  constexpr double to_scale = 0.25;
+  for (const Directed& arrow : matter.arrows) {
+    cost += 2.5 * shortfall(length(arrow.direction));
+    if (arrow.size > to_scale) cost += shortfall(arrow.size * length(arrow.direction));
+  }
   for (const auto& [rod, weight] : matter.rods)
     cost += 2.0 * weight * shortfall(length(rod)) / std::sqrt(static_cast<double>(matter.rods.size()));
   for (const Plate& plate : matter.plates)
     cost += 2 * plate.weight * shortfall(std::abs(dot(plate.normal, view.viewer)));
+  constexpr double cone_weight = 3, highest = 0.6;
+  for (const Vector& axis : matter.cone_axes) {
+    cost += cone_weight * shortfall(std::abs(dot(axis, view.viewer)));
+    cost += cone_weight * shortfall(shortest_seen / highest * length(axis));
+  }
   for (std::size_t i = 0; i < 3; ++i) cost += 1.2 * shortfall(length(Vector::unit(i)));
   for (std::size_t i = 0; i < matter.points.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) {
@@ -189,13 +202,8 @@ std::optional<Vector> planar_normal(const Matter& matter) {
   return normal;
 }
 
-}  // namespace
-
-View chosen_view(const scene::Scene& scene, const std::vector<int>& bodies, const std::vector<scene::Arrow>& arrows,
-                 const std::vector<scene::Pose>& poses) {
-  if (scene.viewer) return view_from(*scene.viewer, scene.up);
-  const Matter matter = matter_of(scene, bodies, arrows, poses);
-  if (const std::optional<Vector> normal = planar_normal(matter)) {
+View best_view(const scene::Scene& scene, const Matter& matter) {
+  if (const std::optional<Vector> normal = planar_normal(matter); normal && matter.cone_axes.empty()) {
     // From the side on which the axis of the plane points to the viewer.
     const Vector to = normal->x + normal->y + normal->z < 0 ? -*normal : *normal;
     return view_from(to, scene.up);
@@ -225,6 +233,23 @@ View chosen_view(const scene::Scene& scene, const std::vector<int>& bodies, cons
       }
     }
   return best;
+}
+
+}  // namespace
+
+View chosen_view(const scene::Scene& scene, const std::vector<int>& bodies, const std::vector<scene::Arrow>& arrows,
+                 const std::vector<scene::Pose>& poses) {
+  if (scene.viewer) return view_from(*scene.viewer, scene.up);
+  return best_view(scene, matter_of(scene, bodies, arrows, poses));
+}
+
+View chosen_view_of_cones(const scene::Scene& scene, const std::vector<int>& bodies,
+                          const std::vector<scene::Pose>& poses) {
+  if (scene.viewer) return view_from(*scene.viewer, scene.up);
+  Matter matter = matter_of(scene, bodies, {}, poses);
+  for (const scene::Cone& cone : scene.cones)
+    matter.cone_axes.push_back(unit_or(turned_to_ground(cone.body, cone.axis, poses), {0, 0, 1}));
+  return best_view(scene, matter);
 }
 
 }  // namespace poinsot::pictures

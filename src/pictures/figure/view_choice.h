@@ -12,5 +12,8 @@ namespace poinsot::pictures {
 // that matters behind a body. `bodies` and `arrows` are what is drawn.
 View chosen_view(const scene::Scene& scene, const std::vector<int>& bodies, const std::vector<scene::Arrow>& arrows,
                  const std::vector<scene::Pose>& poses);
+// The same for the figure of the scene's cones: one looks into them, and sees how high they are.
+View chosen_view_of_cones(const scene::Scene& scene, const std::vector<int>& bodies,
+                          const std::vector<scene::Pose>& poses);
 
 }  // namespace poinsot::pictures

@@ -88,6 +88,34 @@ void add_seen(Chains& chains, const DeepPoint& from, const DeepPoint& to, const 
                from.depth + (part.first + part.second) / 2 * (to.depth - from.depth));
 }
 
+void add_rods_within(Lines& lines, const std::vector<Solid>& solids, const Projection& projection,
+                     const Visibility& visibility) {
+  if (std::ranges::none_of(solids, &Solid::stand_in)) return;
+  std::vector<Solid> stated = solids;
+  for (Solid& solid : stated)
+    if (solid.stand_in) solid.triangles.clear();
+  const Visibility without(stated, projection);
+  for (const Solid& solid : stated) {
+    if (solid.extent != scene::Extent::line) continue;
+    const std::vector<DeepPoint> points = projected(solid, projection);
+    Chains chains;
+    for (const auto& line : solid.lines)
+      for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const DeepPoint &a = points[line[i]], &b = points[line[i + 1]];
+        // Hidden with them and seen without them.
+        for (const Interval& hidden : remainder(visibility.seen(a, b)))
+          for (const Interval& part : without.seen(a, b)) {
+            const double begin = std::max(hidden.first, part.first), end = std::min(hidden.second, part.second);
+            if (begin < end) chains.add(a.at + begin * (b.at - a.at), a.at + end * (b.at - a.at), a.depth);
+          }
+      }
+    for (SeenLine& line : chains.take()) {
+      line.body = solid.body;
+      lines.rods_within.push_back(std::move(line));
+    }
+  }
+}
+
 }  // namespace
 
 Lines seen_lines(const std::vector<Solid>& solids, const std::vector<Intersection>& intersections,
@@ -115,6 +143,7 @@ Lines seen_lines(const std::vector<Solid>& solids, const std::vector<Intersectio
     take(features, solid.body, solid.stand_in, false, solid.extent == scene::Extent::line ? lines.rods : lines.edges);
     take(silhouettes, solid.body, solid.stand_in, true, lines.edges);
   }
+  add_rods_within(lines, solids, projection, visibility);
   Chains meetings;
   for (const Intersection& meeting : intersections)
     add_seen(meetings, {projection(meeting.from), projection.depth(meeting.from)},

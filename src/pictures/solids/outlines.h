@@ -21,6 +21,8 @@ struct SeenLine {
 struct Lines {
   std::vector<SeenLine> edges;
   std::vector<SeenLine> rods;  // bodies that are lines
+  // What of these is hidden by nothing but solids that stand for a shape that is not stated.
+  std::vector<SeenLine> rods_within;
 };
 
 Lines seen_lines(const std::vector<Solid>& solids, const std::vector<Intersection>& intersections,

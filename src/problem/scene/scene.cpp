@@ -31,16 +31,20 @@ class SceneMaker {
         solution_(solved.solutions[solution]),
         numbers_(statement, sets, solved, solution, LetterSizes::alike) {}
 
-  // The situation about which is asked first, and then the others as far as they can be drawn.
+  // The situation about which is asked first, and then the others, as far as they can be drawn: that of a claim may
+  // have letters of which nothing says how large they are.
   std::vector<scene::Scene> made() && {
     const bool chosen = numbers_.choose();
     const std::size_t first = shown_situation(chosen);
-    std::vector<scene::Scene> scenes{scene_in(first)};
+    scene::Scene shown = scene_in(first);
+    std::vector<scene::Scene> scenes;
+    if (!shown.bodies.empty()) scenes.push_back(shown);
     for (std::size_t k = 0; k < statement_.situations.size() && k < most_situations; ++k) {
       if (k == first) continue;
       scene::Scene other = scene_in(k);
       if (!other.bodies.empty()) scenes.push_back(std::move(other));
     }
+    if (scenes.empty()) scenes.push_back(std::move(shown));
     return scenes;
   }
 

@@ -140,7 +140,7 @@ class AngleFinder {
         if (&from != &to && along_something(from.place, to.place)) rays.push_back({from.place, to.drawn - from.drawn});
     return rays;
   }
-  // Whether an edge of a body, a cord or the axis of a joint runs along the segment.
+  // Whether an edge of a body, a cord, or the line from where a body is held to its center runs along the segment.
   bool along_something(const scene::Place& from, const scene::Place& to) const {
     const Vector3<double> a = figure_.on_ground(from), b = figure_.on_ground(to), d = b - a;
     const double length = norm(d), near = 1e-6 * figure_.scene().length;
@@ -156,6 +156,12 @@ class AngleFinder {
             const Vector3<double> q = body.pose.R * shape.vertices[edge[i + 1]] + body.pose.p;
             if (on_line(p) && on_line(q)) return true;
           }
+    for (const scene::Symbol& symbol : figure_.scene().symbols) {
+      if (symbol.to < 0 || figure_.scene().bodies[static_cast<std::size_t>(symbol.to)].massless) continue;
+      const scene::Place center{symbol.to, figure_.scene().bodies[static_cast<std::size_t>(symbol.to)].center};
+      const Vector3<double> p = figure_.on_ground(symbol.place), q = figure_.on_ground(center);
+      if (norm(Vector3<double>(q - p)) > near && on_line(p) && on_line(q)) return true;
+    }
     for (const scene::Link& link : figure_.scene().links)
       if (link.kind == scene::LinkKind::cord && on_line(figure_.on_ground(link.from)) &&
           on_line(figure_.on_ground(link.to)))

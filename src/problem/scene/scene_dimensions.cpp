@@ -1,5 +1,5 @@
-// A datum is the distance of two points along an axis of the figure if the distance grows as the datum does: told by
-// the derivatives of their places, so that numbers which are equal by chance are not confused.
+// A datum is the distance of two points along an axis of the figure, or the length of an edge, if this grows as the
+// datum does: told by derivatives, so that numbers which are equal by chance are not confused.
 #include "problem/scene/scene_dimensions.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ class Dimensions {
               : is_open(name)                                     ? name
                                                                   : name + " = " + in_unit(value, unit);
       if (angle) return add_angle(figure_, {name, text_, value.number});
-      if (!between_points(name, value)) of_shapes(name, value.number);
+      if (!between_points(name, value) && !of_shapes(name, value.number)) of_edges(name, value);
     } catch (const StatementError&) {
       // What has no value yet has no place in the figure.
     }
@@ -54,12 +54,14 @@ class Dimensions {
     return with_digits(value.number / unit.factor, digits) + " " + unit.text;
   }
 
-  void put(const std::string& name, const scene::Place& from, const scene::Place& to) {
+  void put(const std::string& name, const scene::Place& from, const scene::Place& to,
+           const Vector3<double>& axis = {}) {
     scene::Dimension dimension;
     dimension.name = name;
     dimension.text = text_;
     dimension.from = from;
     dimension.to = to;
+    dimension.axis = axis;
     figure_.scene().dimensions.push_back(std::move(dimension));
   }
 
@@ -97,14 +99,15 @@ class Dimensions {
   }
 
   // A radius or a length that a shape names.
-  void of_shapes(const std::string& name, double value) {
+  bool of_shapes(const std::string& name, double value) {
     for (std::size_t k = 0; k < figure_.situation().bodies.size(); ++k)
       for (const Part& part : figure_.situation().bodies[k].parts)
         for (const NamedExpression& argument : part.shape.arguments) {
           const Name* datum = argument.value.as<Name>();
           if (datum == nullptr || datum->name != name) continue;
-          if (of_shape(name, value, part.shape, argument.name, static_cast<int>(k))) return;
+          if (of_shape(name, value, part.shape, argument.name, static_cast<int>(k))) return true;
         }
+    return false;
   }
   bool of_shape(const std::string& name, double value, const Shape& shape, const std::string& argument, int body) {
     const auto has = [&](const char* other) {
@@ -118,13 +121,45 @@ class Dimensions {
     for (const char* given : {"normal", "axis"})
       if (has(given)) axis = figure_.data().direction(shape_argument(shape, given, file));
     if (argument == "radius" || argument == "inner_radius") {
-      put(name, {body, center}, {body, center + value * cubature::Triad<double>(axis).first});
+      const bool round = shape.kind == "sphere" || shape.kind == "hemisphere";
+      put(name, {body, center}, {body, center + value * cubature::Triad<double>(axis).first},
+          round ? Vector3<double>{} : axis);
     } else if (argument == "length") {
       put(name, {body, center - 0.5 * value * axis}, {body, center + 0.5 * value * axis});
     } else {
       return false;
     }
     return true;
+  }
+
+  // A straight edge of a shape that is as long as the datum says, and grows as it does.
+  void of_edges(const std::string& name, const Value<double>& value) {
+    constexpr double growth = 1e-4, exact = 1e-9, alike = 1e-6;
+    Settings grown = figure_.data().settings();
+    Value<double> more = value;
+    more.number *= 1 + growth;
+    grown[name] = more;
+    DataScope<double> data(figure_.situation(), grown);
+    for (std::size_t k = 0; k < figure_.situation().bodies.size(); ++k) {
+      const Body& body = figure_.situation().bodies[k];
+      for (const Part& part : body.parts) {
+        if (part.shape.kind == "mesh") continue;
+        const Outline here = shape_picture(part.shape, figure_.data(), body.name);
+        const Outline there = shape_picture(part.shape, data, body.name);
+        if (here.vertices.size() != there.vertices.size()) continue;
+        for (const auto& edge : here.edges)
+          for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
+            const auto length = [&](const Outline& outline) {
+              return norm(Vector3<double>(outline.vertices[edge[i + 1]] - outline.vertices[edge[i]]));
+            };
+            const double now = length(here), then = length(there);
+            if (std::abs(now - value.number) > exact * value.number) continue;
+            if (std::abs(then - now - growth * value.number) > alike * growth * value.number) continue;
+            const int number = static_cast<int>(k);
+            return put(name, {number, here.vertices[edge[i]]}, {number, here.vertices[edge[i + 1]]});
+          }
+      }
+    }
   }
 
   static constexpr std::size_t most_points = 60;  // pairs of them are looked at

@@ -174,6 +174,13 @@ void SceneFigure::add_world() {
       high[k] = std::max(high[k], place[k]);
     }
   if (const double size = norm(Vector3<double>(high - low)); size > 0 && std::isfinite(size)) scene_.length = size;
+  // Of what goes on beyond the figure a piece is shown.
+  constexpr double piece = 0.4;
+  for (scene::Link& link : scene_.links) {
+    if (!link.far) continue;
+    const Vector3<double> from = on_ground(link.from);
+    link.to.at = from + piece * scene_.length * normalized(Vector3<double>(link.to.at - from));
+  }
 }
 
 scene::Arrow SceneFigure::arrow(scene::Quantity quantity, const std::string& name, int body, const scene::Place& at,

@@ -55,6 +55,24 @@ bool is_open(const StatedInertia& inertia) {
          std::any_of(inertia.moments.begin(), inertia.moments.end(), any);
 }
 
+// Whether a body is held at a point that its solid would swallow. Where it turns about its axis the shaft comes out of
+// the solid, and at its center it may be held in gimbals; a top stands on a tip.
+bool swallows_a_holder(const scene::Scene& scene, int body, const Vector3<double>& center, const Vector3<double>& axis,
+                       const Cylinder& size) {
+  return std::any_of(scene.symbols.begin(), scene.symbols.end(), [&](const scene::Symbol& symbol) {
+    if (symbol.place.body != body || symbol.kind == scene::SymbolKind::contact ||
+        symbol.kind == scene::SymbolKind::rolling_contact)
+      return false;
+    const Vector3<double> d = symbol.place.at - center;
+    const double along = std::abs(dot(d, axis)), near = 1e-6 * scene.length;
+    if (norm(d) < near) return false;
+    const bool about_axis =
+        norm(symbol.axis) > 0 && norm(Vector3<double>(cross(symbol.axis, axis))) < 1e-6 * norm(symbol.axis);
+    return !about_axis && along < 0.5 * size.length + near &&
+           norm(Vector3<double>(d - dot(d, axis) * axis)) < size.radius;
+  });
+}
+
 std::optional<scene::Shape> stand_in(const scene::Scene& scene, int number, const Body& body,
                                      const MassProperties<double>& mass) {
   const PrincipalAxes<double> principal = principal_axes(mass.inertia_center, equal_moments);
@@ -75,6 +93,7 @@ std::optional<scene::Shape> stand_in(const scene::Scene& scene, int number, cons
       return std::nullopt;
     const double radius =
         touching_radius(scene, number, own.center, any_axis).value_or(std::sqrt(2.5 * moments.x / mass.mass));
+    if (swallows_a_holder(scene, number, own.center, any_axis, {radius, 2 * radius})) return std::nullopt;
     outline = outlines::sphere(own.center, radius);
     kind = "sphere";
   } else {
@@ -91,6 +110,7 @@ std::optional<scene::Shape> stand_in(const scene::Scene& scene, int number, cons
     }
     // What is longer than wide is a link rather than a rotor, and has arms to what it links.
     if (size.length > 2 * size.radius || !held_on_axis(scene, number, own.center, axis)) return std::nullopt;
+    if (swallows_a_holder(scene, number, own.center, axis, size)) return std::nullopt;
     outline = picture(own.center, axis, size);
     kind = outline.triangles.empty() ? "rod" : size.length < flat * size.radius ? "disk" : "cylinder";
   }

@@ -45,6 +45,14 @@ TEST(LabelText, reads_the_tex_of_worked_solutions) {
   EXPECT_EQ(told(words_label("R = 5 N")), "u:R = 5 N");
 }
 
+TEST(LabelText, a_prime_stands_clear_of_a_bar) {
+  const Label label = tex_label("\\bar{\\mathbf{v}}'");
+  ASSERT_EQ(label.accents.size(), 1U);
+  ASSERT_EQ(label.runs.size(), 2U);
+  EXPECT_GT(label.runs[1].offset.x, label.accents[0].to.x + 1);
+  EXPECT_EQ(tex_label("\\mathbf{v}'").runs.back().offset.x, tex_label("\\mathbf{v}").box.right);
+}
+
 TEST(LabelText, bears_with_any_text) {
   for (const char* text :
        {"", "\\", "\\mathbf", "{", "}", "{{{{", "_", "^_^", "\\bar", "\\dot{", "\\unknown{x}", "a_{b_{c_d}}"}) {

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -62,12 +64,15 @@ std::vector<std::string> faults(const Drawing& drawing) {
 
 struct Counts {
   std::size_t figures = 0, labels = 0;
+  std::vector<double> milliseconds{};  // of the processor, for each figure
 };
 
 void check_scene(const scene::Scene& scene, const std::string& where, Counts& counts) {
   for (const FigureName& name : figures_of(scene))
     for (const bool values : {false, true}) {
+      const std::clock_t begin = std::clock();
       const Drawing drawing = figure(scene, name, where, {.values = values});
+      counts.milliseconds.push_back(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
       EXPECT_EQ(faults(drawing), std::vector<std::string>{})
           << where << " " << scene.situation << ", " << name.name << (values ? " with values" : "");
       ++counts.figures;
@@ -91,6 +96,17 @@ void check_folder(const char* folder, std::size_t least_figures) {
   EXPECT_GT(counts.figures, least_figures);
   EXPECT_GT(counts.labels, 3 * counts.figures);
   EXPECT_LE(left_out, 4U);
+  std::ranges::sort(counts.milliseconds);
+  const auto part = [&](double of_all) {
+    return counts.milliseconds[static_cast<std::size_t>(of_all * static_cast<double>(counts.milliseconds.size() - 1))];
+  };
+  testing::Test::RecordProperty("median_ms", fmt::format("{:.1f}", part(0.5)));
+  testing::Test::RecordProperty("longest_ms", fmt::format("{:.1f}", part(1)));
+  fmt::print("a figure takes {:.1f} ms, nine of ten less than {:.1f} ms, the longest {:.1f} ms\n", part(0.5), part(0.9),
+             part(1));
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  EXPECT_LT(part(0.9), 50);
+#endif
 }
 
 TEST(AllFigures, of_the_textbook_have_labels_in_free_places) { check_folder("examples/textbook", 300); }

@@ -142,6 +142,59 @@ TEST(SceneMarks, nothing_stands_for_a_body_of_three_different_moments_or_of_know
   EXPECT_FALSE(scene_of(document).bodies.at(1).shapes.at(0).stand_in);
 }
 
+const scene::Dimension* length_named(const scene::Scene& scene, const std::string& name) {
+  for (const scene::Dimension& dimension : scene.dimensions)
+    if (!dimension.angle && dimension.name == name) return &dimension;
+  return nullptr;
+}
+
+TEST(SceneMarks, lengths_stand_at_edges_that_have_them_however_they_lie) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> draw(0.3, 2);
+  for (int round = 0; round < 6; ++round) {
+    const double a = draw(random), b = draw(random);
+    const Document document = illustrated(
+        "title: t\ngiven: {a: " + std::to_string(a) + " m, b: " + std::to_string(b) +
+        " m, c: 2 m, angle: 0.6 rad}\npoints:\n  O: [0, 0, 0]\n  Q: c/2*z\n  R: c/2*z + c*[0.6, 0.8, 0]\n"
+        "directions: {down: [0, -cos(angle), sin(angle)]}\n"
+        "bodies:\n  p: {rectangle: {center: O + a/2*down, sides: [b*x, a*down]}, mass: 1 kg}\n"
+        "  w: {wire: [O, Q, R], mass: 1 kg}\n"
+        "joints: {s: {revolute: y, at: O, to: p, rate: 1 rad/s}, t: {revolute: y, at: O, to: w, rate: 1 rad/s}}\n"
+        "ask: {T: kinetic_energy(p)}\n");
+    const scene::Scene& scene = scene_of(document);
+    for (const auto& [name, value] : {std::pair{"a", a}, std::pair{"b", b}, std::pair{"c", 2.0}}) {
+      const scene::Dimension* length = length_named(scene, name);
+      ASSERT_NE(length, nullptr) << name;
+      EXPECT_NEAR(norm(Vector(on_ground(scene, length->to) - on_ground(scene, length->from))), value, 1e-6) << name;
+    }
+  }
+}
+
+TEST(SceneMarks, the_inclination_of_a_top_is_marked_at_its_tip) {
+  const Document document = illustrated(
+      "title: t\ngiven: {theta: 25 deg}\npoints: {O: [0, 0, 0], G: '0.1 m * [sin(theta), 0, cos(theta)]'}\n"
+      "bodies: {top: {mass: 1 kg, center: G, inertia: {axis: O->G, axial: 0.01 kg*m^2, transverse: 0.02 kg*m^2}}}\n"
+      "joints: {tip: {ball: O, to: top}}\ngravity: -z\ninstants: {start: rest}\nask: {T: kinetic_energy(top)}\n");
+  const scene::Dimension* angle = angle_named(scene_of(document), "theta");
+  ASSERT_NE(angle, nullptr);
+  EXPECT_NEAR(drawn_angle(scene_of(document), *angle), 25 * std::numbers::pi / 180, 1e-12);
+  EXPECT_NEAR(norm(Vector(on_ground(scene_of(document), angle->corner))), 0, 1e-12);
+}
+
+TEST(SceneMarks, nothing_stands_for_a_body_that_would_swallow_the_tip_on_which_it_stands) {
+  const auto stand_in = [](double height) {
+    const Document document = illustrated(
+        "title: t\npoints: {O: [0, 0, 0], G: [0, 0, " + std::to_string(height) +
+        " m]}\nbodies: {top: {mass: 1 kg, center: G, inertia: {axis: z, axial: 0.5 kg*m^2, transverse: 0.35 "
+        "kg*m^2}}}\njoints: {tip: {ball: O, to: top}}\ngravity: -z\ninstants: {start: rest}\n"
+        "ask: {T: kinetic_energy(top)}\n");
+    return !scene_of(document).bodies.at(0).shapes.empty();
+  };
+  // The cylinder of these moments is 1 m in radius and sqrt(12*0.35 - 3) m = 1.095 m long.
+  EXPECT_TRUE(stand_in(0.6));
+  EXPECT_FALSE(stand_in(0.5));
+}
+
 const char* hung =
     "title: t\npoints: {O: [0, 0, 0], A: [1 m, 0, 0]}\nbodies: {r: {rod: [O, A], mass: 1 kg}}\n"
     "joints: {p: {revolute: y, at: O, to: r}}\ngravity: -z\ninstants: {start: rest}\n"
@@ -212,6 +265,21 @@ TEST(SceneMarks, cords_that_go_slack_are_events_of_the_motion) {
       height = (motion.poses[k][0].R * scene_of(document).bodies[0].center + motion.poses[k][0].p).z;
     }
   EXPECT_NEAR(height, z, 0.02);
+}
+
+TEST(SceneMarks, long_cords_are_cut_off_by_the_size_of_the_figure) {
+  for (const double size : {0.01, 1.0, 300.0}) {
+    const Document document =
+        illustrated("title: t\ngiven: {L: " + std::to_string(size) +
+                    " m}\npoints: {A: [0, 0, 0], B: [0, 0, -L]}\nbodies: {b: {rod: [A, B], mass: 1 kg}}\n"
+                    "cords: {c: {holds: b, at: A, pulls: +z}}\ngravity: -z\n"
+                    "instants: {start: rest}\nask: {a: acceleration(b)}\n");
+    const scene::Link& cord = scene_of(document).links.at(0);
+    EXPECT_TRUE(cord.far);
+    const Vector d = on_ground(scene_of(document), cord.to) - on_ground(scene_of(document), cord.from);
+    EXPECT_NEAR(d.z, 0.4 * size, 1e-9 * size);
+    EXPECT_NEAR(norm(d), d.z, 1e-9 * size);
+  }
 }
 
 TEST(SceneMarks, each_situation_has_a_scene) {

@@ -1,0 +1,149 @@
+// Lengths and angles that data name.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "pictures/drawing/label_text.h"
+#include "pictures/figure/arrows.h"
+#include "pictures/figure/panel.h"
+
+namespace poinsot::pictures {
+namespace {
+
+constexpr std::size_t most_dimensions = 8;
+
+// The symbol sloped, its value upright.
+Label label_of(const scene::Dimension& dimension) {
+  const std::size_t sign = dimension.text.find(" = ");
+  if (sign == std::string::npos) return name_label(dimension.text.empty() ? dimension.name : dimension.text, 12);
+  std::string value = dimension.text.substr(sign + 1);
+  if (value.ends_with(" deg")) value.replace(value.size() - 4, 4, "°");
+  return joined(name_label(std::string_view(dimension.text).substr(0, sign), 12), words_label(value, 12), 3);
+}
+
+// How much of what is drawn lies beside a segment, as a length.
+double drawn_beside(const Panel& panel, Point2 a, Point2 b) {
+  constexpr double beside = 6;
+  const Point2 along = direction(b - a), across = turned_left(along);
+  const Box band{0, -beside, norm(b - a), beside};
+  double sum = 0;
+  for (const Mark& mark : panel.marks) {
+    const auto* stroke = std::get_if<Stroke>(&mark);
+    if (stroke == nullptr || stroke->role == Role::body) continue;
+    const auto turned = [&](Point2 p) { return Point2{dot(p - a, along), dot(p - a, across)}; };
+    for (std::size_t i = 0; i + 1 < stroke->points.size(); ++i)
+      sum += length_within(band, turned(stroke->points[i]), turned(stroke->points[i + 1]));
+  }
+  return sum;
+}
+
+// A radius as an arrow from the center to the rim, in the direction in which it is seen best and runs along nothing.
+void draw_radius(Panel& panel, const scene::Dimension& dimension) {
+  const Vector center = panel.ground(dimension.from);
+  const Vector axis = normalized(turned_to_ground(dimension.from.body, dimension.axis, panel.poses));
+  const Vector arm = panel.ground(dimension.to) - center;
+  const Vector side = cross(axis, arm);
+  const Point2 from = panel.projection(center);
+  constexpr int directions = 24;
+  constexpr double longest_counts = 3, preferred_side = 0.1;
+  Point2 best = from;
+  double least = 1e9, longest = 0;
+  std::vector<Point2> ends;
+  for (int i = 0; i < directions; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.5) / directions;
+    ends.push_back(panel.projection(center + std::cos(angle) * arm + std::sin(angle) * side));
+    longest = std::max(longest, norm(ends.back() - from));
+  }
+  for (const Point2& end : ends) {
+    const double length = norm(end - from);
+    const double cost = longest_counts * (1 - length / std::max(longest, 1e-9)) +
+                        drawn_beside(panel, from, end) / std::max(length, 1.0) -
+                        preferred_side * direction(end - from).x;
+    if (cost < least) {
+      least = cost;
+      best = end;
+    }
+  }
+  constexpr double shortest = 14;
+  if (norm(best - from) < shortest) return;
+  plain_arrow(panel, from, best, Role::dimension, 0.7, Ink::grey, 6);
+  const Point2 middle = from + 0.55 * (best - from), upper = turned_left(direction(best - from));
+  const double sense = upper.y <= 0 ? 1 : -1;
+  panel.labels.push_back({label_of(dimension), {{middle, sense * upper, 3, 0}, {middle, -sense * upper, 3, 0.5}}, 1.5});
+}
+
+void draw_length(Panel& panel, const scene::Dimension& dimension) {
+  const Point2 from = panel.paper(dimension.from), to = panel.paper(dimension.to);
+  const double length = norm(to - from);
+  Label label = label_of(dimension);
+  if (length < 14) return;
+  const Point2 along = direction(to - from), side = turned_left(along);
+  const Box box = extent(panel.marks);
+  double best_offset = 16, least = 1e9;
+  for (const double offset : {16.0, -16.0, 28.0, -28.0, 42.0, -42.0, 60.0, -60.0}) {
+    const Point2 a = from + offset * side, b = to + offset * side;
+    double cost = std::abs(offset) / 30 + 4 * panel.visibility.covered(a, b);
+    cost += drawn_beside(panel, a, b) / 15;
+    // Outside of the picture rather than across it.
+    if (!box.contains(a) || !box.contains(b)) cost -= 0.2;
+    if (cost < least) {
+      least = cost;
+      best_offset = offset;
+    }
+  }
+  const double sign = best_offset > 0 ? 1 : -1;
+  const Point2 a = from + best_offset * side, b = to + best_offset * side;
+  panel.line({from + (sign * 4) * side, a + (sign * 3) * side}, Role::dimension, 0.6, Ink::grey);
+  panel.line({to + (sign * 4) * side, b + (sign * 3) * side}, Role::dimension, 0.6, Ink::grey);
+  const Point2 middle = 0.5 * (a + b);
+  if (length > 30) {
+    plain_arrow(panel, middle, a, Role::dimension, 0.7, Ink::grey, 6);
+    plain_arrow(panel, middle, b, Role::dimension, 0.7, Ink::grey, 6);
+  } else {
+    plain_arrow(panel, a - 12.0 * along, a, Role::dimension, 0.7, Ink::grey, 6);
+    plain_arrow(panel, b + 12.0 * along, b, Role::dimension, 0.7, Ink::grey, 6);
+  }
+  panel.labels.push_back({std::move(label), {{middle, sign * side, 3, 0}, {middle, -sign * side, 3, 0.5}}, 1.5});
+}
+
+void draw_angle(Panel& panel, const scene::Dimension& dimension) {
+  const Vector corner = panel.ground(dimension.corner);
+  const Vector a = panel.ground(dimension.from) - corner, b = panel.ground(dimension.to) - corner;
+  if (!(norm(a) > 0) || !(norm(b) > 0)) return;
+  const Vector first = normalized(a);
+  const Vector second = unit_or(b - dot(b, first) * first, Vector{});
+  if (norm(second) == 0) return;
+  const double angle = std::atan2(dot(b, second), dot(b, first));
+  const double radius = 34 / panel.projection.scale();
+  std::vector<Point2> points;
+  for (int i = 0; i <= 24; ++i) {
+    const double turn = angle * i / 24;
+    points.push_back(panel.projection(corner + radius * (std::cos(turn) * first + std::sin(turn) * second)));
+  }
+  const Point2 at = panel.projection(corner);
+  for (const Vector& arm : {first, normalized(b)})
+    panel.line({at, panel.projection(corner + (1.25 * radius) * arm)}, Role::dimension, 0.6, Ink::grey);
+  const Point2 middle = points[12];
+  panel.line(std::move(points), Role::dimension, 0.8, Ink::grey);
+  Label label = label_of(dimension);
+  panel.labels.push_back({std::move(label), {{middle, middle - at, 4, 0}}, 1.5});
+}
+
+}  // namespace
+
+void draw_dimensions(Panel& panel) {
+  std::size_t drawn = 0;
+  for (const scene::Dimension& dimension : panel.scene.dimensions) {
+    if (!panel.draws(dimension.from.body) || !panel.draws(dimension.to.body)) continue;
+    if (++drawn > most_dimensions) break;
+    if (dimension.angle)
+      draw_angle(panel, dimension);
+    else if (norm(dimension.axis) > 0)
+      draw_radius(panel, dimension);
+    else
+      draw_length(panel, dimension);
+  }
+}
+
+}  // namespace poinsot::pictures
