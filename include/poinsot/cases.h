@@ -4,9 +4,10 @@
 //   poinsot::CaseRows rows = cases.solve({speeds, angles}, 0);
 //   rows.columns[1]  // of cases.columns()[1], "B.y" in N
 //
-// Where the answers have formulas in what is varied, these are evaluated as straight-line code over many cases at once;
-// of every thousandth case the formulas are compared with a full solution. Cases where their conditions do not hold,
-// and all cases where there are no formulas, are solved one by one, with all checks.
+// Where the answers have formulas in what is varied, these are evaluated as straight-line code over many cases at once.
+// Where they have none, or their conditions do not hold, and instants are all that is asked about, each case's instant
+// is solved again. Every thousandth case of these is compared with a full solution. All other cases are solved in full,
+// one by one.
 #pragma once
 
 #include <cstddef>
@@ -30,6 +31,7 @@ struct CaseQuestions {
   std::vector<std::string> asks;  // the names of the questions; all if there are none
   std::vector<std::pair<std::string, std::string>> sets{};  // values that are the same for all cases
   std::vector<double> first{};  // the values in some case, SI: shows the shape of answers where letters do not
+  bool formulas = true;         // whether formulas may be used where there are some
 };
 
 // A number of each case, in the coherent SI unit.
@@ -38,11 +40,14 @@ struct CaseColumn {
   std::string unit;
 };
 
+// How the answers of a case were found.
+enum class CaseRoad : std::uint8_t { in_full, by_instant, by_formula };
+
 struct CaseRows {
   std::vector<std::vector<double>> columns;  // as those of Cases::columns(); NaN where a case has no answer
-  std::vector<char> by_formula;              // of each case
+  std::vector<CaseRoad> roads;               // of each case
   std::vector<std::pair<std::size_t, std::string>> reasons;  // of the cases in which an answer is missing, ascending
-  std::size_t checked = 0;                                   // cases by formula that were solved in full as well
+  std::size_t checked = 0;  // cases by formula or instant that were solved in full as well
   std::size_t refuted = 0;  // those where this gave something else: then all of these cases were solved in full
 };
 
@@ -54,6 +59,7 @@ class Cases {
   const std::vector<CaseColumn>& columns() const { return columns_; }
   bool has_formulas() const;
   std::string no_formulas() const;  // why there are none; else ""
+  bool by_instants() const;         // whether instants are all that is asked about
 
   // values: a column for each of over(), of as many numbers as there are cases, in SI units. first: the number of the
   // first of these cases among all. The numbers of a case do not depend on the others in the call, unless a check

@@ -32,7 +32,8 @@ def main(arguments: list[str] | None = None) -> int:
         return 130
     counts = study.counts
     print(f"{counts.rows} rows in {study.folder}, {counts.answered} with every answer")
-    print(f"{counts.by_formula} by formula, {counts.checked} of these solved in full as well, {counts.refuted} refuted")
+    print(f"{counts.by_formula} by formula, {counts.by_instant} by their instants alone; {counts.checked} of these were "
+          f"solved in full as well, which refuted {counts.refuted}")
     if study.no_formulas:
         print(f"no formulas: {study.no_formulas}")
     return 0 if counts.answered == counts.rows else 1

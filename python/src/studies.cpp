@@ -28,7 +28,8 @@ struct StopFlag {
 using Column = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using Numbers = nb::ndarray<nb::numpy, double>;
 
-// The columns, whether each case went by formula, reasons by case, and how many cases were checked and refuted.
+// The columns, the road of each case (in full, by instant, by formula), reasons by case, and how many cases were
+// checked and refuted.
 using Solved = std::tuple<std::vector<Numbers>, nb::ndarray<nb::numpy, std::uint8_t>,
                           std::vector<std::pair<std::size_t, std::string>>, std::size_t, std::size_t>;
 
@@ -42,8 +43,9 @@ Solved solve(const Cases& cases, const std::vector<Column>& values, std::uint64_
   }
   std::vector<Numbers> numbers;
   for (std::vector<double>& column : found.columns) numbers.push_back(owned_array(std::move(column)));
-  return {std::move(numbers), owned_array(std::vector<std::uint8_t>(found.by_formula.begin(), found.by_formula.end())),
-          std::move(found.reasons), found.checked, found.refuted};
+  std::vector<std::uint8_t> roads;
+  for (const CaseRoad road : found.roads) roads.push_back(static_cast<std::uint8_t>(road));
+  return {std::move(numbers), owned_array(std::move(roads)), std::move(found.reasons), found.checked, found.refuted};
 }
 
 }  // namespace
@@ -55,15 +57,17 @@ void bind_studies(nb::module_& module) {
       .def(
           "__init__",
           [](CaseQuestions* questions, std::vector<std::string> over, std::vector<std::string> asks,
-             std::vector<std::pair<std::string, std::string>> sets, std::vector<double> first) {
-            new (questions) CaseQuestions{std::move(over), std::move(asks), std::move(sets), std::move(first)};
+             std::vector<std::pair<std::string, std::string>> sets, std::vector<double> first, bool formulas) {
+            new (questions)
+                CaseQuestions{std::move(over), std::move(asks), std::move(sets), std::move(first), formulas};
           },
-          "over"_a, "asks"_a, "sets"_a, "first"_a);
+          "over"_a, "asks"_a, "sets"_a, "first"_a, "formulas"_a = true);
   nb::class_<Cases>(module, "Cases")
       .def_prop_ro("over", &Cases::over)
       .def_prop_ro("columns", &Cases::columns)
       .def_prop_ro("has_formulas", &Cases::has_formulas)
       .def_prop_ro("no_formulas", &Cases::no_formulas)
+      .def_prop_ro("by_instants", &Cases::by_instants)
       .def("solve", &solve, "values"_a, "first"_a, "stop"_a);
 }
 

@@ -22,6 +22,7 @@ std::vector<CaseColumn> Cases::over() const {
 
 bool Cases::has_formulas() const { return parts_->has_formulas(); }
 std::string Cases::no_formulas() const { return parts_->no_formulas(); }
+bool Cases::by_instants() const { return parts_->by_instants(); }
 
 CaseRows Cases::solve(const std::vector<std::span<const double>>& values, std::uint64_t first,
                       const Budget& budget) const {
@@ -33,8 +34,9 @@ CaseRows Cases::solve(const std::vector<std::span<const double>>& values, std::u
       throw std::invalid_argument("Cases::solve: the columns have different numbers of cases");
   const BudgetScope scope(budget);
   problem::SolvedCases found = parts_->solved(values, first);
-  return {std::move(found.columns), std::move(found.by_formula), std::move(found.reasons), found.checked,
-          found.refuted};
+  CaseRows rows{std::move(found.columns), {}, std::move(found.reasons), found.checked, found.refuted};
+  for (const problem::CaseRoad road : found.roads) rows.roads.push_back(static_cast<CaseRoad>(road));
+  return rows;
 }
 
 }  // namespace poinsot

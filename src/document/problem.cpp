@@ -233,7 +233,7 @@ Cases Problem::cases(const CaseQuestions& questions, const Budget& budget) const
   const BudgetScope scope(budget);
   return with_public_errors([&] {
     return Cases(std::make_shared<const problem::CompiledCases>(parts_->statement, questions.over, questions.asks,
-                                                                questions.sets, questions.first));
+                                                                questions.sets, questions.first, questions.formulas));
   });
 }
 

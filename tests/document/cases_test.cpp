@@ -32,14 +32,15 @@ std::vector<double> numbers_of(const Document& document) {
 }
 
 struct Compared {
-  std::size_t rows = 0, by_formula = 0, unanswered = 0;
+  std::size_t rows = 0, by_formula = 0, by_instant = 0, unanswered = 0;
 };
 
 // Compares rows near the data of a file with solving them one by one.
-void compare(const std::string& path, std::mt19937_64& random, Compared& compared) {
+void compare(const std::string& path, bool formulas, std::mt19937_64& random, Compared& compared) {
   const Problem problem = Problem::from_file(path);
   if (problem.situations().size() != 1) return;
   CaseQuestions questions;
+  questions.formulas = formulas;
   std::vector<std::vector<double>> columns;
   std::uniform_real_distribution<double> part(0.97, 1.03);
   constexpr std::size_t rows = 3, most_data = 3;
@@ -70,7 +71,8 @@ void compare(const std::string& path, std::mt19937_64& random, Compared& compare
       }
       const bool missing = std::ranges::any_of(found.reasons, [&](const auto& one) { return one.first == row; });
       ++compared.rows;
-      compared.by_formula += static_cast<std::size_t>(found.by_formula[row]);
+      compared.by_formula += static_cast<std::size_t>(found.roads[row] == CaseRoad::by_formula);
+      compared.by_instant += static_cast<std::size_t>(found.roads[row] == CaseRoad::by_instant);
       if (expected.empty()) {
         EXPECT_TRUE(missing) << path;
         ++compared.unanswered;
@@ -94,11 +96,13 @@ TEST(Cases, RowsAreWhatSolvingGives) {
     paths.push_back(entry.path().string());
   std::ranges::sort(paths);
   std::mt19937_64 random(6);
-  Compared compared;
-  for (std::size_t i = 0; i < paths.size(); i += 7) compare(paths[i], random, compared);
-  EXPECT_GT(compared.rows, 30U);
-  EXPECT_GT(compared.by_formula, 20U);
-  EXPECT_GT(compared.rows - compared.unanswered, compared.rows / 2);
+  Compared with_formulas, without;
+  for (std::size_t i = 0; i < paths.size(); i += 9) compare(paths[i], true, random, with_formulas);
+  for (std::size_t i = 0; i < paths.size(); i += 4) compare(paths[i], false, random, without);
+  EXPECT_GT(with_formulas.by_formula, 12U);
+  EXPECT_GT(without.by_instant, 5U);
+  EXPECT_EQ(without.by_formula, 0U);
+  EXPECT_GT(without.rows - without.unanswered, without.rows / 2);
 }
 
 // The tension at the top has a formula that holds while the cord is taut: beyond that rows are solved one by one.
@@ -113,7 +117,8 @@ TEST(Cases, BeyondTheConditionsOfAFormula) {
   EXPECT_EQ(cases.no_formulas(), "");
   const std::vector<double> speeds{2, 3, 3.2, 8};
   const CaseRows found = cases.solve({speeds}, 0);
-  EXPECT_EQ(found.by_formula, (std::vector<char>{0, 0, 1, 1}));
+  constexpr CaseRoad formula = CaseRoad::by_formula, full = CaseRoad::in_full;
+  EXPECT_EQ(found.roads, (std::vector<CaseRoad>{full, full, formula, formula}));
   ASSERT_EQ(found.reasons.size(), 2U);
   for (const std::size_t row : {2U, 3U})
     EXPECT_NEAR(found.columns[0][row], 2 * (speeds[row] * speeds[row] - 9.80665), 1e-12);

@@ -95,7 +95,7 @@ def drawn_letters(statement):
     return values
 
 
-def value_in_si(text):
+def si_value(text):
     """A quantity's value in SI units and radians: '3 kg', '-2.5 m'."""
     tokens = tokens_of(text)
     sign = 1
@@ -115,7 +115,7 @@ def letter_values(statement):
     values = {}
     for name, text in drawn_letters(statement).items():
         try:
-            values[name] = value_in_si(text)
+            values[name] = si_value(text)
         except NotUnderstood:
             continue
     values.setdefault("g", 9.80665)

@@ -4,7 +4,7 @@ import re
 
 from compare import same, state
 from random_statements import made_statement
-from relations import Find, NotApplicable, Relation, SKIP, Varied, scales_of, value_in_si
+from relations import Find, NotApplicable, Relation, SKIP, Varied, scales_of, si_value
 from relations_matter import STABILITY, asked_text, calls
 from statements import has_word
 
@@ -28,7 +28,7 @@ class Halfway(Relation):
         for name, ask in tree.get("ask", {}).items():
             match = re.fullmatch(r"([^@]*[^@ ]) @ (\S+ (?:s|ms))", ask) if isinstance(ask, str) else None
             if match:
-                times[name] = (match[1], value_in_si(match[2]))
+                times[name] = (match[1], si_value(match[2]))
         if not times or len(times) != len(tree["ask"]):
             return None
         half = random.uniform(0.2, 0.8) * min(time for _, time in times.values())

@@ -115,7 +115,7 @@ def test_frames_have_units(pendulum: poinsot.Problem) -> None:
 
 @pytest.mark.parametrize(
     "quantity, message",
-    [("thetta", "theta"), ("kinetik_energy(bar)", "kinetic_energy"), ("theta +", ""), ("theta == 0", "no number")],
+    [("thetta", "theta"), ("kinetik_energy(bar)", "kinetic_energy"), ("theta +", "ends too early"), ("theta == 0", "no number")],
 )
 def test_wrong_quantities(pendulum: poinsot.Problem, quantity: str, message: str) -> None:
     with pytest.raises(poinsot.StatementError, match=message):

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pyarrow.parquet
 import pytest
 from scipy.special import ellipj
 
@@ -107,6 +108,20 @@ def test_rows_where_a_formula_does_not_hold_are_solved() -> None:
     assert 50 < slack.sum() < 350 and study.counts.by_formula == 400 - slack.sum()
     assert set(study.reasons) == set(np.flatnonzero(slack))
     assert np.allclose(study["S"][~slack], tension[~slack], rtol=1e-12) and np.isnan(study["S"][slack]).all()
+
+
+def test_three_roads_to_the_same_rows(askew: poinsot.Problem, tmp_path: Path) -> None:
+    over = {"n": poinsot.uniform(50, 300), "b": poinsot.uniform(-0.5, 0.5), "m": poinsot.normal(8, 0.1)}
+    by_formula = poinsot.study(askew, over, rows=1500)
+    by_instant = poinsot.study(askew, over, rows=1500, formulas=False, out=tmp_path / "rows")
+    assert by_formula.counts.by_formula == by_instant.counts.by_instant == 1500
+    assert by_instant.counts.checked == 2 and by_instant.counts.refuted == 0
+    for name in by_formula:
+        np.testing.assert_allclose(by_instant[name], by_formula[name], rtol=1e-11)
+    for row in (3, 700):
+        assert np.isclose(by_solving(askew, by_instant, row, "T"), by_instant["T"][row], rtol=1e-12)
+    road = pyarrow.parquet.read_table(tmp_path / "rows" / "rows-000000.parquet").column("road")
+    assert set(road.to_pylist()) == {"instant"}
 
 
 def test_several_solutions_are_no_answer() -> None:

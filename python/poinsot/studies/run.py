@@ -20,8 +20,8 @@ from .draws import SAMPLINGS
 from .plan import Plan
 from .result import Study, StudyError
 
-# Rows of a shard: with formulas it takes milliseconds, and a thousand rows that are solved one by one some seconds.
-_ROWS_BY_FORMULA, _ROWS_ONE_BY_ONE = 1 << 17, 1 << 10
+# Rows of a shard, which takes some milliseconds by formulas, and some seconds else.
+_ROWS_BY_FORMULA, _ROWS_BY_INSTANT, _ROWS_IN_FULL = 1 << 17, 1 << 14, 1 << 10
 
 
 def study(
@@ -33,6 +33,7 @@ def study(
     rows: int | None = None,
     seed: int = 0,
     sampling: str = "random",
+    formulas: bool = True,
     out: str | os.PathLike[str] | None = None,
     shard_rows: int | None = None,
     threads: int | None = None,
@@ -45,11 +46,13 @@ def study(
     Lists and spans make a grid; `rows` draws of the distributions are made at each of its points, "random", by
     "latin hypercube" or "sobol". asks: the questions that are answered, all by default; sets: values for all rows.
 
+    formulas: whether rows may go by formulas; without them each row is solved by itself.
+
     out: a folder that gets the rows as Parquet, in shards, with a manifest; a study that was stopped goes on there.
     Without it the rows are kept in memory. threads: all processors by default. client: of dask.distributed, whose
     workers then see the folder `out`. Whatever computes, the rows are the same.
     """
-    plan = _plan(problem, over, asks, sets or {}, rows, seed, sampling, shard_rows)
+    plan = _plan(problem, over, asks, sets or {}, rows, seed, sampling, formulas, shard_rows)
     if out is None and client is not None:
         raise ValueError("on a cluster the rows go to a folder that its workers see: name it by out")
     folder = None if out is None else Path(out)
@@ -83,6 +86,7 @@ def _plan(
     rows: int | None,
     seed: int,
     sampling: str,
+    formulas: bool,
     shard_rows: int | None,
 ) -> Plan:
     if not over:
@@ -116,10 +120,11 @@ def _plan(
         seed,
         sampling,
         shard_rows or _ROWS_BY_FORMULA,
+        formulas,
         _versions(random),
     )
     if shard_rows is None and not plan.compiled().has_formulas:
-        plan = replace(plan, shard_rows=_ROWS_ONE_BY_ONE)
+        plan = replace(plan, shard_rows=_ROWS_BY_INSTANT if plan.compiled().by_instants else _ROWS_IN_FULL)
     plan.compiled()
     return plan
 

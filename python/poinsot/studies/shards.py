@@ -21,6 +21,9 @@ from .axes import Array
 from .plan import Plan
 
 
+ROADS = ("full", "instant", "formula")
+
+
 @dataclass(frozen=True)
 class Counts:
     """What is known of the rows of one or more shards."""
@@ -28,7 +31,8 @@ class Counts:
     rows: int = 0
     answered: int = 0  # rows in which every answer was found
     by_formula: int = 0
-    checked: int = 0  # rows by formula that were solved in full as well
+    by_instant: int = 0  # rows of which the instant alone was solved again
+    checked: int = 0  # rows by formula or instant that were solved in full as well
     refuted: int = 0  # those where this gave something else: then all rows of the shard were solved in full
 
     def __add__(self, other: Counts) -> Counts:
@@ -41,7 +45,7 @@ class Rows:
 
     over: dict[str, Array]
     answers: dict[str, Array]
-    by_formula: npt.NDArray[np.uint8]
+    roads: npt.NDArray[np.uint8]  # how each was found, by its place in ROADS
     reasons: list[tuple[int, str]]  # of rows in which an answer is missing, counted from the first of the shard
     counts: Counts
 
@@ -51,13 +55,14 @@ def solved(plan: Plan, shard: int, stop: _core.StopFlag) -> Rows:
     cases = plan.compiled()
     first, end = plan.bounds(shard)
     values = plan.values(first, end - first)
-    columns, by_formula, reasons, checked, refuted = cases.solve(values, first, stop)
-    counts = Counts(end - first, end - first - len(reasons), int(by_formula.sum()), checked, refuted)
+    columns, roads, reasons, checked, refuted = cases.solve(values, first, stop)
+    _, by_instant, by_formula = (int(one) for one in np.bincount(roads, minlength=len(ROADS)))
+    counts = Counts(end - first, end - first - len(reasons), by_formula, by_instant, checked, refuted)
     names = [one.name for one in cases.columns]
     return Rows(
         dict(zip(plan.over, values, strict=True)),
         dict(zip(names, columns, strict=True)),
-        by_formula,
+        roads,
         list(reasons),
         counts,
     )
@@ -84,8 +89,8 @@ def write(plan: Plan, shard: int, rows: Rows, folder: Path) -> None:
     for name, column in {**rows.over, **rows.answers}.items():
         arrays.append(pyarrow.array(column, mask=np.isnan(column)))
         fields.append(pyarrow.field(name, pyarrow.float64(), metadata={"unit": of[name]}))
-    arrays.append(pyarrow.array(rows.by_formula.astype(bool)))
-    fields.append(pyarrow.field("by_formula", pyarrow.bool_()))
+    arrays.append(pyarrow.DictionaryArray.from_arrays(rows.roads.astype(np.int8), list(ROADS)))
+    fields.append(pyarrow.field("road", arrays[-1].type))
     reasons: list[str | None] = [None] * rows.counts.rows
     for row, reason in rows.reasons:
         reasons[row] = reason
@@ -96,7 +101,7 @@ def write(plan: Plan, shard: int, rows: Rows, folder: Path) -> None:
 
     sink = pyarrow.BufferOutputStream()
     # Random values share no bytes: to look for such takes longer than all else.
-    pyarrow.parquet.write_table(table, sink, compression="none", use_dictionary=["reason"])
+    pyarrow.parquet.write_table(table, sink, compression="none", use_dictionary=["road", "reason"])
     put(path_of(folder, shard), sink.getvalue())
 
 

@@ -7,7 +7,10 @@
 #include <limits>
 
 #include "poinsot/engine/work/budget.h"
+#include "problem/answers/letter_draws.h"
+#include "problem/answers/read_settings.h"
 #include "problem/answers/solve_statement.h"
+#include "problem/cases/instant_rows.h"
 #include "problem/language/diagnostic.h"
 #include "problem/quantities/asks_model.h"
 
@@ -46,19 +49,18 @@ std::string reason_of(const SolvedAsk& ask) {
 
 CompiledCases::CompiledCases(const Statement& statement, const std::vector<std::string>& over,
                              const std::vector<std::string>& asks,
-                             std::vector<std::pair<std::string, std::string>> sets, const std::vector<double>& first)
+                             std::vector<std::pair<std::string, std::string>> sets, const std::vector<double>& first,
+                             bool with_formulas)
     : statement_(with_questions(statement, asks)), sets_(std::move(sets)), data_(varied_data(statement, over)) {
   if (statement_.asks.empty()) fail(statement_.file, Mark{1, 1}, "the file asks nothing", "write ask: {T: ...}");
-  try {
-    const SolvedStatement solved = solve_statement(with_letters(statement_, data_), sets_);
-    if (solved.ended) throw BudgetEnded{*solved.ended};
-    formulas_ = CaseFormulas::made(solved, data_, no_formulas_);
-    if (!solved.solutions.empty()) take_shape(solved.solutions.front());
-  } catch (const StatementError& error) {
-    no_formulas_ = error.diagnostics().front().message;
-  }
+  if (with_formulas)
+    find_formulas();
+  else
+    no_formulas_ = "they are not wanted";
+  settings_ = read_settings(statement_, sets_);
+  by_instants_ = needs_instants_alone(statement_) && no_letters_left();
   if (!columns_.empty()) return;
-  // The statement made no sense at letters: the first case shows what there is, or what is wrong.
+  // Letters were not tried, or made no sense: the first case shows what there is, or what is wrong.
   formulas_.reset();
   std::vector<std::span<const double>> one;
   for (const double& value : first) one.emplace_back(&value, 1);
@@ -68,6 +70,17 @@ CompiledCases::CompiledCases(const Statement& statement, const std::vector<std::
     fail(statement_.file, Mark{1, 1}, "the first case has no solution",
          solved.warnings.empty() ? "" : solved.warnings.front());
   take_shape(solved.solutions.front());
+}
+
+void CompiledCases::find_formulas() {
+  try {
+    const SolvedStatement solved = solve_statement(with_letters(statement_, data_), sets_);
+    if (solved.ended) throw BudgetEnded{*solved.ended};
+    formulas_ = CaseFormulas::made(solved, data_, no_formulas_);
+    if (!solved.solutions.empty()) take_shape(solved.solutions.front());
+  } catch (const StatementError& error) {
+    no_formulas_ = error.diagnostics().front().message;
+  }
 }
 
 void CompiledCases::take_shape(const Solution& solution) {
@@ -96,14 +109,13 @@ void CompiledCases::take_shape(const Solution& solution) {
   }
 }
 
-SolvedStatement CompiledCases::solved_in_full(const std::vector<std::span<const double>>& data, std::size_t row) const {
+SolvedStatement CompiledCases::solved_in_full(const Columns& data, std::size_t row) const {
   std::vector<std::pair<std::string, std::string>> sets = sets_;
   for (std::size_t k = 0; k < data_.size(); ++k) sets.emplace_back(data_[k].name, setting_text(data_[k], data[k][row]));
   return solve_statement(statement_, sets);
 }
 
-std::string CompiledCases::solve_row(const std::vector<std::span<const double>>& data, std::size_t row,
-                                     std::vector<double>& numbers) const {
+std::string CompiledCases::solve_row(const Columns& data, std::size_t row, std::vector<double>& numbers) const {
   numbers.assign(columns_.size(), missing);
   for (std::size_t k = 0; k < data_.size(); ++k)
     if (!std::isfinite(data[k][row])) return "'" + data_[k].name + "' has no value in this case";
@@ -133,8 +145,8 @@ std::string CompiledCases::solve_row(const std::vector<std::span<const double>>&
   return reasons;
 }
 
-bool CompiledCases::is_refuted(const std::vector<std::span<const double>>& data, std::size_t row,
-                               const SolvedCases& found, const std::vector<double>& sizes) const {
+bool CompiledCases::is_refuted(const Columns& data, std::size_t row, const SolvedCases& found,
+                               const std::vector<double>& sizes) const {
   std::vector<double> numbers;
   if (!solve_row(data, row, numbers).empty()) return true;
   std::size_t at = 0;
@@ -150,36 +162,75 @@ bool CompiledCases::is_refuted(const std::vector<std::span<const double>>& data,
   return false;
 }
 
-SolvedCases CompiledCases::solved(const std::vector<std::span<const double>>& data, std::uint64_t first) const {
-  const std::size_t rows = data.empty() ? 1 : data.front().size();
-  SolvedCases found;
-  found.columns.assign(columns_.size(), std::vector<double>(rows, missing));
-  found.by_formula.assign(rows, 0);
-  if (formulas_) {
-    std::vector<const double*> inputs;
-    for (const std::span<const double>& column : data) inputs.push_back(column.data());
-    std::vector<double*> outputs;
-    for (std::vector<double>& column : found.columns) outputs.push_back(column.data());
-    found.by_formula = formulas_->evaluate(inputs, rows, outputs);
-    std::vector<double> sizes(columns_.size(), 0);
-    for (std::size_t k = 0; k < sizes.size(); ++k)
-      for (std::size_t row = 0; row < rows; ++row)
-        if (found.by_formula[row]) sizes[k] = std::max(sizes[k], std::fabs(found.columns[k][row]));
-    const std::size_t to_first = (cases_to_a_check - first % cases_to_a_check) % cases_to_a_check;
-    for (std::size_t row = to_first; row < rows; row += cases_to_a_check) {
-      if (!found.by_formula[row]) continue;
-      ++found.checked;
-      if (is_refuted(data, row, found, sizes)) ++found.refuted;
-    }
-    if (found.refuted > 0) std::ranges::fill(found.by_formula, 0);
+bool CompiledCases::no_letters_left() const {
+  const std::vector<Letter> open = open_letters(statement_, settings_);
+  return std::ranges::all_of(open, [&](const Letter& letter) {
+    return std::ranges::find(data_, letter.name, &VariedDatum::name) != data_.end();
+  });
+}
+
+AllSettings CompiledCases::settings_at(const Columns& data, std::size_t row) const {
+  Settings settings = settings_;
+  for (std::size_t k = 0; k < data_.size(); ++k)
+    settings[data_[k].name] = Value<double>::of_number(data[k][row], data_[k].dimension);
+  return AllSettings(statement_.situations.size(), settings);
+}
+
+void CompiledCases::go_by_formulas(const Columns& data, SolvedCases& found) const {
+  std::vector<const double*> inputs;
+  for (const std::span<const double>& column : data) inputs.push_back(column.data());
+  std::vector<double*> outputs;
+  for (std::vector<double>& column : found.columns) outputs.push_back(column.data());
+  const std::vector<char> valid = formulas_->evaluate(inputs, found.roads.size(), outputs);
+  for (std::size_t row = 0; row < valid.size(); ++row)
+    if (valid[row]) found.roads[row] = CaseRoad::by_formula;
+}
+
+void CompiledCases::go_by_instants(const Columns& data, SolvedCases& found) const {
+  for (std::size_t row = 0; row < found.roads.size(); ++row) {
+    if (found.roads[row] != CaseRoad::in_full) continue;
+    check_budget();
+    if (std::ranges::any_of(data, [&](const auto& column) { return !std::isfinite(column[row]); })) continue;
+    const std::optional<std::vector<double>> numbers = instant_numbers(statement_, settings_at(data, row));
+    if (!numbers || numbers->size() != columns_.size()) continue;
+    for (std::size_t k = 0; k < columns_.size(); ++k) found.columns[k][row] = (*numbers)[k];
+    found.roads[row] = CaseRoad::by_instant;
   }
+}
+
+void CompiledCases::check(const Columns& data, std::uint64_t first, SolvedCases& found) const {
+  std::vector<double> sizes(columns_.size(), 0);
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+    for (std::size_t row = 0; row < found.roads.size(); ++row)
+      if (found.roads[row] != CaseRoad::in_full) sizes[k] = std::max(sizes[k], std::fabs(found.columns[k][row]));
+  const std::size_t to_first = (cases_to_a_check - first % cases_to_a_check) % cases_to_a_check;
+  for (std::size_t row = to_first; row < found.roads.size(); row += cases_to_a_check) {
+    if (found.roads[row] == CaseRoad::in_full) continue;
+    ++found.checked;
+    if (is_refuted(data, row, found, sizes)) ++found.refuted;
+  }
+  if (found.refuted > 0) std::ranges::fill(found.roads, CaseRoad::in_full);
+}
+
+void CompiledCases::solve_the_rest(const Columns& data, SolvedCases& found) const {
   std::vector<double> numbers;
-  for (std::size_t row = 0; row < rows; ++row) {
-    if (found.by_formula[row]) continue;
+  for (std::size_t row = 0; row < found.roads.size(); ++row) {
+    if (found.roads[row] != CaseRoad::in_full) continue;
     std::string reason = solve_row(data, row, numbers);
     for (std::size_t k = 0; k < numbers.size(); ++k) found.columns[k][row] = numbers[k];
     if (!reason.empty()) found.reasons.emplace_back(row, std::move(reason));
   }
+}
+
+SolvedCases CompiledCases::solved(const Columns& data, std::uint64_t first) const {
+  const std::size_t rows = data.empty() ? 1 : data.front().size();
+  SolvedCases found;
+  found.columns.assign(columns_.size(), std::vector<double>(rows, missing));
+  found.roads.assign(rows, CaseRoad::in_full);
+  if (formulas_) go_by_formulas(data, found);
+  if (by_instants_) go_by_instants(data, found);
+  check(data, first, found);
+  solve_the_rest(data, found);
   return found;
 }
 

@@ -14,6 +14,7 @@
 #include "problem/cases/case_formulas.h"
 #include "problem/cases/varied_data.h"
 #include "problem/results/solution.h"
+#include "problem/unknowns/sample.h"
 
 namespace poinsot::problem {
 
@@ -23,45 +24,62 @@ struct CaseColumn {
   std::string unit;  // the coherent SI unit
 };
 
+// How the answers of a case were found.
+enum class CaseRoad : std::uint8_t { in_full, by_instant, by_formula };
+
 struct SolvedCases {
   std::vector<std::vector<double>> columns;                  // in SI units; NaN where a case has no answer
-  std::vector<char> by_formula;                              // of each case
+  std::vector<CaseRoad> roads;                               // of each case
   std::vector<std::pair<std::size_t, std::string>> reasons;  // of cases in which an answer is missing, ascending
-  std::size_t checked = 0;                                   // cases by formula that were solved in full as well
-  std::size_t refuted = 0;                                   // those among them where that gave something else
+  std::size_t checked = 0;  // cases by formula or instant that were solved in full as well
+  std::size_t refuted = 0;  // those among them where that gave something else
 };
 
 class CompiledCases {
  public:
   // asks: the names of the questions, all if there are none; sets: settings that are the same for all cases; first: the
-  // values of the data in some case, which shows the shape of answers where the letters do not. Throws StatementError
+  // values of the data in some case, which shows the shape of answers where the letters do not; with_formulas: whether
+  // formulas may be used. Throws StatementError
   // if the file, a name or a setting is wrong, or a question has neither numbers nor vectors for an answer.
   CompiledCases(const Statement& statement, const std::vector<std::string>& over, const std::vector<std::string>& asks,
-                std::vector<std::pair<std::string, std::string>> sets, const std::vector<double>& first);
+                std::vector<std::pair<std::string, std::string>> sets, const std::vector<double>& first,
+                bool with_formulas = true);
 
   const std::vector<VariedDatum>& data() const { return data_; }
   const std::vector<CaseColumn>& columns() const { return columns_; }
   bool has_formulas() const { return formulas_.has_value(); }
   // Why there are no formulas; else "".
   const std::string& no_formulas() const { return no_formulas_; }
+  // Whether cases without formulas go by their instants.
+  bool by_instants() const { return by_instants_; }
 
-  // data: a column for each datum. first: the number of the first case in the study: of every thousandth case the
-  // formulas are compared with a full solution, and where they differ, all of these cases are solved in full.
+  // data: a column for each datum. first: the number of the first case in the study: every thousandth case is compared
+  // with a full solution, and where they differ, all of these cases are solved in full.
   SolvedCases solved(const std::vector<std::span<const double>>& data, std::uint64_t first) const;
 
  private:
-  SolvedStatement solved_in_full(const std::vector<std::span<const double>>& data, std::size_t row) const;
+  using Columns = std::vector<std::span<const double>>;
+  SolvedStatement solved_in_full(const Columns& data, std::size_t row) const;
   // Writes the numbers of one case, NaN without answer; returns why one is missing, or "".
-  std::string solve_row(const std::vector<std::span<const double>>& data, std::size_t row,
-                        std::vector<double>& numbers) const;
-  bool is_refuted(const std::vector<std::span<const double>>& data, std::size_t row, const SolvedCases& found,
+  std::string solve_row(const Columns& data, std::size_t row, std::vector<double>& numbers) const;
+  void go_by_formulas(const Columns& data, SolvedCases& found) const;
+  void go_by_instants(const Columns& data, SolvedCases& found) const;
+  void solve_the_rest(const Columns& data, SolvedCases& found) const;
+  // Compares every thousandth case with a full solution.
+  void check(const Columns& data, std::uint64_t first, SolvedCases& found) const;
+  bool is_refuted(const Columns& data, std::size_t row, const SolvedCases& found,
                   const std::vector<double>& sizes) const;
+  void find_formulas();
   void take_shape(const Solution& solution);
+  bool no_letters_left() const;
+  AllSettings settings_at(const Columns& data, std::size_t row) const;
 
   Statement statement_;
   std::vector<std::pair<std::string, std::string>> sets_;
   std::vector<VariedDatum> data_;
   std::vector<CaseColumn> columns_;
+  Settings settings_;  // those of sets_
+  bool by_instants_ = false;
   std::vector<bool> vectors_;  // of each question, whether it is one
   std::optional<CaseFormulas> formulas_;
   std::string no_formulas_;

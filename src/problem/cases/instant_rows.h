@@ -1,0 +1,22 @@
+// Answers at instants for many cases: of each case the instant alone is solved again.
+//
+// An answer is determined where nothing is left open, which the solved instant knows. The variations that find out
+// what an answer depends on, and the check with particles, are left to the few cases that are solved in full.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "problem/unknowns/sample.h"
+
+namespace poinsot::problem {
+
+// Whether the questions need instants alone: no motion, no search for unknowns, extremes or ranges, nothing whose
+// answer hangs on what the statement does not say.
+bool needs_instants_alone(const Statement& statement);
+
+// The numbers of all answers, one after the other; nothing where the case has to be solved in full, since something is
+// open, a cord would push, an answer is no number or does not exist. Throws nothing but BudgetEnded.
+std::optional<std::vector<double>> instant_numbers(const Statement& statement, const AllSettings& settings);
+
+}  // namespace poinsot::problem
