@@ -5,26 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "poinsot/engine/math/formula/formula_domain.h"
 #include "poinsot/engine/math/trace/traced_formula.h"
-#include "problem/cases/traced_expression.h"
 
 namespace poinsot::problem {
 namespace {
 
-// The formulas of an ask, number by number; nothing if it has none.
-std::optional<std::vector<Formula>> formulas_of(const SolvedAsk& ask) {
-  if (!ask.formula) return std::nullopt;
-  if (ask.formula->is_number()) return std::vector{ask.formula->number};
-  if (ask.formula->is_vector())
-    return std::vector{ask.formula->vector[0], ask.formula->vector[1], ask.formula->vector[2]};
-  return std::nullopt;
+// The formulas of a number or a vector; none of anything else.
+std::vector<Formula> formulas_of(const Value<Formula>& value) {
+  if (value.is_number()) return {value.number};
+  if (value.is_vector()) return {value.vector[0], value.vector[1], value.vector[2]};
+  return {};
 }
-
-// "m > g for 'a', 'b'" without the answers that it concerns: it is asked of all.
-std::string without_names(const std::string& words) { return words.substr(0, words.find(" for '")); }
 
 class FormulaTracer {
  public:
@@ -47,9 +43,11 @@ class FormulaTracer {
 
  private:
   bool is_positive_letter(const VariedDatum& datum) const {
-    return std::ranges::any_of(solved_.open_letters, [&](const Letter& letter) {
-      return letter.name == datum.name && !letter.either_sign && !(letter.unit.dimension == dimensions::angle);
-    });
+    return std::ranges::any_of(solved_.open_letters,
+                               [&](const Letter& letter) { return letter.name == datum.name && is_positive(letter); });
+  }
+  static bool is_positive(const Letter& letter) {
+    return !letter.either_sign && !(letter.unit.dimension == dimensions::angle);
   }
   double sample_of(const VariedDatum& datum) const {
     return plain(Formula::letter(datum.name, is_positive_letter(datum) ? Sign::positive : Sign::real));
@@ -64,8 +62,9 @@ class FormulaTracer {
   }
   void add_answers(const Solution& solution) {
     for (const SolvedAsk& ask : solution.asks) {
-      if (const std::optional<std::vector<Formula>> formulas = formulas_of(ask)) {
-        for (const Formula& formula : *formulas) outputs_.push_back(traced_one(formula));
+      if (!ask.regimes.empty()) throw std::domain_error("there are several, each for a part of the values");
+      if (ask.formula && (ask.formula->is_number() || ask.formula->is_vector())) {
+        for (const Formula& formula : formulas_of(*ask.formula)) outputs_.push_back(traced_one(formula));
       } else if (ask.state == AskState::found && ask.value.is_number()) {
         outputs_.emplace_back(ask.value.number);
       } else if (ask.state == AskState::found && ask.value.is_vector()) {
@@ -77,20 +76,27 @@ class FormulaTracer {
       }
     }
   }
+  // What must be positive. An assumption that is none of these is known in words alone.
   void add_conditions(const Solution& solution) {
-    const auto letter = [this](const std::string& name) {
-      const auto known = inputs_.find(name);
-      return known == inputs_.end() ? std::nullopt : std::optional(known->second);
-    };
-    for (const std::string& words : solution.assumptions) {
-      const auto force = std::ranges::find(solution.conditions, words, &FormulaCondition::words);
-      if (force != solution.conditions.end()) {
-        outputs_.push_back(traced_one(force->positive));
-        continue;
+    for (const Letter& letter : solved_.open_letters)
+      if (is_positive(letter)) told_.insert(letter.name + " > 0");
+    for (const auto* conditions : {&solution.conditions, &solution.grounds})
+      for (const FormulaCondition& condition : *conditions) {
+        told_.insert(condition.words);
+        outputs_.push_back(traced_one(condition.positive));
       }
-      const std::optional<Traced> condition = traced_condition(without_names(words), letter);
-      if (!condition) throw std::domain_error("they hold where " + words + ", which is not known as a formula");
-      outputs_.push_back(*condition);
+    for (const SolvedAsk& ask : solution.asks)
+      if (ask.formula) add_assumed(*ask.formula);
+    for (const SolvedUnknown& unknown : solution.unknowns)
+      if (unknown.formula) add_assumed(*unknown.formula);
+    for (const std::string& words : solution.assumptions)
+      if (!told_.contains(words))
+        throw std::domain_error("they hold where " + words + ", of which there is no formula");
+  }
+  void add_assumed(const Value<Formula>& value) {
+    for (const Formula& formula : formulas_of(value)) {
+      for (const std::string& words : formula.assumptions()) told_.insert(words);
+      for (const Formula& one : assumed_not_negative(formula)) outputs_.push_back(traced_one(one));
     }
   }
 
@@ -99,6 +105,7 @@ class FormulaTracer {
   std::map<std::string, Traced> inputs_;
   std::vector<Traced> outputs_;
   std::size_t results_ = 0;
+  std::set<std::string> told_;  // the words of what is among the conditions
 };
 
 }  // namespace

@@ -303,9 +303,10 @@ void find_regimes(const FormulaTask& task, const FormulaGrounds& grounds, std::v
 
 void tell_conditions(const FormulaTask& task, const FormulaGrounds& grounds, const std::vector<HeldCondition>& held,
                      Solution& solution) {
-  const auto tell = [&](const std::string& words) {
+  const auto tell = [&](const std::string& words, const Formula& positive) {
     if (std::ranges::find(solution.assumptions, words) == solution.assumptions.end())
       solution.assumptions.push_back(words);
+    solution.grounds.push_back({words, positive});
   };
   const auto count = std::ranges::count_if(task.statement.asks, [&](const Ask& ask) {
     const auto i = static_cast<std::size_t>(&ask - task.statement.asks.data());
@@ -321,12 +322,13 @@ void tell_conditions(const FormulaTask& task, const FormulaGrounds& grounds, con
       if (solution.asks[i].regimes.empty())
         together.push_back(name);
       else
-        tell(words + " for " + name);
+        tell(words + " for " + name, condition.positive);
     }
     // Bounds are of the unknowns, which have formulas even where no answer has.
     const bool of_unknowns = condition.bound && !grounds.unknowns.empty();
     if (together.empty() && !of_unknowns) continue;
-    tell(static_cast<std::ptrdiff_t>(together.size()) == count ? words : words + " for " + listed(together));
+    tell(static_cast<std::ptrdiff_t>(together.size()) == count ? words : words + " for " + listed(together),
+         condition.positive);
   }
 }
 

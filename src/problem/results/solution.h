@@ -128,6 +128,7 @@ struct Solution {
   std::map<std::string, double> checks;  // relative misfits in the check with particles, by name
   std::vector<std::string> assumptions;  // under which the formulas hold: "m > 0"
   std::vector<FormulaCondition> conditions{};
+  std::vector<FormulaCondition> grounds{};  // other assumptions that are known as formulas
   std::vector<std::string> notes;  // on the stability of steady motions, and on events during a motion
 };
 

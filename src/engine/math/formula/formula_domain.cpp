@@ -58,6 +58,14 @@ std::vector<Formula> not_negative_in_domain(const Formula& x) {
   return found;
 }
 
+std::vector<Formula> assumed_not_negative(const Formula& x) {
+  std::vector<Formula> found;
+  if (x.fraction() && x.fraction()->assumptions)
+    for (const symbolic::Assumption& assumption : *x.fraction()->assumptions)
+      if (!assumption.not_negative.is_zero()) found.push_back(assumption.not_negative);
+  return found;
+}
+
 Formula bound_without_inverse(const Formula& x) {
   const auto parts = symbolic::of_inverse(x);
   if (!parts) return x;
