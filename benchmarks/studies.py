@@ -1,0 +1,99 @@
+"""studies.py: how many cases of a problem are answered in a second, by each road, beside SymPy's compiled formula.
+
+Times are those of the processor, for one thread, the least of three runs; the scaling is by the clock.
+"""
+
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import sympy
+
+import poinsot
+from poinsot import _core
+
+TEXTBOOK = Path(__file__).parents[1] / "examples/textbook"
+ITEMS = ("18.005", "18.011", "18.024", "18.045", "18.062")
+ROWS = 1_000_000
+
+
+def least(run: Callable[[], object], times: int = 3) -> float:
+    spent = []
+    for _ in range(times):
+        begin = time.process_time()
+        run()
+        spent.append(time.process_time() - begin)
+    return min(spent)
+
+
+def compiled(problem: poinsot.Problem, names: list[str], formulas: bool) -> _core.Cases:
+    first = [problem._core.value_in_si(name, problem.data[name]) for name in names]
+    cases: _core.Cases = problem._core.cases(_core.CaseQuestions(names, [], [], first, formulas), None, None)[0]
+    return cases
+
+
+def rate(cases: _core.Cases, values: list[Any], first: int, repeat: int = 1) -> float:
+    stop = _core.StopFlag()
+
+    def run() -> None:
+        for _ in range(repeat):
+            cases.solve(values, first, stop)
+
+    return repeat * len(values[0]) / least(run)
+
+
+def lambdified(problem: poinsot.Problem, names: list[str], values: list[Any]) -> float:
+    """The same formulas by SymPy and NumPy. The numbers of the other data are put in before."""
+    text = problem.text
+    # What is varied becomes a letter.
+    units = {one.name: one.unit for one in compiled(problem, names, False).over}
+    given = [f"{name}: {value}" for name, value in problem.data.items() if name not in names]
+    lines = [line for line in text.split("\n") if not line.startswith("given:")]
+    letters = ", ".join(f"{name}: {units[name] or 1}" for name in names)
+    opened = "\n".join([f"given: {{{', '.join(given)}}}", f"letters: {{{letters}}}", *lines])
+    found = poinsot.Problem.from_text(opened, problem.name).solve().solution.answers.values()
+    formulas = [one.sympy() for one in found if one.formula is not None]
+    numbers = [part for one in formulas for part in (list(one) if hasattr(one, "shape") else [one])]
+    symbols = {one.name: one for part in numbers for one in part.free_symbols}
+    function = sympy.lambdify([symbols.get(name, sympy.Symbol(name)) for name in names], numbers, "numpy")
+    return len(values[0]) / least(lambda: function(*values))
+
+
+def main() -> None:
+    random = np.random.default_rng(1)
+    print("cases a second and processor: by formula; with every thousandth in full; by instants; in full; "
+          "Problem.solve(); SymPy's lambdify")
+    for item in ITEMS:
+        problem = poinsot.Problem.from_file(TEXTBOOK / f"{item}.yaml")
+        stated = [one for one in problem._core.situations[0].data if one.unit][:3]
+        names = [one.name for one in stated]
+        near = [problem._core.value_in_si(one.name, one.text) for one in stated]
+        values = [value * random.uniform(0.95, 1.05, ROWS) for value in near]
+        few = [np.ascontiguousarray(column[:999]) for column in values]
+        by_formula, without = compiled(problem, names, True), compiled(problem, names, False)
+        alone = [{name: f"{float(column[row])!r} {one.unit}" for name, column, one in zip(names, values, by_formula.over, strict=True)}
+                 for row in range(50)]
+        instants = rate(without, few, 1) if without.by_instants else float("nan")
+        slow = [np.ascontiguousarray(column[1:100]) for column in values]
+        in_full = rate(without, slow, 1) if not without.by_instants else float("nan")
+        solving = len(alone) / least(lambda: [problem.solve(case) for case in alone], 1)  # noqa: B023
+        try:
+            peer = f"{lambdified(problem, names, values):9.2e}"
+        except Exception as error:  # a file that is laid out in another way
+            peer = f"none ({type(error).__name__})"
+        print(f"{item}  {rate(by_formula, few, 1, 1000):9.2e}  {rate(by_formula, values, 0):9.2e}  {instants:9.2e}  "
+              f"{in_full:9.2e}  {solving:9.2e}  {peer}", flush=True)
+
+    problem = poinsot.Problem.from_file(TEXTBOOK / "18.005.yaml")
+    over = {"W": poinsot.normal("10 lb", "0.1 lb"), "r": poinsot.uniform("5 in", "7 in")}
+    for threads in (1, 2, 4):
+        begin = time.perf_counter()
+        study = poinsot.study(problem, over, rows=20_000, formulas=False, shard_rows=500, threads=threads)
+        print(f"{threads} threads: {study.counts.rows / (time.perf_counter() - begin):9.2e} rows a second by instants")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
