@@ -89,7 +89,12 @@ double clash(const Shaft& a, const Shaft& b) {
 
 class ArrowDrawer {
  public:
-  ArrowDrawer(Panel& panel, const Largest& largest) : panel_(panel), largest_(largest) {}
+  ArrowDrawer(Panel& panel, const Largest& largest) : panel_(panel), largest_(largest) {
+    for (const Mark& mark : panel.marks)
+      if (const auto* stroke = std::get_if<Stroke>(&mark); stroke != nullptr && stroke->role == Role::rod)
+        for (std::size_t i = 0; i + 1 < stroke->points.size(); ++i)
+          rods_.push_back({stroke->points[i], stroke->points[i + 1]});
+  }
 
   void draw(const scene::Arrow& arrow) {
     const double size = norm(arrow.vector);
@@ -135,6 +140,8 @@ class ArrowDrawer {
     const auto attempt = [&](const Shaft& shaft, double cost) {
       cost += 0.8 * panel_.visibility.covered(shaft.tail, shaft.tip);
       for (const Shaft& other : drawn_) cost += 2 * clash(shaft, other);
+      // What may be moved does not lie on a thin body if there is room elsewhere.
+      if (movable) cost += 1.3 * along_rods(shaft);
       if (cost < least - 1e-9) {
         least = cost;
         best = shaft;
@@ -152,6 +159,18 @@ class ArrowDrawer {
       attempt({at - 1.6 * arm, at - 0.6 * arm}, 1.0);
     }
     return best;
+  }
+
+  // How much of an arrow runs along thin bodies, as a part of it.
+  double along_rods(const Shaft& shaft) const {
+    constexpr int samples = 9;
+    int on = 0;
+    for (int i = 1; i < samples; ++i) {
+      const Point2 p = shaft.tail + (static_cast<double>(i) / samples) * (shaft.tip - shaft.tail);
+      on += std::ranges::any_of(rods_,
+                                [&](const Shaft& rod) { return distance(p, rod.tail, rod.tip) < 0.6 * rod_width; });
+    }
+    return static_cast<double>(on) / (samples - 1);
   }
 
   // The arrow around the shaft by the rule of the right hand, open where it passes behind.
@@ -266,7 +285,7 @@ class ArrowDrawer {
 
   Panel& panel_;
   const Largest& largest_;
-  std::vector<Shaft> drawn_;
+  std::vector<Shaft> drawn_, rods_;
   std::vector<Point2> turned_;
 };
 

@@ -189,8 +189,12 @@ Drawing single(const Scene& scene, const Diagram& diagram, const PanelKind& kind
   const View view = looks.view   ? *looks.view
                     : kind.cones ? chosen_view_of_cones(scene, bodies, poses)
                                  : chosen_view(scene, bodies, diagram.arrows, poses);
-  Panel panel(scene, bodies, poses,
-              fitted(view, places_of(scene, bodies, poses, diagram.arrows, kind.symbols), size_of_panels(1)));
+  std::vector<Vector> places = places_of(scene, bodies, poses, diagram.arrows, kind.symbols);
+  if (kind.cones)
+    for (const scene::Curve& curve : scene.curves)
+      if (curve.kind == scene::CurveKind::polhode || curve.kind == scene::CurveKind::herpolhode)
+        for (const Vector& point : curve.points) places.push_back(on_ground({curve.body, point}, poses));
+  Panel panel(scene, bodies, poses, fitted(view, places, size_of_panels(1)));
   panel.values = looks.values;
   Drawing drawing = draw_panel(panel, diagram, largest, kind);
   marked = panel.not_to_scale;

@@ -1,6 +1,7 @@
 #include "problem/scene/scene_balance_diagrams.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "poinsot/engine/math/formula/formula_text.h"
 #include "problem/language/words.h"
@@ -25,19 +26,32 @@ class BalanceDiagrams {
   void add() {
     for (std::size_t i = 0; i < system_.unknown.size(); ++i)
       if (!system_.unknown[i].determined) open_.push_back(ExplanationTex::plain(system_.unknown[i].tex));
-    const std::string of = names();
-    if (system_.plan.sudden) {
-      finish(momenta(DiagramKind::momenta_before, "Momenta before the blow" + of));
-      finish(acting(DiagramKind::impulses, "Impulses from outside" + of));
-      finish(momenta(DiagramKind::momenta_after, "Momenta after the blow" + of));
-    } else {
-      finish(acting(DiagramKind::free_body, "Free-body diagram" + of));
-      finish(kinetic("Kinetic diagram" + of));
+    // Where found values leave nothing above their rounding, what is small beside other sizes is what is to be seen.
+    std::vector<scene::Diagram> equation = diagrams();
+    if (is_empty(equation)) {
+      small_counts_ = true;
+      equation = diagrams();
     }
+    if (!is_empty(equation)) std::ranges::move(equation, std::back_inserter(figure_.scene().diagrams));
     if (!open_.empty()) figure_.scene().notes.push_back("not drawn is what the equations leave open: " + listed(open_));
   }
 
  private:
+  std::vector<scene::Diagram> diagrams() const {
+    const std::string of = names();
+    if (sudden())
+      return {momenta(DiagramKind::momenta_before, "Momenta before the blow" + of),
+              acting(DiagramKind::impulses, "Impulses from outside" + of),
+              momenta(DiagramKind::momenta_after, "Momenta after the blow" + of)};
+    return {acting(DiagramKind::free_body, "Free-body diagram" + of), kinetic("Kinetic diagram" + of)};
+  }
+  static bool is_empty(const std::vector<scene::Diagram>& equation) {
+    return std::ranges::all_of(equation, [](const scene::Diagram& one) { return one.arrows.empty(); });
+  }
+  bool vanishes(const Vector3<double>& vector, const Dimension& dimension) const {
+    return small_counts_ ? figure_.vanishes(vector, dimension) : explainer_.vanishes(vector, dimension);
+  }
+
   const Mechanism<double>& mechanism() const { return figure_.mechanism(); }
   const InstantFigures<double>& numbers() const { return explainer_.figures(); }
   bool sudden() const { return system_.plan.sudden; }
@@ -55,7 +69,6 @@ class BalanceDiagrams {
       if (const int drawn = figure_.scene_body(body); drawn != scene::ground) diagram.bodies.push_back(drawn);
     return diagram;
   }
-  void finish(scene::Diagram diagram) { figure_.scene().diagrams.push_back(std::move(diagram)); }
 
   std::vector<int> massive() const {
     std::vector<int> found;
@@ -76,7 +89,7 @@ class BalanceDiagrams {
     const Quantity force_kind = sudden() ? Quantity::impulse : Quantity::force;
     const Quantity couple_kind = sudden() ? Quantity::angular_impulse : Quantity::couple;
     for (const auto& [quantity, vector] : {std::pair{force_kind, wrench.force}, std::pair{couple_kind, couple}}) {
-      if (explainer_.vanishes(vector, dimension_of(quantity))) continue;
+      if (vanishes(vector, dimension_of(quantity))) continue;
       scene::Arrow arrow = figure_.arrow(quantity, name, at.body, at, vector, symbol);
       arrow.known = known;
       // The couple that goes with the force of a screw has its own size.
@@ -199,7 +212,7 @@ class BalanceDiagrams {
 
   void add_momentum(scene::Diagram& diagram, Quantity quantity, int body, const Vector3<double>& vector,
                     const ArrowSymbol& symbol) const {
-    if (explainer_.vanishes(vector, dimension_of(quantity))) return;
+    if (vanishes(vector, dimension_of(quantity))) return;
     const scene::Place at = figure_.riding(body, center_of(body));
     diagram.arrows.push_back(figure_.arrow(quantity, mechanism().tree.name(body), at.body, at, vector, symbol));
   }
@@ -240,7 +253,7 @@ class BalanceDiagrams {
       if (!after || !system_.plan.bodies.contains(impulse.on) || !(impulse.absorbed > 0)) continue;
       const Vector3<double> vector = impulse.absorbed * state.velocity(impulse.at);
       const std::string& name = mechanism().actions[static_cast<std::size_t>(impulse.action)].name;
-      if (explainer_.vanishes(vector, dimensions::momentum)) continue;
+      if (vanishes(vector, dimensions::momentum)) continue;
       const scene::Place at = figure_.scene_place(impulse.at);
       diagram.arrows.push_back(
           figure_.arrow(Quantity::linear_momentum, name, at.body, at, vector,
@@ -255,6 +268,7 @@ class BalanceDiagrams {
   int group_;
   const solve::MechanismState& placed_;
   std::vector<std::string> open_;
+  bool small_counts_ = false;
 };
 
 }  // namespace

@@ -159,6 +159,31 @@ TEST(Conventions, cones_are_looked_into_and_seen_from_the_side) {
   }
 }
 
+TEST(Conventions, what_turns_a_shaft_stands_beyond_its_end_and_not_on_it) {
+  std::mt19937_64 random(2);
+  std::size_t looked_at = 0;
+  for (int round = 0; round < 40; ++round) {
+    scene::Scene scene;
+    const Vector axis = random_direction(random);
+    scene.bodies = {{.name = "shaft", .mass = 1, .shapes = {pictures_test::wire_shape({{}, axis})}}};
+    scene::Diagram diagram{.kind = scene::DiagramKind::model, .title = "", .bodies = {0}};
+    diagram.arrows = {arrow(scene::Quantity::angular_velocity, 0, {}, round % 2 == 0 ? axis : -axis, "w")};
+    scene.diagrams = {diagram};
+    const View view = view_from(random_direction(random), scene.up);
+    if (norm(Projection(view, 1).direction_of(axis)) < 0.3) continue;
+    const Drawing drawing = figure(scene, model, "", {.view = view});
+    const std::vector<const Stroke*> rods = strokes_of(drawing, Role::rod);
+    ASSERT_EQ(rods.size(), 1U);
+    for (const Stroke* stroke : strokes_of(drawing, Role::arrow)) {
+      if (stroke->hint.empty()) continue;
+      const Point2 middle = 0.5 * (stroke->points.front() + stroke->points.back());
+      EXPECT_GT(distance(middle, rods[0]->points.front(), rods[0]->points.back()), 5) << round;
+      ++looked_at;
+    }
+  }
+  EXPECT_GT(looked_at, 25U);
+}
+
 TEST(Conventions, a_pin_that_is_seen_from_above_has_no_side_that_is_down) {
   scene::Scene scene;
   scene.up = {0, 0, 1};

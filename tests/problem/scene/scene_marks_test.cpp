@@ -282,6 +282,23 @@ TEST(SceneMarks, long_cords_are_cut_off_by_the_size_of_the_figure) {
   }
 }
 
+TEST(SceneMarks, a_couple_that_is_small_beside_the_spin_is_drawn_with_what_it_does) {
+  const Document document = illustrated(
+      "title: t\ngiven: {n: 100 rad/s, p: 1e-6 rad/s}\nfind: {M: {vector: N*m}}\ngravity: none\n"
+      "points: {G: [0, 0, 0]}\nbodies: {s: {sphere: {center: G, radius: 1 m}, mass: 1 kg}}\n"
+      "loads: {sun: {couple: M, body: s}}\nframes: {f: {rides_on: center(s), turns: z, rate: p}}\n"
+      "steady: {frame: f, spins: {s: {about: '[0.6, 0, 0.8]', rate: n}}}\nask: {a: norm(load(sun))}\n");
+  std::size_t arrows = 0;
+  for (const scene::Diagram& diagram : scene_of(document).diagrams) {
+    if (diagram.kind != scene::DiagramKind::free_body && diagram.kind != scene::DiagramKind::kinetic) continue;
+    ASSERT_EQ(diagram.arrows.size(), 1U);
+    // I p n sin: the precession turns the angular momentum of the spin.
+    EXPECT_NEAR(norm(diagram.arrows[0].vector), 0.4 * 1e-6 * 100 * 0.6, 1e-3 * 24e-6);
+    ++arrows;
+  }
+  EXPECT_EQ(arrows, 2U);
+}
+
 TEST(SceneMarks, each_situation_has_a_scene) {
   const Document document = illustrated(
       "title: t\npoints: {O: [0, 0, 0], A: [1 m, 0, 0], B: [0, 1 m, 0]}\ngravity: none\nsituations:\n"

@@ -30,7 +30,10 @@ function given(situation: Situation): Child[] {
   );
   const all = [...data, ...letters, ...unknowns];
   if (all.length === 0) return [];
-  return [situation.name !== "" && element("h4", {}, situation.name), element("ul", { class: "given" }, ...all)];
+  return [
+    situation.name !== "" && element("h4", {}, situation.name.replaceAll("_", " ")),
+    element("ul", { class: "given" }, ...all),
+  ];
 }
 
 function asked(page: PageData): Child[] {
