@@ -157,6 +157,12 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
   for (const std::unique_ptr<Sample>& other : extremal)
     for (const auto& [key, instant] : other->instants()) instants.push_back(instant.get());
   for (const SolvedInstant* instant : instants) check(*instant);
+  SolvedInstant::ToldMisfit told;
+  for (const auto& [home, instant] : sample.instants()) {
+    const SolvedInstant::ToldMisfit here = instant->misfit_of_told();
+    if (here.checked > 0) keep("quantities", here.misfit);
+    if (here.misfit > told.misfit) told = here;
+  }
   if (const std::optional<double> facts = largest_fact_misfit(statement, sample)) result.checks["facts"] = *facts;
   const std::map<std::string, std::string> doubts = check_motions(sample, check, result);
   for (const auto& [name, residual] : result.checks) {
@@ -189,6 +195,8 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
       ask.reason =
           name == "constraints"
               ? "what joints, contacts and cords hold together comes apart in it, by " + size + " of its size"
+          : name == "quantities"
+              ? "the bodies as particles do not confirm " + told.function + "() (off by " + size + ")"
           : of_stability
               ? "the motion of its bodies, each by itself, does not confirm it (rates off by " + size + " of the pace)"
               : "the independent check with particles does not confirm it (" + name + " off by " + size + ")";

@@ -295,6 +295,7 @@ class StatementSolver {
       }
       try {
         auto sample = std::make_unique<Sample>(statement_, settings, OpenChoice{});
+        sample->write_down_what_is_told();
         AskValues values;
         try {
           while (values.values.size() < statement_.asks.size())

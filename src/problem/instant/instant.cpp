@@ -265,6 +265,7 @@ QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, con
   }
   if (before_) quantities.set_blow(&*before_, &blow_, &impulses_);
   if (axes) quantities.set_axes(*axes);
+  if (writes_told_) quantities.set_told(&told_);
   if (elsewhere) quantities.set_elsewhere(elsewhere);
   quantities.set_motion_features(features);
   quantities.set_linearisation([this](const Mark& mark) -> const solve::Linearisation& { return linearisation(mark); });
@@ -291,8 +292,6 @@ Value<double> SolvedInstant::ask(const Expression& expression, const std::option
 double SolvedInstant::number(const Expression& expression, const std::optional<Expression>& axes) {
   return raw(expression, axes, nullptr).number;
 }
-
-double SolvedInstant::pace() const { return natural_size(dimensions::none / dimensions::time); }
 
 double SolvedInstant::natural_size(const Dimension& d) const {
   // Only a quantity that grows with the pace of the motion has a natural size by which rounding is measured. At rest

@@ -84,7 +84,7 @@ class SolvedInstant {
   // Whether it uses values that are given as `any`.
   bool uses_any() const { return !any_values_.empty(); }
   // The largest rate with which something moves or would begin to move, 1/s.
-  double pace() const;
+  double pace() const { return natural_size(dimensions::none / dimensions::time); }
 
   // Solves for accelerations and forces. Quantities that need them call this themselves.
   void solve_forces();
@@ -156,6 +156,16 @@ class SolvedInstant {
   };
   std::optional<std::vector<Between>> over_all_shares(const Expression& expression,
                                                       const std::optional<Expression>& axes);
+
+  // From now on it is written down what is told of bodies and forces; and by how much that differs from what the bodies
+  // as particles tell, relative to the size of its terms, with the function that differs most.
+  void write_down_what_is_told() { writes_told_ = true; }
+  struct ToldMisfit {
+    double misfit = 0;
+    std::string function{};
+    int checked = 0;  // the number of values for which there is a second road
+  };
+  ToldMisfit misfit_of_told() const;
 
   // The linearised equations near this motion, which must be steady. Errors are reported at the mark.
   const solve::Linearisation& linearisation(const Mark& mark);
@@ -242,6 +252,8 @@ class SolvedInstant {
   solve::LinearSystem blow_equations_;
   solve::LinearSolution blow_solution_;
   std::vector<double> impulses_;
+  bool writes_told_ = false;
+  std::vector<ToldQuantity> told_;
 };
 
 }  // namespace poinsot::problem

@@ -14,6 +14,7 @@
 #include "problem/machine/data.h"
 #include "problem/machine/machine.h"
 #include "problem/quantities/quantity_functions.h"
+#include "problem/quantities/told_quantity.h"
 
 namespace poinsot::problem {
 
@@ -69,6 +70,9 @@ class QuantityScope : public Scope<Scalar> {
     linearisation_ = std::move(linearisation);
   }
 
+  // Sets where it is written down what is told of the model by plain numbers. It must outlive the scope.
+  void set_told(std::vector<ToldQuantity>* told) { told_ = told; }
+
   Value<Scalar> value(const Expression& expression);
 
   Value<Scalar> name(const Name& name, const Mark& mark, const Evaluator<Scalar>& evaluator) override;
@@ -89,6 +93,10 @@ class QuantityScope : public Scope<Scalar> {
       return x.value;
   }
   static Vector3<Base> as_base(const Vector& v) { return {as_base(v.x), as_base(v.y), as_base(v.z)}; }
+
+  // Whether it is written down what is told: only of plain numbers.
+  bool tells() const { return std::is_same_v<Scalar, double> && told_; }
+  static Vector3<double> plain_vector(const Vector& v) { return {plain(v.x), plain(v.y), plain(v.z)}; }
 
   int body_of(const Expression& expression, const Evaluator<Scalar>& evaluator, bool system_allowed = false);
   bool is_frame(int body) const;
@@ -137,6 +145,7 @@ class QuantityScope : public Scope<Scalar> {
   const solve::BlowOf<Base>* blow_ = nullptr;
   const std::vector<Base>* impulses_ = nullptr;
   std::vector<std::string> pending_;
+  std::vector<ToldQuantity>* told_ = nullptr;
 
   template <class Other, class OtherBase>
   friend class QuantityScope;

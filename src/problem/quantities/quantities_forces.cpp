@@ -87,18 +87,37 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
                      : solve::action_wrench(*mechanism_state_, *unknowns_, i);
   const Action& first = mechanism.actions[actions.front()];
   Base sign(1);
-  if (const Expression* on = call.argument("on")) {
-    const int body = body_of(*on, evaluator);
+  int on = first.on;
+  if (const Expression* named = call.argument("on")) {
+    const int body = body_of(*named, evaluator);
+    on = body;
     for (std::size_t i : actions)
       if (mechanism.actions[i].on != first.on || mechanism.actions[i].from != first.from)
         evaluator.fail(name_mark, "'" + name + "' means several things between different bodies");
     if (body == first.from && body != first.on)
       sign = Base(-1);
     else if (body != first.on)
-      evaluator.fail(on->mark(), "'" + name + "' does not act on '" + to_string(*on) + "'");
+      evaluator.fail(named->mark(), "'" + name + "' does not act on '" + to_string(*named) + "'");
   }
   const auto as_vector = [&](const Vector3<Base>& v, const Dimension& dimension) {
     return vector_value(lifted<Scalar>(sign * v), dimension);
+  };
+  // Where the actions are between different bodies, there is no one body on which they act.
+  const bool one_pair = std::ranges::all_of(actions, [&](std::size_t i) {
+    return mechanism.actions[i].on == first.on && mechanism.actions[i].from == first.from;
+  });
+  const auto told = [&](ToldQuantity::Kind kind, const Vector3<Base>& place, const Vector3<Base>& value,
+                        const Dimension& dimension) {
+    const Result result = as_vector(value, dimension);
+    if (tells() && one_pair)
+      told_->push_back({.kind = kind,
+                        .body = on,
+                        .from = on == first.on ? first.from : first.on,
+                        .actions = actions,
+                        .place = {plain(place.x), plain(place.y), plain(place.z)},
+                        .value = plain_vector(result.vector),
+                        .words = call.function});
+    return result;
   };
   // The place at which the first component of these actions is carried.
   const solve::MechanismStateOf<Base>& now = sudden ? *before_ : *mechanism_state_;
@@ -135,15 +154,16 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
                            : as_vector(wrench.force, dimensions::force);
     }
   }
-  if (f == "force" || f == "reaction") return as_vector(wrench.force, dimensions::force);
-  if (f == "impulse") return as_vector(wrench.force, dimensions::momentum);
+  using Kind = ToldQuantity::Kind;
+  if (f == "force" || f == "reaction") return told(Kind::force, Vector3<Base>::zero(), wrench.force, dimensions::force);
+  if (f == "impulse") return told(Kind::impulse, Vector3<Base>::zero(), wrench.force, dimensions::momentum);
   if (f == "impulsive_couple") {
     const Expression* about = call.argument("about");
     const Vector3<Base> P = about ? as_base(place(*about, evaluator)) : own_place();
-    return as_vector(wrench.moment - cross(P, wrench.force), dimensions::angular_momentum);
+    return told(Kind::impulsive_couple, P, wrench.moment - cross(P, wrench.force), dimensions::angular_momentum);
   }
   const Vector3<Base> P = f == "couple" ? as_base(place(*call.argument("about"), evaluator)) : own_place();
-  return as_vector(wrench.moment - cross(P, wrench.force), dimensions::moment);
+  return told(Kind::couple, P, wrench.moment - cross(P, wrench.force), dimensions::moment);
 }
 
 template Value<double> QuantityScope<double>::force(const Call&, const Mark&, const Evaluator<double>&);

@@ -106,9 +106,31 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
   const int body = body_of(what, evaluator, true);
   if (body == ground) evaluator.fail(what.mark(), "the ground has no inertia");
   const MassProperties<Scalar> mass = current_mass(body);
+  const auto told = [&](ToldQuantity::Kind kind, const Vector& P, const Vector& first, const Vector& second,
+                        const Scalar& value) {
+    if (tells())
+      told_->push_back({.kind = kind,
+                        .body = body,
+                        .place = plain_vector(P),
+                        .first = plain_vector(first),
+                        .second = plain_vector(second),
+                        .value = {plain(value), 0, 0},
+                        .words = call.function});
+  };
+  const auto told_tensor = [&](const Vector& P, const Matrix3<Scalar>& axes, const SymmetricMatrix3<Scalar>& I) {
+    using Kind = ToldQuantity::Kind;
+    const Vector x = axes.column(0), y = axes.column(1), z = axes.column(2);
+    told(Kind::moment_of_inertia, P, x, x, I.xx);
+    told(Kind::moment_of_inertia, P, y, y, I.yy);
+    told(Kind::moment_of_inertia, P, z, z, I.zz);
+    told(Kind::product_of_inertia, P, x, y, Scalar(-I.xy));
+    told(Kind::product_of_inertia, P, y, z, Scalar(-I.yz));
+    told(Kind::product_of_inertia, P, z, x, Scalar(-I.zx));
+  };
   if (f == "moment_of_inertia" || f == "radius_of_gyration") {
     const auto [P, d] = line(call, evaluator);
     const Scalar I = moment_about_axis(mass, P, d);
+    told(ToldQuantity::Kind::moment_of_inertia, P, d, d, I);
     if (f == "moment_of_inertia") return number_value(I, dimensions::moment_of_inertia);
     if (!(plain(mass.mass) > 0)) evaluator.fail(mark, "a massless body has no radius of gyration");
     using std::sqrt;
@@ -122,6 +144,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
     for (const Scalar& x : list) items.push_back(number_value(x, dimensions::moment_of_inertia));
     return Result::of_list(std::move(items));
   };
+  if (f != "principal_moments" && f != "principal_axes") told_tensor(P, axes_, I);
   if (f == "moments_of_inertia") return numbers({I.xx, I.yy, I.zz});
   if (f == "products_of_inertia") return numbers({Scalar(-I.xy), Scalar(-I.yz), Scalar(-I.zx)});
   if (f == "inertia_matrix") {
@@ -135,6 +158,11 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
     return numbers({moments.x, moments.y, moments.z});
   } else if constexpr (std::is_same_v<Scalar, double>) {
     const PrincipalAxes<double> principal = principal_axes(I);
+    SymmetricMatrix3<double> diagonal{};
+    diagonal.xx = principal.moments.x;
+    diagonal.yy = principal.moments.y;
+    diagonal.zz = principal.moments.z;
+    told_tensor(P, axes_ * principal.axes, diagonal);
     if (f == "principal_moments") return numbers({principal.moments.x, principal.moments.y, principal.moments.z});
     // The axes are given on the axes that were asked for, as the caller converts vectors but not lists.
     std::vector<Result> items;

@@ -14,8 +14,23 @@ template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Evaluator<Scalar>& evaluator) {
   const std::string_view f = call.function;
   const Expression& what = call.arguments[0].value;
-  if (f == "center")
-    return vector_value(mass_center_of(body_of(what, evaluator, true), what, evaluator), dimensions::length);
+  using Kind = ToldQuantity::Kind;
+  const auto told = [&](Kind kind, int body, int from, const Vector& place, const Vector& value,
+                        const Dimension& dimension) {
+    if (tells())
+      told_->push_back({.kind = kind,
+                        .body = body,
+                        .from = from,
+                        .place = plain_vector(place),
+                        .value = plain_vector(value),
+                        .words = call.function});
+    return vector_value(value, dimension);
+  };
+  const Vector nowhere = Vector::zero();
+  if (f == "center") {
+    const int body = body_of(what, evaluator, true);
+    return told(Kind::center, body, ground, nowhere, mass_center_of(body, what, evaluator), dimensions::length);
+  }
   if (f == "position") {
     if (plain_name(what) && !machine_.index.contains(plain_name(what)->name))
       return vector_value(place(what, evaluator), dimensions::length);
@@ -27,23 +42,28 @@ Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Eva
   const Expression* relative_to = call.argument("relative to");
   const int frame = relative_to ? body_of(*relative_to, evaluator) : ground;
   const BodyMotion<Scalar>& F = workspace_.motion[static_cast<std::size_t>(frame + 1)];
-  if (f == "angular_velocity")
-    return vector_value(Vector(angular_velocity(workspace_, body_of(what, evaluator)) - F.w),
-                        dimensions::angular_velocity);
-  if (f == "angular_acceleration")
-    return vector_value(Vector(angular_acceleration(workspace_, body_of(what, evaluator))),
-                        dimensions::angular_acceleration);
+  if (f == "angular_velocity") {
+    const int body = body_of(what, evaluator);
+    return told(Kind::angular_velocity, body, frame, nowhere, Vector(angular_velocity(workspace_, body) - F.w),
+                dimensions::angular_velocity);
+  }
+  if (f == "angular_acceleration") {
+    const int body = body_of(what, evaluator);
+    return told(Kind::angular_acceleration, body, ground, nowhere, Vector(angular_acceleration(workspace_, body)),
+                dimensions::angular_acceleration);
+  }
   // The velocity of the system is that of its mass center.
   if (const Name* name = plain_name(what); name && name->name == "system" && f == "velocity")
-    return vector_value(poinsot::momentum(model_, workspace_, Vector::zero()).linear / total_mass(model_),
-                        dimensions::velocity);
+    return told(Kind::velocity, whole_system, ground, nowhere,
+                poinsot::momentum(model_, workspace_, Vector::zero()).linear / total_mass(model_),
+                dimensions::velocity);
   const Riding point = riding(what, evaluator);
-  const Vector r = point_position(model_, workspace_, point.body, point.local) - F.p;
+  const Vector place = point_position(model_, workspace_, point.body, point.local), r = place - F.p;
   const Vector v = point_velocity(model_, workspace_, point.body, point.local) - F.v - cross(F.w, r);
-  if (f == "velocity") return vector_value(v, dimensions::velocity);
+  if (f == "velocity") return told(Kind::velocity, point.body, frame, place, v, dimensions::velocity);
   const Vector a = point_acceleration(model_, workspace_, point.body, point.local) - F.a - cross(F.alpha, r) -
                    cross(F.w, cross(F.w, r)) - Scalar(2) * cross(F.w, v);
-  return vector_value(a, dimensions::acceleration);
+  return told(Kind::acceleration, point.body, frame, place, a, dimensions::acceleration);
 }
 
 template <class Scalar, class Base>

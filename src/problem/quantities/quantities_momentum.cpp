@@ -47,6 +47,19 @@ Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Eval
   const int body = body_of(what, evaluator, true);
   if (body == ground) evaluator.fail(what.mark(), "the ground has no " + call.function);
   const bool all = body == whole_system;
+  using Kind = ToldQuantity::Kind;
+  // Particles that fly on their own are of no body.
+  const auto told = [&](Kind kind, const Vector& place, const Vector& value) {
+    if (tells() && (!all || flying_.empty()))
+      told_->push_back({.kind = kind,
+                        .body = body,
+                        .place = plain_vector(place),
+                        .value = plain_vector(value),
+                        .words = call.function});
+  };
+  const auto told_number = [&](Kind kind, const Scalar& value) {
+    told(kind, Vector::zero(), {value, Scalar(0), Scalar(0)});
+  };
   // The contributions of flying particles to the system.
   Scalar flying_mass(0), flying_energy(0), flying_height(0);
   const auto flying_momentum = [&](const Vector& P) {
@@ -68,24 +81,30 @@ Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Eval
   }
   if (f == "mass" || f == "weight") {
     const Scalar mass = all ? Scalar(total_mass(model_) + flying_mass) : model_.body(body).inertia.mass;
+    told_number(Kind::mass, mass);
     if (f == "mass") return number_value(mass, dimensions::mass);
     return number_value(mass * data_.gravity_size(), dimensions::force);
   }
   if (f == "momentum") {
     const auto total = all ? poinsot::momentum(model_, workspace_, Vector::zero())
                            : body_momentum(model_, workspace_, body, Vector::zero());
-    return vector_value(Vector(total.linear + flying_momentum(Vector::zero()).linear), dimensions::momentum);
+    const Vector linear = total.linear + flying_momentum(Vector::zero()).linear;
+    told(Kind::momentum, Vector::zero(), linear);
+    return vector_value(linear, dimensions::momentum);
   }
   if (f == "angular_momentum") {
     const Vector P = place(*call.argument("about"), evaluator);
     const auto total = all ? poinsot::momentum(model_, workspace_, P) : body_momentum(model_, workspace_, body, P);
-    return vector_value(Vector(total.angular + flying_momentum(P).angular), dimensions::angular_momentum);
+    const Vector angular = total.angular + flying_momentum(P).angular;
+    told(Kind::angular_momentum, P, angular);
+    return vector_value(angular, dimensions::angular_momentum);
   }
   if (f == "potential_energy") {
     Scalar sum = -flying_height;
     for (int i = 0; i < model_.body_count(); ++i)
       if ((all || i == body) && plain(model_.body(i).inertia.mass) > 0)
         sum = sum - model_.body(i).inertia.mass * dot(model_.gravity(), body_mass_center(model_, workspace_, i));
+    told_number(Kind::height_energy, sum);
     if (all)
       if (const auto energy = energy_of_springs(machine_.mechanism, "", model_, workspace_, state_))
         sum = sum + *energy;
@@ -108,8 +127,11 @@ Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Eval
         (all ? poinsot::momentum(model_, workspace_, P) : body_momentum(model_, workspace_, body, P)).linear +
         flying_momentum(P).linear;
     const Scalar mass = all ? Scalar(total_mass(model_) + flying_mass) : model_.body(body).inertia.mass;
-    return number_value(Scalar(T - Scalar(0.5) * norm_squared(L) / mass), dimensions::energy);
+    const Scalar within = T - Scalar(0.5) * norm_squared(L) / mass;
+    told_number(Kind::kinetic_energy_within, within);
+    return number_value(within, dimensions::energy);
   }
+  told_number(Kind::kinetic_energy, T);
   return number_value(T, dimensions::energy);
 }
 

@@ -30,6 +30,7 @@ SolvedInstant& Sample::instant(const Home& home) {
   else
     found = std::make_unique<SolvedInstant>(situation, settings, When{0, situation.has_blow() && home.instant == 1},
                                             choice_);
+  if (writes_told_) found->write_down_what_is_told();
   return *(instants_[home] = std::move(found));
 }
 

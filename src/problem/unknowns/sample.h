@@ -64,6 +64,8 @@ class Sample {
   // these instants.
   Home home(const Expression& expression, const Mark& mark);
   SolvedInstant& instant(const Home& home);
+  // Of instants that are solved from now on.
+  void write_down_what_is_told() { writes_told_ = true; }
 
   // For a table, the first situation that it asks about.
   Home home_of(const Ask& ask);
@@ -100,6 +102,7 @@ class Sample {
   std::map<Home, std::unique_ptr<SolvedInstant>> instants_;
   std::map<std::size_t, std::unique_ptr<Course>> motions_;
   std::map<std::string, std::string> unphysical_rows_;
+  bool writes_told_ = false;
 };
 
 }  // namespace poinsot::problem

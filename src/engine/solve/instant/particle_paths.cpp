@@ -1,0 +1,131 @@
+#include "engine/solve/instant/particle_paths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "poinsot/engine/work/work.h"
+
+namespace poinsot::solve {
+namespace {
+
+constexpr std::size_t now = 4;  // of the nine points of the differences
+constexpr Work of_a_particle = 500;
+
+}  // namespace
+
+ParticlePaths::ParticlePaths(const std::vector<CheckLink>& links, std::vector<Body> bodies,
+                             const std::vector<double>& q, const std::vector<double>& v, const std::vector<double>& a)
+    : bodies_(std::move(bodies)) {
+  for (const Body& body : bodies_)
+    for (const auto& particle : *body.particles) length_ = std::max(length_, norm(drawn::widened(particle.position)));
+  for (const CheckLink& link : links) length_ = std::max(length_, norm(drawn::widened(link.anchor)));
+  pace_ = drawn::pace_of(links, v, a, length_ > 0 ? length_ : 1);
+  step_ = drawn::step_of_pace / (pace_ > 0 ? pace_ : 1);
+  for (std::size_t j = 0; j < at_.size(); ++j)
+    at_[j] = drawn::displacements(links, q, v, a, (Real(j) - Real(now)) * step_);
+}
+
+drawn::Displacement ParticlePaths::relative(std::size_t time, int link, int from) const {
+  const drawn::Displacement still;
+  const drawn::Displacement& of = link < 0 ? still : at_[time][static_cast<std::size_t>(link)];
+  if (from < 0) return of;
+  const drawn::Displacement &before = at_[time][static_cast<std::size_t>(from)],
+                            &present = at_[now][static_cast<std::size_t>(from)];
+  const Matrix3<Real> back = present.turn * transpose(before.turn);
+  return {back * of.turn, back * (of.shift - before.shift) + present.shift};
+}
+
+ParticlePaths::Vector ParticlePaths::drawn_place(int link, const Vector& place) const {
+  if (link < 0) return place;
+  const drawn::Displacement& present = at_[now][static_cast<std::size_t>(link)];
+  return transpose(present.turn) * (place - present.shift);
+}
+
+// Differences are taken of what changes, so that a large distance from the origin does not cancel.
+template <class Where>
+ParticlePaths::Vector ParticlePaths::first_derivative(const Where& where) const {
+  Vector sum = Vector::zero();
+  for (std::size_t j = 1; j <= now; ++j)
+    sum += (drawn::first_weights[j - 1] / step_) * (where(now + j) - where(now - j));
+  return sum;
+}
+template <class Where>
+ParticlePaths::Vector ParticlePaths::second_derivative(const Where& where) const {
+  const Vector present = where(now);
+  Vector sum = Vector::zero();
+  for (std::size_t j = 1; j <= now; ++j)
+    sum += (drawn::second_weights[j - 1] / (step_ * step_)) * ((where(now + j) - present) + (where(now - j) - present));
+  return sum;
+}
+
+ParticlePaths::Vector ParticlePaths::velocity(int link, const Vector& place, int from) const {
+  const Vector x = drawn_place(link, place);
+  return first_derivative([&](std::size_t time) { return relative(time, link, from)(x); });
+}
+
+ParticlePaths::Vector ParticlePaths::acceleration(int link, const Vector& place, int from) const {
+  const Vector x = drawn_place(link, place);
+  return second_derivative([&](std::size_t time) { return relative(time, link, from)(x); });
+}
+
+// Arms of length one along the axes of the ground turn with the body: w is half the sum of arm x rate.
+ParticlePaths::Vector ParticlePaths::angular_velocity(int link, int from) const {
+  Vector sum = Vector::zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    Vector arm = Vector::zero();
+    arm[k] = 1;
+    const Vector x = link < 0 ? arm : transpose(at_[now][static_cast<std::size_t>(link)].turn) * arm;
+    sum +=
+        Real(0.5) * cross(arm, first_derivative([&](std::size_t time) { return relative(time, link, from).turn * x; }));
+  }
+  return sum;
+}
+
+// Of alpha x arm + w x (w x arm) the last part cancels in the sum.
+ParticlePaths::Vector ParticlePaths::angular_acceleration(int link) const {
+  Vector sum = Vector::zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    Vector arm = Vector::zero();
+    arm[k] = 1;
+    const Vector x = link < 0 ? arm : transpose(at_[now][static_cast<std::size_t>(link)].turn) * arm;
+    sum +=
+        Real(0.5) * cross(arm, second_derivative([&](std::size_t time) { return relative(time, link, -1).turn * x; }));
+  }
+  return sum;
+}
+
+ParticlePaths::Sums ParticlePaths::sums(int link, const Vector& P) const {
+  Sums sums;
+  sums.moments = {Vector::zero(), Vector::zero(), Vector::zero()};
+  for (const Body& body : bodies_) {
+    if (link != all && body.link != link) continue;
+    for (const auto& particle : *body.particles) {
+      count_work(of_a_particle);
+      const Vector drawn = drawn::widened(particle.position);
+      const Real m = particle.mass;
+      const auto where = [&](std::size_t time) { return at_[time][static_cast<std::size_t>(body.link)](drawn); };
+      const Vector x = where(now), r = x - P, velocity = first_derivative(where),
+                   acceleration = second_derivative(where);
+      sums.mass += m;
+      sums.first_moment += m * x;
+      sums.momentum += m * velocity;
+      sums.angular_momentum += m * cross(r, velocity);
+      sums.kinetic_energy += m * norm_squared(velocity) / 2;
+      sums.rate += m * acceleration;
+      sums.angular_rate += m * cross(r, acceleration);
+      sums.moments.row0 += (m * r.x) * r;
+      sums.moments.row1 += (m * r.y) * r;
+      sums.moments.row2 += (m * r.z) * r;
+      sums.momentum_size += std::abs(m) * norm(velocity);
+      sums.angular_size += std::abs(m) * norm(r) * norm(velocity);
+      sums.energy_size += std::abs(m) * norm_squared(velocity) / 2;
+      sums.rate_size += std::abs(m) * norm(acceleration);
+      sums.angular_rate_size += std::abs(m) * norm(r) * norm(acceleration);
+      sums.moments_size += std::abs(m) * norm_squared(r);
+    }
+  }
+  return sums;
+}
+
+}  // namespace poinsot::solve
