@@ -157,13 +157,14 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
   for (const std::unique_ptr<Sample>& other : extremal)
     for (const auto& [key, instant] : other->instants()) instants.push_back(instant.get());
   for (const SolvedInstant* instant : instants) check(*instant);
+  // Facts are told of the model as answers are.
+  if (const std::optional<double> facts = largest_fact_misfit(statement, sample)) result.checks["facts"] = *facts;
   SolvedInstant::ToldMisfit told;
   for (const auto& [home, instant] : sample.instants()) {
     const SolvedInstant::ToldMisfit here = instant->misfit_of_told();
     if (here.checked > 0) keep("quantities", here.misfit);
     if (here.misfit > told.misfit) told = here;
   }
-  if (const std::optional<double> facts = largest_fact_misfit(statement, sample)) result.checks["facts"] = *facts;
   const std::map<std::string, std::string> doubts = check_motions(sample, check, result);
   for (const auto& [name, residual] : result.checks) {
     const bool of_motion = name == "motion_error";

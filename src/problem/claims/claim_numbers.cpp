@@ -21,6 +21,9 @@ constexpr int most_edge_starts = 4;  // points from which letters are moved, one
 constexpr int most_edge_steps = 6, most_edge_halvings = 10;
 // Without letters only what the statement leaves open can vary.
 constexpr int most_points_without_letters = 10;
+// Of the size of a quantity: one that particles tell otherwise by more decides nothing. Letters that are far apart
+// leave more than the 1e-8 that answers are held to; a wrong sign is a whole.
+constexpr double told_wrongly = 1e-6;
 
 // The number of eigenvalues of the linearised steady motion, where each oscillation has two.
 std::size_t modes_of(const Situation& situation, SolvedInstant& start) {
@@ -161,6 +164,7 @@ class NumberTrier {
     const Settings settings = ground_.with_letters(point);
     const OpenChoice choice = choice_of(attempt);
     SolvedInstant start(situation_, settings, When{0, situation_.has_blow()}, choice);
+    start.write_down_what_is_told();
     if (states_forces(situation_)) start.solve_forces();
     std::unique_ptr<SolvedInstant> before;
     const ClaimElsewhere elsewhere = [&](const At& at, const Mark& mark) {
@@ -181,6 +185,7 @@ class NumberTrier {
     if (!assumed.holds || assumed.close) return std::nullopt;
     Verdict verdict;
     for (const Expression& expression : claim_.of) judge(verdict, expression, claim_.axes);
+    if ((!verdict.holds || attempt == 0) && !(start.misfit_of_told().misfit < told_wrongly)) return std::nullopt;
     if (verdict.holds && attempt < most_motions && is_along_motion(situation_, claim_))
       verdict = further_on(settings, choice);
     if (verdict.holds && !verdict.close && claims_stability(situation_, claim_)) modes_ = modes_of(situation_, start);

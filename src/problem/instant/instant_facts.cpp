@@ -317,6 +317,7 @@ std::vector<FactMisfit> SolvedInstant::fact_misfits(const std::vector<const Fact
       scope.set_accelerations(mechanism_state_->accelerations());
       scope.set_forces(&*mechanism_state_, &unknowns_);
     }
+    if (writes_told_) scope.set_told(&told_);
     scope.set_motion_features(features);
     const Value<double> found = scope.value(fact->quantity);
     const double size = std::max(std::abs(found.number), norm(found.vector));

@@ -86,7 +86,7 @@ class ToldCheck {
     }
     const int link = told.body < 0 ? ParticlePaths::all : told.body;
     const ParticlePaths::Sums sums = paths_.sums(link, place);
-    if (!(sums.mass > 0) && told.kind != Kind::mass) return std::nullopt;
+    if (!(sums.mass > 0)) return std::nullopt;
     const Vector center = sums.mass > 0 ? sums.first_moment / sums.mass : Vector::zero();
     const auto along = [&](const Vector& a, const Vector& b) { return dot(a, sums.moments * b); };
     switch (told.kind) {
