@@ -1,5 +1,6 @@
 // Solves for the accelerations and forces of an instant.
 #include <algorithm>
+#include <utility>
 
 #include "problem/instant/instant.h"
 #include "problem/instant/one_sided_shares.h"
@@ -93,6 +94,8 @@ std::optional<std::vector<SolvedInstant::Between>> SolvedInstant::over_all_share
     const Expression& expression, const std::optional<Expression>& axes) {
   if (!motion_ || motion_->open.empty()) return std::nullopt;
   const std::vector<double> found = unknowns_;
+  // Other shares are not what is told.
+  const bool writes_told = std::exchange(writes_told_, false);
   const auto numbers_at = [&](const std::vector<double>& forces) {
     unknowns_ = forces;
     const Value<double> value = ask(expression, axes, nullptr);
@@ -136,6 +139,7 @@ std::optional<std::vector<SolvedInstant::Between>> SolvedInstant::over_all_share
     linear = false;
   }
   unknowns_ = found;
+  writes_told_ = writes_told;
   if (!linear || here.empty()) return std::nullopt;
   const std::size_t accelerations = solve::force_unknowns(machine_.mechanism).accelerations;
   const std::vector<std::size_t> one_sided = one_sided_unknowns(accelerations);

@@ -87,6 +87,24 @@ ask: {a: tilt}
   EXPECT_LT(solution.checks.at("newton_euler"), 1e-10);
 }
 
+// The bodies as particles confirm what is told; forces that others share are no reason to doubt what is determined.
+TEST(Checks, what_is_told_is_confirmed_beside_shared_forces) {
+  const Solution solution = solved(R"(
+points: {O: [0, 0, 0], G: [200 mm, 0, 0], C: [200 mm, -100 mm, 0]}
+bodies: {arm: massless, gear: {disk: {center: G, normal: x, radius: 100 mm}, mass: 3 kg}}
+joints:
+  column: {revolute: y, at: O, to: arm, rate: 90 rpm, accel: 0}
+  pin: {revolute: x, at: G, from: arm, to: gear}
+contacts: {mesh: {of: gear, at: C, normal: y, no_slip: true, carries: [push]}}
+gravity: -y
+ask: {N: force(mesh on gear).y, F: force(pin on gear).x, H: angular_momentum(gear about O), v: velocity(gear relative to arm)}
+)");
+  EXPECT_EQ(solution.asks[0].state, AskState::undetermined);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(solution.asks[i].state, AskState::found) << solution.asks[i].reason;
+  ASSERT_TRUE(solution.checks.contains("quantities"));
+  EXPECT_LT(solution.checks.at("quantities"), 1e-10);
+}
+
 TEST(Unphysical, tables_say_from_which_row_on) {
   const std::string table = "t: {table: {F: F, t: tension(c), a: acceleration(p).y}, over: {F: RANGE}}";
   const auto over = [&](const std::string& range) {

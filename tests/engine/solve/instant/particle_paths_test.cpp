@@ -7,7 +7,7 @@
 #include <random>
 
 namespace poinsot::solve {
-namespace {
+namespace particle_paths_test {
 
 using Real = ParticlePaths::Real;
 using Vector = ParticlePaths::Vector;
@@ -57,5 +57,5 @@ TEST(ParticlePaths, ASliderOnATurningArm) {
   }
 }
 
-}  // namespace
+}  // namespace particle_paths_test
 }  // namespace poinsot::solve
