@@ -14,34 +14,39 @@ from .plan import Plan
 _RETRIES = 1000
 
 
-def _one(plan_text: str, shard: int, folder: str) -> tuple[int, shards.Counts]:
+def _one(folder: str, shard: int) -> tuple[int, shards.Counts]:
     """Solves a shard on a worker. Where somebody was there before, as a worker that was thought dead, it is kept."""
-    plan = Plan.from_json(plan_text)
+    # The plan lies beside the rows, so that no worker has to live for others to know it.
+    plan = Plan.from_json((Path(folder) / "study.json").read_text(encoding="utf-8"))
     path = shards.path_of(Path(folder), shard)
     if not path.exists():
         shards.write(plan, shard, shards.solved(plan, shard, _core.StopFlag()), Path(folder))
     return shard, shards.counts_of(path)
 
 
-def on_cluster(
-    client: Any, plan: Plan, open_shards: Iterable[int], folder: Path
-) -> Iterator[tuple[int, shards.Counts]]:
+def on_cluster(client: Any, open_shards: Iterable[int], folder: Path) -> Iterator[tuple[int, shards.Counts]]:
     from distributed import as_completed
 
     in_order_of_end: Any = as_completed
-    plan_text, path = plan.to_json(), str(folder.resolve())
-    # The plan has the text of the problem: it goes to each worker once.
-    shared = client.scatter(plan_text, broadcast=True, hash=True)
+    path = str(folder.resolve())
     todo = iter(open_shards)
+    shard_of: dict[str, int] = {}
 
     def submit(shard: int) -> Any:
-        return client.submit(_one, shared, shard, path, pure=False, retries=_RETRIES)
+        future = client.submit(_one, path, shard, pure=False, retries=_RETRIES)
+        shard_of[future.key] = shard
+        return future
 
     most = 4 * max(1, sum(client.nthreads().values()))
     first = [submit(shard) for _, shard in zip(range(most), todo, strict=False)]
     completed = in_order_of_end(first)
     for future in completed:
-        yield future.result()
-        for shard in todo:
+        shard = shard_of.pop(future.key)
+        if future.status in ("cancelled", "lost"):
+            # The scheduler was started anew, or nobody knows any more what it was.
             completed.add(submit(shard))
+            continue
+        yield future.result()
+        for another in todo:
+            completed.add(submit(another))
             break

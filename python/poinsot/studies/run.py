@@ -157,16 +157,22 @@ def _begin(plan: Plan, folder: Path) -> None:
             raise StudyError(
                 f"{folder} holds another study, which differs in: {others}. Name another folder, or delete this one"
             )
-        for left in folder.glob(".rows-*"):
-            left.unlink(missing_ok=True)
+        _clear(folder)
         return
     if any(folder.iterdir()):
         raise StudyError(f"{folder} holds other files: name a folder that is empty or new")
     shards.put(path, plan.to_json().encode())
 
 
+def _clear(folder: Path) -> None:
+    """Takes away what processes were writing when they were killed."""
+    for left in folder.glob(".rows-*"):
+        left.unlink(missing_ok=True)
+
+
 def _end(plan: Plan, folder: Path, counts: shards.Counts) -> None:
     """Writes the manifest: what every file holds."""
+    _clear(folder)
     files = [shards.path_of(folder, shard) for shard in range(plan.shards)]
     manifest = {
         **asdict(counts),
@@ -190,7 +196,7 @@ def _found(
         from .cluster import on_cluster
 
         assert folder is not None
-        yield from on_cluster(client, plan, open_shards, folder)
+        yield from on_cluster(client, open_shards, folder)
     else:
         yield from _in_threads(plan, open_shards, folder, threads or os.cpu_count() or 1)
 
