@@ -1,4 +1,4 @@
-"""Studies on a Dask cluster whose workers are killed in the middle."""
+"""Studies on a Dask cluster whose workers are killed, and that is started anew, in the middle."""
 
 import os
 import random
@@ -46,6 +46,8 @@ def test_workers_are_killed(askew: poinsot.Problem, tmp_path: Path, kills: int) 
                     os.kill(victim, signal.SIGKILL)
                     killed.append(victim)
                     time.sleep(1)
+            if not over.is_set():
+                client.restart(wait_for_workers=False)
 
         killer = threading.Thread(target=kill)
         killer.start()

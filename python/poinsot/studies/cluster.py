@@ -25,7 +25,7 @@ def _one(folder: str, shard: int) -> tuple[int, shards.Counts]:
 
 
 def on_cluster(client: Any, open_shards: Iterable[int], folder: Path) -> Iterator[tuple[int, shards.Counts]]:
-    from distributed import as_completed
+    from distributed import CancelledError, as_completed
 
     in_order_of_end: Any = as_completed
     path = str(folder.resolve())
@@ -42,11 +42,13 @@ def on_cluster(client: Any, open_shards: Iterable[int], folder: Path) -> Iterato
     completed = in_order_of_end(first)
     for future in completed:
         shard = shard_of.pop(future.key)
-        if future.status in ("cancelled", "lost"):
-            # The scheduler was started anew, or nobody knows any more what it was.
+        try:
+            found = future.result()
+        except CancelledError:
+            # The scheduler was started anew, or nobody knows any more what was found.
             completed.add(submit(shard))
             continue
-        yield future.result()
+        yield found
         for another in todo:
             completed.add(submit(another))
             break
