@@ -94,6 +94,14 @@ Value<Formula> FormulaAnswers::at_home(const Sample::Home& home, const Expressio
 }
 
 DecidedFormula FormulaAnswers::value(const Ask& ask) {
+  DecidedFormula found = decided(ask);
+  if (!has_numbers_only(found.value)) throw NoFormula("truths and words have no formula");
+  return found;
+}
+
+std::vector<Formula> FormulaAnswers::signs_of_word(const Ask& ask) { return decided(ask).signs; }
+
+DecidedFormula FormulaAnswers::decided(const Ask& ask) {
   if (ask.table || ask.when || ask.extremum) throw NoFormula("it is found by numbers");
   return or_no_formula([&] {
     const DecisionScope decisions;
@@ -103,7 +111,7 @@ DecidedFormula FormulaAnswers::value(const Ask& ask) {
       items.push_back(at_home(numbers_.home(expression, ask.mark), expression, ask.axes));
     }
     Value<Formula> value = ask.is_list ? Value<Formula>::of_list(std::move(items)) : items.front();
-    if (!has_numbers_only(value)) throw NoFormula("truths and words have no formula");
+    if (decisions.zeros_by_digits() && !has_numbers_only(value)) throw NoFormula("truths and words have no formula");
     return DecidedFormula{std::move(value), decisions.signs()};
   });
 }
@@ -217,6 +225,16 @@ Value<Formula> substituted(const Value<Formula>& formula, const std::map<std::st
     for (std::size_t k = 0; k < 3; ++k) result.vector[k] = poinsot::substituted(formula.vector[k], letters);
   for (Value<Formula>& item : result.items) item = substituted(item, letters);
   return result;
+}
+
+Value<Formula> as_formula(const Value<double>& value) {
+  if (value.is_number()) return Value<Formula>::of_number(Formula(value.number), value.dimension);
+  if (value.is_vector())
+    return Value<Formula>::of_vector({Formula(value.vector.x), Formula(value.vector.y), Formula(value.vector.z)},
+                                     value.dimension);
+  std::vector<Value<Formula>> items;
+  for (const Value<double>& item : value.items) items.push_back(as_formula(item));
+  return Value<Formula>::of_list(std::move(items));
 }
 
 std::vector<std::string> letters_in(const Value<Formula>& formula) {

@@ -70,6 +70,8 @@ class FormulaAnswers {
 
   // Throws NoFormula with the reason.
   DecidedFormula value(const Ask& ask);
+  // What was decided on the way to a truth or a word.
+  std::vector<Formula> signs_of_word(const Ask& ask);
   // The sides of a comparison at the start of a situation, after its blow if it has one.
   DecidedFormula at_start(std::size_t situation, const Expression& expression);
   // What was decided on the way to all instants that were needed.
@@ -82,6 +84,7 @@ class FormulaAnswers {
   std::vector<Formula> remainders() const;
 
  private:
+  DecidedFormula decided(const Ask& ask);
   FormulaInstant& instant(const Sample::Home& home);
   Value<Formula> at_home(const Sample::Home& home, const Expression& expression, const std::optional<Expression>& axes);
 
@@ -107,6 +110,9 @@ void take_zeros(const Value<Formula>& formula, Value<double>& value);
 
 // The formula with other formulas in place of letters.
 Value<Formula> substituted(const Value<Formula>& formula, const std::map<std::string, Formula>& letters);
+
+// Numbers as formulas without letters.
+Value<Formula> as_formula(const Value<double>& value);
 
 // The letters that occur in it.
 std::vector<std::string> letters_in(const Value<Formula>& formula);

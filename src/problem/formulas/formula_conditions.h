@@ -7,6 +7,7 @@
 
 #include "problem/entries/statement.h"
 #include "problem/language/exact_numbers.h"
+#include "problem/language/value.h"
 
 namespace poinsot::problem {
 

@@ -7,6 +7,7 @@
 
 #include "poinsot/engine/work/work.h"
 #include "problem/formulas/formula_reach.h"
+#include "problem/formulas/formula_words.h"
 #include "problem/formulas/letter_scan.h"
 #include "problem/language/words.h"
 #include "problem/results/compare_values.h"
@@ -278,13 +279,8 @@ class RegimeSearch {
   }
 
   void tell_rest(std::size_t i, const LetterValues& letters) const {
-    std::string where;
-    for (const Letter& letter : task_.open)
-      where += (where.empty() ? "" : ", ") + letter.name + " = " +
-               with_digits(letters.at(letter.name) / letter.unit.factor, 3) +
-               (letter.unit.text.empty() ? "" : " " + letter.unit.text);
     solution_.notes.push_back("no formula of '" + task_.statement.asks[i].name + "' was found for letters such as " +
-                              where);
+                              values_in_words(task_.open, letters));
   }
 
   const FormulaTask& task_;

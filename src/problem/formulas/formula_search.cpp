@@ -23,7 +23,6 @@ namespace {
 constexpr int draws = 2;                    // random points at which every formula is checked, besides the first
 constexpr int most_attempts = 30;           // attempts to draw a point at which the statement makes sense
 constexpr double formula_tolerance = 1e-8;  // relative difference allowed between formula and numbers
-constexpr double check_tolerance = 1e-8;
 constexpr double rounding_of_natural = 1e-14;
 constexpr double unknown_tolerance = 1e-7;  // the same for unknowns, which are found by a search
 
@@ -65,6 +64,7 @@ class FormulaSearch {
       SolvedAsk& ask = solution_.asks[i];
       if (ask.state != AskState::found && ask.state != AskState::needs_letters) continue;
       const auto reason = why_no_formula([&] {
+        if (is_word(ask.value)) return decide_word(i);
         Value<Formula> formula = formula_of_ask(i);
         for (const std::string& assumption : assumptions_of(formula)) assumptions.insert(assumption);
         ask.formula = std::move(formula);
@@ -76,6 +76,11 @@ class FormulaSearch {
   }
 
   FormulaGrounds grounds() {
+    // A law of a motion need not hold where a cord would push or a contact pull at its start.
+    if (acts_on_one_side(task_.statement) && std::ranges::any_of(solution_.asks, [](const SolvedAsk& ask) {
+          return ask.state == AskState::needs_letters && !ask.formula;
+        }))
+      static_cast<void>(why_no_formula([&] { answers_.solve_all(); }));
     for (OneSidedForce& force : answers_.one_sided_forces()) {
       try {
         force.value = substituted(force.value, unknowns_);
@@ -92,13 +97,32 @@ class FormulaSearch {
     const Ask& ask = task_.statement.asks[i];
     const DecidedFormula found = answers_.value(ask);
     Value<Formula> formula = in_letters(found.value);
+    require_no_remainders();
+    grounds_.signs[i] = positive(found.signs);
+    confirm(formula, i);
+    return formula;
+  }
+
+  void require_no_remainders() const {
     const std::vector<Formula> remainders = answers_.remainders();
     if (std::any_of(remainders.begin(), remainders.end(),
                     [&](const Formula& rest) { return !substituted(rest, unknowns_).is_zero(); }))
       throw NoFormula("what is stated holds for special values of the letters only");
-    grounds_.signs[i] = positive(found.signs);
-    confirm(formula, i);
-    return formula;
+  }
+
+  // A truth or a word is the same for all letters if no sign that decides it can change.
+  void decide_word(std::size_t i) {
+    SolvedAsk& ask = solution_.asks[i];
+    const std::vector<Formula> signs = positive(answers_.signs_of_word(task_.statement.asks[i]));
+    require_no_remainders();
+    if (std::ranges::any_of(signs, [](const Formula& sign) { return seen_sign(sign).sign <= 0; }))
+      throw NoFormula("it is not the same for all letters");
+    while (checkpoints_.size() <= draws) draw();
+    for (const Checkpoint& point : checkpoints_)
+      if (!same(ask.value, asked_value(*point.sample, task_.statement.asks[i]), 0))
+        throw NoFormula("it is not the same for all letters");
+    ask.letters.clear();
+    ask.state = AskState::found;
   }
 
   // What was decided, in letters and such that it is positive where it was.
@@ -349,29 +373,6 @@ class FormulaSearch {
 
 }  // namespace
 
-bool confirmed_by_particles(Sample& sample) {
-  return std::all_of(sample.instants().begin(), sample.instants().end(), [](const auto& item) {
-    const SolvedInstant::Residuals residuals = item.second->check();
-    const solve::CheckResult& particles = residuals.particles;
-    return particles.momentum <= check_tolerance && particles.energy <= check_tolerance &&
-           (!item.second->forces_solved() || particles.newton_euler <= check_tolerance) &&
-           residuals.impulse <= check_tolerance && residuals.constraints.value_or(0) <= check_tolerance;
-  });
-}
-
-bool is_at_instant(const FormulaTask& task, const Ask& ask) {
-  if (ask.table || ask.when || ask.extremum) return false;
-  if (task.sample.motions().empty()) return true;
-  if (std::ranges::any_of(ask.of, asks_motion_feature)) return false;
-  try {
-    Sample alone(task.statement, task.settings, OpenChoice{});
-    asked_value(alone, ask);
-    return alone.motions().empty();
-  } catch (const StatementError&) {
-    return false;
-  }
-}
-
 FormulaGrounds find_formulas(const FormulaTask& task, Solution& solution) {
   const FormulaLimitScope limits({most_formula_terms, most_formula_work});
   const Work begin = work_done();
@@ -391,7 +392,7 @@ FormulaGrounds find_formulas(const FormulaTask& task, Solution& solution) {
   search.run();
   FormulaGrounds grounds = search.grounds();
   grounds.work = work_done() - begin;
-  find_laws(task, solution);
+  find_laws(task, grounds.forces, solution);
   return grounds;
 }
 

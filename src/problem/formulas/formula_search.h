@@ -7,20 +7,10 @@
 #include <vector>
 
 #include "problem/formulas/formula_answers.h"
+#include "problem/formulas/formula_task.h"
 #include "problem/results/solution.h"
 
 namespace poinsot::problem {
-
-struct FormulaTask {
-  const Statement& statement;
-  const std::vector<Letter>& open;  // letters without value
-  const FormulaValues& given;       // values from outside the file, exactly
-  const Settings& known;            // the same values as numbers
-  const std::vector<Unknown>& unknowns;
-  const AllSettings& settings;  // of each situation, with values for the open letters and for the unknowns of one root
-  Sample& sample;               // the statement solved with these settings
-  const std::vector<double>& natural;  // the natural size of each ask
-};
 
 // The formula of an unknown.
 struct UnknownFormula {
@@ -44,11 +34,5 @@ struct FormulaGrounds {
 // the letters, where the statement is solved again and checked with particles. An answer without exact formula may
 // follow a law (law_search.h). The absence of a formula is never thrown.
 FormulaGrounds find_formulas(const FormulaTask& task, Solution& solution);
-
-// Whether an ask is about an instant that no motion leads to.
-bool is_at_instant(const FormulaTask& task, const Ask& ask);
-
-// Whether the check with particles confirms every instant of a sample that was solved.
-bool confirmed_by_particles(Sample& sample);
 
 }  // namespace poinsot::problem

@@ -4,6 +4,7 @@
 
 #include "poinsot/engine/math/formula/formula_constant.h"
 #include "problem/language/unit_table.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {
@@ -34,5 +35,14 @@ std::string with_sizes(std::string text) {
 }  // namespace
 
 std::string formula_words(const Formula& x) { return with_sizes(text_with_constant(x, standard_gravity_digits)); }
+
+std::string values_in_words(const std::vector<Letter>& letters, const LetterValues& values) {
+  std::string all;
+  for (const Letter& letter : letters)
+    all += (all.empty() ? "" : ", ") + letter.name + " = " +
+           with_digits(values.at(letter.name) / letter.unit.factor, 3) +
+           (letter.unit.text.empty() ? "" : " " + letter.unit.text);
+  return all;
+}
 
 }  // namespace poinsot::problem

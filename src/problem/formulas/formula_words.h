@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "problem/entries/statement.h"
 #include "problem/language/exact_numbers.h"
 
 namespace poinsot::problem {
@@ -10,5 +12,8 @@ namespace poinsot::problem {
 // The text of a formula of the statement's letters and numbers, with standard gravity as a factor by itself:
 // 5*m*9.80665/2.
 std::string formula_words(const Formula& x);
+
+// Values of letters, in their units: "d = 2 m, k = 30 N/m".
+std::string values_in_words(const std::vector<Letter>& letters, const LetterValues& values);
 
 }  // namespace poinsot::problem

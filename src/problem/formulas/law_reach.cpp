@@ -27,13 +27,15 @@ constexpr double beside_bound = 0.02;  // of a bound: where it is tried, on eith
 class Reach {
  public:
   Reach(const std::vector<HeldLaw>& laws, const std::vector<Letter>& letters, const LetterValues& base,
-        const ScalingTrials::Solve& solve, double tolerance, Work most, double& misfit)
+        const ScalingTrials::Solve& solve, double tolerance, Work most,
+        const std::function<bool(const LetterValues&)>& is_beyond, double& misfit)
       : laws_(laws),
         letters_(letters),
         base_(base),
         solve_(solve),
         scan_(letters, base),
         tolerance_(tolerance),
+        is_beyond_(is_beyond),
         misfit_(misfit),
         most_(most),
         limit_(most) {}
@@ -152,9 +154,11 @@ class Reach {
       const std::optional<Value<double>>& value = answers.at(laws_[k].answer);
       if (!value) continue;
       const double misfit = misfit_of(laws_[k].law, *value, letters, size_of(*value));
-      holds[k] = misfit <= tolerance_;
+      const bool met = misfit <= tolerance_;
+      if (!met && is_beyond_(letters)) continue;
+      holds[k] = met;
       misfits_[k] = misfit;
-      if (*holds[k]) misfit_ = std::max(misfit_, misfit);
+      if (met) misfit_ = std::max(misfit_, misfit);
     }
     return holds;
   }
@@ -252,6 +256,7 @@ class Reach {
   const ScalingTrials::Solve& solve_;
   const LetterScan scan_;
   const double tolerance_;
+  const std::function<bool(const LetterValues&)>& is_beyond_;
   double& misfit_;
   const Work most_;
   WorkLimit limit_;
@@ -264,8 +269,8 @@ class Reach {
 
 std::vector<LawReach> reach_of(const std::vector<HeldLaw>& laws, const std::vector<Letter>& letters,
                                const LetterValues& base, const ScalingTrials::Solve& solve, double tolerance, Work most,
-                               double& misfit) {
-  return Reach(laws, letters, base, solve, tolerance, most, misfit).found();
+                               const std::function<bool(const LetterValues&)>& is_beyond, double& misfit) {
+  return Reach(laws, letters, base, solve, tolerance, most, is_beyond, misfit).found();
 }
 
 }  // namespace poinsot::problem

@@ -31,9 +31,9 @@ struct LawReach {
 // sign of a letter. The bound is closed in and the condition tried at other letters. misfit: the largest relative
 // difference where the laws hold. most: the work that this may take; what takes far more than at the base is left out.
 // A letter that a law leaves out is tried in any case, since near the base it may matter less than the answers are
-// exact.
+// exact. is_beyond: whether the problem is none of those of which laws are told, so that they need not hold there.
 std::vector<LawReach> reach_of(const std::vector<HeldLaw>& laws, const std::vector<Letter>& letters,
                                const LetterValues& base, const ScalingTrials::Solve& solve, double tolerance, Work most,
-                               double& misfit);
+                               const std::function<bool(const LetterValues&)>& is_beyond, double& misfit);
 
 }  // namespace poinsot::problem

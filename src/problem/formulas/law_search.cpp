@@ -29,8 +29,8 @@ constexpr const char* takes_too_long = "it takes too long to find it at other va
 constexpr std::size_t most_changes_each = 50;
 constexpr Work least_reach_work = 100'000'000;  // on holding laws far from where they were found
 constexpr Work least_regime_search = 400'000'000, regimes_over_reach = 10;  // on finding others there
-constexpr Work slower_there = 6,
-               at_least_there = 5'000'000;  // a trial there may take so many times the first, and more
+// A trial there may take so many times the first, and this besides.
+constexpr Work slower_there = 6, at_least_there = 5'000'000;
 
 bool has_numbers(const Value<double>& value) {
   if (value.is_list()) return !value.items.empty() && std::ranges::all_of(value.items, has_numbers);
@@ -45,7 +45,8 @@ std::string road_of(const ScalingLaw& law) {
 
 class LawSearch {
  public:
-  LawSearch(const FormulaTask& task, Solution& solution) : task_(task), solution_(solution) {
+  LawSearch(const FormulaTask& task, const std::vector<OneSidedForce>& forces, Solution& solution)
+      : task_(task), forces_(forces), solution_(solution) {
     if (!task.unknowns.empty() && solution.unknowns.empty())
       for (std::size_t i = 0; i < task.statement.situations.size(); ++i)
         for (const Unknown& unknown : task.unknowns)
@@ -69,11 +70,8 @@ class LawSearch {
     const std::map<std::string, double>& checks = solution_.checks;
     error_ = checks.contains("motion_error") ? checks.at("motion_error") : 0;
     LetterValues base;
-    std::vector<std::string> names;
-    for (const Letter& letter : task_.open) {
-      base[letter.name] = task_.settings.front().at(letter.name).number;
-      names.push_back(letter.name);
-    }
+    for (const Letter& letter : task_.open) base[letter.name] = task_.settings.front().at(letter.name).number;
+    const std::vector<std::string> names = all_letters();
     const Work before = work_done();
     static_cast<void>(why_no_formula([&] { kept_answers_at(base); }));
     each_there_ = slower_there * (work_done() - before) + at_least_there;
@@ -89,6 +87,12 @@ class LawSearch {
     const Unknown* unknown;
     std::size_t situation;
   };
+
+  std::vector<std::string> all_letters() const {
+    std::vector<std::string> names;
+    for (const Letter& letter : task_.open) names.push_back(letter.name);
+    return names;
+  }
 
   void add_law(ScalingTrials& trials, std::size_t i) {
     SolvedAsk& ask = solution_.asks[i];
@@ -116,7 +120,9 @@ class LawSearch {
           untried += (untried.empty() ? "" : ", ") + text;
           continue;
         }
-        if (agrees(law.formula, *point.answers[i], point.letters, 1e-6, size_of(*trials.base().answers[i]))) continue;
+        if (agrees(law.formula, *point.answers[i], point.letters, 1e-6, size_of(*trials.base().answers[i])) ||
+            is_beyond(point.letters))
+          continue;
         if (angle > 0)
           throw NoFormula("the formula found holds for some values of the letters only, not at " + name + " = " + text);
         assumed.insert(name + " is not negative");
@@ -126,6 +132,20 @@ class LawSearch {
     for (const std::string& words : assumed)
       if (std::ranges::find(solution_.assumptions, words) == solution_.assumptions.end())
         solution_.assumptions.push_back(words);
+  }
+
+  // Whether a cord would push or a contact pull at an instant with these letters. The solution then assumes that none
+  // does.
+  bool is_beyond(const LetterValues& letters) {
+    for (const OneSidedForce& force : forces_) {
+      if (!(value_at(force.value, letters) < 0)) continue;
+      if (std::ranges::find(solution_.assumptions, force.assumption) == solution_.assumptions.end()) {
+        solution_.assumptions.push_back(force.assumption);
+        solution_.conditions.push_back({force.assumption, force.value});
+      }
+      return true;
+    }
+    return false;
   }
 
   // Tries the laws, and what is said to be the same for all letters, where letters are far from where they were found.
@@ -147,13 +167,14 @@ class LawSearch {
       return kept_[letters] = bounded_answers_at(letters);
     };
     const Work most = std::max(spent, least_reach_work);
-    const std::vector<LawReach> reaches = reach_of(laws, task_.open, base, solve_anew, tolerance, most, misfit);
+    const std::vector<LawReach> reaches = reach_of(
+        laws, task_.open, base, solve_anew, tolerance, most,
+        [this](const LetterValues& letters) { return is_beyond(letters); }, misfit);
     for (std::size_t n = 0; n < laws.size(); ++n)
       if (!take_regimes(laws[n], reaches[n], base, solve, tolerance,
                         std::max(regimes_over_reach * most, least_regime_search)))
         take(laws[n], reaches[n]);
-    double& check = solution_.checks["formulas"];
-    check = std::max(check, misfit);
+    solution_.checks["formulas"] = std::max(solution_.checks["formulas"], misfit);
   }
   // Looks for the laws where the first one fails. Whether all of them were found, with what parts them.
   bool take_regimes(const HeldLaw& first, const LawReach& reach, const LetterValues& base,
@@ -163,8 +184,7 @@ class LawSearch {
     });
     if (!reach.fails || first.answer >= solution_.asks.size() || !task_.unknowns.empty() || !sizes_only) return false;
     SolvedAsk& ask = solution_.asks[first.answer];
-    std::vector<std::string> names;
-    for (const Letter& letter : task_.open) names.push_back(letter.name);
+    const std::vector<std::string> names = all_letters();
     std::string road = ask.formula_road;
     const auto find = [&](const LetterValues& around) {
       std::optional<Value<Formula>> law;
@@ -204,6 +224,7 @@ class LawSearch {
         of_ask ? task_.statement.asks[law.answer].name : unknowns_[law.answer - solution_.asks.size()].unknown->name;
     if (reach.positive) {
       solution_.assumptions.push_back(formula_words(*reach.positive) + " > 0 for '" + name + "'");
+      solution_.grounds.push_back({solution_.assumptions.back(), *reach.positive});
       return;
     }
     if (!of_ask) {
@@ -212,19 +233,14 @@ class LawSearch {
       return;
     }
     SolvedAsk& ask = solution_.asks[law.answer];
-    std::string where;
-    for (const Letter& letter : reach.fails ? task_.open : std::vector<Letter>{})
-      where += (where.empty() ? "" : ", ") + letter.name + " = " +
-               with_digits(reach.fails->at(letter.name) / letter.unit.factor, 3) +
-               (letter.unit.text.empty() ? "" : " " + letter.unit.text);
-    ask.no_formula = reach.fails ? "what was found holds for some values of the letters only, not at " + where
+    ask.no_formula = reach.fails ? "what was found holds for some values of the letters only, not at " +
+                                       values_in_words(task_.open, *reach.fails)
                                  : "what was found does not hang on " + reach.untried +
                                        " nearby, but there is no answer at much larger and smaller ones to confirm it";
     ask.formula.reset();
     ask.formula_road.clear();
     ask.state = AskState::needs_letters;
-    if (ask.letters.empty())
-      for (const Letter& letter : task_.open) ask.letters.push_back(letter.name);
+    if (ask.letters.empty()) ask.letters = all_letters();
   }
   const SolvedUnknown* listed_unknown(std::size_t k) const {
     const auto found = std::ranges::find_if(solution_.unknowns, [&](const SolvedUnknown& known) {
@@ -232,15 +248,6 @@ class LawSearch {
              (!known.situation || *known.situation == unknowns_[k].situation);
     });
     return found == solution_.unknowns.end() ? nullptr : &*found;
-  }
-  static Value<Formula> as_formula(const Value<double>& value) {
-    if (value.is_number()) return Value<Formula>::of_number(Formula(value.number), value.dimension);
-    if (value.is_vector())
-      return Value<Formula>::of_vector({Formula(value.vector.x), Formula(value.vector.y), Formula(value.vector.z)},
-                                       value.dimension);
-    std::vector<Value<Formula>> items;
-    for (const Value<double>& item : value.items) items.push_back(as_formula(item));
-    return Value<Formula>::of_list(std::move(items));
   }
 
   void add_unknown(ScalingTrials& trials, std::size_t k, const std::vector<std::string>& letters) {
@@ -355,6 +362,7 @@ class LawSearch {
   }
 
   const FormulaTask& task_;
+  const std::vector<OneSidedForce>& forces_;
   Solution& solution_;
   std::vector<Sought> unknowns_;
   std::vector<std::size_t> fixed_;   // asks over a motion that no letter was seen to change
@@ -368,7 +376,9 @@ class LawSearch {
 
 }  // namespace
 
-void find_laws(const FormulaTask& task, Solution& solution) { LawSearch(task, solution).run(); }
+void find_laws(const FormulaTask& task, const std::vector<OneSidedForce>& forces, Solution& solution) {
+  LawSearch(task, forces, solution).run();
+}
 
 void tell_laws(const Statement& statement, Solution& solution) {
   std::map<std::string, std::vector<std::string>> found_by;

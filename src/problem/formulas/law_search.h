@@ -9,8 +9,9 @@ namespace poinsot::problem {
 
 // Gives every ask of the solution that depends on letters and has no formula its law (scaling_law.h), or the reason
 // why it has none, and lists the unknowns that have laws if none are listed. The trials are checked with particles.
-// The absence of a law is never thrown.
-void find_laws(const FormulaTask& task, Solution& solution);
+// The absence of a law is never thrown. forces: of cords and contacts at instants; where one of them would act the
+// wrong way a law need not hold, and the solution then assumes that it does not.
+void find_laws(const FormulaTask& task, const std::vector<OneSidedForce>& forces, Solution& solution);
 
 // Notes of each formula that is a law how it was found.
 void tell_laws(const Statement& statement, Solution& solution);

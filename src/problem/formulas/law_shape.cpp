@@ -7,11 +7,16 @@
 #include <cmath>
 #include <map>
 
+#include "problem/language/unit_table.h"
+
 namespace poinsot::problem {
 namespace {
 
 constexpr std::array all_terms{Term::angle, Term::sine, Term::cosine, Term::cosine_squared};
 constexpr std::array independent{Factor::letter, Factor::half_sine, Factor::half_cosine, Factor::cosine};
+
+constexpr int largest_divisor = 60;        // of a number that counts as a fraction
+constexpr double largest_numerator = 1e4;  // so that what is near a fraction by chance is rare
 
 Formula decimal(double number, int places) {
   char text[64];
@@ -149,6 +154,21 @@ std::optional<Term> term_of(const AngleSamples& samples, double tolerance) {
     for (std::size_t k = 0; k < angles.size() && same; ++k)
       same = std::abs(numbers.front() + slope * (number_of(term, angles[k]) - begin) - numbers[k]) <= tolerance * size;
     if (same) return term;
+  }
+  return std::nullopt;
+}
+
+std::optional<Formula> simple_coefficient(double number, double tolerance) {
+  const Formula gravity = Formula::number(std::string(standard_gravity_digits));
+  for (const int power : {0, 1, 2, -1}) {
+    const Formula factor = pow(gravity, power);
+    const double rest = number / plain(factor);
+    for (int below = 1; below <= largest_divisor; ++below) {
+      const double above = std::round(rest * below);
+      if (above != 0 && std::abs(above) < largest_numerator &&
+          std::abs(above / below - rest) <= tolerance * std::abs(rest))
+        return factor * Formula(static_cast<std::int64_t>(above)) / Formula(below);
+    }
   }
   return std::nullopt;
 }

@@ -48,6 +48,10 @@ std::optional<std::vector<LawShape::Part>> product_of(const std::string& letter,
 // The function f, if the numbers follow a + b f(angle).
 std::optional<Term> term_of(const AngleSamples& samples, double tolerance);
 
+// A fraction of small denominator, or one times a power of standard gravity, that is within the relative tolerance of a
+// number; nothing if there is none.
+std::optional<Formula> simple_coefficient(double number, double tolerance);
+
 // The number rounded to so many digits, which are counted from the first digit of `largest`.
 Formula rounded(double number, double largest, int digits);
 

@@ -18,8 +18,7 @@ constexpr std::size_t most_products = 160;
 constexpr std::size_t most_products_of_three = 60;  // among which sums of three are sought
 constexpr double parallel = 1e-5;                   // part of a product that others must leave of it
 constexpr int sum_digits = 12, least_sum_digits = 6;
-constexpr int told_simple = 9;       // digits in which a coefficient is a fraction, or is none
-constexpr int largest_divisor = 12;  // of a coefficient that counts as a fraction
+constexpr int told_simple = 9;  // digits in which a coefficient is a fraction, or is none
 
 // A product of powers of letters and of functions of angles, times a power of the number itself.
 struct Product {
@@ -169,20 +168,6 @@ class Combination {
   std::vector<std::size_t> chosen_;
 };
 
-// The fraction that a coefficient is within its error, else its digits.
-struct Coefficient {
-  Formula value;
-  bool is_fraction = false;
-};
-Coefficient simple_coefficient(double value, int digits) {
-  for (int below = 1; below <= largest_divisor; ++below) {
-    const double above = std::round(value * below);
-    if (above != 0 && std::abs(above / below - value) <= 3 * std::pow(10.0, -digits) * std::abs(value))
-      return {Formula(static_cast<std::int64_t>(above)) / Formula(below), true};
-  }
-  return {rounded(value, value, digits)};
-}
-
 class SumSearch {
  public:
   SumSearch(const std::vector<Letter>& letters, const Dimension& dimension, const std::vector<Units>& units,
@@ -217,6 +202,7 @@ class SumSearch {
   }
 
  private:
+  static double within(int digits) { return 3 * std::pow(10.0, -digits); }
   // The products, and others times a power of the number itself; simple ones first.
   static std::vector<Product> together(std::vector<Product> all, const std::vector<Product>& others, int of_number) {
     for (Product product : others) {
@@ -241,7 +227,7 @@ class SumSearch {
     const bool root =
         power != 1 && std::ranges::none_of(*chosen, [&](std::size_t k) { return products[k].of_number == 1; });
     for (std::size_t k = 0; root && outside == 1 && k < chosen->size(); ++k)
-      if (products[(*chosen)[k]].of_number == 0 && !simple_coefficient(found.value[k], told_simple).is_fraction)
+      if (products[(*chosen)[k]].of_number == 0 && !simple_coefficient(found.value[k], within(told_simple)))
         outside = std::abs(found.value[k]);
     SumLaw law;
     law.digits = sum_digits;
@@ -251,10 +237,10 @@ class SumSearch {
       const int digits = std::min(sum_digits, static_cast<int>(std::floor(-std::log10(error))));
       if (digits < least_sum_digits) return std::nullopt;
       const Product& product = products[(*chosen)[k]];
-      const Coefficient coefficient =
-          simple_coefficient(found.value[k] / (product.of_number == 0 ? outside : 1), digits);
-      if (!coefficient.is_fraction || outside != 1) law.digits = std::min(law.digits, digits);
-      Formula term = coefficient.value;
+      const double coefficient = found.value[k] / (product.of_number == 0 ? outside : 1);
+      const std::optional<Formula> simple = simple_coefficient(coefficient, within(digits));
+      if (!simple || outside != 1) law.digits = std::min(law.digits, digits);
+      Formula term = simple.value_or(rounded(coefficient, coefficient, digits));
       for (const LawShape::Part& part : product.parts)
         term *= power_of(formula_of(part.factor, letter(part.letter)), part.halves);
       if (product.of_number == 0)
@@ -275,7 +261,10 @@ class SumSearch {
       return law;
     }
     law.formula = power == 1 ? sum : power == 2 ? sqrt(sum) : Formula(1) / sqrt(sum);
-    if (outside != 1) law.formula *= simple_coefficient(std::pow(outside, 1.0 / power), law.digits).value;
+    if (outside != 1) {
+      const double before = std::pow(outside, 1.0 / power);
+      law.formula *= simple_coefficient(before, within(law.digits)).value_or(rounded(before, before, law.digits));
+    }
     if (power != 1 && samples_.numbers.front() < 0) law.formula = -law.formula;
     return law;
   }

@@ -80,6 +80,9 @@ std::vector<LetterGroup> groups_of(const std::vector<Letter>& letters) {
   std::ranges::stable_sort(found, {}, &Draft::cost);
   std::vector<LetterGroup> groups;
   for (Draft& draft : found) groups.emplace_back(std::move(draft.powers));
+  // Beside numbers of the file a letter alone may bound: a spring is longer than the 0.1 m by which it swings.
+  for (const Letter& size : sizes)
+    if (!same_kind(size.unit.dimension, dimensions::none)) groups.emplace_back(std::vector{std::pair(size, 1)});
   return groups;
 }
 

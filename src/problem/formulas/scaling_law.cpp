@@ -1,13 +1,14 @@
 #include "problem/formulas/scaling_law.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "poinsot/engine/math/formula/formula_text.h"
 #include "problem/formulas/formula_answers.h"
+#include "problem/formulas/law_ratio.h"
 #include "problem/formulas/law_shape.h"
 #include "problem/formulas/law_sums.h"
+#include "problem/formulas/letter_dimensions.h"
 #include "problem/results/compare_values.h"
 
 namespace poinsot::problem {
@@ -17,9 +18,11 @@ constexpr int most_digits = 12;  // of the numbers in a law
 constexpr int least_digits = 6;  // with fewer digits a law cannot be told from a coincidence
 // The measured error of a motion may be this much smaller than the actual one.
 constexpr double measured_over_actual = 16;
-constexpr double noise = 1e-9;            // size below which a component counts as zero beside its vector
-constexpr double exponent_to = 1e-4;      // how close a measured exponent must be to a multiple of one half
-constexpr std::size_t least_samples = 6;  // values of an angle at which an answer must exist
+constexpr double noise = 1e-9;             // size below which a component counts as zero beside its vector
+constexpr double exponent_to = 1e-4;       // how close a measured exponent must be to a multiple of one half
+constexpr std::size_t least_along = 12;    // points for a quotient of polynomials, which may have eight coefficients
+constexpr double ratio_tolerance = 1e-10;  // of numbers that follow such a quotient
+constexpr std::size_t least_samples = 6;   // values of an angle at which an answer must exist
 
 std::vector<double> all_numbers(const Value<double>& value) {
   if (value.is_number()) return {value.number};
@@ -65,9 +68,11 @@ class OneNumber {
     try {
       return product();
     } catch (const NoFormula&) {
-      std::optional<Formula> sum;
-      static_cast<void>(why_no_formula([&] { sum = as_sum(); }));
-      if (sum) return *sum;
+      for (const auto road : {&OneNumber::as_sum, &OneNumber::by_factors}) {
+        std::optional<Formula> found;
+        static_cast<void>(why_no_formula([&] { found = (this->*road)(); }));
+        if (found) return *found;
+      }
       throw;
     }
   }
@@ -75,9 +80,10 @@ class OneNumber {
  private:
   // A product of powers of letters and functions of angles.
   Formula product() {
-    find_pivots();
+    dimensions_.emplace(sizes_, units_);
+    halves_.assign(sizes_.size(), 0);
     for (std::size_t i = 0; i < sizes_.size(); ++i)
-      if (std::ranges::find(pivots_, i) == pivots_.end()) measure(i);
+      if (!dimensions_->is_pivot(i)) measure(i);
     follow_dimensions();
     for (const Letter& angle : angles_) follow(angle.name);
     return with_numbers();
@@ -85,21 +91,92 @@ class OneNumber {
 
   // A sum of such products, or its root, as it is around the base.
   std::optional<Formula> as_sum() {
+    shape_ = {};
     std::vector<Letter> letters = sizes_;
     letters.insert(letters.end(), angles_.begin(), angles_.end());
+    return sum_of(letters, dimension_);
+  }
+  std::optional<Formula> sum_of(const std::vector<Letter>& letters, const Dimension& dimension) {
     SumSamples samples;
     for (const ScalingTrials::Point& point : trials_.around()) {
       const std::optional<double> number = at(point);
       if (!number || *number == 0) return std::nullopt;
       samples.letters.push_back(point.letters);
-      samples.numbers.push_back(*number);
+      samples.numbers.push_back(*number / shape_.product_at(point.letters));
     }
     const std::optional<SumLaw> sum =
-        sum_law(letters, dimension_, units_, samples, tolerance_, trials_.error() / measured_over_actual);
+        sum_law(letters, dimension, units_, samples, tolerance_, trials_.error() / measured_over_actual);
     if (!sum) return std::nullopt;
     for (const Letter& letter : letters) law_.by_trial.push_back(letter.name);
     law_.digits = law_.digits == 0 ? sum->digits : std::min(law_.digits, sum->digits);
     return sum->formula;
+  }
+
+  // The factors that follow a letter alone, times a sum, or a quotient of polynomials, in what the others make.
+  std::optional<Formula> by_factors() {
+    shape_ = {};
+    std::vector<Letter> others;
+    Dimension left = dimension_;
+    for (const Letter& letter : sizes_) {
+      const std::optional<int> halves = measured_exponent(letter.name);
+      const std::optional<Dimension> part = halves ? power(letter.unit.dimension, *halves, 2) : std::nullopt;
+      if (!part)
+        others.push_back(letter);
+      else if (*halves != 0)
+        shape_.product.push_back({letter.name, Factor::letter, *halves});
+      if (part) left = left / *part;
+    }
+    std::vector<Letter> sizes = others;
+    for (const Letter& angle : angles_)
+      if (const auto parts = product_of(angle.name, samples_along(angle.name), tolerance_))
+        shape_.product.insert(shape_.product.end(), parts->begin(), parts->end());
+      else
+        others.push_back(angle);
+    if (sizes.empty()) return std::nullopt;
+    std::optional<Formula> rest;
+    if (others.size() < sizes_.size() + angles_.size()) rest = sum_of(others, left);
+    if (!rest && others.size() == sizes.size()) rest = as_ratio(sizes, left);
+    if (!rest) return std::nullopt;
+    for (const LawShape::Part& part : shape_.product) law_.by_trial.push_back(part.letter);
+    return *rest * formula_of_product();
+  }
+
+  // A quotient of polynomials in the one number without dimension that letters make, or its root.
+  std::optional<Formula> as_ratio(const std::vector<Letter>& letters, const Dimension& dimension) {
+    const LetterDimensions dimensions(letters, units_);
+    if (letters.size() != dimensions.pivots().size() + 1) return std::nullopt;
+    std::size_t i = 0;
+    while (dimensions.is_pivot(i)) ++i;
+    LawShape group, product;
+    const auto add_pivots = [&](LawShape& shape, const std::vector<double>& exponents, double times) {
+      for (std::size_t k = 0; k < exponents.size(); ++k) {
+        const double halves = 2 * times * exponents[k];
+        if (std::abs(halves - std::round(halves)) > exponent_to) return false;
+        if (std::lround(halves) != 0)
+          shape.product.push_back(
+              {letters[dimensions.pivots()[k]].name, Factor::letter, static_cast<int>(std::lround(halves))});
+      }
+      return true;
+    };
+    const std::vector<double> of_group = dimensions.exponents(letters[i].unit.dimension);
+    // Of a root the square is taken: polynomials in it have the root too.
+    const bool roots =
+        std::ranges::any_of(of_group, [](double one) { return std::abs(one - std::round(one)) > exponent_to; });
+    group.product.push_back({letters[i].name, Factor::letter, roots ? 4 : 2});
+    if (!add_pivots(group, of_group, roots ? -2 : -1) || !add_pivots(product, dimensions.exponents(dimension), 1))
+      return std::nullopt;
+    RatioSamples samples;
+    for (const ScalingTrials::Point& point : trials_.along(letters[i].name))
+      if (const std::optional<double> number = at(point)) {
+        samples.x.push_back(group.product_at(point.letters));
+        samples.numbers.push_back(*number / (shape_.product_at(point.letters) * product.product_at(point.letters)));
+      }
+    if (samples.x.size() < least_along) return std::nullopt;
+    const auto law = ratio_law(formula_of_product(group), samples, std::max(ratio_tolerance, 4 * trials_.error()));
+    if (!law) return std::nullopt;
+    for (const Letter& letter : letters) law_.by_trial.push_back(letter.name);
+    law_.digits = law_.digits == 0 ? law->digits : std::min(law_.digits, law->digits);
+    return law->formula * formula_of_product(product);
   }
 
   // The number at a point; zero if it is rounding beside the other numbers of its answer.
@@ -139,89 +216,56 @@ class OneNumber {
   }
   bool is_free(Units units) const { return std::ranges::find(units_, units) != units_.end(); }
 
-  // Chooses letters of independent dimensions. Their exponents follow from those of the other letters by dimensions.
-  void find_pivots() {
-    for (std::size_t i = 0; i < sizes_.size() && pivots_.size() < units_.size(); ++i) {
-      pivots_.push_back(i);
-      const Eigen::MatrixXd matrix = dimensions_of(pivots_);
-      if (Eigen::FullPivLU<Eigen::MatrixXd>(matrix).rank() < static_cast<Eigen::Index>(pivots_.size()))
-        pivots_.pop_back();
-    }
-    halves_.assign(sizes_.size(), 0);
-  }
-  Eigen::MatrixXd dimensions_of(const std::vector<std::size_t>& letters) const {
-    Eigen::MatrixXd matrix(units_.size(), letters.size());
-    for (std::size_t column = 0; column < letters.size(); ++column)
-      for (std::size_t row = 0; row < units_.size(); ++row)
-        matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
-            exponent_of(sizes_[letters[column]].unit.dimension, units_[row]);
-    return matrix;
-  }
-  // The exponents with which the pivots form a dimension in the free units. Throws NoFormula if there are none.
-  Eigen::VectorXd pivot_exponents(const Eigen::VectorXd& dimension) const {
-    const Eigen::MatrixXd matrix = dimensions_of(pivots_);
-    if (pivots_.empty()) {
-      if (dimension.size() > 0 && dimension.norm() > exponent_to) throw NoFormula(other_scales);
-      return Eigen::VectorXd(0);
-    }
-    Eigen::VectorXd exponents = matrix.colPivHouseholderQr().solve(dimension);
-    if ((matrix * exponents - dimension).norm() > exponent_to) throw NoFormula(other_scales);
-    return exponents;
-  }
-  Eigen::VectorXd in_units(const Dimension& dimension) const {
-    Eigen::VectorXd exponents(units_.size());
-    for (std::size_t row = 0; row < units_.size(); ++row)
-      exponents(static_cast<Eigen::Index>(row)) = exponent_of(dimension, units_[row]);
-    return exponents;
-  }
-
-  // Finds the exponent of a letter from points at which it alone has other values.
-  void measure(std::size_t i) {
-    const std::string& name = sizes_[i].name;
-    int count = 0;
+  // Finds the exponent of a letter, times two, from points at which it alone has other values; nothing if it has none.
+  std::optional<int> measured_exponent(const std::string& name) {
+    std::optional<int> found;
     for (const ScalingTrials::Point& point : trials_.moved(name)) {
       const std::optional<double> number = at(point);
       if (!number) continue;
-      if (!(*number / at_base() > 0)) throw NoFormula(no_power(i));
+      if (!(*number / at_base() > 0)) return std::nullopt;
       const double slope = std::log(*number / at_base()) / std::log(point.letters.at(name) / base_value(name));
       const int halves = static_cast<int>(std::lround(2 * slope));
-      if (std::abs(2 * slope - halves) > exponent_to || (count++ > 0 && halves != halves_[i]))
-        throw NoFormula(no_power(i));
-      halves_[i] = halves;
+      if (std::abs(2 * slope - halves) > exponent_to || found.value_or(halves) != halves) return std::nullopt;
+      found = halves;
     }
-    if (count == 0) throw NoFormula("it is found by numbers, and only where '" + name + "' has certain values");
-    law_.by_trial.push_back(name);
+    if (!found) throw NoFormula("it is found by numbers, and only where '" + name + "' has certain values");
+    return found;
+  }
+  void measure(std::size_t i) {
+    const std::optional<int> halves = measured_exponent(sizes_[i].name);
+    if (!halves) throw NoFormula(no_power(i));
+    halves_[i] = *halves;
+    law_.by_trial.push_back(sizes_[i].name);
   }
   double base_value(const std::string& letter) const { return trials_.base().letters.at(letter); }
 
   std::string no_power(std::size_t i) const {
-    const Eigen::VectorXd exponents = pivot_exponents(in_units(sizes_[i].unit.dimension));
+    const std::vector<double> exponents = dimensions_->exponents(sizes_[i].unit.dimension);
     Formula group = formula_of(sizes_[i]).number;
-    for (std::size_t k = 0; k < pivots_.size(); ++k) {
-      const double halves = -2 * exponents(static_cast<Eigen::Index>(k));
-      group *= power_of(formula_of(sizes_[pivots_[k]]).number, static_cast<int>(std::lround(halves)));
-    }
+    for (std::size_t k = 0; k < exponents.size(); ++k)
+      group *= power_of(formula_of(sizes_[dimensions_->pivots()[k]]).number,
+                        static_cast<int>(std::lround(-2 * exponents[k])));
     return "it depends on " + text(group) + ", and not as a power of it";
   }
 
   void follow_dimensions() {
-    Eigen::VectorXd rest = in_units(dimension_);
+    Dimension rest = dimension_;
     for (std::size_t i = 0; i < sizes_.size(); ++i)
-      if (halves_[i] != 0) rest -= 0.5 * halves_[i] * in_units(sizes_[i].unit.dimension);
-    const Eigen::VectorXd exponents = pivot_exponents(rest);
-    for (std::size_t k = 0; k < pivots_.size(); ++k) {
-      const double halves = 2 * exponents(static_cast<Eigen::Index>(k));
-      halves_[pivots_[k]] = static_cast<int>(std::lround(halves));
-      if (std::abs(halves - halves_[pivots_[k]]) > exponent_to)
-        throw NoFormula("'" + sizes_[pivots_[k]].name + "' has an exponent that is neither whole nor a half");
-      law_.by_dimension.push_back(sizes_[pivots_[k]].name);
+      if (const auto part = power(sizes_[i].unit.dimension, halves_[i], 2)) rest = rest / *part;
+    const std::vector<double> exponents = dimensions_->exponents(rest);
+    for (std::size_t k = 0; k < exponents.size(); ++k) {
+      const std::size_t pivot = dimensions_->pivots()[k];
+      halves_[pivot] = static_cast<int>(std::lround(2 * exponents[k]));
+      if (std::abs(2 * exponents[k] - halves_[pivot]) > exponent_to)
+        throw NoFormula("'" + sizes_[pivot].name + "' has an exponent that is neither whole nor a half");
+      law_.by_dimension.push_back(sizes_[pivot].name);
     }
     for (std::size_t i = 0; i < sizes_.size(); ++i)
       if (halves_[i] != 0) shape_.product.push_back({sizes_[i].name, Factor::letter, halves_[i]});
   }
 
-  // Finds the dependence on an angle from points at which it alone has other values.
-  void follow(const std::string& angle) {
+  // The numbers at points at which an angle alone has other values.
+  AngleSamples samples_along(const std::string& angle) {
     AngleSamples samples;
     const auto add = [&](const ScalingTrials::Point& point) {
       const std::optional<double> number = at(point);
@@ -233,6 +277,11 @@ class OneNumber {
     add(trials_.base());
     if (samples.angles.size() < least_samples)
       throw NoFormula("it is found by numbers, and only where '" + angle + "' has certain values");
+    return samples;
+  }
+  // Finds the dependence on an angle.
+  void follow(const std::string& angle) {
+    const AngleSamples samples = samples_along(angle);
     law_.by_trial.push_back(angle);
     if (const auto parts = product_of(angle, samples, tolerance_)) {
       shape_.product.insert(shape_.product.end(), parts->begin(), parts->end());
@@ -282,11 +331,15 @@ class OneNumber {
     Formula result = rounded(first, size, digits);
     if (shape_.term != Term::none)
       result += rounded(slope, size, digits) * formula_of(shape_.term, letter(shape_.angle));
-    for (const LawShape::Part& part : shape_.product)
-      result *= power_of(formula_of(part.factor, letter(part.letter)), part.halves);
+    return result * formula_of_product();
+  }
+  Formula formula_of_product() const { return formula_of_product(shape_); }
+  Formula formula_of_product(const LawShape& shape) const {
+    Formula result(1);
+    for (const LawShape::Part& part : shape.product)
+      result *= power_of(formula_of(part.factor, formula_of(trials_.letter(part.letter)).number), part.halves);
     return result;
   }
-  static constexpr const char* other_scales = "it depends on the letters in no way that their dimensions tell";
 
   ScalingTrials& trials_;
   const std::size_t answer_, place_;
@@ -295,8 +348,8 @@ class OneNumber {
   std::vector<Letter> sizes_, angles_;  // all letters but angles; the angles
   double tolerance_ = 1e-8;
   std::vector<Units> units_;
-  std::vector<std::size_t> pivots_;
-  std::vector<int> halves_;  // the exponents of sizes_, times two
+  std::optional<LetterDimensions> dimensions_;  // of sizes_
+  std::vector<int> halves_;                     // the exponents of sizes_, times two
   LawShape shape_;
 };
 

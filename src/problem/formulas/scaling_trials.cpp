@@ -10,7 +10,8 @@ namespace poinsot::problem {
 namespace {
 
 constexpr std::size_t draws = 3;
-constexpr std::size_t points_around = 16;
+constexpr std::size_t points_around = 16, most_tried_around = 3 * points_around;
+constexpr int points_along = 14;
 constexpr int most_attempts = 12;
 constexpr const char* nowhere_else = "no other values of the letters were found at which the statement makes sense";
 
@@ -100,6 +101,19 @@ const std::vector<ScalingTrials::Point>& ScalingTrials::moved(const std::string&
   });
 }
 
+const std::vector<ScalingTrials::Point>& ScalingTrials::along(const std::string& name) {
+  return along_[name].get([&] {
+    std::vector<Point> points;
+    const double widest = near_ ? 1.25 : 3;
+    for (int n = 0; n < points_along; ++n) {
+      LetterValues letters = base_letters_;
+      letters[name] *= std::pow(widest, 2.0 * n / (points_along - 1) - 1);
+      if (std::optional<Point> point = tried(letters)) points.push_back(std::move(*point));
+    }
+    return points;
+  });
+}
+
 const std::vector<ScalingTrials::Point>& ScalingTrials::turned(const std::string& angle) {
   return turned_[angle].get([&] {
     std::vector<Point> points;
@@ -150,14 +164,13 @@ const std::vector<ScalingTrials::Point>& ScalingTrials::around() {
   return around_.get([&] {
     std::vector<Point> points;
     std::mt19937_64 random(7100);
-    for (std::size_t n = 0; n < points_around; ++n) {
+    for (std::size_t n = 0; n < most_tried_around && points.size() < points_around; ++n) {
       LetterValues letters = base_letters_;
       for (const Letter& letter : letters_)
         letters[letter.name] *= 1 + std::uniform_real_distribution<double>(-1, 1)(random) / 7;
-      std::optional<Point> point = tried(letters);
-      if (!point) throw NoFormula(nowhere_else);
-      points.push_back(std::move(*point));
+      if (std::optional<Point> point = tried(letters)) points.push_back(std::move(*point));
     }
+    if (points.size() < points_around) throw NoFormula(nowhere_else);
     return points;
   });
 }

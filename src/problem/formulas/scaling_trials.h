@@ -47,14 +47,16 @@ class ScalingTrials {
   const std::pair<double, Point>& scaled(Units units);
   // Points at which a single letter has other values.
   const std::vector<Point>& moved(const std::string& letter);
+  // Fourteen points or fewer at which a single letter, which is no angle, goes from a third to three times its value.
+  const std::vector<Point>& along(const std::string& letter);
   // Points at which an angle alone goes beyond those values: up to half a turn, and negative. There are none if
   // trials stay near the base. A point has no answers if they take too long, or if it lies beyond a point that lacks
   // an answer.
   const std::vector<Point>& turned(const std::string& angle);
   // Three points at which all letters are random.
   const std::vector<Point>& drawn();
-  // Sixteen points at which all letters are random within a seventh of the base: on the same side of every branch as
-  // the base, unless it lies close to the border.
+  // Sixteen points, where there is an answer, at which all letters are random within a seventh of the base: on the same
+  // side of every branch as the base, unless it lies close to the border.
   const std::vector<Point>& around();
 
  private:
@@ -78,7 +80,7 @@ class ScalingTrials {
   Solve solve_;
   std::optional<Point> base_;
   std::map<Units, std::pair<double, Point>> scaled_;
-  std::map<std::string, Known> moved_, turned_;
+  std::map<std::string, Known> moved_, turned_, along_;
   Known drawn_, around_;
 };
 

@@ -1,0 +1,50 @@
+#include "problem/formulas/formula_task.h"
+
+#include <algorithm>
+
+#include "problem/language/diagnostic.h"
+#include "problem/quantities/quantity_functions.h"
+#include "problem/unknowns/asked_value.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr double check_tolerance = 1e-8;  // of the sizes that a check compares, as for every instant
+
+}  // namespace
+
+bool confirmed_by_particles(Sample& sample) {
+  return std::all_of(sample.instants().begin(), sample.instants().end(), [](const auto& item) {
+    const SolvedInstant::Residuals residuals = item.second->check();
+    const solve::CheckResult& particles = residuals.particles;
+    return particles.momentum <= check_tolerance && particles.energy <= check_tolerance &&
+           (!item.second->forces_solved() || particles.newton_euler <= check_tolerance) &&
+           residuals.impulse <= check_tolerance && residuals.constraints.value_or(0) <= check_tolerance;
+  });
+}
+
+bool is_at_instant(const FormulaTask& task, const Ask& ask) {
+  if (ask.table || ask.when || ask.extremum) return false;
+  if (task.sample.motions().empty()) return true;
+  if (std::ranges::any_of(ask.of, asks_motion_feature)) return false;
+  try {
+    Sample alone(task.statement, task.settings, OpenChoice{});
+    asked_value(alone, ask);
+    return alone.motions().empty();
+  } catch (const StatementError&) {
+    return false;
+  }
+}
+
+bool acts_on_one_side(const Statement& statement) {
+  return std::ranges::any_of(statement.situations, [](const Situation& situation) {
+    return !situation.contacts.empty() || !situation.cords.empty();
+  });
+}
+
+bool is_word(const Value<double>& value) {
+  if (value.is_list()) return !value.items.empty() && std::ranges::all_of(value.items, is_word);
+  return value.is_boolean() || value.is_text();
+}
+
+}  // namespace poinsot::problem

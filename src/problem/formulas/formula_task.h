@@ -1,0 +1,34 @@
+// A solved statement for whose answers formulas are sought.
+#pragma once
+
+#include <vector>
+
+#include "problem/formulas/formula_instant.h"
+#include "problem/unknowns/sample.h"
+
+namespace poinsot::problem {
+
+struct FormulaTask {
+  const Statement& statement;
+  const std::vector<Letter>& open;  // letters without value
+  const FormulaValues& given;       // values from outside the file, exactly
+  const Settings& known;            // the same values as numbers
+  const std::vector<Unknown>& unknowns;
+  const AllSettings& settings;  // of each situation, with values for the open letters and for the unknowns of one root
+  Sample& sample;               // the statement solved with these settings
+  const std::vector<double>& natural;  // the natural size of each ask
+};
+
+// Whether an ask is about an instant that no motion leads to.
+bool is_at_instant(const FormulaTask& task, const Ask& ask);
+
+// Whether the check with particles confirms every instant of a sample that was solved.
+bool confirmed_by_particles(Sample& sample);
+
+// Whether there are cords or contacts.
+bool acts_on_one_side(const Statement& statement);
+
+// Whether a value is a truth or a word, or a list of such.
+bool is_word(const Value<double>& value);
+
+}  // namespace poinsot::problem

@@ -1,0 +1,30 @@
+// Laws that are quotients of polynomials in one number without dimension, or roots of such: the inertias of two bodies
+// in a ratio of masses, (1 + x)/(1 + 2*x/3).
+//
+// The coefficients follow from values at more points than there are coefficients, the fewest that meet them all. That a
+// smooth function which is none comes so close is possible, so what is found must have coefficients that are fractions,
+// or be told by two coefficients, and is held far off like every law.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "poinsot/engine/math/formula/formula.h"
+
+namespace poinsot::problem {
+
+// x at some points, all positive, and the number there, which has one sign.
+struct RatioSamples {
+  std::vector<double> x, numbers;
+};
+
+// The number as a formula in x, with so many correct digits.
+struct RatioLaw {
+  Formula formula;
+  int digits = 0;
+};
+
+// tolerance: how far, relatively, the numbers may be off. Nothing if there is no such law.
+std::optional<RatioLaw> ratio_law(const Formula& x, const RatioSamples& samples, double tolerance);
+
+}  // namespace poinsot::problem
