@@ -121,9 +121,14 @@ class Dimensions {
     for (const char* given : {"normal", "axis"})
       if (has(given)) axis = figure_.data().direction(shape_argument(shape, given, file));
     if (argument == "radius" || argument == "inner_radius") {
-      const bool round = shape.kind == "sphere" || shape.kind == "hemisphere";
+      // Of a sphere the horizontal radii: one of them is seen at its length.
+      if (shape.kind == "sphere") {
+        const scene::Scene& scene = figure_.scene();
+        axis = transpose_times(scene.bodies[static_cast<std::size_t>(body)].pose.R, scene.up);
+      }
+      const bool any_direction = shape.kind != "hemisphere";
       put(name, {body, center}, {body, center + value * cubature::Triad<double>(axis).first},
-          round ? Vector3<double>{} : axis);
+          any_direction ? axis : Vector3<double>{});
     } else if (argument == "length") {
       put(name, {body, center - 0.5 * value * axis}, {body, center + 0.5 * value * axis});
     } else {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 #include <set>
+#include <tuple>
 
 #include "poinsot/engine/mass/mesh.h"
 #include "poinsot/problem.h"
@@ -167,6 +168,25 @@ TEST(SceneMarks, lengths_stand_at_edges_that_have_them_however_they_lie) {
       ASSERT_NE(length, nullptr) << name;
       EXPECT_NEAR(norm(Vector(on_ground(scene, length->to) - on_ground(scene, length->from))), value, 1e-6) << name;
     }
+  }
+}
+
+TEST(SceneMarks, radii_may_be_drawn_in_any_direction_across_an_axis) {
+  const Document document = illustrated(
+      "title: t\ngiven: {r: 0.3 m, R: 0.7 m, h: 0.2 m}\npoints: {A: [0, 0, 0], B: [2 m, 0, 0], C: [4 m, 0, 0]}\n"
+      "bodies:\n  s: {sphere: {center: A, radius: r}, mass: 1 kg}\n"
+      "  d: {disk: {center: B, normal: x, radius: R}, mass: 1 kg}\n"
+      "  h: {hemisphere: {center: C, toward: x, radius: h}, mass: 1 kg}\n"
+      "gravity: -z\ninstants: {now: rest}\nask: {T: kinetic_energy(s)}\n");
+  const scene::Scene& scene = scene_of(document);
+  for (const auto& [name, value, axis] :
+       {std::tuple{"r", 0.3, Vector{0, 0, 1}}, std::tuple{"R", 0.7, Vector{1, 0, 0}}, std::tuple{"h", 0.2, Vector{}}}) {
+    const scene::Dimension* radius = length_named(scene, name);
+    ASSERT_NE(radius, nullptr) << name;
+    const Vector arm = on_ground(scene, radius->to) - on_ground(scene, radius->from);
+    EXPECT_NEAR(norm(arm), value, 1e-12) << name;
+    EXPECT_NEAR(norm(Vector(radius->axis - axis)), 0, 1e-12) << name;
+    EXPECT_NEAR(dot(arm, axis), 0, 1e-12) << name;
   }
 }
 
