@@ -340,6 +340,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::rate(const Call& call, const Mark& ma
     evaluator.fail(mark, "the rate of a rate cannot be asked", "ask for acceleration() or angular_acceleration()");
   } else {
     if (!has_accelerations_) evaluator.fail(mark, "rate() cannot stand among what is known of the velocities");
+    // What changes at the rate is told too, so that particles may confirm it.
+    if (tells()) evaluator(call.arguments.front().value);
     using Timed = Dual<1, Base>;
     // The state as a function of time: each value has its rate as dual part.
     const Model<Timed> model = convert<Timed>(model_);

@@ -144,9 +144,14 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
     for (const Scalar& x : list) items.push_back(number_value(x, dimensions::moment_of_inertia));
     return Result::of_list(std::move(items));
   };
-  if (f != "principal_moments" && f != "principal_axes") told_tensor(P, axes_, I);
+  if (f == "moments_of_inertia" || f == "inertia_matrix") told_tensor(P, axes_, I);
   if (f == "moments_of_inertia") return numbers({I.xx, I.yy, I.zz});
-  if (f == "products_of_inertia") return numbers({Scalar(-I.xy), Scalar(-I.yz), Scalar(-I.zx)});
+  if (f == "products_of_inertia") {
+    const std::array<Scalar, 3> products{Scalar(-I.xy), Scalar(-I.yz), Scalar(-I.zx)};
+    for (std::size_t k = 0; k < 3; ++k)
+      told(ToldQuantity::Kind::product_of_inertia, P, axes_.column(k), axes_.column((k + 1) % 3), products[k]);
+    return numbers(products);
+  }
   if (f == "inertia_matrix") {
     const Matrix3<Scalar> M = as_matrix(I);
     return Result::of_list({numbers({M.row0.x, M.row0.y, M.row0.z}), numbers({M.row1.x, M.row1.y, M.row1.z}),
