@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "problem/habits/foreign_signs.h"
+#include "problem/language/foreign_signs.h"
 #include "problem/language/expression.h"
 #include "problem/language/utf8.h"
 

@@ -1,4 +1,4 @@
-#include "problem/habits/foreign_signs.h"
+#include "problem/language/foreign_signs.h"
 
 #include <array>
 
