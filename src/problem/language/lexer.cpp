@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "problem/language/foreign_signs.h"
 #include "problem/language/expression.h"
+#include "problem/language/foreign_signs.h"
 #include "problem/language/utf8.h"
 
 namespace poinsot::problem {
