@@ -110,7 +110,7 @@ class FormulaSearch {
       throw NoFormula("what is stated holds for special values of the letters only");
   }
 
-  // A truth or a word is the same for all letters if no sign that decides it can change.
+  // A word is the same for all letters if no sign that decides it can change.
   void decide_word(std::size_t i) {
     SolvedAsk& ask = solution_.asks[i];
     const std::vector<Formula> signs = positive(answers_.signs_of_word(task_.statement.asks[i]));

@@ -44,7 +44,7 @@ bool acts_on_one_side(const Statement& statement) {
 
 bool is_word(const Value<double>& value) {
   if (value.is_list()) return !value.items.empty() && std::ranges::all_of(value.items, is_word);
-  return value.is_boolean() || value.is_text();
+  return value.is_text();
 }
 
 }  // namespace poinsot::problem

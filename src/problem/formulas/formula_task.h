@@ -28,7 +28,8 @@ bool confirmed_by_particles(Sample& sample);
 // Whether there are cords or contacts.
 bool acts_on_one_side(const Statement& statement);
 
-// Whether a value is a truth or a word, or a list of such.
+// Whether a value is a word, or a list of such. Of a truth it is not known what decided it: sides that are compared by
+// their numbers leave no sign.
 bool is_word(const Value<double>& value);
 
 }  // namespace poinsot::problem

@@ -41,9 +41,14 @@ class ToldCheck {
     bool blow = false;
   };
   Witness force(const ToldQuantity& told, const Balance& balance) const {
-    const ParticlePaths::Sums sums = paths_.sums(told.body, Vector::zero());
+    const ParticlePaths::Sums sums = paths_.sums(told.body, Vector::zero()),
+                              all = paths_.sums(ParticlePaths::all, Vector::zero());
     Vector force, moment;
-    Real force_size = balance.size, moment_size = balance.moment_size;
+    // What glides without forces needs none: what would turn its momentum round in the motion's own time takes their
+    // place.
+    const Real per_time = balance.blow ? 1 : paths_.pace();
+    Real force_size = std::max(Real(balance.size), per_time * all.momentum_size),
+         moment_size = std::max(Real(balance.moment_size), per_time * all.angular_size);
     if (balance.blow) {
       force = wide(balance.change.force);
       moment = wide(balance.change.moment);
@@ -151,11 +156,11 @@ SolvedInstant::ToldMisfit SolvedInstant::misfit_of_told() const {
     found.blow = told.kind == Kind::impulse || told.kind == Kind::impulsive_couple;
     for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
       const Action& action = mechanism.actions[i];
-      if (action.on != told.body && action.from != told.body) continue;
       const SpatialForce<double> wrench = found.blow ? solve::action_impulse(*before_, blow_, impulses_, i)
                                                      : solve::action_wrench(*mechanism_state_, unknowns_, i);
-      found.size += norm(wrench.force);
-      found.moment_size += norm(wrench.moment);
+      // A force that is nothing is rounding of the others in the mechanism.
+      found.size = std::max(found.size, norm(wrench.force));
+      found.moment_size = std::max(found.moment_size, norm(wrench.moment));
       if (std::ranges::find(told.actions, i) != told.actions.end()) continue;
       if (action.on == told.body) found.others += wrench;
       if (action.from == told.body) found.others += -1.0 * wrench;
