@@ -101,7 +101,15 @@ Solution solution_of(const problem::Statement& stated, const problem::Solution& 
         answer.state = AnswerState::refused;
         break;
     }
-    if (found.formula) answer.formula = formula_datum(*found.formula);
+    // An unknown that is asked for has its formula already: a long one takes seconds to write.
+    const auto same_unknown = std::ranges::find_if(solved.unknowns, [&](const problem::SolvedUnknown& unknown) {
+      return found.formula && unknown.formula && found.formula->is_number() && unknown.formula->is_number() &&
+             found.formula->number == unknown.formula->number;
+    });
+    if (same_unknown != solved.unknowns.end())
+      answer.formula = solution.unknowns[static_cast<std::size_t>(same_unknown - solved.unknowns.begin())].formula;
+    else if (found.formula)
+      answer.formula = formula_datum(*found.formula);
     answer.no_formula = found.no_formula;
     for (const problem::RegimeFormula& one : found.regimes)
       answer.formulas.push_back({formula_datum(one.formula), one.where});

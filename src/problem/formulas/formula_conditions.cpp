@@ -50,6 +50,9 @@ std::string condition_words(const Formula& positive, const std::vector<Letter>& 
   };
   Formula best = positive;
   std::string words = formula_words(best);
+  // No factor makes a line of a page, and each form of what is as long takes up to a second to write.
+  constexpr std::size_t readable = 500;
+  if (words.size() > readable) return words + " > 0";
   const std::vector<std::string> letters = positive.letters();
   const bool turns = std::ranges::any_of(open, [&](const Letter& letter) {
     return is_angle(letter) && std::ranges::find(letters, letter.name) != letters.end();
