@@ -46,7 +46,7 @@ std::string shown_name(const std::string& file, const std::vector<std::string>& 
   return fs::path(file).filename().generic_string();
 }
 
-// textbook/18.001.yaml has the page textbook-18.001.html.
+// FOLDER/NAME.yaml has the page FOLDER-NAME.html.
 std::string page_name(const std::string& shown) {
   std::string name = fs::path(shown).replace_extension(".html").generic_string();
   std::ranges::replace(name, '/', '-');

@@ -81,6 +81,7 @@ class Setter {
   }
   bool full() const { return x_ > longest_label; }
   Label take() {
+    if (full()) put("…", Face::upright);
     label_.box.include(Point2{x_, 0});
     label_.box.include(Point2{0, 0});
     return std::move(label_);
@@ -283,6 +284,13 @@ void put_name(Setter& setter, std::string_view name) {
   for (std::size_t i = 0; i < parts.primes.size(); ++i) setter.put("′", Face::upright);
 }
 
+// A character that is of no name, with a minus for a hyphen. Returns how many bytes it has.
+std::size_t put_sign(Setter& setter, std::string_view text, std::size_t at) {
+  const std::size_t length = length_of_letter(text, at);
+  setter.put(text[at] == '-' ? "−" : text.substr(at, length), Face::upright);
+  return length;
+}
+
 }  // namespace
 
 std::string clean(std::string_view text) { return printable(text); }
@@ -302,12 +310,9 @@ Label name_label(std::string_view name, double size) {
       put_name(setter, std::string_view(text).substr(i, end - i));
       i = end;
     } else {
-      const std::size_t length = length_of_letter(text, i);
-      setter.put(text[i] == '-' ? "−" : std::string_view(text).substr(i, length), Face::upright);
-      i += length;
+      i += put_sign(setter, text, i);
     }
   }
-  if (setter.full()) setter.put("…", Face::upright);
   return setter.take();
 }
 
@@ -324,7 +329,6 @@ Label words_label(std::string_view words, double size) {
     setter.put(std::string_view(text).substr(i, length), Face::upright);
     i += length;
   }
-  if (setter.full()) setter.put("…", Face::upright);
   return setter.take();
 }
 
@@ -352,12 +356,9 @@ Label formula_label(std::string_view formula, double size) {
       setter.restore();
       i = end;
     } else {
-      const std::size_t length = length_of_letter(text, i);
-      setter.put(text[i] == '-' ? "−" : std::string_view(text).substr(i, length), Face::upright);
-      i += length;
+      i += put_sign(setter, text, i);
     }
   }
-  if (setter.full()) setter.put("…", Face::upright);
   return setter.take();
 }
 

@@ -102,7 +102,9 @@ Situation read_one(const Entry& root, const std::string& file) {
   situation.assume = read_assumptions(members, file);
   situation.gravity = members.expression("gravity");
   if (const Entry* view = members.find("view")) {
-    situation.view = scalar_text(*view, file, "from where figures look");
+    if (!view->is_scalar())
+      fail(file, view->mark, "a view is one text, without brackets", "write view: top, view: 40,15 or view: 0,0,1");
+    situation.view = view->text;
     if (!viewing_direction(situation.view, {0, 1, 0}))
       fail(file, view->mark, "there is no view '" + situation.view + "'", "expected " + std::string(viewing_words));
   }

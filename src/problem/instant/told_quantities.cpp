@@ -1,5 +1,5 @@
 // What was told of an instant against the bodies as particles, which share nothing with it but the figure, the
-// coordinates and, for a single force, the other forces on its body.
+// coordinates and, for a single force or impulse, the others on its body.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,18 +27,20 @@ struct Witness {
   Real size = 0;
 };
 
+bool in_blow(Kind kind) { return kind == Kind::impulse || kind == Kind::impulsive_couple; }
+
 Witness number(Real value, Real size) { return {{value, 0, 0}, size}; }
 
 class ToldCheck {
  public:
-  ToldCheck(const ParticlePaths& paths, const Vector& gravity) : paths_(paths), gravity_(gravity) {}
+  // before: the same bodies just before a blow, if there was one.
+  ToldCheck(const ParticlePaths& paths, const std::optional<ParticlePaths>& before, const Vector& gravity)
+      : paths_(paths), before_(before), gravity_(gravity) {}
 
   // Of forces and impulses: what the particles of a body need, less what else acts on it.
   struct Balance {
     SpatialForce<double> others{};  // about the origin of the ground
     double size = 0, moment_size = 0;
-    SpatialForce<double> change{};  // of momenta in a blow
-    bool blow = false;
   };
   Witness force(const ToldQuantity& told, const Balance& balance) const {
     const ParticlePaths::Sums sums = paths_.sums(told.body, Vector::zero()),
@@ -46,12 +48,15 @@ class ToldCheck {
     Vector force, moment;
     // What glides without forces needs none: what would turn its momentum round in the motion's own time takes their
     // place.
-    const Real per_time = balance.blow ? 1 : paths_.pace();
+    const Real per_time = in_blow(told.kind) ? 1 : paths_.pace();
     Real force_size = std::max(Real(balance.size), per_time * all.momentum_size),
          moment_size = std::max(Real(balance.moment_size), per_time * all.angular_size);
-    if (balance.blow) {
-      force = wide(balance.change.force);
-      moment = wide(balance.change.moment);
+    if (in_blow(told.kind)) {
+      const ParticlePaths::Sums before = before_->sums(told.body, Vector::zero());
+      force = sums.momentum - before.momentum;
+      moment = sums.angular_momentum - before.angular_momentum;
+      force_size += before.momentum_size;
+      moment_size += before.angular_size;
     } else {
       force = sums.rate - sums.mass * gravity_;
       moment = sums.angular_rate - cross(sums.first_moment, gravity_);
@@ -129,12 +134,11 @@ class ToldCheck {
   static Real square(Real x) { return x * x; }
 
   const ParticlePaths& paths_;
+  const std::optional<ParticlePaths>& before_;
   Vector gravity_;
 };
 
-bool of_forces(Kind kind) {
-  return kind == Kind::force || kind == Kind::couple || kind == Kind::impulse || kind == Kind::impulsive_couple;
-}
+bool of_forces(Kind kind) { return kind == Kind::force || kind == Kind::couple || in_blow(kind); }
 
 }  // namespace
 
@@ -147,31 +151,25 @@ SolvedInstant::ToldMisfit SolvedInstant::misfit_of_told() const {
   std::vector<double> a(v_.size(), 0.0);
   if (motion_) a = mechanism_state_->accelerations();
   const ParticlePaths paths(machine_.links, bodies, machine_.q, v_, a);
-  const ToldCheck check(paths, ToldCheck::wide(mechanism.tree.gravity()));
+  std::optional<ParticlePaths> before;
+  if (before_)
+    before.emplace(machine_.links, bodies, machine_.q, before_->state().v, std::vector<double>(v_.size(), 0.0));
+  const ToldCheck check(paths, before, ToldCheck::wide(mechanism.tree.gravity()));
   // Particles that a body has taken up in a blow are not among its own.
   const bool takes_up = !situation_.strikes.empty();
 
   const auto balance = [&](const ToldQuantity& told) {
     ToldCheck::Balance found;
-    found.blow = told.kind == Kind::impulse || told.kind == Kind::impulsive_couple;
     for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
       const Action& action = mechanism.actions[i];
-      const SpatialForce<double> wrench = found.blow ? solve::action_impulse(*before_, blow_, impulses_, i)
-                                                     : solve::action_wrench(*mechanism_state_, unknowns_, i);
+      const SpatialForce<double> wrench = in_blow(told.kind) ? solve::action_impulse(*before_, blow_, impulses_, i)
+                                                             : solve::action_wrench(*mechanism_state_, unknowns_, i);
       // A force that is nothing is rounding of the others in the mechanism.
       found.size = std::max(found.size, norm(wrench.force));
       found.moment_size = std::max(found.moment_size, norm(wrench.moment));
       if (std::ranges::find(told.actions, i) != told.actions.end()) continue;
       if (action.on == told.body) found.others += wrench;
       if (action.from == told.body) found.others += -1.0 * wrench;
-    }
-    if (found.blow) {
-      const Vector3<double> origin = Vector3<double>::zero();
-      const Momentum<double> after = body_momentum(mechanism.tree, mechanism_state_->workspace(), told.body, origin),
-                             before = body_momentum(mechanism.tree, before_->workspace(), told.body, origin);
-      found.change = {after.angular - before.angular, after.linear - before.linear};
-      found.size += norm(after.linear) + norm(before.linear);
-      found.moment_size += norm(after.angular) + norm(before.angular);
     }
     return found;
   };

@@ -8,12 +8,15 @@
 #include <vector>
 
 #include "pictures/figure/scenes.h"
+#include "pictures/figure/strokes.h"
 
 namespace poinsot {
 namespace figure_test {
 
 using namespace pictures;
 using pictures_test::arrow;
+using pictures_test::length_of;
+using pictures_test::points_of;
 
 const FigureName model{FigureKind::model, "model", "The figure", scene::ground};
 
@@ -45,23 +48,6 @@ scene::Scene turned(scene::Scene scene, const Matrix3<double>& R) {
 }
 
 // The strokes of a kind, as lengths in their order: what of a drawing does not depend on where its labels went.
-std::vector<Point2> points_of(const Drawing& drawing, Role role) {
-  std::vector<Point2> points;
-  for (const Mark& mark : drawing.marks)
-    if (const auto* stroke = std::get_if<Stroke>(&mark); stroke != nullptr && stroke->role == role)
-      points.insert(points.end(), stroke->points.begin(), stroke->points.end());
-  return points;
-}
-
-double length_of(const Drawing& drawing, Role role) {
-  double sum = 0;
-  for (const Mark& mark : drawing.marks)
-    if (const auto* stroke = std::get_if<Stroke>(&mark); stroke != nullptr && stroke->role == role)
-      for (std::size_t i = 0; i + 1 < stroke->points.size() + (stroke->closed ? 1 : 0); ++i)
-        sum += norm(stroke->points[(i + 1) % stroke->points.size()] - stroke->points[i]);
-  return sum;
-}
-
 TEST(Figure, turns_with_its_scene) {
   scene::Scene scene = pictures_test::plate_scene();
   scene.dimensions.clear();

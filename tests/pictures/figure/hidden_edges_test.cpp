@@ -6,11 +6,13 @@
 
 #include "pictures/figure/figure.h"
 #include "pictures/figure/scenes.h"
+#include "pictures/figure/strokes.h"
 
 namespace poinsot {
 namespace hidden_edges_test {
 
 using namespace pictures;
+using pictures_test::length_of;
 
 const FigureName model{FigureKind::model, "model", "The figure", scene::ground};
 
@@ -20,15 +22,6 @@ bool hidden_by_box(const Vector& from, const Vector& toward, const Vector& low, 
   for (std::size_t i = 0; i < 3; ++i)
     if (!(inside[i] > low[i] && inside[i] < high[i])) return false;
   return true;
-}
-
-double length_of(const Drawing& drawing, Role role) {
-  double sum = 0;
-  for (const Mark& mark : drawing.marks)
-    if (const auto* stroke = std::get_if<Stroke>(&mark); stroke != nullptr && stroke->role == role)
-      for (std::size_t i = 0; i + 1 < stroke->points.size() + (stroke->closed ? 1 : 0); ++i)
-        sum += norm(stroke->points[(i + 1) % stroke->points.size()] - stroke->points[i]);
-  return sum;
 }
 
 // Four corners of a square on the paper tell its scale: here the picture is as wide as its widest places.

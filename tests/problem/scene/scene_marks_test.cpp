@@ -238,6 +238,13 @@ TEST(SceneMarks, the_view_of_the_file_is_the_direction_to_the_viewer) {
     EXPECT_NE(std::string(error.what()).find("there is no view 'fromt'"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("AZIMUTH"), std::string::npos);
   }
+  try {
+    illustrated(std::string("view: [0, 0, 1]\n") + hung);
+    FAIL();
+  } catch (const StatementError& error) {
+    EXPECT_NE(std::string(error.what()).find("without brackets"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("write view: top, view: 40,15 or view: 0,0,1"), std::string::npos);
+  }
 }
 
 TEST(SceneMarks, arrows_of_a_motion_are_the_rates_of_its_poses) {

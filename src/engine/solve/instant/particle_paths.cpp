@@ -71,26 +71,23 @@ ParticlePaths::Vector ParticlePaths::acceleration(int link, const Vector& place,
 
 // Arms of length one along the axes of the ground turn with the body: w is half the sum of arm x rate.
 ParticlePaths::Vector ParticlePaths::angular_velocity(int link, int from) const {
-  Vector sum = Vector::zero();
-  for (std::size_t k = 0; k < 3; ++k) {
-    Vector arm = Vector::zero();
-    arm[k] = 1;
-    const Vector x = link < 0 ? arm : transpose(at_[now][static_cast<std::size_t>(link)].turn) * arm;
-    sum +=
-        Real(0.5) * cross(arm, first_derivative([&](std::size_t time) { return relative(time, link, from).turn * x; }));
-  }
-  return sum;
+  return over_arms(link, from, [this](const auto& arm) { return first_derivative(arm); });
 }
 
 // Of alpha x arm + w x (w x arm) the last part cancels in the sum.
 ParticlePaths::Vector ParticlePaths::angular_acceleration(int link) const {
+  return over_arms(link, -1, [this](const auto& arm) { return second_derivative(arm); });
+}
+
+// Half the sum of arm x derivative of arm.
+template <class Derivative>
+ParticlePaths::Vector ParticlePaths::over_arms(int link, int from, const Derivative& derivative) const {
   Vector sum = Vector::zero();
   for (std::size_t k = 0; k < 3; ++k) {
     Vector arm = Vector::zero();
     arm[k] = 1;
     const Vector x = link < 0 ? arm : transpose(at_[now][static_cast<std::size_t>(link)].turn) * arm;
-    sum +=
-        Real(0.5) * cross(arm, second_derivative([&](std::size_t time) { return relative(time, link, -1).turn * x; }));
+    sum += Real(0.5) * cross(arm, derivative([&](std::size_t time) { return relative(time, link, from).turn * x; }));
   }
   return sum;
 }

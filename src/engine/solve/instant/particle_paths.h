@@ -53,6 +53,8 @@ class ParticlePaths {
   Vector first_derivative(const Where& where) const;
   template <class Where>
   Vector second_derivative(const Where& where) const;
+  template <class Derivative>
+  Vector over_arms(int link, int from, const Derivative& derivative) const;
   drawn::Displacement relative(std::size_t time, int link, int from) const;
   Vector drawn_place(int link, const Vector& place) const;
 
