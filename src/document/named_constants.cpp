@@ -1,8 +1,6 @@
 #include "document/named_constants.h"
 
 #include <algorithm>
-#include <cctype>
-#include <string_view>
 
 namespace poinsot::document {
 namespace {
@@ -45,32 +43,6 @@ void for_each_formula(Solution& solution, const Visit& visit) {
   }
 }
 
-// The place after the bracket that closes the one at `open`; npos if there is none.
-std::size_t after_bracket(const std::string& text, std::size_t open) {
-  int depth = 0;
-  for (std::size_t at = open; at < text.size(); ++at) {
-    depth += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
-    if (depth == 0) return at + 1;
-  }
-  return std::string::npos;
-}
-
-// sqrt((L - a)^2), as formulas write a size, becomes abs(L - a).
-void write_sizes(std::string& text) {
-  constexpr std::string_view root = "sqrt(", square = "^2)";
-  for (std::size_t at = text.find(root); at != std::string::npos; at = text.find(root, at + 1)) {
-    const std::size_t begin = at + root.size();
-    std::size_t end = begin;
-    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
-    const bool brackets = end == begin;
-    if (end < text.size() && text[end] == '(') end = after_bracket(text, end);
-    if (end == std::string::npos || end == begin || text.compare(end, square.size(), square) != 0) continue;
-    std::string inside = text.substr(begin, end - begin);
-    if (brackets) inside = inside.substr(1, inside.size() - 2);
-    text.replace(at, end + square.size() - at, "abs(" + inside + ")");
-  }
-}
-
 }  // namespace
 
 std::vector<Constant> constants_in(const std::vector<Solution>& solutions, const std::vector<Constant>& constants) {
@@ -88,7 +60,6 @@ std::vector<Constant> constants_in(const std::vector<Solution>& solutions, const
 
 Document with_named_constants(Document document) {
   for (Solution& solution : document.solutions) {
-    for_each_formula(solution, write_sizes);
     std::vector<std::string> values;
     for (const Constant& constant : constants_in({solution}, document.constants)) {
       for_each_formula(solution, [&](std::string& text) {

@@ -102,11 +102,12 @@ class AnswerDiagram {
       if (!solved.formula->vector[k].is_zero()) there.push_back(k);
     if (there.size() == 1) {
       arrow.value = vector[there.front()] / solved.unit.factor;
-      arrow.formula = text(solved.formula->vector[there.front()]);
+      arrow.formula = text(solved.formula->vector[there.front()], Notation::with_sizes);
       return;
     }
     arrow.formula = "[";
-    for (std::size_t k = 0; k < 3; ++k) arrow.formula += (k > 0 ? ", " : "") + text(solved.formula->vector[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      arrow.formula += (k > 0 ? ", " : "") + text(solved.formula->vector[k], Notation::with_sizes);
     arrow.formula += "]";
   }
 

@@ -144,7 +144,7 @@ class BalanceDiagrams {
     // A cord pulls its other end where that is.
     if (force.sign < 0 && force.kind == UnknownForce::Kind::component && mechanism().components[force.index].toward)
       at = placed_.position(*mechanism().components[force.index].toward);
-    const std::string formula = symbol.shown.formula ? text(*symbol.shown.formula) : "";
+    const std::string formula = symbol.shown.formula ? text(*symbol.shown.formula, Notation::with_sizes) : "";
     add_wrench(diagram, {size * one.moment, size * one.force}, what.name, place_on(what, force.sign, at),
                {symbol.tex, ExplanationTex::plain(symbol.tex)}, Number{symbol.value, formula}, false);
   }

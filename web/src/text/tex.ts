@@ -80,7 +80,6 @@ const escapedUnit = (part: string): string => (part === "ohm" ? "\\Omega" : esca
 interface Form {
   tex: string;
   kind: "sum" | "negative" | "product" | "quotient" | "power" | "call" | "number" | "name";
-  square?: string; // of what it is the square
 }
 
 class FormulaReader {
@@ -148,13 +147,12 @@ class FormulaReader {
     if (this.peek() !== "^") return base;
     this.take();
     const exponent = this.peek() === "-" ? this.take() + this.atom().tex : this.atom().tex;
-    const square = exponent === "2" ? { square: base.tex } : {};
     if (base.kind === "call") {
       const raised = raisedCall(base.tex, exponent);
-      if (raised !== null) return { tex: raised, kind: "power", ...square };
+      if (raised !== null) return { tex: raised, kind: "power" };
     }
     const simple = base.kind === "number" || base.kind === "name";
-    return { tex: `${simple ? base.tex : inBrackets(base)}^{${exponent}}`, kind: "power", ...square };
+    return { tex: `${simple ? base.tex : inBrackets(base)}^{${exponent}}`, kind: "power" };
   }
 
   private atom(): Form {
@@ -183,9 +181,6 @@ class FormulaReader {
     }
     this.take(")");
     const inside = parts.map((part) => part.tex).join(", ");
-    // The root of a square is a size; formulas know no other way to write it.
-    if (name === "sqrt" && parts[0]?.square !== undefined)
-      return { tex: `\\left|${parts[0].square}\\right|`, kind: "call" };
     if (name === "sqrt") return { tex: `\\sqrt{${inside}}`, kind: "call" };
     if (name === "abs") return { tex: `\\left|${inside}\\right|`, kind: "call" };
     const tex = functions[name] ?? `\\operatorname{${escapedTex(name)}}`;

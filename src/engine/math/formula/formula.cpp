@@ -32,7 +32,7 @@ Formula in_whole_angles(const Formula& x) {
 // x as text with its sign, divided by the positive number among its coefficients that makes it shortest.
 std::string text_of_sign(const Formula& x) {
   const Formula whole = in_whole_angles(x);
-  std::string shortest = text(whole);
+  std::string shortest = text(whole, Notation::with_sizes);
   const auto has_long_number = [](const std::string& words) {
     constexpr std::ptrdiff_t many_digits = 5;
     for (auto at = words.begin(); at != words.end();) {
@@ -48,7 +48,7 @@ std::string text_of_sign(const Formula& x) {
   for (std::size_t i = 0; i < p.length(); ++i) {
     Integer size = p.coefficient(i);
     fmpz_abs(size.get(), size.get());
-    std::string words = text(whole / symbolic::integer_formula(size));
+    std::string words = text(whole / symbolic::integer_formula(size), Notation::with_sizes);
     if (words.size() < shortest.size()) shortest = std::move(words);
   }
   return shortest;

@@ -104,10 +104,10 @@ std::ptrdiff_t digits_beside(std::string_view text, std::string_view constant) {
 
 std::string text_with_constant(const Formula& x, std::string_view digits) {
   const symbolic::ConstantWriter writer(digits);
-  std::string plain_text = text(x);
-  if (!writer.can_tell() || !writer.is_in(x)) return plain_text;
-  std::string with = text(writer.with_constant(x));
-  return symbolic::digits_beside(with, digits) < symbolic::digits_beside(plain_text, digits) ? with : plain_text;
+  std::string without = text(x, Notation::with_sizes);
+  if (!writer.can_tell() || !writer.is_in(x)) return without;
+  std::string with = text(writer.with_constant(x), Notation::with_sizes);
+  return symbolic::digits_beside(with, digits) < symbolic::digits_beside(without, digits) ? with : without;
 }
 
 }  // namespace poinsot

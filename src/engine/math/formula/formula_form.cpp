@@ -61,7 +61,36 @@ std::optional<std::string> decimal_digits(const Integer& numerator, const Intege
   return std::nullopt;
 }
 
+// Joins factors with their signs: x sqrt(x^2)/x is sqrt(x^2).
+void unite_signs(std::vector<FormPower>& powers) {
+  for (FormPower& sign : powers) {
+    if (sign.base.kind != Form::Kind::quotient || sign.exponent != 1) continue;
+    const Form size = sign.base.parts[0];
+    const Form* sized = sized_part(size);
+    if (sized == nullptr) continue;
+    const std::string factor = text_of(*sized);
+    if (text_of(sign.base.parts[1]) != factor) continue;
+    const auto own = std::ranges::find_if(powers, [&](const FormPower& power) {
+      return power.exponent > 0 && power.base.kind == sized->kind && text_of(power.base) == factor;
+    });
+    if (own == powers.end()) continue;
+    if (own->exponent > 1) {
+      --own->exponent;
+      sign.base = size;
+    } else {
+      *own = {size, 1};
+      sign.exponent = 0;
+    }
+  }
+}
+
 }  // namespace
+
+const Form* sized_part(const Form& form) {
+  if (form.kind != Form::Kind::call || form.text != "sqrt") return nullptr;
+  const Form& square = form.parts[0];
+  return square.kind == Form::Kind::power && square.exponent == 2 ? &square.parts[0] : nullptr;
+}
 
 Form number_form(const Integer& digits) { return {Form::Kind::number, digits.text()}; }
 Form call_form(const std::string& function, Form argument) {
@@ -92,7 +121,8 @@ Form negated_sum(const Form& sum) {
   return ordered_sum(std::move(terms));
 }
 
-Form product_form(const Integer& coefficient, const Integer& divisor, const std::vector<FormPower>& powers) {
+Form product_form(const Integer& coefficient, const Integer& divisor, std::vector<FormPower> powers) {
+  unite_signs(powers);
   std::vector<Form> above;
   std::vector<Form> below;
   bool any_above = false;

@@ -29,6 +29,9 @@ struct Form {
 // Whether brackets are needed where it is a factor or a term to be subtracted.
 inline bool is_compound(const Form& form) { return form.kind == Form::Kind::sum || form.kind == Form::Kind::negative; }
 
+// x where the form is the size of x, written as the root of a square, sqrt(x^2); else null.
+const Form* sized_part(const Form& form);
+
 Form number_form(const Integer& digits);  // not negative
 // The number nearest to the digits of a form, whatever the locale; infinite if it is too large.
 double number_of_digits(const std::string& digits);
@@ -39,12 +42,13 @@ Form sum_form(std::vector<Form> terms);  // of at least one
 // The same, starting with a term to be added if there is one; and a sum with its signs turned.
 Form ordered_sum(std::vector<Form> terms);
 Form negated_sum(const Form& sum);
-// coefficient / divisor * product of powers; negative exponents go below the line, in the order given.
+// coefficient / divisor * product of powers; negative exponents go below the line, in the order given. A factor beside
+// its sign, sqrt(x^2)/x, is its size.
 struct FormPower {
   Form base;
   int exponent;
 };
-Form product_form(const Integer& coefficient, const Integer& divisor, const std::vector<FormPower>& powers);
+Form product_form(const Integer& coefficient, const Integer& divisor, std::vector<FormPower> powers);
 
 // The same, minus that if `negative`, in the order in which people write it; coefficient and divisor of either sign.
 Form assembled_product(bool negative, Integer coefficient, Integer divisor, std::vector<FormPower> powers);

@@ -59,10 +59,7 @@ std::string tex_function(const std::string& function) {
 
 std::string tex_call(const Form& form, const std::string& exponent) {
   if (form.text == "sqrt") {
-    const Form& inside = form.parts[0];
-    // The root of a square is a size; formulas know no other way to write it.
-    if (inside.kind == Form::Kind::power && inside.exponent == 2)
-      return "\\left|" + tex_of(inside.parts[0]) + "\\right|" + exponent;
+    if (const Form* sized = sized_part(form)) return "\\left|" + tex_of(*sized) + "\\right|" + exponent;
     const std::string root = "\\sqrt{" + tex_of(form.parts[0]) + "}";
     return exponent.empty() ? root : "\\left(" + root + "\\right)" + exponent;
   }

@@ -33,6 +33,8 @@ class Writer {
       case Form::Kind::power:
         return power(form);
       case Form::Kind::call:
+        if (const Form* sized = notation_ == Notation::with_sizes ? sized_part(form) : nullptr)
+          return "abs(" + written(*sized) + ")";
         break;
     }
     std::string call = form.text + "(" + written(form.parts[0]);
@@ -88,7 +90,8 @@ class Writer {
     }
     if (notation_ == Notation::c) return "pow(" + written(base) + ", " + std::to_string(form.exponent) + ")";
     const bool simple = is_number(base) || base.kind == Form::Kind::name || base.kind == Form::Kind::call;
-    return bracketed(base, !simple) + (notation_ == Notation::plain ? "^" : "**") + std::to_string(form.exponent);
+    return bracketed(base, !simple) + (notation_ == Notation::python || notation_ == Notation::sympy ? "**" : "^") +
+           std::to_string(form.exponent);
   }
 
   Notation notation_;

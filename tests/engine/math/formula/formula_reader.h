@@ -85,6 +85,7 @@ class FormulaReader {
     return value;
   }
   Scalar atom() {
+    using std::abs;
     using std::acos;
     using std::asin;
     using std::atan;
@@ -112,6 +113,7 @@ class FormulaReader {
     if (take(",")) second = sum();
     if (!take(")")) fail();
     if (word == "sqrt") return sqrt(x);
+    if (word == "abs") return abs(x);
     if (word == "sin") return sin(x);
     if (word == "cos") return cos(x);
     if (word == "tan") return tan(x);

@@ -216,5 +216,30 @@ TEST(FormulaText, ASizeIsARootOfASquareExceptInTex) {
   EXPECT_EQ(text(sqrt(x * x), Notation::tex), "\\left|x\\right|");
 }
 
+TEST(FormulaText, ForPeopleASizeIsNamed) {
+  const std::vector<std::pair<std::string, std::string>> formulas{
+      {"w*sqrt((L - m)^2)/L", "w*abs(L - m)/L"},  {"r*sqrt(x^2)", "r*abs(x)"},
+      {"sqrt(sin(2*b)^2)", "abs(sin(2*b))"},      {"sqrt((m - r)^2) + r", "abs(m - r) + r"},
+      {"x/sqrt((m - r)^2)", "x/abs(m - r)"},      {"sqrt(x^2 + r^2)", "sqrt(r^2 + x^2)"},
+      {"m*sqrt((m - r)^3)", "m*sqrt((m - r)^3)"},
+  };
+  for (const auto& [formula, expected] : formulas)
+    EXPECT_EQ(text(read(formula), Notation::with_sizes), expected) << formula;
+}
+
+// A factor and its sign, into which a size is taken apart, are written as the size again; whatever stands beside it.
+TEST(FormulaText, SizesInSumsReadBack) {
+  RandomFormula random(31);
+  int named = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const std::string a = random.any(2), b = random.any(2), c = random.positive(1);
+    const Formula x = read("sqrt((x - " + c + ")^2)*(" + a + ") + (" + b + ")");
+    const std::string words = text(x, Notation::with_sizes);
+    EXPECT_EQ(read(words), x) << words;
+    named += words.find("abs(") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_GE(named, 40);
+}
+
 }  // namespace formula_text_test
 }  // namespace poinsot

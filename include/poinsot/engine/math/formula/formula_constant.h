@@ -8,10 +8,10 @@
 
 namespace poinsot {
 
-// The plain text of a formula (formula_text.h) with a constant as a factor wherever that leaves fewer digits beside it:
-// with "9.80665" it is 5*m*9.80665/2 in place of 24.516625*m, and sqrt(2*9.80665*h) in place of 7*sqrt(...). The value
-// is exactly the same. digits: a positive decimal, told apart from other numbers by a large prime factor; others are
-// left as they are.
+// The text of a formula for people (Notation::with_sizes) with a constant as a factor wherever that leaves fewer digits
+// beside it: with "9.80665" it is 5*m*9.80665/2 in place of 24.516625*m, and sqrt(2*9.80665*h) in place of 7*sqrt(...).
+// The value is exactly the same. digits: a positive decimal, told apart from other numbers by a large prime factor;
+// others are left as they are.
 std::string text_with_constant(const Formula& x, std::string_view digits);
 
 }  // namespace poinsot
