@@ -5,9 +5,10 @@
 //   rows.columns[1]  // of cases.columns()[1], "B.y" in N
 //
 // Where the answers have formulas in what is varied, these are evaluated as straight-line code over many cases at once.
-// Where they have none, or their conditions do not hold, and instants are all that is asked about, each case's instant
-// is solved again. Every thousandth case of these is compared with a full solution. All other cases are solved in full,
-// one by one.
+// Where they have none, and instants are all that is asked about, the equations of these are evaluated so, with an
+// elimination that was recorded at the first case, and unknowns are found by Newton's method from their values there.
+// Each case tells whether what was found is its solution: else its instant is solved again. Every thousandth case of
+// these is compared with a full solution. All other cases are solved in full, one by one.
 #pragma once
 
 #include <cstddef>
@@ -59,7 +60,8 @@ class Cases {
   const std::vector<CaseColumn>& columns() const { return columns_; }
   bool has_formulas() const;
   std::string no_formulas() const;  // why there are none; else ""
-  bool by_instants() const;         // whether instants are all that is asked about
+  bool by_instants() const;         // whether cases may be answered by solving their instants alone
+  std::string no_program() const;   // why equations of instants are not evaluated for many cases at once; else ""
 
   // values: a column for each of over(), of as many numbers as there are cases, in SI units. first: the number of the
   // first of these cases among all. The numbers of a case do not depend on the others in the call, unless a check

@@ -68,6 +68,7 @@ void bind_studies(nb::module_& module) {
       .def_prop_ro("has_formulas", &Cases::has_formulas)
       .def_prop_ro("no_formulas", &Cases::no_formulas)
       .def_prop_ro("by_instants", &Cases::by_instants)
+      .def_prop_ro("no_program", &Cases::no_program)
       .def("solve", &solve, "values"_a, "first"_a, "stop"_a);
 }
 

@@ -23,6 +23,7 @@ std::vector<CaseColumn> Cases::over() const {
 bool Cases::has_formulas() const { return parts_->has_formulas(); }
 std::string Cases::no_formulas() const { return parts_->no_formulas(); }
 bool Cases::by_instants() const { return parts_->by_instants(); }
+std::string Cases::no_program() const { return parts_->no_program(); }
 
 CaseRows Cases::solve(const std::vector<std::span<const double>>& values, std::uint64_t first,
                       const Budget& budget) const {

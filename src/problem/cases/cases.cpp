@@ -11,8 +11,11 @@
 #include "problem/answers/read_settings.h"
 #include "problem/answers/solve_statement.h"
 #include "problem/cases/instant_rows.h"
+#include "problem/course/course.h"
 #include "problem/language/diagnostic.h"
 #include "problem/quantities/asks_model.h"
+#include "problem/unknowns/asked_value.h"
+#include "problem/unknowns/unknown_search.h"
 
 namespace poinsot::problem {
 namespace {
@@ -59,7 +62,10 @@ CompiledCases::CompiledCases(const Statement& statement, const std::vector<std::
     no_formulas_ = "they are not wanted";
   settings_ = read_settings(statement_, sets_);
   by_instants_ = needs_instants_alone(statement_) && no_letters_left();
-  if (!columns_.empty()) return;
+  if (!columns_.empty()) {
+    if (!formulas_) make_program(first);
+    return;
+  }
   // Letters were not tried, or made no sense: the first case shows what there is, or what is wrong.
   formulas_.reset();
   std::vector<std::span<const double>> one;
@@ -70,6 +76,45 @@ CompiledCases::CompiledCases(const Statement& statement, const std::vector<std::
     fail(statement_.file, Mark{1, 1}, "the first case has no solution",
          solved.warnings.empty() ? "" : solved.warnings.front());
   take_shape(solved.solutions.front());
+  make_program(first);
+}
+
+// At the first case, whose solution must be the only one: what is determined there, whatever is left open, is so by
+// the form of the equations.
+void CompiledCases::make_program(const std::vector<double>& first) {
+  const auto has_no_place = [](const Situation& situation) {
+    return !situation.choose.empty() || !situation.neglect.empty() || has_later_facts(situation);
+  };
+  if (first.size() != data_.size() || !no_letters_left() || !asks_instants_alone(statement_) ||
+      std::ranges::any_of(statement_.situations, has_no_place)) {
+    no_program_ = "more than instants is asked about";
+    return;
+  }
+  try {
+    Columns one;
+    for (const double& value : first) one.emplace_back(&value, 1);
+    const SolvedStatement solved = solved_in_full(one, 0);
+    if (solved.ended) throw BudgetEnded{*solved.ended};
+    if (solved.solutions.size() != 1) throw NoFormula(fmt::format("there are {} solutions", solved.solutions.size()));
+    AllSettings settings = settings_at(one, 0);
+    for (std::size_t i = 0; i < settings.size(); ++i)
+      for (const SolvedUnknown& unknown : solved.solutions.front().unknowns)
+        if (unknown.is_of(i)) settings[i][unknown.own_name] = unknown.value;
+    const Statement opened = with_letters(statement_, data_);
+    Sample numbers(opened, settings, OpenChoice{});
+    for (std::size_t i = 0; i < opened.asks.size(); ++i) {
+      if (const std::string reason = reason_of(solved.solutions.front().asks[i]); !reason.empty())
+        throw NoFormula(reason);
+      asked_value(numbers, opened.asks[i]);
+    }
+    const UnknownSearch search(opened, settings_at(one, 0).front());
+    program_ =
+        InstantProgram::made({opened, data_, exact_settings(opened, sets_), search.unknowns(), numbers}, no_program_);
+  } catch (const StatementError& error) {
+    no_program_ = error.diagnostics().front().message;
+  } catch (const NoFormula& error) {
+    no_program_ = error.what();
+  }
 }
 
 void CompiledCases::find_formulas() {
@@ -176,14 +221,15 @@ AllSettings CompiledCases::settings_at(const Columns& data, std::size_t row) con
   return AllSettings(statement_.situations.size(), settings);
 }
 
-void CompiledCases::go_by_formulas(const Columns& data, SolvedCases& found) const {
+template <class Program>
+void CompiledCases::go_by(const Program& program, CaseRoad road, const Columns& data, SolvedCases& found) {
   std::vector<const double*> inputs;
   for (const std::span<const double>& column : data) inputs.push_back(column.data());
   std::vector<double*> outputs;
   for (std::vector<double>& column : found.columns) outputs.push_back(column.data());
-  const std::vector<char> valid = formulas_->evaluate(inputs, found.roads.size(), outputs);
+  const std::vector<char> valid = program.evaluate(inputs, found.roads.size(), outputs);
   for (std::size_t row = 0; row < valid.size(); ++row)
-    if (valid[row]) found.roads[row] = CaseRoad::by_formula;
+    if (valid[row]) found.roads[row] = road;
 }
 
 void CompiledCases::go_by_instants(const Columns& data, SolvedCases& found) const {
@@ -227,7 +273,8 @@ SolvedCases CompiledCases::solved(const Columns& data, std::uint64_t first) cons
   SolvedCases found;
   found.columns.assign(columns_.size(), std::vector<double>(rows, missing));
   found.roads.assign(rows, CaseRoad::in_full);
-  if (formulas_) go_by_formulas(data, found);
+  if (formulas_) go_by(*formulas_, CaseRoad::by_formula, data, found);
+  if (program_) go_by(*program_, CaseRoad::by_instant, data, found);
   if (by_instants_) go_by_instants(data, found);
   check(data, first, found);
   solve_the_rest(data, found);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "problem/cases/case_formulas.h"
+#include "problem/cases/instant_program.h"
 #include "problem/cases/varied_data.h"
 #include "problem/results/solution.h"
 #include "problem/unknowns/sample.h"
@@ -51,7 +52,9 @@ class CompiledCases {
   // Why there are no formulas; else "".
   const std::string& no_formulas() const { return no_formulas_; }
   // Whether cases without formulas go by their instants.
-  bool by_instants() const { return by_instants_; }
+  bool by_instants() const { return by_instants_ || program_; }
+  // Why instants are not put as programs; else "".
+  const std::string& no_program() const { return no_program_; }
 
   // data: a column for each datum. first: the number of the first case in the study: every thousandth case is compared
   // with a full solution, and where they differ, all of these cases are solved in full.
@@ -62,7 +65,9 @@ class CompiledCases {
   SolvedStatement solved_in_full(const Columns& data, std::size_t row) const;
   // Writes the numbers of one case, NaN without answer; returns why one is missing, or "".
   std::string solve_row(const Columns& data, std::size_t row, std::vector<double>& numbers) const;
-  void go_by_formulas(const Columns& data, SolvedCases& found) const;
+  // By a program that takes columns of data and room for results, and tells which cases it answers.
+  template <class Program>
+  static void go_by(const Program& program, CaseRoad road, const Columns& data, SolvedCases& found);
   void go_by_instants(const Columns& data, SolvedCases& found) const;
   void solve_the_rest(const Columns& data, SolvedCases& found) const;
   // Compares every thousandth case with a full solution.
@@ -70,6 +75,7 @@ class CompiledCases {
   bool is_refuted(const Columns& data, std::size_t row, const SolvedCases& found,
                   const std::vector<double>& sizes) const;
   void find_formulas();
+  void make_program(const std::vector<double>& first);
   void take_shape(const Solution& solution);
   bool no_letters_left() const;
   AllSettings settings_at(const Columns& data, std::size_t row) const;
@@ -83,6 +89,8 @@ class CompiledCases {
   std::vector<bool> vectors_;  // of each question, whether it is one
   std::optional<CaseFormulas> formulas_;
   std::string no_formulas_;
+  std::optional<InstantProgram> program_;  // where there are no formulas
+  std::string no_program_;
 };
 
 }  // namespace poinsot::problem

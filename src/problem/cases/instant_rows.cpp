@@ -67,12 +67,14 @@ bool are_the_same_under_gravity(const Statement& statement, const AllSettings& s
 
 }  // namespace
 
+bool asks_instants_alone(const Statement& statement) { return std::ranges::all_of(statement.asks, asks_an_instant); }
+
 bool needs_instants_alone(const Statement& statement) {
   return std::ranges::all_of(statement.situations,
                              [](const Situation& situation) {
                                return situation.find.empty() && situation.choose.empty() && !has_later_facts(situation);
                              }) &&
-         std::ranges::all_of(statement.asks, asks_an_instant);
+         asks_instants_alone(statement);
 }
 
 std::optional<std::vector<double>> instant_numbers(const Statement& statement, const AllSettings& settings) {

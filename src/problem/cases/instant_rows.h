@@ -15,6 +15,9 @@ namespace poinsot::problem {
 // answer hangs on what the statement does not say.
 bool needs_instants_alone(const Statement& statement);
 
+// Whether each question is about instants to which no motion leads.
+bool asks_instants_alone(const Statement& statement);
+
 // The numbers of all answers, one after the other; nothing where the case has to be solved in full, since something is
 // open, a cord would push, an answer is no number or does not exist. Throws nothing but BudgetEnded.
 std::optional<std::vector<double>> instant_numbers(const Statement& statement, const AllSettings& settings);

@@ -75,7 +75,8 @@ FormulaInstant& FormulaAnswers::instant(const Sample::Home& home) {
     std::unique_ptr<FormulaInstant> found;
     {
       const DecisionScope decisions;
-      found = std::make_unique<FormulaInstant>(situation, values_[home.situation], numbers_.instant(home));
+      found = std::make_unique<FormulaInstant>(situation, values_[home.situation], numbers_.instant(home), nullptr,
+                                               linear_solve_);
       signs_[home] = decisions.signs();
     }
     for (const Formula& sign : signs_[home]) note_sign(sign);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "poinsot/engine/work/work.h"
@@ -64,9 +65,11 @@ struct DecidedFormula {
 class FormulaAnswers {
  public:
   // values: of each situation, the letters, the data from outside and the unknowns as formulas. numbers: the
-  // statement solved at some values of the letters. All arguments must outlive the object.
-  FormulaAnswers(const Statement& statement, const std::vector<FormulaValues>& values, Sample& numbers)
-      : statement_(statement), values_(values), numbers_(numbers) {}
+  // statement solved at some values of the letters. All of these must outlive the object. linear_solve: how linear
+  // equations are solved, if not exactly.
+  FormulaAnswers(const Statement& statement, const std::vector<FormulaValues>& values, Sample& numbers,
+                 FormulaLinearSolve linear_solve = {})
+      : statement_(statement), values_(values), numbers_(numbers), linear_solve_(std::move(linear_solve)) {}
 
   // Throws NoFormula with the reason.
   DecidedFormula value(const Ask& ask);
@@ -91,6 +94,7 @@ class FormulaAnswers {
   const Statement& statement_;
   const std::vector<FormulaValues>& values_;
   Sample& numbers_;
+  FormulaLinearSolve linear_solve_;
   std::map<Sample::Home, std::unique_ptr<FormulaInstant>> instants_;
   std::map<Sample::Home, std::vector<Formula>> signs_;  // decided on the way to an instant
   std::map<Sample::Home, std::string> no_instant_;      // why an instant has no formulas, once this was tried

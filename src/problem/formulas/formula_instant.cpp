@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "poinsot/engine/dynamics/velocity_constraint.h"
 #include "poinsot/engine/math/formula/formula_decision.h"
@@ -12,8 +13,8 @@
 namespace poinsot::problem {
 
 FormulaInstant::FormulaInstant(const Situation& situation, const FormulaValues& values, const SolvedInstant& numbers,
-                               OpenLetters* open)
-    : situation_(situation), numbers_(numbers), open_(open) {
+                               OpenLetters* open, FormulaLinearSolve linear_solve)
+    : situation_(situation), numbers_(numbers), open_(open), linear_solve_(std::move(linear_solve)) {
   if (open_ && follows_time(situation)) {
     time_ = Formula::letter("time", poinsot::Sign::positive);
     open_->made.push_back({"time", si_unit(dimensions::time), {}});
@@ -112,7 +113,7 @@ void FormulaInstant::solve_velocities() {
     open_->made.push_back({name, si_unit(turns ? dimensions::angular_velocity : dimensions::velocity), {}, true});
     return Formula::letter(name, poinsot::Sign::real);
   };
-  solve::ExactSolution solution = open_ ? solve::solve_exactly(equations, open) : solve::solve_exactly(equations);
+  solve::ExactSolution solution = open_ ? solve::solve_exactly(equations, open) : solved(equations);
   remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());
   v_ = v_before_ = std::move(solution.value);
   present_.reset();
@@ -136,8 +137,12 @@ void FormulaInstant::hold_nonlinear(const std::vector<const Fact*>& facts) {
   }
 }
 
+solve::ExactSolution FormulaInstant::solved(const solve::LinearSystemOf<Formula>& equations) const {
+  return linear_solve_ ? linear_solve_(equations) : solve::solve_exactly(equations);
+}
+
 solve::ExactSolution FormulaInstant::solve_with_unfixed(const solve::LinearSystemOf<Formula>& equations) {
-  if (!open_) return solve::solve_exactly(equations);
+  if (!open_) return solved(equations);
   return solve::solve_exactly(equations, [&](std::size_t k) {
     const std::string name(equations.name(k));
     open_->unfixed.insert(name);

@@ -4,6 +4,7 @@
 // exactly for letters in general position, which are no special values.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -27,15 +28,18 @@ struct OpenLetters {
   std::set<std::string> unfixed;  // accelerations, forces and impulses that nothing determines
 };
 
+// How linear equations over formulas are solved, if not exactly.
+using FormulaLinearSolve = std::function<solve::ExactSolution(const solve::LinearSystemOf<Formula>&)>;
+
 class FormulaInstant {
  public:
   // numbers: the same instant solved at some values of the letters, which decides what formulas leave open, such as
   // which cords and contacts act in a blow. Situation and numbers must outlive the object. open: receives letters for
   // what the statement leaves open; without it this is zero. Throws NoFormula for loops that close in another pose
   // than the one drawn and for later stages, and what the evaluation of expressions throws (StatementError,
-  // std::domain_error, FormulaTooLarge).
+  // std::domain_error, FormulaTooLarge). linear_solve: used in place of solve::solve_exactly, without `open`.
   FormulaInstant(const Situation& situation, const FormulaValues& values, const SolvedInstant& numbers,
-                 OpenLetters* open = nullptr);
+                 OpenLetters* open = nullptr, FormulaLinearSolve linear_solve = {});
 
   // The value of an ask on the given axes, or on ground axes if none are given.
   using Elsewhere = std::function<Value<Formula>(const At& at, const Mark& mark)>;
@@ -68,6 +72,7 @@ class FormulaInstant {
   void note_who_acts() const;
   void find_forces();
   void hold_nonlinear(const std::vector<const Fact*>& facts);
+  solve::ExactSolution solved(const solve::LinearSystemOf<Formula>& equations) const;
   solve::ExactSolution solve_with_unfixed(const solve::LinearSystemOf<Formula>& equations);
   InstantView<Formula> view() const;
   const QuantityScope<Formula>& present_scope();
@@ -77,6 +82,7 @@ class FormulaInstant {
   const Situation& situation_;
   const SolvedInstant& numbers_;
   OpenLetters* open_ = nullptr;
+  FormulaLinearSolve linear_solve_;
   Formula time_;
   Settings no_settings_;
   std::unique_ptr<DataScope<Formula>> data_;
