@@ -274,6 +274,9 @@ std::vector<std::vector<std::string>> table_in(const std::string& text) {
   return rows;
 }
 
+// A number of a table, as mathematics or zero.
+double number_in(const std::string& cell) { return std::stod(cell.substr(cell.front() == '$' ? 1 : 0)); }
+
 TEST(Explanation, TellsTheWholeOfABodyByItsParts) {
   const auto rows = table_in(explained(R"(
 given: {q: 2 kg/m, a: 0.3 m}
@@ -293,10 +296,10 @@ ask: {I: inertia_matrix(wire about O)}
     ASSERT_EQ(rows[5].size(), rows[0].size());
     if (rows[0][c].find("\\bar") != std::string::npos) continue;
     double sum = 0;
-    for (std::size_t r = 1; r < 5; ++r) sum += std::stod(rows[r][c]);
-    EXPECT_NEAR(sum, std::stod(rows[5][c]), 2e-5) << rows[0][c];
+    for (std::size_t r = 1; r < 5; ++r) sum += number_in(rows[r][c]);
+    EXPECT_NEAR(sum, number_in(rows[5][c]), 2e-5) << rows[0][c];
   }
-  EXPECT_NEAR(std::stod(rows[1][1]), 0.6, 1e-12);
+  EXPECT_NEAR(number_in(rows[1][1]), 0.6, 1e-12);
   // A body of one part has no table.
   EXPECT_TRUE(table_in(explained(R"(
 points: {O: [0, 0, 0], A: [1 m, 0, 0]}
@@ -305,6 +308,16 @@ gravity: none
 ask: {I: inertia_matrix(bar about O)}
 )"))
                   .empty());
+}
+
+TEST(Explanation, TellsOfAParticleItsMassAlone) {
+  const Document document = Problem::from_file(POINSOT_SOURCE_DIR "/examples/published/crane.yaml").explain();
+  const std::string text = to_markdown(document);
+  EXPECT_NE(text.find("*load*: mass $M"), std::string::npos);
+  EXPECT_EQ(text.find("about $G_{\\mathrm{load}}$ on axes"), std::string::npos);
+  EXPECT_EQ(text.find("principal axes"), std::string::npos);
+  // In a table powers of ten are mathematics, too.
+  EXPECT_NE(text.find("| $3\\cdot 10^{6}$ |"), std::string::npos);
 }
 
 TEST(Explanation, TellsWhatDecidedAClaim) {

@@ -149,17 +149,26 @@ void InstantExplainer::inertia_step(ExplainedSection& section, int body, const E
   const ExplainedPoint G = mass_center(body);
   const Shown mass = shown([&](const auto& figures) { return figures.mechanism().tree.body(body).inertia.mass; });
   step.text = "*" + body_name(body) + "*: ";
+  bool says_mass = false;
   if (mass_said_.insert(body).second) {
     if (tex_.can_show(mass)) step.text += "mass " + tex_.inline_both(mass, dimensions::mass);
     if (!is_rounding(norm(G.position.number), solved_.scales().length) && tex_.can_show(G.position))
       step.text +=
           ", mass center at " + tex_.inline_equation("\\mathbf{r}_{" + G.label + "}", G.position, dimensions::length);
-    if (tex_.can_show(mass)) step.text += ". ";
+    if (tex_.can_show(mass)) step.text += ".";
+    says_mass = tex_.can_show(mass);
   }
   if (solved_.uses_any() && !any_said_ && tex_.is_known(mass)) {
     any_said_ = true;
     section.steps.push_back({"What is given as `any` changes no answer; the lines below take one value for it.", {}});
   }
+  const SymmetricMatrix3<double> numbers = tensor(figures_.numbers);
+  if (size_of(numbers) == 0) {
+    // A particle has nothing but its mass.
+    if (says_mass) section.steps.push_back(std::move(step));
+    return;
+  }
+  if (says_mass) step.text += " ";
   const std::string axes = "$" + tex_.axis(0) + ", " + tex_.axis(1) + ", " + tex_.axis(2) + "$";
   const std::string about = "$" + (fixed ? fixed->label : G.label) + "$";
   if (plane)
@@ -168,7 +177,6 @@ void InstantExplainer::inertia_step(ExplainedSection& section, int body, const E
   else
     step.text += "Moments and products of inertia about " + about + " on axes parallel to " + axes +
                  " (Eqs. 18.5, 18.6" + (fixed ? ", parallel axes" : "") + "):";
-  const SymmetricMatrix3<double> numbers = tensor(figures_.numbers);
   bool any_product = false;
   for (std::size_t k = 0; k < 3; ++k) {
     if (is_rounding(moment_on(numbers, k), size_of(numbers)) || (plane && k != *plane)) continue;

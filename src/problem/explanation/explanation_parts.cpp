@@ -139,7 +139,7 @@ void InstantExplainer::parts_step(ExplainedSection& section, int body, const Exp
       // In the row of the sum the mass center is that of the whole; all other numbers add up.
       const Shown& cell = cells[c][row];
       const std::string text = cell.number == 0 ? "0"
-                               : known          ? tex_.number(cell.number, columns[c].dimension)
+                               : known          ? "$" + tex_.number(cell.number, columns[c].dimension) + "$"
                                                 : tex_.inline_value(cell, columns[c].dimension);
       if (text.empty()) return;
       lines[row] += " " + text + " |";
