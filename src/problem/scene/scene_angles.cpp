@@ -3,6 +3,7 @@
 // are not confused.
 #include "problem/scene/scene_angles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -55,7 +56,7 @@ class AngleFinder {
 
   void add() {
     if (!(angle_.value > exact) || !(angle_.value < std::numbers::pi - exact)) return;
-    if (of_rays(shape_rays()) || of_rays(segment_rays()) || of_rays(load_rays())) return;
+    if (of_rays(shape_rays()) || of_rays(segment_rays()) || of_rays(edge_rays()) || of_rays(load_rays())) return;
     of_coordinates();
   }
 
@@ -121,6 +122,54 @@ class AngleFinder {
             or_none([&] { rays.push_back({{static_cast<int>(k), plain(*center)}, data_.direction(argument.value)}); });
       }
     return rays;
+  }
+
+  // The edges of plates from their ends, and the sides of rectangles from the middles of the edges that they join;
+  // those that leave a joint or a named point come first.
+  std::vector<Ray> edge_rays() {
+    std::vector<Ray> rays;
+    for (std::size_t k = 0; k < figure_.situation().bodies.size(); ++k)
+      for (const Part& part : figure_.situation().bodies[k].parts)
+        or_none([&] {
+          const int body = static_cast<int>(k);
+          const std::vector<VariedVector> sides = listed(part.shape, "sides");
+          if (sides.size() == 2) {
+            const VariedVector center = data_.place(shape_argument(part.shape, "center", figure_.situation().file));
+            for (const auto& [side, other] : {std::pair{sides[0], sides[1]}, std::pair{sides[1], sides[0]}})
+              for (const double sense : {1.0, -1.0})
+                for (const double aside : {0.0, -0.5, 0.5})
+                  rays.push_back(
+                      {{body, plain(center) - 0.5 * sense * plain(side) + aside * plain(other)}, side * Scalar(sense)});
+          }
+          for (const char* list : {"corners", "points"}) {
+            const std::vector<VariedVector> corners = listed(part.shape, list);
+            for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+              rays.push_back({{body, plain(corners[i])}, corners[i + 1] - corners[i]});
+              rays.push_back({{body, plain(corners[i + 1])}, corners[i] - corners[i + 1]});
+            }
+          }
+        });
+    std::stable_partition(rays.begin(), rays.end(), [&](const Ray& ray) { return is_marked(ray.from); });
+    return rays;
+  }
+  // The places or vectors of a plane shape that stand in a list.
+  std::vector<VariedVector> listed(const Shape& shape, const std::string& name) {
+    std::vector<VariedVector> values;
+    if (shape.kind != "rectangle" && shape.kind != "polygon" && shape.kind != "triangle") return values;
+    for (const NamedExpression& argument : shape.arguments)
+      if (const List* list = argument.value.as<List>(); list != nullptr && argument.name == name)
+        for (const Expression& item : list->items) values.push_back(data_.place(item));
+    return values;
+  }
+  // Whether a joint or a named point stands there.
+  bool is_marked(const scene::Place& place) const {
+    const Vector3<double> at = figure_.on_ground(place);
+    const auto is_there = [&](const scene::Place& other) {
+      return norm(Vector3<double>(figure_.on_ground(other) - at)) < exact * figure_.scene().length;
+    };
+    const scene::Scene& scene = figure_.scene();
+    return std::any_of(scene.symbols.begin(), scene.symbols.end(), [&](const auto& s) { return is_there(s.place); }) ||
+           std::any_of(scene.points.begin(), scene.points.end(), [&](const auto& p) { return is_there(p.place); });
   }
 
   // Segments between named points along what is drawn, from either end.

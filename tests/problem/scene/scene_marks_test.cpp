@@ -63,7 +63,17 @@ TEST(SceneMarks, angles_are_drawn_as_large_as_they_are_wherever_data_make_them) 
                                ", P: 5 N}\npoints: {O: [0, 0, 0], A: [1 m, 0, 0]}\n"
                                "bodies: {r: {rod: [O, A], mass: 1 kg}}\nloads: {P: {body: r, at: A, force: [P*cos(b), "
                                "P*sin(b), 0]}}\ninstants: {now: rest}\nask: {a: acceleration(r)}\ngravity: none\n";
-    for (const std::string& text : {askew, rod, turned, pushed}) {
+    const std::string leaning = "title: t\ngiven: {b: " + degrees(b) +
+                                "}\npoints: {A: [0, 0, 0]}\ndirections: {down: [0, -cos(b), sin(b)]}\n"
+                                "bodies: {r: {rectangle: {center: A + 1 m * down, sides: [1 m * x, 2 m * down]}, mass: "
+                                "1 kg}}\njoints: {p: {revolute: y, at: A, to: r, rate: 1 rad/s}}\n"
+                                "ask: {T: kinetic_energy(r)}\n";
+    const std::string edges =
+        "title: t\ngiven: {b: " + degrees(b) +
+        "}\npoints: {A: [0, 0, 0]}\ndirections: {down: [0, -cos(b), sin(b)]}\nbodies: {r: {triangle: [A, A + 1 m * "
+        "down, A + 1 m * x], mass: 1 kg}}\njoints: {p: {revolute: y, at: A, to: r, rate: 1 rad/s}}\n"
+        "ask: {T: kinetic_energy(r)}\n";
+    for (const std::string& text : {askew, rod, turned, pushed, leaning, edges}) {
       const Document document = illustrated(text);
       const scene::Dimension* angle = angle_named(scene_of(document), "b");
       ASSERT_NE(angle, nullptr) << text;
