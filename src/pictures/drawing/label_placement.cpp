@@ -14,12 +14,14 @@ namespace poinsot::pictures {
 namespace {
 
 constexpr double over_mark = 1000;  // what it costs to stand over a line
+constexpr double over_length = 10;  // and for each unit of its length
 constexpr double over_label = 5000;
 constexpr double reads_on = 14, apart = 9;  // labels on one line, nearer than this, read as one word
 constexpr double clear = 1.5;               // around a label, free of lines
 constexpr double leader_beyond = 15;
 constexpr std::array<double, 14> distances{0, 4, 9, 15, 22, 30, 40, 52, 66, 84, 110, 150, 210, 300};
-constexpr double most_for_optional = 40;
+constexpr double most_for_optional = 40, most_among_many = 12;
+constexpr std::size_t many = 40;  // labels, of which those that may lack are drawn only where they stand near
 constexpr int directions = 24;
 constexpr double cell = 24;
 
@@ -46,9 +48,13 @@ class Obstacles {
     }
   }
 
-  double within(const Box& box) const {
+  // How much of the lines lies within a box; not all of it if it is more than `enough`.
+  double within(const Box& box, double enough) const {
     double sum = 0;
-    visit(box, [&](const Segment& s) { sum += length_within(box.grown(s.half_width), s.from, s.to); });
+    visit(box, [&](const Segment& s) {
+      sum += length_within(box.grown(s.half_width), s.from, s.to);
+      return sum <= enough;
+    });
     return sum;
   }
   int crossings(Point2 from, Point2 to) const {
@@ -59,9 +65,10 @@ class Obstacles {
     visit(box, [&](const Segment& s) {
       const Point2 d = to - from, e = s.to - s.from;
       const double side = cross(d, e);
-      if (std::abs(side) < 1e-9) return;
+      if (std::abs(side) < 1e-9) return true;
       const double t = cross(s.from - from, e) / side, u = cross(s.from - from, d) / side;
       if (t > 0.05 && t < 0.99 && u >= 0 && u <= 1) ++count;
+      return true;
     });
     return count;
   }
@@ -81,6 +88,7 @@ class Obstacles {
   void add(const Segment& segment) {
     const auto number = static_cast<std::uint32_t>(segments_.size());
     segments_.push_back(segment);
+    visited_.push_back(0);
     const double length = norm(segment.to - segment.from);
     const int pieces = std::clamp(static_cast<int>(length / cell) + 1, 1, 400);
     for (int i = 0; i < pieces; ++i) {
@@ -95,20 +103,23 @@ class Obstacles {
         }
     }
   }
+  // Visits each segment in the cells of a box once, as long as the visitor wants more.
   template <class Visit>
   void visit(const Box& box, Visit visit) const {
-    std::vector<std::uint32_t> met;
+    ++visits_;
     for (long long column = place(box.left - 3); column <= place(box.right + 3); ++column)
-      for (long long row = place(box.top - 3); row <= place(box.bottom + 3); ++row)
-        if (const auto found = cells_.find(key(column, row)); found != cells_.end())
-          met.insert(met.end(), found->second.begin(), found->second.end());
-    std::ranges::sort(met);
-    met.erase(std::ranges::unique(met).begin(), met.end());
-    for (const std::uint32_t number : met) visit(segments_[number]);
+      for (long long row = place(box.top - 3); row <= place(box.bottom + 3); ++row) {
+        const auto found = cells_.find(key(column, row));
+        if (found == cells_.end()) continue;
+        for (const std::uint32_t number : found->second)
+          if (std::exchange(visited_[number], visits_) != visits_ && !visit(segments_[number])) return;
+      }
   }
 
   std::vector<Segment> segments_;
   std::unordered_map<long long, std::vector<std::uint32_t>> cells_;
+  mutable std::vector<std::uint32_t> visited_;  // for each segment, in which visit last
+  mutable std::uint32_t visits_ = 0;
 };
 
 struct Placed {
@@ -155,7 +166,9 @@ class Placement {
 
  private:
   bool left_out(std::size_t i) const {
-    return !std::isfinite(placed_[i].cost) || (requests_[i].may_lack && placed_[i].cost >= most_for_optional);
+    return !std::isfinite(placed_[i].cost) ||
+           (requests_[i].may_lack &&
+            placed_[i].cost >= (requests_.size() > many ? most_among_many : most_for_optional));
   }
 
   Placed best(std::size_t i) const {
@@ -202,8 +215,9 @@ class Placement {
         sum += over_label;
     }
     if (sum >= least) return sum;
-    const double within = obstacles_.within(box.grown(clear));
-    if (within > 0) sum += over_mark + 10 * within;
+    const double enough = std::max(0.0, (least - sum - over_mark) / over_length);
+    const double within = obstacles_.within(box.grown(clear), enough);
+    if (within > 0) sum += over_mark + over_length * within;
     if (sum >= least) return sum;
     if (with_leader) sum += 2.5 * obstacles_.crossings(here.leader->first, here.leader->second);
     if (over_body_ && over_body_(box.center())) sum += 2;

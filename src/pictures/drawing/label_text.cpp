@@ -324,7 +324,19 @@ std::string with_greek_letters(std::string_view name) {
 Label words_label(std::string_view words, double size) {
   const std::string text = clean(words);
   Setter setter(size);
+  const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+  constexpr std::string_view minus = "−";
   for (std::size_t i = 0; i < text.size() && !setter.full();) {
+    const bool below_zero = std::string_view(text).substr(i + 1).starts_with(minus);
+    if (text[i] == '^' && is_digit(i + 1 + (below_zero ? minus.size() : 0))) {
+      // A power of ten.
+      setter.raise();
+      if (below_zero) setter.put(minus, Face::upright);
+      for (i += 1 + (below_zero ? minus.size() : 0); is_digit(i); ++i)
+        setter.put(std::string_view(text).substr(i, 1), Face::upright);
+      setter.restore();
+      continue;
+    }
     const std::size_t length = length_of_letter(text, i);
     setter.put(std::string_view(text).substr(i, length), Face::upright);
     i += length;

@@ -19,6 +19,7 @@ constexpr double end_on_part = 0.12;  // of its length: an arrow that is seen sh
 constexpr double head_length = 10, head_half_width = 3.4;
 constexpr double around = 0.42;  // where the curved arrow of a turning goes around its shaft, as a part of it
 constexpr double shortest_turning = 46;
+constexpr double past_symbol = 18;  // how far a symbol reaches from its middle
 
 enum class Head { full, open, hollow };
 
@@ -90,10 +91,13 @@ double clash(const Shaft& a, const Shaft& b) {
 class ArrowDrawer {
  public:
   ArrowDrawer(Panel& panel, const Largest& largest) : panel_(panel), largest_(largest) {
-    for (const Mark& mark : panel.marks)
-      if (const auto* stroke = std::get_if<Stroke>(&mark); stroke != nullptr && stroke->role == Role::rod)
-        for (std::size_t i = 0; i + 1 < stroke->points.size(); ++i)
-          rods_.push_back({stroke->points[i], stroke->points[i + 1]});
+    for (const Mark& mark : panel.marks) {
+      const auto* stroke = std::get_if<Stroke>(&mark);
+      if (stroke == nullptr || (stroke->role != Role::rod && stroke->role != Role::symbol)) continue;
+      std::vector<Shaft>& segments = stroke->role == Role::rod ? rods_ : symbols_;
+      for (std::size_t i = 0; i + 1 < stroke->points.size(); ++i)
+        segments.push_back({stroke->points[i], stroke->points[i + 1]});
+    }
   }
 
   void draw(const scene::Arrow& arrow) {
@@ -140,8 +144,10 @@ class ArrowDrawer {
     const auto attempt = [&](const Shaft& shaft, double cost) {
       cost += 0.8 * panel_.visibility.covered(shaft.tail, shaft.tip);
       for (const Shaft& other : drawn_) cost += 2 * clash(shaft, other);
-      // What may be moved does not lie on a thin body if there is room elsewhere.
-      if (movable) cost += 1.3 * along_rods(shaft);
+      // What may be moved does not lie on a thin body or a symbol if there is room elsewhere; what pushes along a body
+      // stands before its end.
+      cost += (movable ? 1.3 : 0.6) * along_rods(shaft);
+      if (movable) cost += over_symbols(shaft);
       if (cost < least - 1e-9) {
         least = cost;
         best = shaft;
@@ -156,9 +162,33 @@ class ArrowDrawer {
     if (movable) {
       // Free vectors may stand further along.
       for (const double part : {0.5, 1.0, 1.5}) attempt({at + part * arm, at + (1 + part) * arm}, 0.3 + 0.3 * part);
-      attempt({at - 1.6 * arm, at - 0.6 * arm}, 1.0);
+      attempt({at - 1.6 * arm, at - 0.6 * arm}, 1.2);
+      // Where its line has left the body, not far from where it belongs; a frame of reference turns all of the picture.
+      if (const double out = way_out(at, direction(arm)); out > 0)
+        attempt({at + out * direction(arm), at + out * direction(arm) + arm},
+                0.4 + (is_of_frame(arrow) ? 0 : out / 400));
+      // Beside a shaft, beyond the bearing at its end.
+      const Point2 beyond = past_symbol * direction(arm);
+      attempt({at + beyond, at + beyond + arm}, 0.25);
+      for (const double step : {9.0, -9.0}) {
+        attempt({at + step * side + beyond, at + step * side + beyond + arm}, 0.9);
+        attempt({at + step * side - beyond - arm, at + step * side - beyond}, 1.0);
+      }
     }
     return best;
+  }
+
+  bool is_of_frame(const scene::Arrow& arrow) const {
+    return arrow.body >= 0 && panel_.scene.bodies.at(static_cast<std::size_t>(arrow.body)).frame;
+  }
+
+  // How far along its line an arrow finds itself beyond all bodies; 0 if it begins there.
+  double way_out(Point2 at, Point2 along) const {
+    constexpr double step = 6, most = 460;
+    double out = 0;
+    for (double way = 0; way < most; way += step)
+      if (panel_.visibility.over_body(at + way * along)) out = way + 2 * step;
+    return out;
   }
 
   // How much of an arrow runs along thin bodies, as a part of it.
@@ -171,6 +201,19 @@ class ArrowDrawer {
                                 [&](const Shaft& rod) { return distance(p, rod.tail, rod.tip) < 0.6 * rod_width; });
     }
     return static_cast<double>(on) / (samples - 1);
+  }
+
+  // How much of an arrow stands over symbols: 1 if it is as long as these are.
+  double over_symbols(const Shaft& shaft) const {
+    constexpr double step = 3, near = 6;
+    const double length = norm(shaft.tip - shaft.tail);
+    double over = 0;
+    for (double at = 0; at <= length; at += step) {
+      const Point2 p = shaft.tail + at / std::max(length, 1e-9) * (shaft.tip - shaft.tail);
+      if (std::ranges::any_of(symbols_, [&](const Shaft& s) { return distance(p, s.tail, s.tip) < near; }))
+        over += step;
+    }
+    return std::min(1.0, over / past_symbol);
   }
 
   // The arrow around the shaft by the rule of the right hand, open where it passes behind.
@@ -285,7 +328,7 @@ class ArrowDrawer {
 
   Panel& panel_;
   const Largest& largest_;
-  std::vector<Shaft> drawn_, rods_;
+  std::vector<Shaft> drawn_, rods_, symbols_;
   std::vector<Point2> turned_;
 };
 

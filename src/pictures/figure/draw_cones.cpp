@@ -1,10 +1,12 @@
 // The paths of points, and the cones and curves of a body on which nothing acts.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "pictures/drawing/label_text.h"
 #include "pictures/figure/arrows.h"
+#include "pictures/figure/herpolhode.h"
 #include "pictures/figure/panel.h"
 
 namespace poinsot::pictures {
@@ -58,8 +60,7 @@ void draw_cone(Panel& panel, const SeenCone& cone, bool of_body, const std::stri
 }
 
 // A direction as an arrow, whose length says nothing.
-void draw_direction(Panel& panel, const Vector& from, const Vector& along, Ink ink, const char* symbol) {
-  const double length = beyond * side_length / panel.projection.scale();
+void draw_direction(Panel& panel, const Vector& from, const Vector& along, Ink ink, const char* symbol, double length) {
   const Point2 begin = panel.projection(from), end = panel.projection(from + length * along);
   const Point2 ahead = direction(end - begin), aside = turned_left(ahead);
   panel.line({begin, end}, Role::arrow, 1.4, ink);
@@ -69,25 +70,109 @@ void draw_direction(Panel& panel, const Vector& from, const Vector& along, Ink i
   }
   Label label = tex_label(symbol);
   label.ink = ink;
-  panel.labels.push_back({std::move(label), {{end, ahead, 4, 0}}, 3, false, ink});
+  const Point2 middle = begin + 0.6 * (end - begin);
+  panel.labels.push_back(
+      {std::move(label), {{end, ahead, 4, 0}, {middle, aside, 4, 2}, {middle, -aside, 4, 2}}, 3, false, ink});
+}
+
+void add_curve(Panel& panel, std::vector<Point2> points, const scene::Curve& curve) {
+  if (points.size() < 2) return;
+  panel.marks.emplace_back(Stroke{.points = std::move(points),
+                                  .width = 1,
+                                  .ink = Ink::motion,
+                                  .dash = curve.kind == scene::CurveKind::herpolhode ? Dash::fine : Dash::none,
+                                  .role = Role::curve,
+                                  .closed = curve.closed});
+}
+
+// At one of its outermost points.
+void name_curve(Panel& panel, const std::vector<Point2>& points, const std::string& name) {
+  std::vector<Anchor> anchors;
+  for (const Point2 outward : {Point2{-1, 0}, Point2{1, 0}, Point2{0, -1}, Point2{0, 1}}) {
+    const Point2 outermost = *std::ranges::max_element(points, {}, [&](Point2 p) { return dot(p, outward); });
+    anchors.push_back({outermost, outward, 5, 0});
+  }
+  panel.labels.push_back({words_label(name, 12), std::move(anchors), 1});
+}
+
+// How many of its points a herpolhode takes for some turns about the angular momentum: with more of them it would be a
+// blot.
+std::size_t points_of_turns(const scene::Curve& herpolhode, const Vector& center) {
+  constexpr double most = 3 * 2 * std::numbers::pi;
+  const Vector axis = direction_across(herpolhode, center);
+  double turned = 0;
+  std::size_t count = 1;
+  for (; count < herpolhode.points.size() && std::abs(turned) < most; ++count) {
+    const auto aside = [&](std::size_t i) {
+      const Vector d = herpolhode.points[i] - center;
+      return Vector(d - dot(d, axis) * axis);
+    };
+    const Vector a = aside(count - 1), b = aside(count);
+    turned += std::atan2(dot(axis, cross(a, b)), dot(a, b));
+  }
+  return count;
+}
+
+// Around the herpolhode, across the angular momentum.
+template <class Enlarged>
+void draw_invariable_plane(Panel& panel, const scene::Curve& herpolhode, const Enlarged& enlarged, const Vector& foot,
+                           const Vector& normal) {
+  constexpr double margin = 1.2;
+  constexpr int corners = 48;
+  double radius = 0;
+  for (const Vector& point : herpolhode.points) radius = std::max(radius, margin * norm(point - foot));
+  const Vector first = across(normal), second = cross(normal, first);
+  std::vector<Point2> rim;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    rim.push_back(panel.projection(enlarged(foot + radius * (std::cos(angle) * first + std::sin(angle) * second))));
+  }
+  name_curve(panel, rim, "invariable plane");
+  panel.marks.emplace_back(Fill{.loops = {rim}, .color = "#cfdcec", .role = Role::body, .opacity = 0.45});
+  panel.marks.emplace_back(
+      Stroke{.points = std::move(rim), .width = 0.7, .ink = Ink::grey, .role = Role::curve, .closed = true});
 }
 
 }  // namespace
 
-void draw_curves(Panel& panel, CurvesDrawn which) {
+void draw_paths(Panel& panel) {
   for (const scene::Curve& curve : panel.scene.curves) {
-    const bool path = curve.kind == scene::CurveKind::path || curve.kind == scene::CurveKind::axis_path;
-    if (path != (which == CurvesDrawn::paths)) continue;
+    if (curve.kind != scene::CurveKind::path && curve.kind != scene::CurveKind::axis_path) continue;
     if (!panel.draws(curve.body)) continue;
     std::vector<Point2> points;
     for (const Vector& point : curve.points) points.push_back(panel.paper({curve.body, point}));
-    if (points.size() < 2) continue;
-    panel.marks.emplace_back(Stroke{.points = std::move(points),
-                                    .width = 1,
-                                    .ink = Ink::motion,
-                                    .dash = curve.kind == scene::CurveKind::herpolhode ? Dash::fine : Dash::none,
-                                    .role = Role::curve,
-                                    .closed = curve.closed});
+    add_curve(panel, std::move(points), curve);
+  }
+}
+
+void draw_polhodes(Panel& panel) {
+  const scene::Curve* polhode = nullptr;
+  for (const scene::Curve& curve : panel.scene.curves) {
+    if (curve.kind == scene::CurveKind::polhode) polhode = &curve;
+    if (curve.kind != scene::CurveKind::herpolhode || polhode == nullptr || !panel.draws(polhode->body)) continue;
+    const Vector center =
+        panel.ground({polhode->body, panel.scene.bodies.at(static_cast<std::size_t>(polhode->body)).center});
+    double largest = 0;
+    for (const Vector& point : curve.points) largest = std::max(largest, norm(point - center));
+    if (!(largest > 0)) continue;
+    const double factor = side_length / (panel.projection.scale() * largest);
+    const auto enlarged = [&](const Vector& point) { return center + factor * (point - center); };
+    if (const Vector across_plane = direction_across(curve, center); norm(across_plane) > 0) {
+      const double height = dot(curve.points.front() - center, across_plane);
+      draw_invariable_plane(panel, curve, enlarged, center + height * across_plane, across_plane);
+      draw_direction(panel, center, across_plane, Ink::momentum, "\\mathbf{H}_G", factor * height);
+    }
+    for (const scene::Curve* own : {polhode, &curve}) {
+      const std::size_t count = own == &curve ? points_of_turns(curve, center) : own->points.size();
+      std::vector<Point2> points;
+      for (std::size_t i = 0; i < count; ++i)
+        points.push_back(panel.projection(enlarged(panel.ground({own->body, own->points[i]}))));
+      name_curve(panel, points, own->name);
+      add_curve(panel, std::move(points), *own);
+    }
+    const Vector w = curve.points.front() - center;
+    draw_direction(panel, center, normalized(w), Ink::motion, "\\boldsymbol{\\omega}", factor * norm(w));
+    polhode = nullptr;
   }
 }
 
@@ -97,18 +182,18 @@ void draw_cones(Panel& panel) {
     const Vector axis = unit_or(turned_to_ground(cone.body, cone.axis, panel.poses), {0, 0, 1});
     draw_cone(panel, seen(panel, apex, axis, cone.half_angle), cone.body >= 0, cone.name);
   }
+  const double length = beyond * side_length / panel.projection.scale();
   for (const scene::Cone& cone : panel.scene.cones) {
     const Vector apex = panel.ground({cone.body, cone.apex});
     const Vector axis = unit_or(turned_to_ground(cone.body, cone.axis, panel.poses), {0, 0, 1});
     if (cone.body >= 0) {
-      const double length = beyond * side_length / panel.projection.scale();
       panel.line({panel.projection(apex), panel.projection(apex + length * axis)}, Role::axis, 0.8, Ink::grey,
                  Dash::chain);
       if (norm(cone.touching_line) > 0)
         draw_direction(panel, apex, normalized(turned_to_ground(cone.body, cone.touching_line, panel.poses)),
-                       Ink::motion, "\\boldsymbol{\\omega}");
+                       Ink::motion, "\\boldsymbol{\\omega}", length);
     } else {
-      draw_direction(panel, apex, axis, Ink::momentum, "\\mathbf{H}_G");
+      draw_direction(panel, apex, axis, Ink::momentum, "\\mathbf{H}_G", length);
     }
   }
 }

@@ -22,20 +22,38 @@ Label label_of(const scene::Dimension& dimension) {
   return joined(name_label(std::string_view(dimension.text).substr(0, sign), 12), words_label(value, 12), 3);
 }
 
+// The strokes drawn so far, piece by piece, but for those of bodies that are only areas.
+template <class Visit>
+void visit_drawn(const Panel& panel, Visit visit) {
+  for (const Mark& mark : panel.marks) {
+    const auto* stroke = std::get_if<Stroke>(&mark);
+    if (stroke == nullptr || stroke->role == Role::body) continue;
+    for (std::size_t i = 0; i + 1 < stroke->points.size() + (stroke->closed ? 1 : 0); ++i)
+      visit(*stroke, stroke->points[i], stroke->points[(i + 1) % stroke->points.size()]);
+  }
+}
+
 // How much of what is drawn lies beside a segment, as a length.
 double drawn_beside(const Panel& panel, Point2 a, Point2 b) {
   constexpr double beside = 6;
   const Point2 along = direction(b - a), across = turned_left(along);
   const Box band{0, -beside, norm(b - a), beside};
+  const auto turned = [&](Point2 p) { return Point2{dot(p - a, along), dot(p - a, across)}; };
   double sum = 0;
-  for (const Mark& mark : panel.marks) {
-    const auto* stroke = std::get_if<Stroke>(&mark);
-    if (stroke == nullptr || stroke->role == Role::body) continue;
-    const auto turned = [&](Point2 p) { return Point2{dot(p - a, along), dot(p - a, across)}; };
-    for (std::size_t i = 0; i + 1 < stroke->points.size(); ++i)
-      sum += length_within(band, turned(stroke->points[i]), turned(stroke->points[i + 1]));
-  }
+  visit_drawn(panel,
+              [&](const Stroke&, Point2 from, Point2 to) { sum += length_within(band, turned(from), turned(to)); });
   return sum;
+}
+
+// How many outlines of bodies a segment crosses.
+int outlines_crossed(const Panel& panel, Point2 a, Point2 b) {
+  int count = 0;
+  visit_drawn(panel, [&](const Stroke& stroke, Point2 from, Point2 to) {
+    if (stroke.role == Role::outline && cross(b - a, from - a) * cross(b - a, to - a) < 0 &&
+        cross(to - from, a - from) * cross(to - from, b - from) < 0)
+      ++count;
+  });
+  return count;
 }
 
 // A radius as an arrow from the center to the rim, in the direction in which it is seen best and runs along nothing.
@@ -81,17 +99,22 @@ void draw_length(Panel& panel, const scene::Dimension& dimension) {
   const Point2 along = direction(to - from), side = turned_left(along);
   const Box box = extent(panel.marks);
   double best_offset = 16, least = 1e9;
-  for (const double offset : {16.0, -16.0, 28.0, -28.0, 42.0, -42.0, 60.0, -60.0}) {
-    const Point2 a = from + offset * side, b = to + offset * side;
-    double cost = std::abs(offset) / 30 + 4 * panel.visibility.covered(a, b);
-    cost += drawn_beside(panel, a, b) / 15;
-    // Outside of the picture rather than across it.
-    if (!box.contains(a) || !box.contains(b)) cost -= 0.2;
-    if (cost < least) {
-      least = cost;
-      best_offset = offset;
+  constexpr double for_an_outline = 1.2;  // what one that is crossed costs: as much as 36 units of distance
+  for (const double near : {16.0, 28.0, 42.0, 60.0, 85.0, 115.0, 150.0, 190.0})
+    for (const double offset : {near, -near}) {
+      const Point2 a = from + offset * side, b = to + offset * side;
+      double cost = std::abs(offset) / 30 + 4 * panel.visibility.covered(a, b);
+      cost += drawn_beside(panel, a, b) / 15 + for_an_outline * outlines_crossed(panel, a, b);
+      // The lines from its ends to it run over bodies, too.
+      for (const auto& [end, head] : {std::pair{from, a}, std::pair{to, b}})
+        cost += panel.visibility.covered(end, head) * near / 40;
+      // Outside of the picture rather than across it.
+      if (!box.contains(a) || !box.contains(b)) cost -= 0.2;
+      if (cost < least) {
+        least = cost;
+        best_offset = offset;
+      }
     }
-  }
   const double sign = best_offset > 0 ? 1 : -1;
   const Point2 a = from + best_offset * side, b = to + best_offset * side;
   panel.line({from + (sign * 4) * side, a + (sign * 3) * side}, Role::dimension, 0.6, Ink::grey);

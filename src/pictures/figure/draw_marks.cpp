@@ -63,6 +63,7 @@ void draw_axis_of_ground(Panel& panel, std::size_t i) {
 void draw_axes_of_frames(Panel& panel) {
   constexpr double length = 34, near_part = 0.02, noticeable = 0.02;
   std::string primes;
+  if (panel.small) return;
   for (const int body : panel.bodies) {
     if (body < 0 || !panel.scene.bodies.at(static_cast<std::size_t>(body)).frame) continue;
     primes += "'";
@@ -100,11 +101,13 @@ void draw_axes(Panel& panel, bool at_origin) {
 void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut_free) {
   // Points that something drawn stands at come first; others are left out where there are too many.
   std::vector<Vector> places;
-  for (const scene::Symbol& symbol : panel.scene.symbols) places.push_back(panel.ground(symbol.place));
-  for (const scene::Link& link : panel.scene.links) {
-    places.push_back(panel.ground(link.from));
-    places.push_back(panel.ground(link.to));
-  }
+  // What is cut free has left behind where the rest is held.
+  const auto counts = [&](int body) { return !cut_free || (body >= 0 && panel.draws(body)); };
+  for (const scene::Symbol& symbol : panel.scene.symbols)
+    if (counts(symbol.to)) places.push_back(panel.ground(symbol.place));
+  for (const scene::Link& link : panel.scene.links)
+    for (const scene::Place& place : {link.from, link.to})
+      if (counts(place.body)) places.push_back(panel.ground(place));
   for (const scene::Arrow& arrow : arrows) places.push_back(panel.ground(arrow.at));
   for (const int body : panel.bodies)
     if (body >= 0) places.push_back(panel.ground({body, panel.scene.bodies.at(static_cast<std::size_t>(body)).center}));
@@ -129,7 +132,7 @@ void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut
   for (const auto& [at, name] : drawn) {
     const Point2 paper = panel.projection(at);
     panel.area(circle(paper, point_radius), "#1a1a1a", Role::point);
-    panel.labels.push_back({name_label(name), {{paper, {-0.5, -0.8}, 4, 0}}, 2.5});
+    panel.labels.push_back({name_label(name), {{paper, {-0.5, -0.8}, 4, 0}}, 2.5, drawn.size() > most_points});
   }
 }
 

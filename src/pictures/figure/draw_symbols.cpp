@@ -144,12 +144,24 @@ void weld(Panel& panel, const Sketch& sketch, const Vector& axis, bool on_ground
   hatch(panel, sketch.at() - 16 * side, sketch.at() + 16 * side, 8);
 }
 
+// How much farther a round body is seen to reach than to the place where it touches, which lies on its back.
+double reach_beyond(const Panel& panel, int body, Point2 at, Point2 into) {
+  constexpr double most = 24;
+  double reach = 0;
+  for (const Solid& solid : panel.solids)
+    if (solid.body == body)
+      for (const Vector& vertex : solid.vertices) reach = std::max(reach, dot(panel.projection(vertex) - at, into));
+  return reach < most ? reach : 0;
+}
+
 // The surface that is touched, across the normal and as nearly in the plane of the paper as it can be.
-void contact(Panel& panel, const Sketch& sketch, const Vector& normal, bool on_ground, bool rolling) {
+void contact(Panel& panel, const Sketch& sketch, int body, const Vector& normal, bool on_ground, bool rolling) {
   const Vector along = unit_or(cross(normal, panel.projection.view().viewer), across(normal));
   const Point2 d = panel.projection.direction_of(along), into = panel.projection.direction_of(-normal);
   const double half = on_ground ? 30 : 9;
-  const Point2 begin = sketch.at() - half * d, end = sketch.at() + half * d;
+  const Point2 outward = direction(into, {0, 1});
+  const Point2 at = sketch.at() + (on_ground ? reach_beyond(panel, body, sketch.at(), outward) : 0) * outward;
+  const Point2 begin = at - half * d, end = at + half * d;
   if (on_ground)
     cross(end - begin, into) > 0 ? hatch(panel, begin, end) : hatch(panel, end, begin);
   else if (rolling)
@@ -201,7 +213,7 @@ void draw(Panel& panel, const scene::Symbol& symbol, const Vector& at) {
       return universal(panel, sketch, along, turned_to_ground(symbol.to, symbol.second_axis, panel.poses));
     case SymbolKind::contact:
     case SymbolKind::rolling_contact:
-      return contact(panel, sketch, along, on_ground, symbol.kind == SymbolKind::rolling_contact);
+      return contact(panel, sketch, symbol.to, along, on_ground, symbol.kind == SymbolKind::rolling_contact);
   }
 }
 

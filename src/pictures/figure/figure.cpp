@@ -114,7 +114,7 @@ Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest,
     draw_symbols(panel);
   }
   if (kind.cones) {
-    draw_curves(panel, CurvesDrawn::of_free_motion);
+    draw_polhodes(panel);
     draw_cones(panel);
   }
   if (kind.axes && kind.axes_at_origin) draw_axes(panel, true);
@@ -190,15 +190,20 @@ Drawing single(const Scene& scene, const Diagram& diagram, const PanelKind& kind
                     : kind.cones ? chosen_view_of_cones(scene, bodies, poses)
                                  : chosen_view(scene, bodies, diagram.arrows, poses);
   std::vector<Vector> places = places_of(scene, bodies, poses, diagram.arrows, kind.symbols);
-  if (kind.cones)
-    for (const scene::Curve& curve : scene.curves)
-      if (curve.kind == scene::CurveKind::polhode || curve.kind == scene::CurveKind::herpolhode)
-        for (const Vector& point : curve.points) places.push_back(on_ground({curve.body, point}, poses));
   Panel panel(scene, bodies, poses, fitted(view, places, size_of_panels(1)));
   panel.values = looks.values;
   Drawing drawing = draw_panel(panel, diagram, largest, kind);
   marked = panel.not_to_scale;
   return drawing;
+}
+
+// Whether the bodies, each together with what it holds, are small beside the way that they go.
+bool is_small(const Panel& panel) {
+  constexpr double readable = 110;  // units of the paper: of a body with some names at its points
+  Box box;
+  for (const Solid& solid : panel.solids)
+    for (const Vector& vertex : solid.vertices) box.include(panel.projection(vertex));
+  return !box.empty() && std::max(box.width(), box.height()) < readable;
 }
 
 // Several poses, the earlier ones paler.
@@ -211,7 +216,7 @@ Drawing motion(const Scene& scene, const Looks& looks) {
   std::vector<Vector> places;
   for (const std::size_t i : shown)
     std::ranges::move(places_of(scene, bodies, motion.poses[i], {}, i == shown.back()), std::back_inserter(places));
-  const View view = looks.view ? *looks.view : chosen_view(scene, bodies, {}, motion.poses[shown.back()]);
+  const View view = looks.view ? *looks.view : chosen_view_of_motion(scene, bodies, motion.poses[shown.back()]);
   const Projection projection = fitted(view, places, size_of_panels(1));
   std::vector<Mark> before;
   for (std::size_t k = 0; k + 1 < shown.size(); ++k) {
@@ -233,10 +238,13 @@ Drawing motion(const Scene& scene, const Looks& looks) {
   draw_bodies(panel);
   draw_links(panel);
   draw_symbols(panel);
-  draw_curves(panel, CurvesDrawn::paths);
+  draw_paths(panel);
+  panel.small = is_small(panel);
   draw_axes(panel, true);
-  draw_points(panel, {});
-  draw_body_names(panel);
+  if (!panel.small) {
+    draw_points(panel, {});
+    draw_body_names(panel);
+  }
   Drawing drawing = finished(panel);
   caption(drawing,
           fmt::format("From t = {} to {}, {} poses", value_text(motion.times[shown.front()], ""),
@@ -277,6 +285,25 @@ const Diagram* find(const Scene& scene, DiagramKind kind) {
   return found == scene.diagrams.end() ? nullptr : &*found;
 }
 
+// Whether something is drawn that a motion can move: the turning of a body of which only the center is drawn is not
+// seen.
+bool is_seen_to_move(const Scene& scene) {
+  const auto& poses = scene.motion->poses;
+  if (poses.empty()) return false;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const scene::Body& body = scene.bodies[i];
+    const int number = static_cast<int>(i);
+    if (!body.shapes.empty() || !arms_of(scene, number).empty()) return true;
+    const scene::Place center{number, body.center};
+    constexpr double noticeable = 1e-3;
+    if (!body.frame && std::ranges::any_of(poses, [&](const std::vector<scene::Pose>& pose) {
+          return norm(on_ground(center, pose) - on_ground(center, poses.front())) > noticeable * scene.length;
+        }))
+      return true;
+  }
+  return false;
+}
+
 // Whether a letter of this unit shows in the proportions of a figure.
 bool is_size_or_angle(const std::string& unit) {
   static constexpr std::array<std::string_view, 15> units{"m",  "km", "dm",  "cm",   "mm",  "um",  "ft",  "in",
@@ -299,7 +326,7 @@ std::vector<FigureName> figures_of(const Scene& scene) {
     names.push_back(
         {FigureKind::cones, "cones",
          scene.cones.empty() ? "Polhode and herpolhode of the angular velocity" : "Body cone and space cone"});
-  if (scene.motion && !scene.motion->poses.empty() && scene.motion->times.size() == scene.motion->poses.size())
+  if (scene.motion && scene.motion->times.size() == scene.motion->poses.size() && is_seen_to_move(scene))
     names.push_back({FigureKind::motion, "motion", "The motion"});
   if (has(DiagramKind::answers)) names.push_back({FigureKind::answers, "answers", "What is asked for"});
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {

@@ -23,6 +23,7 @@ struct Panel {
   std::vector<Solid> solids;
   Visibility visibility;
   bool values = false;
+  bool small = false;  // whether bodies are too small for the names of their points
   std::vector<Mark> marks{};
   std::vector<LabelRequest> labels{};
   bool not_to_scale = false;  // whether an arrow is
@@ -73,9 +74,11 @@ void draw_axes(Panel& panel, bool at_origin);
 void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut_free = false);
 void draw_body_names(Panel& panel);
 void draw_dimensions(Panel& panel);
-enum class CurvesDrawn { paths, of_free_motion };
-void draw_curves(Panel& panel, CurvesDrawn which);
+// Those of points, and of the axes of tops.
+void draw_paths(Panel& panel);
 void draw_cones(Panel& panel);
+// Polhode and herpolhode on the invariable plane, as large as cones are.
+void draw_polhodes(Panel& panel);
 
 // Strokes under a line, as a draughtsman marks the ground: on the right of the direction from one end to the other.
 void hatch(Panel& panel, Point2 from, Point2 to, double depth = 6);

@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "pictures/figure/arrows.h"
+#include "pictures/figure/herpolhode.h"
 #include "pictures/solids/solid.h"
+#include "poinsot/engine/mass/principal_axes.h"
 
 namespace poinsot::pictures {
 namespace {
@@ -38,6 +40,7 @@ struct Matter {
   std::vector<Plate> plates;
   std::vector<std::array<Vector, 3>> facets;
   std::vector<Vector> joint_axes;
+  std::vector<Vector> leanings;   // what is seen by nothing else than how long it looks
   std::vector<Vector> cone_axes;  // into the cones one should look, and see how high they are
 };
 
@@ -45,6 +48,25 @@ void add_point(Matter& matter, const Vector& at) {
   for (const Vector& known : matter.points)
     if (norm(known - at) < 1e-3 * matter.size) return;
   if (matter.points.size() < most_places_compared) matter.points.push_back(at);
+}
+
+// The direction in which a solid is longest; zero if no other is much shorter.
+Vector longest_axis(const Solid& solid) {
+  Vector middle{};
+  for (const Vector& p : solid.vertices) middle += p / static_cast<double>(solid.vertices.size());
+  SymmetricMatrix3<double> spread;  // as an inertia: least about the longest axis
+  for (const Vector& p : solid.vertices) {
+    const Vector d = p - middle;
+    spread.xx += d.y * d.y + d.z * d.z;
+    spread.yy += d.z * d.z + d.x * d.x;
+    spread.zz += d.x * d.x + d.y * d.y;
+    spread.xy -= d.x * d.y;
+    spread.yz -= d.y * d.z;
+    spread.zx -= d.z * d.x;
+  }
+  const PrincipalAxes<double> axes = principal_axes(spread);
+  constexpr double longer = 1.1;
+  return axes.moments.y > longer * axes.moments.x ? axes.axes.column(0) : Vector{};
 }
 
 void add_solids(Matter& matter, const std::vector<Solid>& solids) {
@@ -64,6 +86,8 @@ void add_solids(Matter& matter, const std::vector<Solid>& solids) {
     }
     if (solid.extent == scene::Extent::surface && norm(area) > 0.9 * whole && !solid.hole && whole > 0)
       matter.plates.push_back({normalized(area), std::min(1.0, std::sqrt(whole) / matter.size * 3)});
+    if (solid.extent == scene::Extent::volume && solid.lines.empty() && !solid.hole)
+      if (const Vector axis = longest_axis(solid); norm(axis) > 0) matter.leanings.push_back(axis);
     if (solid.extent == scene::Extent::line)
       for (const auto& line : solid.lines)
         for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -147,6 +171,7 @@ double cost_of(const View& view, const Matter& matter) {
   }
   for (const auto& [rod, weight] : matter.rods)
     cost += 2.0 * weight * shortfall(length(rod)) / std::sqrt(static_cast<double>(matter.rods.size()));
+  for (const Vector& leaning : matter.leanings) cost += 1.5 * (norm(leaning) - length(leaning));
   for (const Plate& plate : matter.plates)
     cost += 2 * plate.weight * shortfall(std::abs(dot(plate.normal, view.viewer)));
   constexpr double cone_weight = 3, highest = 0.6;
@@ -184,7 +209,9 @@ std::optional<Vector> planar_normal(const Matter& matter) {
   for (const Directed& arrow : matter.arrows) (arrow.turning ? across_plane : in_plane).push_back(arrow.direction);
   for (const Plate& plate : matter.plates) across_plane.push_back(plate.normal);
   for (const auto& [rod, weight] : matter.rods) in_plane.push_back(rod);
-  if (across_plane.empty()) return std::nullopt;
+  // A turning alone lies in no plane.
+  if (across_plane.empty() || (in_plane.empty() && matter.facets.empty() && matter.points.size() < 2))
+    return std::nullopt;
   const Vector normal = across_plane.front();
   for (const Vector& v : across_plane)
     if (norm(cross(v, normal)) > 1e-3) return std::nullopt;
@@ -249,6 +276,28 @@ View chosen_view_of_cones(const scene::Scene& scene, const std::vector<int>& bod
   Matter matter = matter_of(scene, bodies, {}, poses);
   for (const scene::Cone& cone : scene.cones)
     matter.cone_axes.push_back(unit_or(turned_to_ground(cone.body, cone.axis, poses), {0, 0, 1}));
+  for (const scene::Curve& curve : scene.curves)
+    if (curve.kind == scene::CurveKind::herpolhode)
+      for (const int body : bodies) {
+        const Vector center = on_ground({body, scene.bodies.at(static_cast<std::size_t>(body)).center}, poses);
+        if (const Vector axis = direction_across(curve, center); norm(axis) > 0) matter.cone_axes.push_back(axis);
+      }
+  return best_view(scene, matter);
+}
+
+View chosen_view_of_motion(const scene::Scene& scene, const std::vector<int>& bodies,
+                           const std::vector<scene::Pose>& poses) {
+  if (scene.viewer) return view_from(*scene.viewer, scene.up);
+  Matter matter = matter_of(scene, bodies, {}, poses);
+  for (const scene::Curve& curve : scene.curves) {
+    if (curve.kind != scene::CurveKind::path || curve.points.empty()) continue;
+    std::vector<Vector> points;
+    for (const Vector& point : curve.points) points.push_back(on_ground({curve.body, point}, poses));
+    const Vector way = *std::ranges::max_element(points, {}, [&](const Vector& p) {
+      return norm(p - points.front());
+    }) - points.front();
+    matter.leanings.push_back(way / std::max(norm(way), matter.size));
+  }
   return best_view(scene, matter);
 }
 

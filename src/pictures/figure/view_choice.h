@@ -12,8 +12,12 @@ namespace poinsot::pictures {
 // that matters behind a body. `bodies` and `arrows` are what is drawn.
 View chosen_view(const scene::Scene& scene, const std::vector<int>& bodies, const std::vector<scene::Arrow>& arrows,
                  const std::vector<scene::Pose>& poses);
-// The same for the figure of the scene's cones: one looks into them, and sees how high they are.
+// The same for the figure of the scene's cones or of its invariable plane: one looks into them, and sees how high they
+// are.
 View chosen_view_of_cones(const scene::Scene& scene, const std::vector<int>& bodies,
                           const std::vector<scene::Pose>& poses);
+// The same for a motion that ends in these poses: the ways that points have gone are seen at their length.
+View chosen_view_of_motion(const scene::Scene& scene, const std::vector<int>& bodies,
+                           const std::vector<scene::Pose>& poses);
 
 }  // namespace poinsot::pictures

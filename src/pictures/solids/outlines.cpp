@@ -67,6 +67,39 @@ class Chains {
   std::multimap<Key, std::size_t> ends_;
 };
 
+// Keeps of a line the points between two of them that it would be seen to miss.
+void keep_bends(const std::vector<Point2>& points, std::size_t first, std::size_t last, std::vector<bool>& kept) {
+  constexpr double seen = 0.25;
+  double farthest = seen;
+  std::size_t at = first;
+  for (std::size_t i = first + 1; i < last; ++i)
+    if (const double away = distance(points[i], points[first], points[last]); away > farthest) {
+      farthest = away;
+      at = i;
+    }
+  if (at == first) return;
+  kept[at] = true;
+  keep_bends(points, first, at, kept);
+  keep_bends(points, at, last, kept);
+}
+
+// A silhouette goes to and fro along the sides of triangles, by less than is seen: what is left is where it goes.
+void simplify(SeenLine& line) {
+  if (line.points.size() < 3) return;
+  if (line.closed) {
+    // From an outermost point to itself.
+    std::ranges::rotate(line.points, std::ranges::min_element(line.points, {}, &Point2::x));
+    line.points.push_back(line.points.front());
+  }
+  std::vector<bool> kept(line.points.size());
+  kept.front() = kept.back() = true;
+  keep_bends(line.points, 0, line.points.size() - 1, kept);
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i + (line.closed ? 1 : 0) < line.points.size(); ++i)
+    if (kept[i]) points.push_back(line.points[i]);
+  line.points = std::move(points);
+}
+
 bool is_silhouette(const MeshEdge& edge, const Solid& solid, const std::vector<DeepPoint>& points) {
   if (edge.feature) return false;
   if (edge.second < 0) return true;
@@ -126,6 +159,7 @@ Lines seen_lines(const std::vector<Solid>& solids, const std::vector<Intersectio
       line.body = body;
       line.stand_in = stand_in;
       line.silhouette = silhouette;
+      if (silhouette) simplify(line);
       into.push_back(std::move(line));
     }
   };

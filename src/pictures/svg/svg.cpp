@@ -7,6 +7,7 @@
 
 #include "pictures/drawing/label_text.h"
 #include "pictures/figure/panel.h"
+#include "pictures/svg/smooth_path.h"
 
 namespace poinsot::pictures {
 namespace {
@@ -37,18 +38,11 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string number(double value) {
-  std::string text = fmt::format("{:.2f}", value);
-  while (text.back() == '0') text.pop_back();
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
-}
+std::string number(double value) { return path_number(value); }
 
-std::string path_of(const std::vector<Point2>& points, bool closed) {
-  std::string path;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    path += fmt::format("{}{} {}", i == 0 ? "M" : "L", number(points[i].x), number(points[i].y));
-  return closed ? path + "Z" : path;
+// Lines with a curve through their points. Areas stay as they are: their borders lie under lines.
+bool may_bend(Role role) {
+  return role == Role::outline || role == Role::rod || role == Role::hidden || role == Role::curve;
 }
 
 std::string_view dashes(Dash dash) {
@@ -76,16 +70,17 @@ std::string told(const std::string& hint) {
 
 std::string written(const Stroke& stroke) {
   const std::string_view dash = dashes(stroke.dash);
-  return fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\"{}{}{}{}\n",
-                     path_of(stroke.points, stroke.closed), color_of(stroke.ink), number(stroke.width),
-                     stroke.round ? "" : " stroke-linecap=\"butt\"",
-                     dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash), opacity(stroke.opacity),
-                     stroke.hint.empty() ? "/>" : ">" + told(stroke.hint) + "</path>");
+  return fmt::format(
+      "<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\"{}{}{}{}\n",
+      may_bend(stroke.role) ? smooth_path(stroke.points, stroke.closed) : straight_path(stroke.points, stroke.closed),
+      color_of(stroke.ink), number(stroke.width), stroke.round ? "" : " stroke-linecap=\"butt\"",
+      dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash), opacity(stroke.opacity),
+      stroke.hint.empty() ? "/>" : ">" + told(stroke.hint) + "</path>");
 }
 
 std::string written(const Fill& fill) {
   std::string path;
-  for (const auto& loop : fill.loops) path += path_of(loop, true);
+  for (const auto& loop : fill.loops) path += straight_path(loop, true);
   return fmt::format("<path d=\"{}\" fill=\"{}\"{}{}/>\n", path, fill.color,
                      fill.bordered ? fmt::format(" stroke=\"{}\" stroke-width=\"0.4\"", fill.color) : "",
                      opacity(fill.opacity));
@@ -109,7 +104,8 @@ std::string written(const Accent& accent, const Label& label) {
   const Point2 from = label.at + accent.from, to = label.at + accent.to, middle = 0.5 * (from + to);
   const std::string color = color_of(label.ink);
   if (accent.kind == Accent::Kind::bar)
-    return fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"0.9\"/>\n", path_of({from, to}, false), color);
+    return fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"0.9\"/>\n", straight_path({from, to}, false),
+                       color);
   std::string dots;
   for (const double x : accent.kind == Accent::Kind::dot ? std::vector{0.0} : std::vector{-2.0, 2.0})
     dots += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"1.1\" fill=\"{}\"/>\n", number(middle.x + x), number(middle.y),

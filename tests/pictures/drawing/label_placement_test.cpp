@@ -44,5 +44,28 @@ TEST(LabelPlacement, two_names_do_not_read_as_one_word_where_there_is_room) {
   EXPECT_GT(near, 20U);
 }
 
+TEST(LabelPlacement, of_very_many_names_those_are_written_that_stand_near_what_they_name) {
+  const auto names = [](int count) {
+    std::vector<LabelRequest> requests;
+    for (int i = 0; i < count; ++i) {
+      requests.push_back(request("A" + std::to_string(i), {6.0 * i, 0}));
+      requests.back().may_lack = true;
+    }
+    return place_labels(requests, {}, [](Point2) { return false; });
+  };
+  const auto longest_leader = [](const std::vector<Mark>& marks) {
+    double longest = 0;
+    for (const Mark& mark : marks)
+      if (const auto* stroke = std::get_if<Stroke>(&mark); stroke != nullptr && stroke->role == Role::leader)
+        longest = std::max(longest, norm(stroke->points[1] - stroke->points[0]));
+    return longest;
+  };
+  EXPECT_EQ(boxes_of(names(20)).size(), 20U);
+  const std::vector<Mark> many = names(80);
+  EXPECT_LT(boxes_of(many).size(), 80U);
+  EXPECT_GT(boxes_of(many).size(), 20U);
+  EXPECT_LT(longest_leader(many), 45);
+}
+
 }  // namespace label_placement_test
 }  // namespace poinsot

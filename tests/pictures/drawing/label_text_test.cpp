@@ -26,6 +26,12 @@ std::string told(const Label& label) {
   return text;
 }
 
+TEST(LabelText, raises_powers_of_ten_in_words) {
+  EXPECT_EQ(told(words_label("2·10^6 s")), "u:2·10 u^6 u: s");
+  EXPECT_EQ(told(words_label("1·10^−12")), "u:1·10 u^−12");
+  EXPECT_EQ(told(words_label("a ^ b")), "u:a ^ b");
+}
+
 TEST(LabelText, reads_the_tex_of_worked_solutions) {
   EXPECT_EQ(told(tex_label("\\mathbf{C}")), "b:C");
   EXPECT_EQ(told(tex_label("m_1\\bar{\\mathbf{a}}")), "i:m u_1 b:a bar");
