@@ -17,6 +17,8 @@ std::string_view drawn(std::string_view svg) {
 std::vector<DrawnFigure> different_figures(const Document& document, std::size_t solution) {
   std::vector<DrawnFigure> made;
   for (FigureTitle& figure : figures(document, solution)) {
+    // What acts on one of several bodies stands in the figure of all.
+    if (figure.section.empty()) continue;
     std::string svg = to_svg(document, solution, {.of = figure.name, .situation = figure.situation});
     if (std::ranges::any_of(made, [&](const DrawnFigure& one) { return drawn(one.svg) == drawn(svg); })) continue;
     made.push_back({std::move(figure), std::move(svg)});

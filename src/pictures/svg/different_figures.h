@@ -14,8 +14,8 @@ struct DrawnFigure {
   std::string svg;
 };
 
-// The figures that figures() names, in that order, without those that are drawn like an earlier one: what acts on the
-// only body is what acts on all.
+// The figures that figures() names, in that order, without those of single bodies, which are parts of others, and those
+// that are drawn like an earlier one.
 std::vector<DrawnFigure> different_figures(const Document& document, std::size_t solution);
 
 }  // namespace poinsot::pictures

@@ -10,7 +10,6 @@ IllustratedMarkdown to_illustrated_markdown(const Document& document, const std:
   std::vector<std::vector<MarkdownPicture>> pictures(document.solutions.size());
   for (std::size_t i = 0; i < document.solutions.size(); ++i)
     for (pictures::DrawnFigure& figure : pictures::different_figures(document, i)) {
-      if (figure.title.section.empty()) continue;
       std::string name = stem;
       if (i > 0) name += "-" + std::to_string(i + 1);
       if (!figure.title.situation.empty()) name += "-" + figure.title.situation;

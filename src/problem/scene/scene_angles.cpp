@@ -56,7 +56,9 @@ class AngleFinder {
 
   void add() {
     if (!(angle_.value > exact) || !(angle_.value < std::numbers::pi - exact)) return;
-    if (of_rays(shape_rays()) || of_rays(segment_rays()) || of_rays(edge_rays()) || of_rays(load_rays())) return;
+    if (of_rays(shape_rays()) || of_rays(segment_rays()) || of_rays(edge_rays()) || of_rays(spin_rays()) ||
+        of_rays(load_rays()))
+      return;
     of_coordinates();
   }
 
@@ -121,6 +123,19 @@ class AngleFinder {
           if (argument.name == "normal" || argument.name == "axis")
             or_none([&] { rays.push_back({{static_cast<int>(k), plain(*center)}, data_.direction(argument.value)}); });
       }
+    return rays;
+  }
+
+  // The axes about which bodies of a steady motion spin, at their centers.
+  std::vector<Ray> spin_rays() {
+    std::vector<Ray> rays;
+    if (!figure_.situation().steady) return rays;
+    for (const Spin& spin : figure_.situation().steady->spins)
+      or_none([&] {
+        const int body = figure_.scene_body(figure_.machine().index.at(spin.body));
+        rays.push_back(
+            {{body, figure_.scene().bodies.at(static_cast<std::size_t>(body)).center}, data_.direction(spin.about)});
+      });
     return rays;
   }
 

@@ -23,6 +23,7 @@ class ModelDiagram {
     add_loads();
     add_joint_rates();
     add_frames();
+    add_spins();
     add_facts();
     add_blows();
     return std::move(diagram_);
@@ -127,6 +128,27 @@ class ModelDiagram {
       if (frame.velocity)
         add(Quantity::velocity, frame.name, center_of(body), motion.v, symbol_of(frame.velocity, velocity(frame.name)));
     }
+  }
+
+  // Of bodies in a steady motion, beside the turning of their frame.
+  void add_spins() {
+    if (!situation().steady) return;
+    for (const Spin& spin : situation().steady->spins) try {
+        const double rate = figure_.data().number(spin.rate, dimensions::angular_velocity);
+        const Vector3<double> vector = rate * figure_.data().direction(spin.about);
+        const ArrowSymbol symbol = symbol_of(spin.rate, turning("spin"));
+        if (!is_drawn(symbol, vector))
+          add(Quantity::angular_velocity, spin.body, center_of(figure_.machine().index.at(spin.body)), vector, symbol);
+      } catch (const StatementError&) {
+        // What has no value yet is not drawn.
+      }
+  }
+
+  // A joint or a frame may have stated the same.
+  bool is_drawn(const ArrowSymbol& symbol, const Vector3<double>& vector) const {
+    return std::any_of(diagram_.arrows.begin(), diagram_.arrows.end(), [&](const scene::Arrow& arrow) {
+      return arrow.symbol == symbol.tex && figure_.vanishes(arrow.vector - vector, dimensions::angular_velocity);
+    });
   }
 
   // Velocities that are stated of the start.

@@ -83,6 +83,30 @@ TEST(SceneMarks, angles_are_drawn_as_large_as_they_are_wherever_data_make_them) 
   }
 }
 
+TEST(SceneMarks, a_steady_spin_is_an_arrow_along_its_axis_and_its_lean_is_marked) {
+  const Document document = illustrated(
+      "title: t\ngiven: {b: 35 deg, S: 40 rad/s, I: 0.02 kg*m^2, J: 0.05 kg*m^2}\nfind: {P: rad/s}\npoints: {G: [0, 0, "
+      "0]}\ndirections: {u: [sin(b), 0, cos(b)]}\nframes: {figure: {rides_on: center(can), turns: z, rate: P}}\n"
+      "bodies: {can: {mass: 2 kg, center: G, inertia: {axis: u, axial: I, transverse: J}}}\n"
+      "steady: {frame: figure, spins: {can: {about: u, rate: S}}}\nwhere: [P > 0.1 rad/s]\ngravity: none\nask: {P: "
+      "P}\n");
+  const scene::Scene& scene = scene_of(document);
+  ASSERT_FALSE(scene.diagrams.empty());
+  std::size_t spins = 0;
+  for (const scene::Arrow& arrow : scene.diagrams.front().arrows) {
+    if (arrow.name != "can") continue;
+    const double b = 35 * std::numbers::pi / 180;
+    EXPECT_EQ(arrow.quantity, scene::Quantity::angular_velocity);
+    EXPECT_NEAR(norm(Vector(arrow.vector - 40.0 * Vector{std::sin(b), 0, std::cos(b)})), 0, 1e-12);
+    EXPECT_EQ(arrow.text, "S");
+    ++spins;
+  }
+  EXPECT_EQ(spins, 1U);
+  const scene::Dimension* lean = angle_named(scene, "b");
+  ASSERT_NE(lean, nullptr);
+  EXPECT_NEAR(drawn_angle(scene, *lean), 35 * std::numbers::pi / 180, 1e-12);
+}
+
 TEST(SceneMarks, an_angle_that_is_equal_by_chance_is_not_marked) {
   const Document document = illustrated(
       "title: t\ngiven: {b: 30 deg, c: 30 deg}\npoints: {O: [0, 0, 0], A: [sin(b)*1 m, -cos(b)*1 m, 0]}\n"
