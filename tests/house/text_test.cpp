@@ -82,7 +82,6 @@ TEST(Text, nothing_is_decided_by_reading_what_was_written) {
   const std::set<std::string> may{
       "src/problem/explanation/explanation_symbols.cpp",  // a dot above a letter and not above its index
       "src/problem/explanation/explanation_tex.cpp",      // how TeX is put together
-      "src/problem/formulas/formula_words.cpp",           // a size without the quotient that is its sign
       "src/problem/instant/open_words.cpp",               // an article before a noun that has none
       "src/problem/machine/data.cpp",                     // a blank between a number and its unit, as in 3kg
       "src/problem/machine/masses.cpp",                   // what to write in place of "4 lb"
