@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <mutex>
@@ -14,6 +15,7 @@
 #include "exit_codes.h"
 #include "output_file.h"
 #include "poinsot/pictures.h"
+#include "progress_line.h"
 #include "report.h"
 #include "streams.h"
 
@@ -112,9 +114,14 @@ class Gallery {
       const std::scoped_lock lock(guard_);
       entries_[i] = std::move(entry);
       ++done_;
-      if (shows_progress())
-        write_on_terminal(fmt::format("\r{:70.70}", fmt::format("{} of {}  {}", done_, files_.size(), files_[i])));
+      if (shows_progress()) write_on_terminal(fmt::format("\r{:70.70}", progress(files_[i])));
     }
+  }
+
+  std::string progress(const std::string& file) const {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+    const double part = static_cast<double>(done_) / static_cast<double>(files_.size());
+    return fmt::format("{} of {}{}  {}", done_, files_.size(), seconds < 1 ? "" : time_left(seconds, part), file);
   }
 
   GalleryEntry page_of(const std::string& file, const std::string& name) {
@@ -168,6 +175,7 @@ class Gallery {
   std::atomic<std::size_t> next_{0};
   std::mutex guard_;
   std::size_t done_ = 0;
+  const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   std::optional<std::string> failure_;
 };
 

@@ -20,6 +20,12 @@ std::string duration(double seconds) {
 
 }  // namespace
 
+std::string time_left(double seconds, double part) {
+  constexpr double too_early = 0.2;
+  if (!(part > 0) || seconds < too_early) return "";
+  return fmt::format("  {} left", duration(seconds * (1 - part) / part));
+}
+
 poinsot::Budget ProgressLine::budget() {
   poinsot::Budget budget = poinsot::Budget().end_when(&interrupt_flag());
   if (isatty(STDERR_FILENO) == 1) budget.tell([this](const poinsot::Progress& progress) { show(progress); });
@@ -35,7 +41,7 @@ void ProgressLine::show(const poinsot::Progress& progress) {
   }
   last_part_ = part;
   if (Clock::now() - begun_ < patience) return;
-  std::string line = progress.part ? fmt::format("{:3.0f} %  {}{}", std::floor(100 * part), doing_, time_left(part))
+  std::string line = progress.part ? fmt::format("{:3.0f} %  {}{}", std::floor(100 * part), doing_, left_after(part))
                                    : fmt::format("{}, {} so far", doing_, progress.count);
   const std::size_t length = line.size();
   if (length < length_) line.append(length_ - length, ' ');
@@ -43,10 +49,9 @@ void ProgressLine::show(const poinsot::Progress& progress) {
   write_on_terminal("\r" + line);
 }
 
-std::string ProgressLine::time_left(double part) {
+std::string ProgressLine::left_after(double part) const {
   const double seconds = std::chrono::duration<double>(Clock::now() - *since_).count();
-  if (!(part > first_part_) || seconds < 0.2) return "";
-  return fmt::format("  {} left", duration(seconds * (1 - part) / (part - first_part_)));
+  return time_left(seconds, (part - first_part_) / (1 - first_part_));
 }
 
 void ProgressLine::erase() {

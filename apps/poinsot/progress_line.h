@@ -7,6 +7,9 @@
 
 #include "poinsot/problem.h"
 
+// "  12 s left", if a part of what is to be done took so many seconds; "" where it is too early to tell.
+std::string time_left(double seconds, double part);
+
 // One line on standard error, written over again and again once a second has passed, and gone in the end. In a pipe,
 // nothing.
 class ProgressLine {
@@ -24,8 +27,7 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
 
   void show(const poinsot::Progress& progress);
-  // "12 s left"; nothing before it can be told.
-  std::string time_left(double part);
+  std::string left_after(double part) const;
 
   const Clock::time_point begun_ = Clock::now();
   std::size_t length_ = 0;

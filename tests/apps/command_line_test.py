@@ -6,6 +6,7 @@ usage: command_line_test.py PROGRAM SOURCE_FOLDER
 import json
 import os
 import pathlib
+import pty
 import re
 import signal
 import subprocess
@@ -344,6 +345,34 @@ class Figures(unittest.TestCase):
         self.assertIn("has 1", self.refused("--solution", "2"))
         self.assertIn("should end in .svg", self.refused("-o", str(self.output.with_suffix(".png"))))
         self.assertIn("should end in .html", run("report", str(EXAMPLES[0]), "-o", str(self.output)).stderr)
+
+
+class Galleries(unittest.TestCase):
+    def test_a_gallery_tells_on_a_terminal_how_long_it_takes(self):
+        text = EXAMPLES[0].read_text(encoding="utf-8")
+        with tempfile.TemporaryDirectory() as folder:
+            problems, index = pathlib.Path(folder) / "problems", pathlib.Path(folder) / "pages" / "index.html"
+            problems.mkdir()
+            (problems / "0.yaml").write_text(text, encoding="utf-8")
+            begin = time.monotonic()
+            run("report", str(problems), "-o", str(index.parent))
+            # As many as take some seconds on all processors.
+            count = min(2000, int(3 * (os.cpu_count() or 1) / (time.monotonic() - begin)) + 2)
+            for number in range(count):
+                (problems / f"{number}.yaml").write_text(text, encoding="utf-8")
+            terminal, side = pty.openpty()
+            with subprocess.Popen([PROGRAM, "report", "--force", str(problems), "-o", str(index.parent)],
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=side) as process:
+                os.close(side)
+                told = b""
+                try:
+                    while part := os.read(terminal, 65536):
+                        told += part
+                except OSError:  # so a terminal ends
+                    pass
+                self.assertEqual(process.wait(timeout=60), 0)
+            os.close(terminal)
+            self.assertRegex(told.decode(), rf"\d+ of {count}  \d+ s left  ")
 
 
 class WorkedSolutions(unittest.TestCase):
