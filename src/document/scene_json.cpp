@@ -6,10 +6,12 @@
 #include <cmath>
 
 #include "poinsot/engine/math/algebra/quaternion.h"
+#include "problem/scene/scene_words.h"
 
 namespace poinsot::document {
 namespace {
 
+using problem::word;
 using Json = nlohmann::ordered_json;
 
 constexpr int digits_of_places = 9, digits_of_normals = 4;
@@ -54,61 +56,6 @@ Json list_json(const List& list, const Make& make) {
   Json items = Json::array();
   for (const auto& item : list) items.push_back(make(item));
   return items;
-}
-
-const char* word(scene::Extent extent) {
-  switch (extent) {
-    case scene::Extent::point:
-      return "point";
-    case scene::Extent::line:
-      return "line";
-    case scene::Extent::surface:
-      return "surface";
-    case scene::Extent::volume:
-      break;
-  }
-  return "volume";
-}
-
-const char* word(scene::SymbolKind kind) {
-  static constexpr const char* words[] = {"weld",         "revolute",       "prismatic", "cylindrical",    "universal",
-                                          "ball",         "planar",         "screw",     "slot",           "journal",
-                                          "thrust",       "collar",         "hinge",     "fork",           "clevis",
-                                          "ball_support", "listed_support", "contact",   "rolling_contact"};
-  return words[static_cast<std::size_t>(kind)];
-}
-
-const char* word(scene::LinkKind kind) {
-  static constexpr const char* words[] = {"cord", "spring", "damper", "torsion"};
-  return words[static_cast<std::size_t>(kind)];
-}
-
-const char* word(scene::Quantity quantity) {
-  static constexpr const char* words[] = {"force",
-                                          "weight",
-                                          "couple",
-                                          "impulse",
-                                          "angular_impulse",
-                                          "velocity",
-                                          "angular_velocity",
-                                          "acceleration",
-                                          "angular_acceleration",
-                                          "linear_momentum",
-                                          "angular_momentum",
-                                          "rate_of_momentum",
-                                          "rate_of_angular_momentum"};
-  return words[static_cast<std::size_t>(quantity)];
-}
-
-const char* word(scene::DiagramKind kind) {
-  static constexpr const char* words[] = {"model",    "free_body",     "kinetic", "momenta_before",
-                                          "impulses", "momenta_after", "answers"};
-  return words[static_cast<std::size_t>(kind)];
-}
-
-const char* word(scene::CurveKind kind) {
-  static constexpr const char* words[] = {"path", "polhode", "herpolhode", "axis_path"};
-  return words[static_cast<std::size_t>(kind)];
 }
 
 Json shape_json(const scene::Shape& shape) {

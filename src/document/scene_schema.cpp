@@ -1,9 +1,23 @@
 #include "document/scene_schema.h"
 
+#include "problem/scene/scene_words.h"
+
 namespace poinsot::document {
+namespace {
+
+// ["path", "polhode"]
+template <class Kind>
+std::string words_json() {
+  std::string list;
+  for (const std::string_view word : problem::words_of(Kind{}))
+    list += (list.empty() ? "[\"" : ", \"") + std::string(word) + "\"";
+  return list + "]";
+}
+
+}  // namespace
 
 std::string scene_definitions() {
-  return R"json(
+  return std::string(R"json(
     "scene": {
       "type": "object",
       "description": "what a picture shows, in SI units; places are on the axes of a body as drawn, vectors of arrows on those of the ground",
@@ -59,7 +73,8 @@ std::string scene_definitions() {
       "properties": {"body": {"$ref": "#/$defs/body_number"}, "at": {"$ref": "#/$defs/vector"}}
     },
     "quantity": {
-      "enum": ["force", "weight", "couple", "impulse", "angular_impulse", "velocity", "angular_velocity", "acceleration", "angular_acceleration", "linear_momentum", "angular_momentum", "rate_of_momentum", "rate_of_angular_momentum"]
+      "enum": )json") +
+         words_json<scene::Quantity>() + R"json(
     },
     "body_number": {"type": "integer", "minimum": -1, "description": "the place in bodies; -1 is the ground"},
     "pose": {
@@ -93,7 +108,8 @@ std::string scene_definitions() {
       "properties": {
         "kind": {"type": "string", "description": "the key in the language"},
         "part": {"type": "string", "description": "empty for a body of one shape"},
-        "extent": {"enum": ["point", "line", "surface", "volume"]},
+        "extent": {"enum": )json" +
+         words_json<scene::Extent>() + R"json(},
         "hole": {"type": "boolean"},
         "added": {"type": "boolean"},
         "stand_in": {
@@ -119,7 +135,8 @@ std::string scene_definitions() {
       "additionalProperties": false,
       "properties": {
         "kind": {
-          "enum": ["weld", "revolute", "prismatic", "cylindrical", "universal", "ball", "planar", "screw", "slot", "journal", "thrust", "collar", "hinge", "fork", "clevis", "ball_support", "listed_support", "contact", "rolling_contact"]
+          "enum": )json" +
+         words_json<scene::SymbolKind>() + R"json(
         },
         "name": {"type": "string"},
         "from": {"$ref": "#/$defs/body_number"},
@@ -134,7 +151,8 @@ std::string scene_definitions() {
       "required": ["kind", "name", "from", "to", "far", "slack"],
       "additionalProperties": false,
       "properties": {
-        "kind": {"enum": ["cord", "spring", "damper", "torsion"]},
+        "kind": {"enum": )json" +
+         words_json<scene::LinkKind>() + R"json(},
         "name": {"type": "string"},
         "from": {"$ref": "#/$defs/place"},
         "to": {"$ref": "#/$defs/place"},
@@ -148,7 +166,8 @@ std::string scene_definitions() {
       "additionalProperties": false,
       "properties": {
         "kind": {
-          "enum": ["model", "free_body", "kinetic", "momenta_before", "impulses", "momenta_after", "answers"]
+          "enum": )json" +
+         words_json<scene::DiagramKind>() + R"json(
         },
         "title": {"type": "string"},
         "group": {"type": "integer"},
@@ -193,7 +212,8 @@ std::string scene_definitions() {
       "required": ["kind", "name", "body", "closed", "points"],
       "additionalProperties": false,
       "properties": {
-        "kind": {"enum": ["path", "polhode", "herpolhode", "axis_path"]},
+        "kind": {"enum": )json" +
+         words_json<scene::CurveKind>() + R"json(},
         "name": {"type": "string"},
         "body": {"$ref": "#/$defs/body_number"},
         "closed": {"type": "boolean"},

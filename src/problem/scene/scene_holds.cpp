@@ -4,31 +4,18 @@
 #include "problem/keys/joint_kinds.h"
 #include "problem/language/diagnostic.h"
 #include "problem/scene/scene_figure.h"
+#include "problem/scene/scene_words.h"
 
 namespace poinsot::problem {
 namespace {
 
 using scene::SymbolKind;
 
-// The symbols by the names that the language gives to kinds.
-SymbolKind joint_symbol(const std::string& kind) {
-  static const std::map<std::string, SymbolKind> symbols{{"weld", SymbolKind::weld},
-                                                         {"revolute", SymbolKind::revolute},
-                                                         {"prismatic", SymbolKind::prismatic},
-                                                         {"cylindrical", SymbolKind::cylindrical},
-                                                         {"universal", SymbolKind::universal},
-                                                         {"ball", SymbolKind::ball},
-                                                         {"planar", SymbolKind::planar},
-                                                         {"screw", SymbolKind::screw},
-                                                         {"slot", SymbolKind::slot}};
-  return symbols.at(kind);
-}
+// The symbols by the names that the language gives to kinds; the ball of a joint is another one than that of a support.
+SymbolKind joint_symbol(const JointKind& kind) { return kind_of_word<SymbolKind>(kind.name).value(); }
 SymbolKind support_symbol(const SupportKind* kind) {
-  static const std::map<std::string, SymbolKind> symbols{
-      {"journal", SymbolKind::journal},  {"thrust", SymbolKind::thrust}, {"collar", SymbolKind::collar},
-      {"hinge", SymbolKind::hinge},      {"fork", SymbolKind::fork},     {"clevis", SymbolKind::clevis},
-      {"ball", SymbolKind::ball_support}};
-  return kind == nullptr ? SymbolKind::listed_support : symbols.at(kind->name);
+  if (kind == nullptr) return SymbolKind::listed_support;
+  return kind->name == "ball" ? SymbolKind::ball_support : kind_of_word<SymbolKind>(kind->name).value();
 }
 
 }  // namespace
@@ -37,7 +24,7 @@ void SceneFigure::add_symbols() {
   for (const Joint& joint : situation_.joints) {
     const JointPlace& place = machine_.joints.at(joint.name);
     scene::Symbol symbol;
-    symbol.kind = joint_symbol(joint.kind->name);
+    symbol.kind = joint_symbol(*joint.kind);
     symbol.name = joint.name;
     symbol.from = scene_body(place.from);
     symbol.to = scene_body(place.to);
