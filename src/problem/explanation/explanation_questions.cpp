@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "problem/language/expression_walk.h"
+#include "problem/quantities/quantity_functions.h"
 
 namespace poinsot::problem {
 namespace {
@@ -73,9 +74,9 @@ class Collector {
       return;
     }
     if (is({"angular_momentum", "momentum", "kinetic_energy"})) return of_momentum(call);
-    if (is({"force", "couple", "reaction", "reaction_couple", "drive", "tension", "load", "impulse", "impulsive_couple",
-            "touching", "taut"}))
-      return of_force(call);
+    const QuantityFunction* quantity = find_quantity(call.function);
+    const auto is_kind = [&](QuantityKind kind) { return quantity && quantity->kind == kind; };
+    if (is_kind(QuantityKind::force) || is_kind(QuantityKind::holding)) return of_force(call);
     if (is({"velocity", "angular_velocity", "acceleration", "angular_acceleration"})) {
       for (const int body : bodies_in(call.arguments.front().value)) {
         here().moving.insert(body);
@@ -83,12 +84,11 @@ class Collector {
       }
       return;
     }
-    if (is({"stable", "stability", "growth_rate", "frequencies"})) {
+    if (is_kind(QuantityKind::stability)) {
       here().stability = true;
       return;
     }
-    if (is({"mass", "weight", "center", "moment_of_inertia", "radius_of_gyration", "moments_of_inertia",
-            "products_of_inertia", "inertia_matrix", "principal_moments", "principal_axes"}))
+    if (is_kind(QuantityKind::inertia) || is({"mass", "weight", "center"}))
       for (const int body : bodies_in(call.arguments.front().value)) here().masses.insert(body);
     for (const Argument& argument : call.arguments) walk(argument.value);
   }

@@ -9,70 +9,6 @@
 namespace poinsot::problem {
 namespace {
 
-const std::map<std::string_view, std::string>& nouns() {
-  static const std::map<std::string_view, std::string> table{
-      {"position", "position"},
-      {"center", "mass center"},
-      {"velocity", "velocity"},
-      {"acceleration", "acceleration"},
-      {"angular_velocity", "angular velocity"},
-      {"angular_acceleration", "angular acceleration"},
-      {"momentum", "linear momentum"},
-      {"angular_momentum", "angular momentum"},
-      {"kinetic_energy", "kinetic energy"},
-      {"potential_energy", "potential energy"},
-      {"rate", "rate of change"},
-      {"mass", "mass"},
-      {"weight", "weight"},
-      {"moment_of_inertia", "moment of inertia"},
-      {"radius_of_gyration", "radius of gyration"},
-      {"moments_of_inertia", "moments of inertia"},
-      {"products_of_inertia", "products of inertia"},
-      {"inertia_matrix", "inertia matrix"},
-      {"principal_moments", "principal moments of inertia"},
-      {"principal_axes", "principal axes of inertia"},
-      {"axis", "axis"},
-      {"distance", "distance"},
-      {"direction_angles", "direction angles"},
-      {"force", "force"},
-      {"couple", "couple"},
-      {"reaction", "reaction"},
-      {"reaction_couple", "reaction couple"},
-      {"drive", "drive"},
-      {"symmetry_axis", "axis of revolution"},
-      {"precession_axis", "axis of precession"},
-      {"precession_rate", "rate of precession"},
-      {"spin_rate", "rate of spin"},
-      {"precession_sense", "sense of the precession"},
-      {"invariable_plane", "distance of the invariable plane"},
-      {"poinsot_ellipsoid", "semi-axes of the Poinsot ellipsoid"},
-      {"polhode", "course of the polhode"},
-      {"axis_stability", "stability of rotation about the principal axes"},
-      {"touching", "contact"},
-      {"taut", "pull"},
-      {"stable", "stability"},
-      {"stability", "stability"},
-      {"growth_rate", "fastest growth of a disturbance"},
-      {"frequencies", "frequencies of small oscillations"},
-      {"body_cone", "half angle of the body cone"},
-      {"space_cone", "half angle of the space cone"},
-      {"impulse", "impulse"},
-      {"impulsive_couple", "impulsive couple"},
-      {"tension", "tension"},
-      {"load", "load"},
-      {"norm", "magnitude"},
-      {"abs", "magnitude"},
-      {"angle", "angle"},
-      {"acute_angle", "acute angle"},
-      {"component", "component"},
-      {"direction", "direction"},
-      {"unit", "direction"},
-      {"dot", "scalar product"},
-      {"cross", "vector product"},
-  };
-  return table;
-}
-
 // The body on which a joint, support or contact acts, and the body from which it acts.
 struct Sides {
   std::string on, from;
@@ -103,8 +39,8 @@ std::string feature_words(const Call& call, const Situation& situation) {
 std::string call_words(const Expression& expression, const Situation& situation) {
   const Call& call = *expression.as<Call>();
   if (is_motion_feature(call)) return feature_words(call, situation);
-  const auto noun = nouns().find(call.function);
-  if (noun == nouns().end() || call.arguments.empty()) return to_string(expression);
+  const std::string noun(noun_of(call.function));
+  if (noun.empty() || call.arguments.empty()) return to_string(expression);
   const std::string_view f = call.function;
   const std::string first = words_of(call.arguments[0].value, situation);
   std::string rest;
@@ -116,12 +52,11 @@ std::string call_words(const Expression& expression, const Situation& situation)
       if (argument.preposition == "on") on = words_of(argument.value, situation);
       if (argument.preposition == "about") about = " about " + words_of(argument.value, situation);
     }
-    return noun->second + " that " + first + " exerts on " + on + about;
+    return noun + " that " + first + " exerts on " + on + about;
   }
   if (f == "reaction" || f == "reaction_couple") {
     const Sides sides = sides_of(situation, first);
-    return noun->second + " at " + first + rest +
-           (sides.on.empty() ? "" : ", exerted on " + sides.on + " by " + sides.from);
+    return noun + " at " + first + rest + (sides.on.empty() ? "" : ", exerted on " + sides.on + " by " + sides.from);
   }
   if (f == "drive") {
     const Sides sides = sides_of(situation, first);
@@ -131,7 +66,7 @@ std::string call_words(const Expression& expression, const Situation& situation)
     std::string to;
     for (const Argument& argument : call.arguments)
       if (argument.preposition == "to") to = words_of(argument.value, situation);
-    return noun->second + " between " + first + " and " + to;
+    return noun + " between " + first + " and " + to;
   }
   if (f == "distance") {
     std::string to;
@@ -143,11 +78,11 @@ std::string call_words(const Expression& expression, const Situation& situation)
     std::string with;
     for (const Argument& argument : call.arguments)
       if (argument.preposition == "with") with = words_of(argument.value, situation);
-    return noun->second + " of " + first + " and " + with;
+    return noun + " of " + first + " and " + with;
   }
   if ((f == "velocity" || f == "acceleration") && call.arguments[0].value.as<Name>())
-    return noun->second + " of the mass center of " + first + rest;
-  return noun->second + " of " + first + rest;
+    return noun + " of the mass center of " + first + rest;
+  return noun + " of " + first + rest;
 }
 
 std::string words_of(const Expression& expression, const Situation& situation) {
@@ -205,8 +140,14 @@ std::string describe(const Ask& ask, const Situation& situation, bool is_vector)
 }
 
 std::string_view noun_of(std::string_view function) {
-  const auto noun = nouns().find(function);
-  return noun == nouns().end() ? std::string_view() : noun->second;
+  if (const QuantityFunction* quantity = find_quantity(function)) return quantity->noun;
+  static const std::map<std::string_view, std::string_view> functions{
+      {"norm", "magnitude"},          {"abs", "magnitude"},       {"angle", "angle"},
+      {"acute_angle", "acute angle"}, {"component", "component"}, {"direction", "direction"},
+      {"unit", "direction"},          {"dot", "scalar product"},  {"cross", "vector product"},
+  };
+  const auto found = functions.find(function);
+  return found == functions.end() ? std::string_view() : found->second;
 }
 
 }  // namespace poinsot::problem

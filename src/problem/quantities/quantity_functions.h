@@ -32,6 +32,7 @@ enum class QuantityKind {
 struct QuantityFunction {
   const char* name;
   const char* form;  // examples, for messages and the manual
+  const char* noun;  // in words, as answers name it: "angular momentum" of a body
   Level level;
   QuantityKind kind;
   std::vector<std::string_view> patterns;  // the prepositions between the arguments, as Call::pattern() gives them
@@ -40,7 +41,7 @@ struct QuantityFunction {
 
 const std::vector<QuantityFunction>& quantity_table();
 // Null if there is no quantity of this name.
-const QuantityFunction* find_quantity(const std::string& name);
+const QuantityFunction* find_quantity(std::string_view name);
 // The names and forms only.
 const std::vector<FunctionForm>& quantity_functions();
 
