@@ -85,10 +85,12 @@ Scales natural_scales(const Mechanism<Scalar>& mechanism) {
     add_place(component.at);
     if (component.toward) add_place(*component.toward);
   }
-  for (const SpringLaw<Scalar>& spring : mechanism.springs) {
-    add_place(spring.at);
-    add_place(spring.toward);
-  }
+  for_each_law(mechanism, [&](const auto& law) {
+    if constexpr (requires { add_place(law.toward); }) {
+      add_place(law.at);
+      add_place(law.toward);
+    }
+  });
   for (const Vector3<double>& a : points) scales.length = std::max(scales.length, norm(a - points.front()));
   if (!(scales.length > 0)) scales.length = 1;
   if (!(scales.mass > 0)) scales.mass = 1;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace poinsot::solve {
 namespace {
@@ -118,6 +119,12 @@ bool RedundantBodies::read() {
   }
   const bool spins = std::ranges::any_of(bodies_, [&](const SteadyBody& body) {
     return body.moves && (body.angular - turning_).norm() > nothing * (body.angular.norm() + turning_.norm());
+  });
+  for_each_law(mechanism_, []<class Law>(const Law&) {
+    static_assert(
+        std::is_same_v<Law, KnownForce<double>> || std::is_same_v<Law, SpringLaw<double>> ||
+            std::is_same_v<Law, TorsionLaw<double>>,
+        "write the law's energy, pushes and dampers below on a road of its own, or return false where one is stated");
   });
   const auto damps = [](const auto& law) { return law.damping != 0; };
   if (spins && (std::ranges::any_of(mechanism_.springs, damps) || std::ranges::any_of(mechanism_.torsions, damps) ||
