@@ -10,13 +10,13 @@ namespace poinsot::solve {
 namespace {
 
 constexpr std::size_t now = 4;  // of the nine points of the differences
-constexpr Work of_a_particle = 500;
+constexpr Work of_a_particle = 500, of_a_moving_particle = 20;
 
 }  // namespace
 
 ParticlePaths::ParticlePaths(const std::vector<CheckLink>& links, std::vector<Body> bodies,
                              const std::vector<double>& q, const std::vector<double>& v, const std::vector<double>& a)
-    : bodies_(std::move(bodies)) {
+    : bodies_(std::move(bodies)), moving_(bodies_.size()) {
   for (const Body& body : bodies_)
     for (const auto& particle : *body.particles) length_ = std::max(length_, norm(drawn::widened(particle.position)));
   for (const CheckLink& link : links) length_ = std::max(length_, norm(drawn::widened(link.anchor)));
@@ -92,18 +92,28 @@ ParticlePaths::Vector ParticlePaths::over_arms(int link, int from, const Derivat
   return sum;
 }
 
+const std::vector<ParticlePaths::Moving>& ParticlePaths::moving(std::size_t body) const {
+  const Body& of = bodies_[body];
+  if (moving_[body].size() == of.particles->size()) return moving_[body];
+  std::vector<Moving> found;  // whole or not at all, if the work ends
+  found.reserve(of.particles->size());
+  for (const Particle<double>& particle : *of.particles) {
+    count_work(of_a_particle);
+    const Vector drawn = drawn::widened(particle.position);
+    const auto where = [&](std::size_t time) { return at_[time][static_cast<std::size_t>(of.link)](drawn); };
+    found.push_back({particle.mass, where(now), first_derivative(where), second_derivative(where)});
+  }
+  return moving_[body] = std::move(found);
+}
+
 ParticlePaths::Sums ParticlePaths::sums(int link, const Vector& P) const {
   Sums sums;
   sums.moments = {Vector::zero(), Vector::zero(), Vector::zero()};
-  for (const Body& body : bodies_) {
-    if (link != all && body.link != link) continue;
-    for (const auto& particle : *body.particles) {
-      count_work(of_a_particle);
-      const Vector drawn = drawn::widened(particle.position);
-      const Real m = particle.mass;
-      const auto where = [&](std::size_t time) { return at_[time][static_cast<std::size_t>(body.link)](drawn); };
-      const Vector x = where(now), r = x - P, velocity = first_derivative(where),
-                   acceleration = second_derivative(where);
+  for (std::size_t body = 0; body < bodies_.size(); ++body) {
+    if (link != all && bodies_[body].link != link) continue;
+    for (const auto& [m, x, velocity, acceleration] : moving(body)) {
+      count_work(of_a_moving_particle);
+      const Vector r = x - P;
       sums.mass += m;
       sums.first_moment += m * x;
       sums.momentum += m * velocity;

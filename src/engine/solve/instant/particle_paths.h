@@ -48,6 +48,10 @@ class ParticlePaths {
   Sums sums(int link, const Vector& P) const;
 
  private:
+  struct Moving {
+    Real mass = 0;
+    Vector place, velocity, acceleration;
+  };
   // Where a point of one link is on the way, by the axes of another as they stand now.
   template <class Where>
   Vector first_derivative(const Where& where) const;
@@ -55,10 +59,13 @@ class ParticlePaths {
   Vector second_derivative(const Where& where) const;
   template <class Derivative>
   Vector over_arms(int link, int from, const Derivative& derivative) const;
+  // The particles of a body as they move now, found when they are first asked for. Not for several threads at once.
+  const std::vector<Moving>& moving(std::size_t body) const;
   drawn::Displacement relative(std::size_t time, int link, int from) const;
   Vector drawn_place(int link, const Vector& place) const;
 
   std::vector<Body> bodies_;
+  mutable std::vector<std::vector<Moving>> moving_;
   Real pace_ = 0, length_ = 0, step_ = 0;
   std::array<std::vector<drawn::Displacement>, 9> at_;
 };
