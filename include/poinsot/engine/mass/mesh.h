@@ -30,12 +30,16 @@ Vector3<Scalar> mean_vertex(const TriangleMesh<Scalar>& mesh) {
   return total / Scalar(static_cast<double>(mesh.vertices.size()));
 }
 
-// The uniform solid inside a closed mesh: the signed tetrahedra between its triangles and a point near it. Inner
-// surfaces (cavities) face inward into the cavity. Nothing is checked here: see find_faults.
-template <class Scalar>
-ShapeProperties<Scalar> solid_of_mesh(const TriangleMesh<Scalar>& mesh) {
+namespace detail {
+
+// Sums over the triangles pqr of a mesh, each with its part of the whole, measure(p, q, r). The part has its first
+// moment in the mean of `corners` points, of which p, q, r are three and the others the reference, and its second
+// moments as masses part/second have at p, q, r and p + q + r.
+template <class Scalar, class Measure>
+ShapeProperties<Scalar> over_triangles(const TriangleMesh<Scalar>& mesh, int corners, int second,
+                                       const Measure& measure) {
   const Vector3<Scalar> reference = mean_vertex(mesh);
-  Scalar volume(0);
+  Scalar whole(0);
   Vector3<Scalar> first_moment = Vector3<Scalar>::zero();
   SymmetricMatrix3<Scalar> inertia = SymmetricMatrix3<Scalar>::zero();
   for (const auto& [i, j, k] : mesh.triangles) {
@@ -44,37 +48,35 @@ ShapeProperties<Scalar> solid_of_mesh(const TriangleMesh<Scalar>& mesh) {
     const Vector3<Scalar> q = mesh.vertices[j] - reference;
     const Vector3<Scalar> r = mesh.vertices[k] - reference;
     const Vector3<Scalar> all = p + q + r;
-    const Scalar part = dot(p, cross(q, r)) / Scalar(6);
-    volume += part;
-    first_moment += (Scalar(0.25) * part) * all;
-    inertia += (Scalar(0.05) * part) *
+    const Scalar part = measure(p, q, r);
+    whole += part;
+    first_moment += (part / Scalar(corners)) * all;
+    inertia += (part / Scalar(second)) *
                (unit_mass_inertia(p) + unit_mass_inertia(q) + unit_mass_inertia(r) + unit_mass_inertia(all));
   }
-  const Vector3<Scalar> offset = first_moment / volume;
-  return {volume, reference + offset, (Scalar(1) / volume) * inertia - unit_mass_inertia(offset)};
+  const Vector3<Scalar> offset = first_moment / whole;
+  return {whole, reference + offset, (Scalar(1) / whole) * inertia - unit_mass_inertia(offset)};
+}
+
+}  // namespace detail
+
+// The uniform solid inside a closed mesh: the signed tetrahedra between its triangles and a point near it. Inner
+// surfaces (cavities) face inward into the cavity. Nothing is checked here: see find_faults.
+template <class Scalar>
+ShapeProperties<Scalar> solid_of_mesh(const TriangleMesh<Scalar>& mesh) {
+  using Vector = Vector3<Scalar>;
+  return detail::over_triangles(mesh, 4, 20, [](const Vector& p, const Vector& q, const Vector& r) {
+    return Scalar(dot(p, cross(q, r)) / Scalar(6));
+  });
 }
 
 // The uniform sheet on a mesh, closed or not.
 template <class Scalar>
 ShapeProperties<Scalar> shell_of_mesh(const TriangleMesh<Scalar>& mesh) {
-  const Vector3<Scalar> reference = mean_vertex(mesh);
-  Scalar area(0);
-  Vector3<Scalar> first_moment = Vector3<Scalar>::zero();
-  SymmetricMatrix3<Scalar> inertia = SymmetricMatrix3<Scalar>::zero();
-  for (const auto& [i, j, k] : mesh.triangles) {
-    count_work(work_of_triangle);
-    const Vector3<Scalar> p = mesh.vertices[i] - reference;
-    const Vector3<Scalar> q = mesh.vertices[j] - reference;
-    const Vector3<Scalar> r = mesh.vertices[k] - reference;
-    const Vector3<Scalar> all = p + q + r;
-    const Scalar part = Scalar(0.5) * norm(cross(q - p, r - p));
-    area += part;
-    first_moment += (part / Scalar(3)) * all;
-    inertia += (part / Scalar(12)) *
-               (unit_mass_inertia(p) + unit_mass_inertia(q) + unit_mass_inertia(r) + unit_mass_inertia(all));
-  }
-  const Vector3<Scalar> offset = first_moment / area;
-  return {area, reference + offset, (Scalar(1) / area) * inertia - unit_mass_inertia(offset)};
+  using Vector = Vector3<Scalar>;
+  return detail::over_triangles(mesh, 3, 12, [](const Vector& p, const Vector& q, const Vector& r) {
+    return Scalar(Scalar(0.5) * norm(cross(q - p, r - p)));
+  });
 }
 
 namespace particles {
