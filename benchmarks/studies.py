@@ -1,5 +1,7 @@
 """studies.py: how many cases of a problem are answered in a second, by each road, beside SymPy's compiled formula.
 
+Of items with an unknown that has no formula the equations of the instant are evaluated, with Newton's method.
+
 Times are those of the processor, for one thread, the least of three runs; the scaling is by the clock.
 """
 
@@ -17,6 +19,8 @@ from poinsot import _core
 
 TEXTBOOK = Path(__file__).parents[1] / "examples/textbook"
 ITEMS = ("18.005", "18.011", "18.024", "18.045", "18.062")
+# With an unknown.
+SOUGHT = ("18.011", "18.088", "18.113", "18.155", "18.157")
 ROWS = 1_000_000
 
 
@@ -62,21 +66,26 @@ def lambdified(problem: poinsot.Problem, names: list[str], values: list[Any]) ->
     return len(values[0]) / least(lambda: function(*values))
 
 
+def varied(item: str) -> tuple[poinsot.Problem, list[str], list[float]]:
+    """A problem of the textbook, and its first data with units, with their values."""
+    problem = poinsot.Problem.from_file(TEXTBOOK / f"{item}.yaml")
+    stated = [one for one in problem._core.situations[0].data if one.unit][:3]
+    return problem, [one.name for one in stated], [problem._core.value_in_si(one.name, one.text) for one in stated]
+
+
 def main() -> None:
     random = np.random.default_rng(1)
-    print("cases a second and processor: by formula; with every thousandth in full; by instants; in full; "
-          "Problem.solve(); SymPy's lambdify")
+    print("cases a second and processor: by formula; with every thousandth in full; by instants; with every thousandth; "
+          "in full; Problem.solve(); SymPy's lambdify")
     for item in ITEMS:
-        problem = poinsot.Problem.from_file(TEXTBOOK / f"{item}.yaml")
-        stated = [one for one in problem._core.situations[0].data if one.unit][:3]
-        names = [one.name for one in stated]
-        near = [problem._core.value_in_si(one.name, one.text) for one in stated]
+        problem, names, near = varied(item)
         values = [value * random.uniform(0.95, 1.05, ROWS) for value in near]
         few = [np.ascontiguousarray(column[:999]) for column in values]
         by_formula, without = compiled(problem, names, True), compiled(problem, names, False)
         alone = [{name: f"{float(column[row])!r} {one.unit}" for name, column, one in zip(names, values, by_formula.over, strict=True)}
                  for row in range(50)]
-        instants = rate(without, few, 1) if without.by_instants else float("nan")
+        instants = rate(without, few, 1, 100) if without.by_instants else float("nan")
+        checked = rate(without, values, 0) if without.by_instants else float("nan")
         slow = [np.ascontiguousarray(column[1:100]) for column in values]
         in_full = rate(without, slow, 1) if not without.by_instants else float("nan")
         solving = len(alone) / least(lambda: [problem.solve(case) for case in alone], 1)  # noqa: B023
@@ -85,13 +94,22 @@ def main() -> None:
         except Exception as error:  # a file that is laid out in another way
             peer = f"none ({type(error).__name__})"
         print(f"{item}  {rate(by_formula, few, 1, 1000):9.2e}  {rate(by_formula, values, 0):9.2e}  {instants:9.2e}  "
-              f"{in_full:9.2e}  {solving:9.2e}  {peer}", flush=True)
+              f"{checked:9.2e}  {in_full:9.2e}  {solving:9.2e}  {peer}", flush=True)
+
+    print("with an unknown: by instants; with every thousandth in full; rows that went another way, of a thousand")
+    for item in SOUGHT:
+        problem, names, near = varied(item)
+        values = [value * random.uniform(0.95, 1.05, 20_000) for value in near]
+        few = [np.ascontiguousarray(column[1:1000]) for column in values]
+        sought = compiled(problem, names, False)
+        roads = sought.solve(few, 1, _core.StopFlag())[1]
+        print(f"{item}  {rate(sought, few, 1):9.2e}  {rate(sought, values, 0):9.2e}  {np.count_nonzero(roads != 1)}", flush=True)
 
     problem = poinsot.Problem.from_file(TEXTBOOK / "18.005.yaml")
     over = {"W": poinsot.normal("10 lb", "0.1 lb"), "r": poinsot.uniform("5 in", "7 in")}
     for threads in (1, 2, 4):
         begin = time.perf_counter()
-        study = poinsot.study(problem, over, rows=20_000, formulas=False, shard_rows=500, threads=threads)
+        study = poinsot.study(problem, over, rows=2_000_000, formulas=False, shard_rows=50_000, threads=threads)
         print(f"{threads} threads: {study.counts.rows / (time.perf_counter() - begin):9.2e} rows a second by instants")
 
 

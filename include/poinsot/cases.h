@@ -31,7 +31,7 @@ struct CaseQuestions {
   std::vector<std::string> over;  // the letters, data and unknowns that differ from case to case
   std::vector<std::string> asks;  // the names of the questions; all if there are none
   std::vector<std::pair<std::string, std::string>> sets{};  // values that are the same for all cases
-  std::vector<double> first{};  // the values in some case, SI: shows the shape of answers where letters do not
+  std::vector<double> first{};  // the values in some case, SI: shows the shape of answers where formulas do not
   bool formulas = true;         // whether formulas may be used where there are some
 };
 

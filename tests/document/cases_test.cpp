@@ -219,6 +219,8 @@ TEST(Cases, WrongNamesAndColumns) {
   EXPECT_THROW(problem.value_in_si("nobody", "1 m"), StatementError);
   const std::string name = problem.situations().front().data.front().name;
   EXPECT_THROW(problem.cases({.over = {name}, .asks = {"nothing"}}), StatementError);
+  // Without formulas the first case shows what the answers are.
+  EXPECT_THROW(problem.cases({.over = {name}, .asks = {}, .first = {}, .formulas = false}), std::invalid_argument);
   const Cases cases = problem.cases({.over = {name}, .asks = {}, .first = {1.0}});
   EXPECT_THROW(cases.solve({}, 0), std::invalid_argument);
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string_view>
 
 #include "poinsot/engine/work/budget.h"
@@ -380,7 +381,10 @@ SolvedStatement solve_statement(const Statement& statement,
   if (statement.asks.empty() && statement.claims.empty())
     fail(statement.file, Mark{1, 1}, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
   const Settings settings = read_settings(statement, sets);
-  const FormulaValues exact = exact_settings(statement, sets);
+  // Where nothing is left to letters nobody asks for formulas.
+  const bool has_letters = !open_letters(statement, settings).empty();
+  const FormulaValues exact =
+      has_letters || !statement.claims.empty() ? exact_settings(statement, sets) : FormulaValues{};
   SolvedStatement solved;
   const bool only_claims =
       statement.asks.empty() && std::all_of(statement.situations.begin(), statement.situations.end(),
@@ -402,6 +406,11 @@ SolvedStatement solve_statement(const Statement& statement,
       if (claim.ended) solved.ended = claim.ended;
   }
   return solved;
+}
+
+SolvedStatement solve_questions(const Statement& statement, const Settings& settings) {
+  if (!open_letters(statement, settings).empty()) throw std::invalid_argument("solve_questions: a letter has no value");
+  return StatementSolver(statement, settings, {}).solve();
 }
 
 }  // namespace poinsot::problem

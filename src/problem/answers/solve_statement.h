@@ -20,4 +20,8 @@ namespace poinsot::problem {
 SolvedStatement solve_statement(const Statement& statement,
                                 const std::vector<std::pair<std::string, std::string>>& sets, bool tell_claims = false);
 
+// The questions of a statement without claims whose letters all have values. settings: of letters and data, in SI
+// units.
+SolvedStatement solve_questions(const Statement& statement, const Settings& settings);
+
 }  // namespace poinsot::problem

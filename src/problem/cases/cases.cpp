@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "poinsot/engine/work/budget.h"
 #include "problem/answers/letter_draws.h"
@@ -61,12 +62,16 @@ CompiledCases::CompiledCases(const Statement& statement, const std::vector<std::
   else
     no_formulas_ = "they are not wanted";
   settings_ = read_settings(statement_, sets_);
-  by_instants_ = needs_instants_alone(statement_) && no_letters_left();
+  all_have_values_ = no_letters_left();
+  by_instants_ = needs_instants_alone(statement_) && all_have_values_;
   if (!columns_.empty()) {
     if (!formulas_) make_program(first);
     return;
   }
   // Letters were not tried, or made no sense: the first case shows what there is, or what is wrong.
+  if (first.size() != data_.size())
+    throw std::invalid_argument(
+        fmt::format("CompiledCases: the first case has {} values for {} data", first.size(), data_.size()));
   formulas_.reset();
   std::vector<std::span<const double>> one;
   for (const double& value : first) one.emplace_back(&value, 1);
@@ -85,7 +90,7 @@ void CompiledCases::make_program(const std::vector<double>& first) {
   const auto has_no_place = [](const Situation& situation) {
     return !situation.choose.empty() || !situation.neglect.empty() || has_later_facts(situation);
   };
-  if (first.size() != data_.size() || !no_letters_left() || !asks_instants_alone(statement_) ||
+  if (first.size() != data_.size() || !all_have_values_ || !asks_instants_alone(statement_) ||
       std::ranges::any_of(statement_.situations, has_no_place)) {
     no_program_ = "more than instants is asked about";
     return;
@@ -155,6 +160,7 @@ void CompiledCases::take_shape(const Solution& solution) {
 }
 
 SolvedStatement CompiledCases::solved_in_full(const Columns& data, std::size_t row) const {
+  if (all_have_values_) return solve_questions(statement_, settings_at(data, row).front());
   std::vector<std::pair<std::string, std::string>> sets = sets_;
   for (std::size_t k = 0; k < data_.size(); ++k) sets.emplace_back(data_[k].name, setting_text(data_[k], data[k][row]));
   return solve_statement(statement_, sets);

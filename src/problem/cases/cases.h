@@ -84,7 +84,8 @@ class CompiledCases {
   std::vector<std::pair<std::string, std::string>> sets_;
   std::vector<VariedDatum> data_;
   std::vector<CaseColumn> columns_;
-  Settings settings_;  // those of sets_
+  Settings settings_;             // those of sets_
+  bool all_have_values_ = false;  // whether no letter is left open
   bool by_instants_ = false;
   std::vector<bool> vectors_;  // of each question, whether it is one
   std::optional<CaseFormulas> formulas_;
