@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t scanned_points = 200;  // all over six decades
 constexpr std::size_t most_narrowed = 6;     // places from which the margin is made smaller
-constexpr int most_rounds = 30;              // eight quarterings lead from the first step to the last: the others gain
+constexpr int most_rounds = 40;              // eight quarterings lead from the first step to the last: the others gain
 constexpr double first_step = 2;             // in powers of ten; of an angle in radians
 constexpr double last_step = 1e-4;           // the search ends where such steps bring nothing
 constexpr double farthest = 1e8;             // times the unit of a letter, and as small a part of it
@@ -78,13 +78,14 @@ bool ClaimAttack::stands(const Point& point) {
   return true;
 }
 
-// Takes the best of all moves in each round; where none is better, the steps become shorter.
+// Takes the best of all moves in each round. Where no step is better the edges are tried, and then shorter steps.
 void ClaimAttack::narrow(Place& place, std::size_t seed) {
   std::mt19937_64 random(9000 + seed);
   double step = first_step;
+  Moves which = Moves::steps;
   for (int round = 0; round < most_rounds && step > last_step && place.margin > 0; ++round) {
-    std::vector<Point> all = moves(place.point, step);
-    for (int i = 0; i < random_moves; ++i) {
+    std::vector<Point> all = moves(place.point, step, which);
+    for (int i = 0; which == Moves::steps && i < random_moves; ++i) {
       Point moved = place.point;
       for (const Letter& letter : letters_) {
         const double part = std::uniform_real_distribution<double>(-1, 1)(random);
@@ -102,11 +103,12 @@ void ClaimAttack::narrow(Place& place, std::size_t seed) {
         if (place.margin <= 0) return;
       }
     }
-    if (!better) step /= 4;
+    if (!better && which == Moves::edges) step /= 4;
+    which = better || which == Moves::edges ? Moves::steps : Moves::edges;
   }
 }
 
-std::vector<Point> ClaimAttack::moves(const Point& from, double step) const {
+std::vector<Point> ClaimAttack::moves(const Point& from, double step, Moves which) const {
   std::vector<Point> all;
   const auto add = [&](const Letter& letter, double value) {
     const double size = std::abs(value) / letter.unit.factor;
@@ -118,11 +120,11 @@ std::vector<Point> ClaimAttack::moves(const Point& from, double step) const {
   };
   for (const Letter& letter : letters_) {
     const double value = from.at(letter.name);
-    if (is_angle(letter)) {
-      for (const double turn : {step, -step}) add(letter, value + turn);
+    if (which == Moves::steps) {
+      for (const double way : {step, -step}) add(letter, is_angle(letter) ? value + way : value * std::pow(10, way));
       continue;
     }
-    for (const double power : {step, -step}) add(letter, value * std::pow(10, power));
+    if (is_angle(letter)) continue;
     if (letter.either_sign) {
       add(letter, -value);
       if (value != 0) add(letter, 0);

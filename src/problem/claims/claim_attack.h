@@ -37,7 +37,9 @@ class ClaimAttack {
   std::optional<Place> look(Point point, double below);
   bool stands(const Point& point);
   void narrow(Place& place, std::size_t seed);
-  std::vector<Point> moves(const Point& from, double step) const;
+  // steps: by single letters; edges: to where letters of a kind are equal, sums or differences.
+  enum class Moves { steps, edges };
+  std::vector<Point> moves(const Point& from, double step, Moves which) const;
 
   std::vector<Letter> letters_;  // by name
   Margin margin_;

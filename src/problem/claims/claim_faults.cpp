@@ -1,6 +1,7 @@
 #include "problem/claims/claim_faults.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "problem/language/words.h"
 
@@ -30,13 +31,13 @@ std::string kind_of(const StatementError& error) {
 }  // namespace
 
 void ClaimFaults::note(const StatementError& error, const Point& point) {
-  const std::string kind = kind_of(error);
+  std::string kind = kind_of(error);
   for (Met& known : met_)
-    if (kind_of(known.error) == kind) {
+    if (known.kind == kind) {
       ++known.times;
       return;
     }
-  met_.push_back({error, point});
+  met_.push_back({error, std::move(kind), point});
 }
 
 const ClaimFaults::Met& ClaimFaults::chief() const {

@@ -24,6 +24,7 @@ class ClaimFaults {
  private:
   struct Met {
     StatementError error;
+    std::string kind;
     Point point;
     int times = 1;
   };

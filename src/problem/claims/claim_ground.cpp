@@ -6,6 +6,7 @@
 
 #include "problem/claims/claim_letters.h"
 #include "problem/formulas/formula_answers.h"
+#include "problem/instant/particle_witness.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression_walk.h"
 
@@ -107,29 +108,89 @@ ClaimFormulas* ClaimGround::formulas(bool all_poses) {
   return road.formulas.get();
 }
 
+namespace {
+
+// The instant of a point, and if there is a blow and something is asked before it, that before it.
+class PointInstant {
+ public:
+  PointInstant(const Situation& situation, const Settings& settings, const MotionState& state, const OpenChoice& choice)
+      : situation_(situation),
+        settings_(settings),
+        state_(state),
+        choice_(choice),
+        instant_(situation, settings, state, choice) {}
+
+  void write_down_what_is_told() {
+    writes_ = true;
+    instant_.write_down_what_is_told();
+  }
+  Verdict verdict(const Claim& claim) {
+    if (situation_.has_blow()) instant_.strike();
+    const ClaimElsewhere elsewhere = [&](const At& at, const Mark&) {
+      return (at.instant == "before" ? before() : instant_).raw(at.expression, claim.axes, nullptr);
+    };
+    Verdict verdict;
+    for (const Expression& expression : claim.of)
+      judge_numbers(verdict, situation_, instant_, elsewhere, expression, claim.axes);
+    return verdict;
+  }
+  bool confirmed() const { return confirmed_by_particles(instant_) && (!before_ || confirmed_by_particles(*before_)); }
+
+ private:
+  SolvedInstant& before() {
+    if (!before_) {
+      before_.emplace(situation_, settings_, state_, choice_);
+      if (writes_) before_->write_down_what_is_told();
+    }
+    return *before_;
+  }
+
+  const Situation& situation_;
+  const Settings& settings_;
+  const MotionState& state_;
+  const OpenChoice& choice_;
+  SolvedInstant instant_;
+  std::optional<SolvedInstant> before_;
+  bool writes_ = false;
+};
+
+}  // namespace
+
+MotionState ClaimGround::state_at(const ClaimFormulas& formulas, const Point& point) {
+  MotionState state;
+  if (point.contains("time")) state.time = point.at("time");
+  for (const Formula& q : formulas.positions()) state.q.push_back(value_at(q, point));
+  for (const Formula& v : formulas.velocities()) state.v.push_back(value_at(v, point));
+  return state;
+}
+
 std::optional<Verdict> ClaimGround::verdict_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point) {
   try {
     const Settings settings = with_letters(point);
-    MotionState state;
-    if (point.contains("time")) state.time = point.at("time");
-    for (const Formula& q : formulas.positions()) state.q.push_back(value_at(q, point));
-    for (const Formula& v : formulas.velocities()) state.v.push_back(value_at(v, point));
+    const MotionState state = state_at(formulas, point);
     OpenChoice choice;
     choice.trial = neglects();
-    SolvedInstant instant(situation_, settings, state, choice);
-    SolvedInstant before(situation_, settings, state, choice);
-    if (situation_.has_blow()) instant.strike();
-    Verdict verdict;
-    if (takes_derivatives(situation_, claim) || neglects()) return verdict;
-    const ClaimElsewhere elsewhere = [&](const At& at, const Mark&) {
-      return (at.instant == "before" ? before : instant).raw(at.expression, claim.axes, nullptr);
-    };
-    for (const Expression& expression : claim.of)
-      judge_numbers(verdict, situation_, instant, elsewhere, expression, claim.axes);
-    return verdict;
+    PointInstant instant(situation_, settings, state, choice);
+    const bool by_formulas = takes_derivatives(situation_, claim) || neglects();
+    return by_formulas ? Verdict() : instant.verdict(claim);
   } catch (const StatementError& error) {
     faults_.note(error, point);
     return std::nullopt;
+  }
+}
+
+bool ClaimGround::confirmed_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point) {
+  if (takes_derivatives(situation_, claim) || neglects()) return true;
+  try {
+    const Settings settings = with_letters(point);
+    const MotionState state = state_at(formulas, point);
+    const OpenChoice choice;
+    PointInstant instant(situation_, settings, state, choice);
+    instant.write_down_what_is_told();
+    instant.verdict(claim);
+    return instant.confirmed();
+  } catch (const StatementError&) {
+    return false;
   }
 }
 

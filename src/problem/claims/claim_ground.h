@@ -45,10 +45,13 @@ class ClaimGround {
   // Whether the claim and its assumptions hold for numbers at a point, in the state that the formulas have there;
   // nothing if the situation cannot be solved there.
   std::optional<Verdict> verdict_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point);
+  // Whether the bodies as particles confirm what the numbers of such a point say of the claim.
+  bool confirmed_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point);
   // The faults at the points where it could not be solved so far.
   const ClaimFaults& faults() const { return faults_; }
 
  private:
+  static MotionState state_at(const ClaimFormulas& formulas, const Point& point);
   void find_base();
 
   const Situation& situation_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "poinsot/engine/math/formula/formula_decision.h"
 #include "poinsot/engine/work/work.h"
@@ -125,36 +126,13 @@ class ClaimSolver {
   }
 
   // Whether the formulas hold at a point: the signs that were decided at the base must be the same there.
-  bool decided_alike(const Point& point) const {
-    return std::all_of(formulas_->decisions().signs.begin(), formulas_->decisions().signs.end(),
-                       [&](const Formula& sign) {
-                         const std::vector<std::string> letters = sign.letters();
-                         return std::all_of(letters.begin(), letters.end(),
-                                            [&](const std::string& letter) { return point.contains(letter); }) &&
-                                value_at(sign, point) * base_sign(sign) >= 0;
-                       });
-  }
-
-  // Whether the numbers have the sides with which formulas refute the claim, to a small part of their difference.
-  static bool found_alike(const Verdict& numbers, const Verdict& formulas) {
-    // Of the difference: sides are good to 1e-9 of themselves, so that differences down to a thousandth of them are
-    // told.
-    constexpr double same = 1e-6;
-    if (!numbers.holds || formulas.holds || !formulas.sides) return false;
-    const auto [left, right] = *formulas.sides;
-    const double apart = same * std::abs(left - right);
-    return std::ranges::any_of(numbers.alike, [&](const Verdict::Alike& sides) {
-      return std::abs(sides.left - left) <= apart && std::abs(sides.right - right) <= apart;
-    });
-  }
-
-  // Whether the sides with which formulas refute the claim would count as equal among the numbers of this point: a rate
-  // that follows from the weight is nothing beside those of a spin that is drawn a million times faster.
-  static bool too_fine(const Verdict& numbers, const Verdict& formulas) {
-    if (!numbers.holds || numbers.close || formulas.holds || !formulas.sides) return false;
-    const double apart = std::abs(formulas.sides->first - formulas.sides->second);
-    return std::ranges::any_of(numbers.alike, [&](const Verdict::Alike& sides) {
-      return sides.dimension == formulas.dimension && apart <= sides.allowed;
+  bool decided_alike(const Point& point) {
+    if (decided_.empty())
+      for (const Formula& sign : formulas_->decisions().signs)
+        decided_.push_back({sign, base_sign(sign), sign.letters()});
+    return std::ranges::all_of(decided_, [&](const DecidedSign& decided) {
+      return std::ranges::all_of(decided.letters, [&](const std::string& name) { return point.contains(name); }) &&
+             value_at(decided.of, point) * decided.at_base >= 0;
     });
   }
 
@@ -189,6 +167,11 @@ class ClaimSolver {
       if (numbers->close) return Outcome::skipped;
       undetermined("formulas and numbers do not agree on it");
       return Outcome::decided;
+    }
+    if ((confirmed_points < confirming_points || !verdict.holds) &&
+        !ground_.confirmed_at(claim_, formulas_->formulas(), drawn.point)) {
+      off_particles_ = true;
+      return Outcome::skipped;
     }
     possible = true;
     ++confirmed_points;
@@ -229,6 +212,8 @@ class ClaimSolver {
   // Looks for a point of a case at which the claim fails. Returns whether that decided it.
   bool attack(const WorkedCase& one, const std::vector<ClaimTrials::Drawn>& starts, int& confirmed_points,
               bool& possible) {
+    // Where numbers made sense last, and whether they did.
+    std::optional<std::pair<Point, bool>> by_numbers;
     ClaimAttack attack(
         trials_->free_letters(one),
         [&](const Point& free) -> std::optional<double> {
@@ -239,9 +224,11 @@ class ClaimSolver {
           if (takes_derivatives(situation_, claim_) || ground_.neglects() || states_equality(claim_.of))
             return std::nullopt;
           const std::optional<Verdict> numbers = ground_.verdict_at(claim_, formulas_->formulas(), drawn->point);
+          by_numbers.emplace(free, numbers.has_value());
           return numbers ? std::optional(numbers->margin) : std::nullopt;
         },
         [&](const Point& free) {
+          if (by_numbers && by_numbers->first == free) return by_numbers->second;
           const std::optional<ClaimTrials::Drawn> drawn = trials_->at(one, free);
           return drawn && ground_.verdict_at(claim_, formulas_->formulas(), drawn->point).has_value();
         },
@@ -256,6 +243,8 @@ class ClaimSolver {
   }
 
   void finish(bool possible) {
+    if (!possible && off_particles_)
+      return undetermined("the bodies as particles do not confirm it wherever it was tried");
     if (!possible && unconfirmed_)
       return undetermined("wherever it fails, it fails by less than the numbers there can confirm");
     if (!possible) {
@@ -371,8 +360,15 @@ class ClaimSolver {
   std::unique_ptr<ClaimInstant> formulas_;
   std::unique_ptr<WorkedAssumptions> worked_;
   bool unconfirmed_ = false;     // whether formulas refuted the claim at a point where numbers cannot tell
+  bool off_particles_ = false;   // whether the bodies as particles did not confirm the numbers of a point
   std::vector<Letter> letters_;  // all letters that may occur in the formulas
   std::unique_ptr<ClaimTrials> trials_;
+  struct DecidedSign {
+    Formula of;
+    int at_base;
+    std::vector<std::string> letters;
+  };
+  std::vector<DecidedSign> decided_;
   bool proved_ = false;
   SolvedClaim result_;
 };

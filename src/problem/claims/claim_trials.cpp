@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "poinsot/engine/math/formula/certain_value.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
 #include "poinsot/engine/work/work.h"
 
@@ -18,21 +19,6 @@ constexpr Work most_exact_work = 200'000'000;    // on each of these
 constexpr std::size_t most_exact_terms = 20000;  // of their formulas, as of answers
 
 bool is_strict(Relation relation) { return relation == Relation::less || relation == Relation::greater; }
-
-// The difference of two sides at a point as an exact formula, for where rounding hides it.
-std::optional<Formula> exactly(const Formula& difference, const ClaimTrials::Drawn& drawn) {
-  std::map<std::string, Formula> numbers;
-  for (const auto& [letter, value] : drawn.free) numbers[letter] = Formula(value);
-  const FormulaLimitScope limits({most_exact_terms, most_exact_work});
-  try {
-    return poinsot::substituted(drawn.of->apply(difference), numbers);
-  } catch (const std::domain_error&) {
-    return std::nullopt;
-  } catch (const FormulaTooLarge&) {
-    // An example is the sine of a number with many digits.
-    return std::nullopt;
-  }
-}
 
 bool is_identity(const WorkedCase& one, const FormulaComparison& comparison) {
   try {
@@ -79,7 +65,8 @@ std::optional<double> ClaimTrials::margin(const Drawn& drawn) {
   for (std::size_t k = 0; k < formulas_.terms().size(); ++k) {
     if (identities->second[k]) continue;
     const FormulaComparison& comparison = formulas_.terms()[k].comparison;
-    const double left = value_at(comparison.left, drawn.point), right = value_at(comparison.right, drawn.point);
+    const double left = near_value_at(comparison.left, drawn.point),
+                 right = near_value_at(comparison.right, drawn.point);
     if (!std::isfinite(left) || !std::isfinite(right)) return std::nullopt;
     least = std::min(least, margin_of(left, right, comparison.relation));
   }
@@ -105,6 +92,31 @@ std::optional<ClaimTrials::Drawn> ClaimTrials::completed(const WorkedCase& one, 
   return drawn;
 }
 
+// The difference of two sides of a comparison at a point, for where rounding hides it. size: of the sides.
+std::optional<double> ClaimTrials::exactly(const FormulaComparison& comparison, const Drawn& drawn, double size) {
+  const FormulaLimitScope limits({most_exact_terms, most_exact_work});
+  try {
+    auto [known, fresh] = differences_.try_emplace({drawn.of, &comparison});
+    if (fresh) known->second = drawn.of->apply(comparison.difference());
+    if (!known->second) return std::nullopt;
+    // The letters of a point are the decimals that are read of it. Where that may matter, formulas are made of these.
+    constexpr double decimal = 1e-13;
+    if (!drawn.edge)
+      if (const std::optional<double> certain = certain_value_at(*known->second, drawn.free);
+          certain && std::abs(*certain) > decimal * size)
+        return certain;
+    std::map<std::string, Formula> numbers;
+    for (const auto& [letter, value] : drawn.free) numbers[letter] = Formula(value);
+    const Formula difference = poinsot::substituted(*known->second, numbers);
+    return difference.is_number() ? std::optional(plain(difference)) : std::nullopt;
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  } catch (const FormulaTooLarge&) {
+    // An example is the sine of a number with many digits.
+    return std::nullopt;
+  }
+}
+
 // Judges a comparison at a point by numbers. Where rounding might decide, and at edges, it is judged exactly if
 // possible.
 Verdict ClaimTrials::compared(const FormulaComparison& comparison, const Drawn& drawn, const Dimension& dimension) {
@@ -119,19 +131,19 @@ Verdict ClaimTrials::compared(const FormulaComparison& comparison, const Drawn& 
     if (!verdict.holds || exact_equalities_ >= most_exact_equalities) return verdict;
     // The sides may differ by less than rounding.
     ++exact_equalities_;
-    const auto difference = exactly(comparison.difference(), drawn);
-    if (!difference || !difference->is_number() || difference->is_zero()) return verdict;
+    const std::optional<double> difference = exactly(comparison, drawn, std::max(std::abs(left), std::abs(right)));
+    if (!difference || *difference == 0) return verdict;
     verdict.refute(left, right, dimension);
     verdict.exact = true;
-    verdict.difference = plain(*difference);
+    verdict.difference = *difference;
     return verdict;
   }
   if (!verdict.close && !drawn.edge) return verdict;
-  const auto difference = exactly(comparison.difference(), drawn);
-  if (!difference || !difference->is_number()) return verdict;
+  const std::optional<double> difference = exactly(comparison, drawn, std::max(std::abs(left), std::abs(right)));
+  if (!difference) return verdict;
   verdict = {};
   verdict.close = verdict.exact = true;
-  const double exact = plain(*difference);
+  const double exact = *difference;
   const bool greater = comparison.relation == Relation::greater || comparison.relation == Relation::greater_equal;
   if (exact == 0 ? is_strict(comparison.relation) : (exact > 0) != greater) verdict.refute(left, right, dimension);
   return verdict;

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "problem/claims/claim_instant.h"
@@ -52,6 +53,7 @@ class ClaimTrials {
   };
   const std::vector<Edge>& edges();
   std::optional<Drawn> completed(const WorkedCase& one, Point free, bool edge = false);
+  std::optional<double> exactly(const FormulaComparison& comparison, const Drawn& drawn, double size);
   Verdict compared(const FormulaComparison& comparison, const Drawn& drawn, const Dimension& dimension);
 
   const ClaimInstant& formulas_;
@@ -60,7 +62,9 @@ class ClaimTrials {
   DrawnSizes sizes_;
   std::optional<std::vector<Edge>> edges_;
   std::map<const WorkedCase*, std::vector<bool>> identities_;  // of each case: which terms have identical sides
-  int exact_equalities_ = 0;                                   // how often equal sides were compared exactly
+  // Of each comparison in each case: nothing where the formula takes too many terms.
+  std::map<std::pair<const WorkedCase*, const FormulaComparison*>, std::optional<Formula>> differences_;
+  int exact_equalities_ = 0;  // how often equal sides were compared exactly
 };
 
 }  // namespace poinsot::problem

@@ -19,6 +19,25 @@ constexpr double equal_tolerance = 1e-9;
 
 }  // namespace
 
+bool found_alike(const Verdict& numbers, const Verdict& formulas) {
+  // Of the difference: sides are good to 1e-9 of themselves, so that differences down to a thousandth of them are told.
+  constexpr double same = 1e-6;
+  if (!numbers.holds || formulas.holds || !formulas.sides) return false;
+  const auto [left, right] = *formulas.sides;
+  const double apart = same * std::abs(left - right);
+  return std::ranges::any_of(numbers.alike, [&](const Verdict::Alike& sides) {
+    return std::abs(sides.left - left) <= apart && std::abs(sides.right - right) <= apart;
+  });
+}
+
+bool too_fine(const Verdict& numbers, const Verdict& formulas) {
+  if (!numbers.holds || numbers.close || formulas.holds || !formulas.sides) return false;
+  const double apart = std::abs(formulas.sides->first - formulas.sides->second);
+  return std::ranges::any_of(numbers.alike, [&](const Verdict::Alike& sides) {
+    return sides.dimension == formulas.dimension && apart <= sides.allowed;
+  });
+}
+
 double margin_of(double left, double right, Relation relation) {
   const double size = std::max(std::abs(left), std::abs(right));
   const double rise = size > 0 ? (right - left) / size : 0;

@@ -34,6 +34,12 @@ struct Verdict {
   void refute(double left, double right, const Dimension& of);
 };
 
+// Whether the numbers have the sides with which formulas refute the claim, to a small part of their difference.
+bool found_alike(const Verdict& numbers, const Verdict& formulas);
+// Whether the sides with which formulas refute the claim would count as equal among the numbers of this point: a rate
+// that follows from the weight is nothing beside those of a spin that is drawn a million times faster.
+bool too_fine(const Verdict& numbers, const Verdict& formulas);
+
 // The margin of a single comparison.
 double margin_of(double left, double right, Relation relation);
 

@@ -2,25 +2,14 @@
 
 #include <algorithm>
 
+#include "problem/instant/particle_witness.h"
 #include "problem/language/diagnostic.h"
 #include "problem/quantities/quantity_functions.h"
 #include "problem/unknowns/asked_value.h"
 
 namespace poinsot::problem {
-namespace {
-
-constexpr double check_tolerance = 1e-8;  // of the sizes that a check compares, as for every instant
-
-}  // namespace
-
 bool confirmed_by_particles(Sample& sample) {
-  return std::all_of(sample.instants().begin(), sample.instants().end(), [](const auto& item) {
-    const SolvedInstant::Residuals residuals = item.second->check();
-    const solve::CheckResult& particles = residuals.particles;
-    return particles.momentum <= check_tolerance && particles.energy <= check_tolerance &&
-           (!item.second->forces_solved() || particles.newton_euler <= check_tolerance) &&
-           residuals.impulse <= check_tolerance && residuals.constraints.value_or(0) <= check_tolerance;
-  });
+  return std::ranges::all_of(sample.instants(), [](const auto& item) { return confirmed_by_particles(*item.second); });
 }
 
 bool is_at_instant(const FormulaTask& task, const Ask& ask) {

@@ -63,7 +63,7 @@ class LawSearch {
           has_numbers(ask.value))
         wanted.push_back(i);
       if (ask.state == AskState::found && !ask.formula && has_numbers(ask.value) &&
-          !is_at_instant(task_, task_.statement.asks[i]))
+          !is_at_instant(task_, task_.statement.asks[i]) && !speaks_of_no_letter(task_.statement.asks[i]))
         fixed_.push_back(i);
     }
     if (wanted.empty() && fixed_.empty()) return;
@@ -88,6 +88,11 @@ class LawSearch {
     std::size_t situation;
   };
 
+  // The datum of which the largest or smallest value is asked has no value of its own there.
+  bool speaks_of_no_letter(const Ask& ask) const {
+    return ask.extremum &&
+           std::ranges::all_of(task_.open, [&](const Letter& letter) { return letter.name == ask.extremum->name; });
+  }
   std::vector<std::string> all_letters() const {
     std::vector<std::string> names;
     for (const Letter& letter : task_.open) names.push_back(letter.name);
@@ -266,7 +271,6 @@ class LawSearch {
     }));
   }
 
-  // What was found at the same letters before is not found again.
   ScalingTrials::Answers kept_answers_at(const LetterValues& letters) {
     const auto known = kept_.find(letters);
     return known != kept_.end() ? known->second : (kept_[letters] = bounded_answers_at(letters));

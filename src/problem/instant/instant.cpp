@@ -373,8 +373,8 @@ SolvedInstant::Residuals SolvedInstant::check() const {
         impulse_moment_size = std::max(impulse_moment_size, norm(wrench.moment));
         given += (action.on == index ? 1.0 : -1.0) * wrench;
       }
-      impulse_size = std::max(impulse_size, norm(momentum.linear));
-      impulse_moment_size = std::max(impulse_moment_size, norm(momentum.angular));
+      impulse_size = std::max({impulse_size, norm(momentum.linear), norm(earlier.linear)});
+      impulse_moment_size = std::max({impulse_moment_size, norm(momentum.angular), norm(earlier.angular)});
       impulse_misfit = std::max(impulse_misfit, norm(momentum.linear - earlier.linear - given.force));
       impulse_moment_misfit = std::max(impulse_moment_misfit, norm(momentum.angular - earlier.angular - given.moment));
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "problem/instant/particle_witness.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 
@@ -134,9 +135,20 @@ std::unique_ptr<Sample> ExtremumSearch::sample_at(double value) {
   };
   for (const AllSettings& root : settings_at(value)) {
     auto sample = std::make_unique<Sample>(statement_, root, choice_);
-    if (holds_in(*sample)) return sample;
+    if (!holds_in(*sample)) continue;
+    confirm(value, *sample);
+    return sample;
   }
   return nullptr;
+}
+
+// At the far end that a search begins from, what is wrong may be nothing beside what grows faster: conditions are
+// confirmed where they hold on the way, unless that was done nearby.
+void ExtremumSearch::confirm(double value, const Sample& sample) {
+  if (choice_.trial || (confirmed_at_ && std::abs(value - *confirmed_at_) <= 0.5 * std::abs(value))) return;
+  confirmed_at_ = value;
+  for (const auto& [home, instant] : sample.instants())
+    unconfirmed_ = unconfirmed_ || !confirmed_by_particles(*instant);
 }
 
 std::optional<NearMotion> ExtremumSearch::near_motion(const Expression& stable, double value) try {
@@ -206,6 +218,12 @@ bool ExtremumSearch::is_at(double value) {
 }
 
 ExtremumFound ExtremumSearch::find() {
+  ExtremumFound found = found_end();
+  if (!unconfirmed_) return found;
+  return {{}, "the bodies as particles do not confirm its conditions where they were tried", {}, {}};
+}
+
+ExtremumFound ExtremumSearch::found_end() {
   const Span range = span();
   const double side = ask_.extremum->largest ? 1 : -1;
   // The grid of values runs towards the end that is asked for: evenly if the range is finite, otherwise in decades.

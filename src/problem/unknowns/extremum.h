@@ -29,6 +29,8 @@ class ExtremumSearch {
   bool is_at(double value);
 
  private:
+  ExtremumFound found_end();
+  void confirm(double value, const Sample& sample);
   struct Span {
     double lower = 0, upper = 0, scale = 1;
   };
@@ -56,6 +58,8 @@ class ExtremumSearch {
   const Situation& situation_;
   Dimension dimension_;
   std::optional<StatementError> refusal_;
+  std::optional<double> confirmed_at_;  // where the particles were asked last
+  bool unconfirmed_ = false;
   bool doubtful_ = false;               // of the value tried last
   const Expression* failed_ = nullptr;  // the condition that failed at it
   bool ever_ = false;                   // whether the conditions could be evaluated at any value

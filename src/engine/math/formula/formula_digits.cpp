@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "engine/math/formula/formula_nearest.h"
+#include "poinsot/engine/math/formula/certain_value.h"
 #include "poinsot/engine/math/formula/formula_decision.h"
 
 namespace poinsot {
@@ -85,9 +87,13 @@ BallOfLetter at_values(const LetterValues& values) {
 
 }  // namespace
 
+void count_digits_of(std::size_t terms, std::size_t generators, slong precision) {
+  count_formula_work(of_a_word *
+                     static_cast<double>(terms * (1 + generators) * static_cast<std::size_t>(1 + precision / 64)));
+}
+
 Ball ball_of(const Generators& generators, const Polynomial& polynomial, const BallOfLetter& letters, slong precision) {
-  count_formula_work(of_a_word * static_cast<double>(polynomial.length() * (1 + generators.size()) *
-                                                     static_cast<std::size_t>(1 + precision / 64)));
+  count_digits_of(polynomial.length(), generators.size(), precision);
   std::vector<std::vector<Ball>> powers(generators.size());
   const std::vector<bool> used = polynomial.used();
   for (std::size_t v = 0; v < generators.size(); ++v) {
@@ -190,9 +196,28 @@ bool is_zero_by_digits(const Generators& generators, const Polynomial& polynomia
 }  // namespace symbolic
 
 double value_at(const Formula& x, const LetterValues& values) {
-  const symbolic::Ball value = symbolic::accurate(x, symbolic::at_values(values), 60);
+  if (const std::optional<double> nearest = symbolic::nearest_by_rounding(x, values)) return *nearest;
+  const symbolic::Ball value = symbolic::accurate(x, symbolic::at_values(values), symbolic::digits_of_nearest / 2);
   if (!arb_is_finite(value.get())) return std::numeric_limits<double>::quiet_NaN();
   return arf_get_d(arb_midref(value.get()), ARF_RND_NEAR);
+}
+
+std::optional<double> certain_value_at(const Formula& x, const LetterValues& values) {
+  if (const std::optional<double> nearest = symbolic::nearest_by_rounding(x, values)) return nearest;
+  constexpr slong bits = symbolic::digits_of_nearest / 2;
+  const symbolic::Ball value = symbolic::accurate(x, symbolic::at_values(values), bits);
+  if (arb_is_zero(value.get())) return 0;
+  if (!arb_is_finite(value.get()) || arb_rel_accuracy_bits(value.get()) < bits) return std::nullopt;
+  return arf_get_d(arb_midref(value.get()), ARF_RND_NEAR);
+}
+
+double near_value_at(const Formula& x, const LetterValues& values) {
+  constexpr long double near = 1e-13L;
+  if (!x.is_zero()) {
+    const Rounded found = symbolic::value_by_rounding(x, values);
+    if (std::isfinite(found.error) && found.error <= near * found.size()) return static_cast<double>(found.value);
+  }
+  return value_at(x, values);
 }
 
 long double long_value_at(const Formula& x, const LetterValues& values) {

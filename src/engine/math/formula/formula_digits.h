@@ -35,6 +35,12 @@ using BallOfLetter = std::function<Ball(const Generator& letter)>;
 Ball ball_of(const Formula& x, const BallOfLetter& letters, slong precision);
 Ball ball_of(const Generators& generators, const Polynomial& polynomial, const BallOfLetter& letters, slong precision);
 
+// The bits with which the double nearest to a value is sought first.
+inline constexpr slong digits_of_nearest = 120;
+// Counts the work of the value of a polynomial of so many terms. By whatever numbers it is found, it counts as that of
+// balls does.
+void count_digits_of(std::size_t terms, std::size_t generators, slong precision);
+
 // The letters' values at a point of no special place; each attempt gives another point.
 BallOfLetter sample_point(int attempt);
 

@@ -9,9 +9,9 @@ using namespace symbolic;
 
 // Each squaring takes away a root and may square the number of terms; with more roots than these nothing is decided.
 constexpr int most_squarings = 4;
-constexpr int most_factored = 250;      // terms, in all
-constexpr int most_splits = 3;          // by coefficients, one within the other
-constexpr std::size_t most_terms = 60;  // of a polynomial that is split
+constexpr int most_factored = 250;            // terms, in all
+constexpr int most_splits = 3;                // by coefficients, one within the other
+constexpr std::size_t most_split_terms = 60;  // of a polynomial that is split
 
 SeenSign times(const SeenSign& a, const SeenSign& b) { return {a.sign * b.sign, a.strict && b.strict}; }
 
@@ -46,7 +46,7 @@ SeenSign sign_of_sum(const Formula& x, const Effort& effort);
 
 // a + b r with a root r of the radicand: of one sign where a and b are, else that of the larger square.
 SeenSign sign_with_root(const Generators& generators, const Polynomial& p, std::size_t root, const Effort& effort) {
-  if (p.length() > most_terms) return {};
+  if (p.length() > most_split_terms) return {};
   const std::vector<Polynomial> parts = p.coefficients_by(root);
   if (parts.size() != 2 || parts[0].is_zero()) return {};
   const Formula a = polynomial_formula(generators, parts[0]), b = polynomial_formula(generators, parts[1]);
@@ -92,7 +92,7 @@ SeenSign sign_of_factor(const Generators& generators, const Polynomial& p, const
   for (std::size_t v = 0; v < generators.size(); ++v)
     if (used[v] && generators[v]->kind == Kind::root && p.degree(v) == 1)
       if (const SeenSign seen = sign_with_root(generators, p, v, effort); seen.sign != 0) return seen;
-  if (effort.splits > 0 && p.length() <= most_terms)
+  if (effort.splits > 0 && p.length() <= most_split_terms)
     for (std::size_t v = 0; v < generators.size(); ++v) {
       if (!used[v] || is_algebraic(*generators[v])) continue;
       const std::vector<Polynomial> c = p.coefficients_by(v);
