@@ -28,7 +28,11 @@ class Split(Relation):
 
     def vary(self, statement, random):
         tree = statement.copy().tree
-        bodies = {name: body for name, body in tree.get("bodies", {}).items() if self.can_split(tree, name, body)}
+        # Two halves of a particle can turn, as the particle cannot: where only its velocity is stated, a motion of theirs
+        # would not be fixed.
+        moves = "@" in statement.text() and has_word(tree.get("instants", {}), "velocity")
+        bodies = {name: body for name, body in tree.get("bodies", {}).items()
+                  if self.can_split(tree, name, body) and not (moves and "particle" in body)}
         if not bodies or any("bodies" in s for s in tree.get("situations", {}).values() if isinstance(s, dict)):
             raise NotApplicable
         name = random.choice(sorted(bodies))
