@@ -81,10 +81,11 @@ void compare(const std::string& path, bool formulas, std::mt19937_64& random, Co
       EXPECT_FALSE(missing) << path;
       ASSERT_EQ(found.columns.size(), expected.size()) << path;
       const double size = std::abs(*std::ranges::max_element(expected, {}, [](double x) { return std::abs(x); }));
+      // The couple on the precessing earth is what is left of terms ten million times larger: numbers know it to eight
+      // digits, where its formula knows all.
+      const double same = path.ends_with("18.117.yaml") ? 2e-8 : 1e-9;
       for (std::size_t k = 0; k < expected.size(); ++k)
-        // What is left of terms ten million times larger, as the couple on the precessing earth, a full solution knows
-        // to eight digits.
-        EXPECT_NEAR(found.columns[k][row], expected[k], 2e-8 * std::max(std::abs(expected[k]), 1e-3 * size))
+        EXPECT_NEAR(found.columns[k][row], expected[k], same * std::max(std::abs(expected[k]), 1e-3 * size))
             << path << " " << cases.columns()[k].name;
     }
   } catch (const StatementError&) {

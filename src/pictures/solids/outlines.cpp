@@ -67,20 +67,25 @@ class Chains {
   std::multimap<Key, std::size_t> ends_;
 };
 
-// Keeps of a line the points between two of them that it would be seen to miss.
-void keep_bends(const std::vector<Point2>& points, std::size_t first, std::size_t last, std::vector<bool>& kept) {
+// Keeps of a line, besides its ends, the points that it would be seen to miss.
+void keep_bends(const std::vector<Point2>& points, std::vector<bool>& kept) {
   constexpr double seen = 0.25;
-  double farthest = seen;
-  std::size_t at = first;
-  for (std::size_t i = first + 1; i < last; ++i)
-    if (const double away = distance(points[i], points[first], points[last]); away > farthest) {
-      farthest = away;
-      at = i;
-    }
-  if (at == first) return;
-  kept[at] = true;
-  keep_bends(points, first, at, kept);
-  keep_bends(points, at, last, kept);
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    double farthest = seen;
+    std::size_t at = first;
+    for (std::size_t i = first + 1; i < last; ++i)
+      if (const double away = distance(points[i], points[first], points[last]); away > farthest) {
+        farthest = away;
+        at = i;
+      }
+    if (at == first) continue;
+    kept[at] = true;
+    open.emplace_back(first, at);
+    open.emplace_back(at, last);
+  }
 }
 
 // A silhouette goes to and fro along the sides of triangles, by less than is seen: what is left is where it goes.
@@ -93,7 +98,7 @@ void simplify(SeenLine& line) {
   }
   std::vector<bool> kept(line.points.size());
   kept.front() = kept.back() = true;
-  keep_bends(line.points, 0, line.points.size() - 1, kept);
+  keep_bends(line.points, kept);
   std::vector<Point2> points;
   for (std::size_t i = 0; i + (line.closed ? 1 : 0) < line.points.size(); ++i)
     if (kept[i]) points.push_back(line.points[i]);

@@ -7,6 +7,7 @@
 #include "problem/answers/fact_check.h"
 #include "problem/answers/motion_checks.h"
 #include "problem/claims/claim_letters.h"
+#include "problem/instant/particle_witness.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/quantities/quantity_functions.h"
@@ -14,10 +15,6 @@
 namespace poinsot::problem {
 namespace {
 
-// Relative misfit allowed in the check with particles. Right answers leave 1e-15 of their terms, and 1e-10 where loops
-// are closed and unknowns found to nine digits; a wrong term of an equation is no hundred-millionth of the others. The
-// scan of what is told of a motion leaves 1e-11.
-constexpr double check_tolerance = 1e-8;
 constexpr const char* stability_check = "stability";  // its name in the document
 constexpr double stability_tolerance =
     1e-6;  // of the pace: differences leave some 1e-8 in the slopes of the second road

@@ -25,7 +25,12 @@ class InstantProgram::Block {
  public:
   explicit Block(const InstantProgram& program)
       // What is left open is zero, and nothing writes it.
-      : program_(program), memory_(program.slots_ * block_rows), inputs_(program.slots_), columns_(program.slots_) {
+      : program_(program),
+        memory_(program.slots_ * block_rows),
+        inputs_(program.slots_),
+        columns_(program.slots_),
+        steps_(program.roots_.size()),
+        slopes_(program.roots_.size()) {
     for (std::size_t k = 0; k < columns_.size(); ++k) inputs_[k] = columns_[k] = memory_.data() + k * block_rows;
   }
 
@@ -80,14 +85,13 @@ class InstantProgram::Block {
 
   // The size of the step, beside those of the roots.
   double take_step(std::size_t row) {
-    SmallLeastSquares equations(program_.roots_.size());
-    std::vector<double> slopes(program_.roots_.size());
+    steps_.clear();
     for (const Equation& equation : program_.equations_) {
-      for (std::size_t k = 0; k < slopes.size(); ++k)
-        slopes[k] = columns_[equation.slopes[k]][row] * equation.weight * program_.roots_[k].size;
-      equations.add(slopes, -columns_[equation.value][row] * equation.weight);
+      for (std::size_t k = 0; k < slopes_.size(); ++k)
+        slopes_[k] = columns_[equation.slopes[k]][row] * equation.weight * program_.roots_[k].size;
+      steps_.add(slopes_, -columns_[equation.value][row] * equation.weight);
     }
-    const std::vector<double>& step = equations.solve();
+    const std::vector<double>& step = steps_.solve();
     double largest = 0;
     for (std::size_t k = 0; k < step.size(); ++k) {
       largest = std::isfinite(step[k]) ? std::max(largest, std::fabs(step[k])) : step[k];
@@ -100,6 +104,8 @@ class InstantProgram::Block {
   std::vector<double> memory_;
   std::vector<const double*> inputs_;
   std::vector<double*> columns_;
+  SmallLeastSquares steps_;  // the equations of a step
+  std::vector<double> slopes_;
   std::vector<char> valid_;
   std::size_t rows_ = 0;
 };

@@ -1,6 +1,7 @@
 // Few linear equations in fewer unknowns, met as well as can be.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -11,12 +12,15 @@
 
 namespace poinsot::problem {
 
-// By rotations (Givens) that take in an equation at a time.
+// By rotations (Givens) that take in an equation at a time, in memory that is kept from one system to the next: one is
+// solved for each step of each case.
 class SmallLeastSquares {
  public:
   explicit SmallLeastSquares(std::size_t unknowns)
       : n_(unknowns), triangle_(unknowns * (unknowns + 1), 0.0), value_(unknowns) {}
 
+  // Begins another system of as many unknowns.
+  void clear() { std::ranges::fill(triangle_, 0.0); }
   void add(std::span<const double> coefficients, double right_side) {
     row_.assign(coefficients.begin(), coefficients.end());
     row_.push_back(right_side);

@@ -271,6 +271,7 @@ class LawSearch {
     }));
   }
 
+  // What was found at the same letters before is not found again.
   ScalingTrials::Answers kept_answers_at(const LetterValues& letters) {
     const auto known = kept_.find(letters);
     return known != kept_.end() ? known->second : (kept_[letters] = bounded_answers_at(letters));

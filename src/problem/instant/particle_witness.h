@@ -5,6 +5,11 @@
 
 namespace poinsot::problem {
 
+// Relative misfit allowed in the check with particles. Right answers leave 1e-15 of their terms, and 1e-10 where loops
+// are closed and unknowns found to nine digits; a wrong term of an equation is no hundred-millionth of the others. The
+// scan of what is told of a motion leaves 1e-11.
+inline constexpr double check_tolerance = 1e-8;
+
 // Of the instant and of what was written down of what it told.
 bool confirmed_by_particles(const SolvedInstant& instant);
 

@@ -8,7 +8,6 @@
 
 #include "engine/solve/instant/particle_paths.h"
 #include "problem/instant/instant.h"
-#include "problem/instant/particle_witness.h"
 
 namespace poinsot::problem {
 namespace {
@@ -197,16 +196,6 @@ SolvedInstant::ToldMisfit SolvedInstant::misfit_of_told() const {
       worst = {std::isfinite(misfit) ? misfit : std::numeric_limits<double>::infinity(), told.words, worst.checked};
   }
   return worst;
-}
-
-bool confirmed_by_particles(const SolvedInstant& instant) {
-  // Of the sizes that a check compares, as for every instant.
-  constexpr double tolerance = 1e-8;
-  const SolvedInstant::Residuals residuals = instant.check();
-  const solve::CheckResult& particles = residuals.particles;
-  return particles.momentum <= tolerance && particles.energy <= tolerance &&
-         (!instant.forces_solved() || particles.newton_euler <= tolerance) && residuals.impulse <= tolerance &&
-         residuals.constraints.value_or(0) <= tolerance && instant.misfit_of_told().misfit <= tolerance;
 }
 
 }  // namespace poinsot::problem
