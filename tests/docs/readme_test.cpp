@@ -32,7 +32,8 @@ std::vector<std::string> blocks_of(const std::string& kind) {
 // Residuals are rounding, which differs from build to build.
 std::string without_residuals(const std::string& text) {
   return std::regex_replace(
-      text, std::regex("(energy|impulse|momentum|Newton-Euler|quantities|facts hold to|numbers to) [0-9]+(e-[0-9]+)?"), "$1 ...");
+      text, std::regex("(energy|impulse|momentum|Newton-Euler|quantities|facts hold to|numbers to) [0-9]+(e-[0-9]+)?"),
+      "$1 ...");
 }
 
 TEST(Readme, ShowsWhatTheProgramPrints) {

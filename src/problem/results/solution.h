@@ -129,7 +129,7 @@ struct Solution {
   std::vector<std::string> assumptions;  // under which the formulas hold: "m > 0"
   std::vector<FormulaCondition> conditions{};
   std::vector<FormulaCondition> grounds{};  // other assumptions that are known as formulas
-  std::vector<std::string> notes;  // on the stability of steady motions, and on events during a motion
+  std::vector<std::string> notes;           // on the stability of steady motions, and on events during a motion
 };
 
 struct SolvedStatement {
