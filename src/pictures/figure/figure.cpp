@@ -379,7 +379,7 @@ Drawing figure(const Scene& scene, const FigureName& name, const std::string& ti
   }
   if (std::ranges::any_of(scene.bodies,
                           [](const scene::Body& body) { return !body.shapes.empty() && body.shapes.front().stand_in; }))
-    caption(drawing, "Dotted: solids with the moments of inertia of bodies whose shape is not stated", 240);
+    caption(drawing, "Dotted: what stands for bodies whose shape is not stated, by their moments of inertia", 240);
   if (marked) caption(drawing, "Arrows with two strokes are not to scale", 240);
   drawing.paper = drawing.paper.grown(margin);
   drawing.title = title.empty() ? name.title : title;

@@ -169,6 +169,22 @@ void join_parts(const std::vector<Solid>& solids, double near, std::vector<std::
   }
 }
 
+// What stands for a shape reaches to the points of the body by arms. Its surface is not where the true one is: points
+// that are hardly outside have none.
+void reach_points(const scene::Scene& scene, int body, const std::vector<Solid>& solids,
+                  const std::vector<scene::Pose>& poses, std::vector<std::array<Vector, 2>>& arms) {
+  if (std::ranges::none_of(solids, &Solid::stand_in)) return;
+  constexpr double outside_part = 0.1;
+  const double outside = outside_part * scene.length;
+  const std::vector<Vector> held = places_on(scene, body, false, poses);
+  for (const Vector& place : places_on(scene, body, true, poses)) {
+    if (std::ranges::find_if(held, [&](const Vector& other) { return norm(other - place) < outside; }) != held.end())
+      continue;
+    const Vector end = nearest_of_shapes(solids, place, outside);
+    if (norm(end - place) > outside) arms.push_back({place, end});
+  }
+}
+
 }  // namespace
 
 std::vector<std::array<Vector, 2>> skeleton_of(const scene::Scene& scene, int body, const std::vector<Solid>& solids,
@@ -186,6 +202,7 @@ std::vector<std::array<Vector, 2>> skeleton_of(const scene::Scene& scene, int bo
           along_axis(scene, body, solids, place, poses, near).value_or(nearest_of_shapes(solids, place, near));
       if (norm(end - place) > near) arms.push_back({place, end});
     }
+    reach_points(scene, body, solids, poses, arms);
     join_parts(solids, near, arms);
     return arms;
   }

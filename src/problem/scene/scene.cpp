@@ -16,6 +16,7 @@
 #include "problem/scene/scene_free_motion.h"
 #include "problem/scene/scene_model_diagram.h"
 #include "problem/scene/scene_motion.h"
+#include "problem/scene/scene_open_centers.h"
 #include "problem/scene/scene_points.h"
 #include "problem/scene/scene_stand_ins.h"
 
@@ -181,7 +182,8 @@ class SceneMaker {
 std::vector<scene::Scene> scenes_of(const Statement& statement,
                                     const std::vector<std::pair<std::string, std::string>>& sets,
                                     const SolvedStatement& solved, std::size_t solution) {
-  return SceneMaker(statement, sets, solved, solution).made();
+  const std::optional<Statement> placed = with_open_centers_at_joints(statement);
+  return SceneMaker(placed ? *placed : statement, sets, solved, solution).made();
 }
 
 }  // namespace poinsot::problem

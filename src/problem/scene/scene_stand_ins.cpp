@@ -1,4 +1,6 @@
-// A uniform cylinder of radius R and length h has the moments m R^2/2 about its axis and m (3 R^2 + h^2)/12 across it.
+// A uniform cylinder of radius R and length h has the moments m R^2/2 about its axis and m (3 R^2 + h^2)/12 across it;
+// a cone of radius R and height h has 3 m R^2/10 about its axis and its center at 3 h/4 from its apex; an ellipsoid of
+// semi-axes a, b, c has m (b^2 + c^2)/5 about the first.
 #include "problem/scene/scene_stand_ins.h"
 
 #include <algorithm>
@@ -73,12 +75,26 @@ bool swallows_a_holder(const scene::Scene& scene, int body, const Vector3<double
   });
 }
 
-std::optional<scene::Shape> stand_in(const scene::Scene& scene, int number, const Body& body,
-                                     const MassProperties<double>& mass) {
-  const PrincipalAxes<double> principal = principal_axes(mass.inertia_center, equal_moments);
-  const Vector3<double>& moments = principal.moments;
-  if (!(mass.mass > 0) || !(moments.x > 0) || !std::isfinite(norm(moments))) return std::nullopt;
+scene::Shape shape_of(Outline outline, const std::string& kind) {
+  scene::Shape shape;
+  shape.kind = kind;
+  shape.stand_in = true;
+  shape.extent = outline.triangles.empty() ? scene::Extent::line
+                 : kind == "disk"          ? scene::Extent::surface
+                                           : scene::Extent::volume;
+  shape.vertices = std::move(outline.vertices);
+  shape.triangles = std::move(outline.triangles);
+  shape.normals = std::move(outline.normals);
+  shape.edges = std::move(outline.edges);
+  return shape;
+}
+
+// The solid of revolution that has the moments, if all that holds the body leaves it room.
+std::optional<scene::Shape> solid_of_revolution(const scene::Scene& scene, int number, const Body& body,
+                                                const MassProperties<double>& mass,
+                                                const PrincipalAxes<double>& principal) {
   if (principal.symmetry == InertiaSymmetry::triaxial) return std::nullopt;
+  const Vector3<double>& moments = principal.moments;
   const scene::Body& own = scene.bodies[static_cast<std::size_t>(number)];
   Outline outline;
   std::string kind;
@@ -114,17 +130,166 @@ std::optional<scene::Shape> stand_in(const scene::Scene& scene, int number, cons
     outline = picture(own.center, axis, size);
     kind = outline.triangles.empty() ? "rod" : size.length < flat * size.radius ? "disk" : "cylinder";
   }
-  scene::Shape shape;
-  shape.kind = kind;
-  shape.stand_in = true;
-  shape.extent = outline.triangles.empty() ? scene::Extent::line
-                 : kind == "disk"          ? scene::Extent::surface
-                                           : scene::Extent::volume;
-  shape.vertices = std::move(outline.vertices);
-  shape.triangles = std::move(outline.triangles);
-  shape.normals = std::move(outline.normals);
-  shape.edges = std::move(outline.edges);
-  return shape;
+  return shape_of(std::move(outline), kind);
+}
+
+bool touches(const scene::Symbol& symbol) {
+  return symbol.kind == scene::SymbolKind::contact || symbol.kind == scene::SymbolKind::rolling_contact;
+}
+
+// Where joints, supports, cords and springs hold a body or are held by it, each place once.
+std::vector<Vector3<double>> held_places(const SceneFigure& figure, int body) {
+  const scene::Scene& scene = figure.scene();
+  const scene::Pose& pose = scene.bodies[static_cast<std::size_t>(body)].pose;
+  std::vector<Vector3<double>> places;
+  const auto add = [&](const scene::Place& place) {
+    const Vector3<double> at = transpose_times(pose.R, Vector3<double>(figure.on_ground(place) - pose.p));
+    constexpr double same = 1e-6;
+    if (std::none_of(places.begin(), places.end(), [&](const Vector3<double>& other) {
+          return norm(Vector3<double>(other - at)) <= same * norm(at);
+        }))
+      places.push_back(at);
+  };
+  for (const scene::Symbol& symbol : scene.symbols)
+    if (!touches(symbol) && (symbol.to == body || symbol.from == body)) add(symbol.place);
+  for (const scene::Link& link : scene.links)
+    for (const scene::Place& place : {link.from, link.to})
+      if (place.body == body) add(place);
+  return places;
+}
+
+// Whether a body is a link of a mechanism, held at places that no one axis of a joint runs through: its arms show it.
+bool is_link(const SceneFigure& figure, int body, const std::vector<Vector3<double>>& places) {
+  if (places.size() < 2) return false;
+  double size = 0;
+  for (const Vector3<double>& place : places) size = std::max(size, norm(Vector3<double>(place - places.front())));
+  return std::none_of(figure.scene().symbols.begin(), figure.scene().symbols.end(), [&](const scene::Symbol& symbol) {
+    if (symbol.to != body || !(norm(symbol.axis) > 0)) return false;
+    return std::all_of(places.begin(), places.end(), [&](const Vector3<double>& place) {
+      constexpr double aside = 1e-6;
+      return norm(Vector3<double>(cross(place - symbol.place.at, symbol.axis))) < aside * size * norm(symbol.axis);
+    });
+  });
+}
+
+// Whether a body is held at its mass center.
+bool is_middle(const SceneFigure& figure, const scene::Symbol& symbol, int body) {
+  const Vector3<double> center = figure.on_ground({body, figure.scene().bodies[static_cast<std::size_t>(body)].center});
+  constexpr double same = 1e-6;
+  return norm(Vector3<double>(figure.on_ground(symbol.place) - center)) <= same * norm(center);
+}
+
+// A top: the cone on the tip at which a body of revolution is held, with its center and its moment about the axis.
+std::optional<scene::Shape> cone_on_tip(const SceneFigure& figure, int body, const MassProperties<double>& mass,
+                                        const PrincipalAxes<double>& principal,
+                                        const std::vector<Vector3<double>>& places) {
+  const scene::Scene& scene = figure.scene();
+  const scene::Body& own = scene.bodies[static_cast<std::size_t>(body)];
+  if (places.size() != 1 || principal.symmetry == InertiaSymmetry::triaxial) return std::nullopt;
+  const bool on_tip = std::any_of(scene.symbols.begin(), scene.symbols.end(), [&](const scene::Symbol& symbol) {
+    return symbol.to == body &&
+           (symbol.kind == scene::SymbolKind::ball || symbol.kind == scene::SymbolKind::ball_support);
+  });
+  const Vector3<double> arm = own.center - places.front();
+  const double distance = norm(arm);
+  if (!on_tip || !(distance > 0)) return std::nullopt;
+  const Vector3<double> axis = arm / distance;
+  double axial = principal.moments.y;
+  if (principal.symmetry == InertiaSymmetry::axisymmetric) {
+    constexpr double aside = 1e-6;
+    if (norm(Vector3<double>(cross(axis, principal.axes.column(principal.symmetry_axis)))) > aside) return std::nullopt;
+    axial = principal.moments[principal.symmetry_axis];
+  }
+  constexpr double center_part = 0.75, widest = 0.7, slimmest = 0.25;  // of the height
+  const double height = distance / center_part;
+  const double radius =
+      std::clamp(std::sqrt(std::max(0.0, axial) / (0.3 * mass.mass)), slimmest * height, widest * height);
+  return shape_of(outlines::cone(places.front(), places.front() + height * axis, radius), "cone");
+}
+
+// The ellipsoid of the moments. What holds or touches the body stands on it or outside of it.
+std::optional<scene::Shape> ellipsoid(const SceneFigure& figure, int body, const MassProperties<double>& mass,
+                                      const PrincipalAxes<double>& principal,
+                                      const std::vector<Vector3<double>>& places) {
+  const scene::Scene& scene = figure.scene();
+  const scene::Body& own = scene.bodies[static_cast<std::size_t>(body)];
+  const double sum = principal.moments.x + principal.moments.y + principal.moments.z;
+  Vector3<double> semi_axes;
+  for (std::size_t k = 0; k < 3; ++k)
+    semi_axes[k] = std::sqrt(std::max(0.0, 2.5 / mass.mass * (sum - 2 * principal.moments[k])));
+  const double longest = std::max({semi_axes.x, semi_axes.y, semi_axes.z});
+  constexpr double flattest = 0.12;  // of the longest: a body that is thinner is not seen as one
+  for (std::size_t k = 0; k < 3; ++k) semi_axes[k] = std::max(semi_axes[k], flattest * longest);
+  // A place's distance from the center beside that of the surface in its direction.
+  const auto reach = [&](const Vector3<double>& place) {
+    const Vector3<double> d = transpose_times(principal.axes, Vector3<double>(place - own.center));
+    return norm(Vector3<double>{d.x / semi_axes.x, d.y / semi_axes.y, d.z / semi_axes.z});
+  };
+  double scale = 1;
+  constexpr double smallest = 0.3;
+  for (const Vector3<double>& place : places)
+    if (const double own_reach = reach(place); own_reach > 1e-6) scale = std::min(scale, std::max(own_reach, smallest));
+  for (const scene::Symbol& symbol : scene.symbols)
+    if (touches(symbol) && symbol.to == body) scale = reach(symbol.place.at);
+  if (!(scale > 0) || !std::isfinite(scale * longest)) return std::nullopt;
+  semi_axes = scale * semi_axes;
+  return shape_of(outlines::ellipsoid(own.center, semi_axes.x * principal.axes.column(0),
+                                      semi_axes.y * principal.axes.column(1), semi_axes.z * principal.axes.column(2)),
+                  "ellipsoid");
+}
+
+// Of a body whose moments are left open the wheel about the axis of its joint that reaches its points; if it has none
+// beside the axis, those of the ground.
+std::optional<scene::Shape> wheel_through_points(const SceneFigure& figure, int body) {
+  const scene::Scene& scene = figure.scene();
+  const auto held = std::find_if(scene.symbols.begin(), scene.symbols.end(), [&](const scene::Symbol& symbol) {
+    return symbol.to == body && symbol.place.body == body && !touches(symbol) && norm(symbol.axis) > 0;
+  });
+  if (held == scene.symbols.end()) return std::nullopt;
+  const Vector3<double> axis = normalized(held->axis);
+  const scene::Pose& pose = scene.bodies[static_cast<std::size_t>(body)].pose;
+  for (const int owner : {body, scene::ground}) {
+    double radius = 0, low = 0, high = 0;
+    for (const scene::Point& point : scene.points) {
+      if (point.place.body != owner) continue;
+      const Vector3<double> d =
+          transpose_times(pose.R, Vector3<double>(figure.on_ground(point.place) - pose.p)) - held->place.at;
+      radius = std::max(radius, norm(Vector3<double>(cross(d, axis))));
+      low = std::min(low, dot(d, axis));
+      high = std::max(high, dot(d, axis));
+    }
+    constexpr double out_of_balance = 0.1;
+    const double off_axis =
+        norm(Vector3<double>(cross(scene.bodies[static_cast<std::size_t>(body)].center - held->place.at, axis)));
+    if (!(radius > thin * (high - low)) || off_axis > out_of_balance * radius) continue;
+    const Vector3<double> from = held->place.at + low * axis, to = held->place.at + high * axis;
+    if (high - low < flat * radius) return shape_of(outlines::disk(from, axis, radius), "disk");
+    return shape_of(outlines::cylinder(from, to, radius), "cylinder");
+  }
+  return std::nullopt;
+}
+
+std::optional<scene::Shape> stand_in(const SceneFigure& figure, int number, const Body& body,
+                                     const MassProperties<double>& mass) {
+  const PrincipalAxes<double> principal = principal_axes(mass.inertia_center, equal_moments);
+  if (!(mass.mass > 0) || !body.inertia || !std::isfinite(norm(principal.moments))) return std::nullopt;
+  const std::vector<Vector3<double>> places = held_places(figure, number);
+  const bool solid = principal.moments.x > 0;
+  if (solid)
+    if (std::optional<scene::Shape> shape = solid_of_revolution(figure.scene(), number, body, mass, principal))
+      return shape;
+  if (std::optional<scene::Shape> shape = cone_on_tip(figure, number, mass, principal, places)) return shape;
+  if (body.inertia->rest_any)
+    if (std::optional<scene::Shape> shape = wheel_through_points(figure, number)) return shape;
+  if (!solid || is_link(figure, number, places)) return std::nullopt;
+  // What hangs on a link that its arms show is shown in the same way.
+  for (const scene::Symbol& symbol : figure.scene().symbols)
+    if (const int carrier = symbol.from; symbol.to == number && carrier >= 0 && !touches(symbol) &&
+                                         is_link(figure, carrier, held_places(figure, carrier)) &&
+                                         figure.scene().bodies[static_cast<std::size_t>(carrier)].shapes.empty() &&
+                                         !is_middle(figure, symbol, number))
+      return std::nullopt;
+  return ellipsoid(figure, number, mass, principal, places);
 }
 
 // Whether the middle of another body would be inside: what is inside a solid is not seen.
@@ -149,7 +314,7 @@ void add_stand_ins(SceneFigure& figure) {
   for (std::size_t k = 0; k < figure.situation().bodies.size(); ++k) {
     scene::Body& drawn = figure.scene().bodies[k];
     if (drawn.massless || !drawn.shapes.empty()) continue;
-    if (std::optional<scene::Shape> shape = stand_in(figure.scene(), static_cast<int>(k), figure.situation().bodies[k],
+    if (std::optional<scene::Shape> shape = stand_in(figure, static_cast<int>(k), figure.situation().bodies[k],
                                                      figure.machine().masses[k].second.properties);
         shape && !holds_another(figure, k, *shape))
       drawn.shapes.push_back(std::move(*shape));

@@ -48,5 +48,27 @@ TEST(Arms, a_wheel_that_is_held_in_its_middle_has_none) {
   EXPECT_TRUE(arms_of(scene, 0).empty());
 }
 
+TEST(Arms, what_stands_for_a_shape_reaches_to_points_that_are_well_outside_and_a_known_shape_does_not) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> draw;
+  for (const bool stand_in : {true, false})
+    for (const double away : {3.0, 1.05}) {
+      scene::Scene scene;
+      scene.length = 3;
+      scene::Body body{.name = "probe", .mass = 1};
+      body.shapes.push_back(cylinder_shape(1, -0.5, 0.5));
+      body.shapes[0].stand_in = stand_in;
+      const Vector point = away * normalized(Vector{draw(random), draw(random), 0});
+      scene.bodies.push_back(body);
+      scene.points = {{"A", {0, point}}};
+      const auto arms = arms_of(scene, 0);
+      EXPECT_EQ(arms.size(), stand_in && away > 2 ? 1U : 0U);
+      for (const auto& arm : arms) {
+        EXPECT_LT(norm(arm[0] - point), 1e-12);
+        EXPECT_NEAR(norm(arm[1] - point), 2, 0.3);
+      }
+    }
+}
+
 }  // namespace arms_test
 }  // namespace poinsot::pictures

@@ -1,4 +1,4 @@
-// What a figure marks: angles that data name, points that matter, solids that stand for bodies, views, events.
+// What a figure marks: angles that data name, points that matter, views, events.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -136,47 +136,6 @@ TEST(SceneMarks, points_that_help_to_say_where_others_are_ride_with_their_body_a
   EXPECT_EQ(names, (std::set<std::string>{"O", "A", "Q", "Asked"}));
 }
 
-// The moments of a uniform solid inside a closed surface, by tetrahedra from the origin.
-Vector moments_of_solid(const scene::Shape& shape, const Vector& center, double mass) {
-  double volume = 0;
-  Vector squares{};
-  for (const auto& t : shape.triangles) {
-    const Vector a = shape.vertices[t[0]] - center, b = shape.vertices[t[1]] - center,
-                 c = shape.vertices[t[2]] - center;
-    const double v = dot(a, cross(b, c)) / 6;
-    volume += v;
-    const Vector sum = a + b + c;
-    for (std::size_t k = 0; k < 3; ++k)
-      squares[k] += v / 20 * (a[k] * a[k] + b[k] * b[k] + c[k] * c[k] + sum[k] * sum[k]);
-  }
-  squares = squares * (mass / volume);
-  return {squares.y + squares.z, squares.z + squares.x, squares.x + squares.y};
-}
-
-TEST(SceneMarks, solids_stand_for_bodies_whose_inertia_is_known) {
-  const Document document = illustrated(
-      "title: t\npoints: {O: [0, 0, 0]}\nbodies: {r: {mass: 2 kg, center: O, inertia: {axis: z, axial: 0.5 kg*m^2, "
-      "transverse: 0.5 kg*m^2}}}\njoints: {p: {ball: O, to: r}}\ninstants: {now: rest}\ngravity: none\n"
-      "ask: {T: kinetic_energy(r)}\n");
-  const scene::Body& body = scene_of(document).bodies.at(0);
-  ASSERT_EQ(body.shapes.size(), 1U);
-  EXPECT_TRUE(body.shapes[0].stand_in);
-  const Vector moments = moments_of_solid(body.shapes[0], body.center, body.mass);
-  // A round surface of flat facets lies inside the true one.
-  EXPECT_NEAR(moments.z, 0.5, 0.01 * 0.5);
-  EXPECT_NEAR(moments.x, 0.5, 0.01 * 0.5);
-  EXPECT_NEAR(moments.y, 0.5, 0.01 * 0.5);
-}
-
-TEST(SceneMarks, nothing_stands_for_a_body_of_three_different_moments_or_of_known_shape) {
-  const Document document = illustrated(
-      "title: t\npoints: {O: [0, 0, 0]}\nbodies: {r: {mass: 2 kg, center: O, inertia: {x: 3 kg*m^2, y: 4 kg*m^2, z: 5 "
-      "kg*m^2, xy: 0, yz: 0, zx: 0}}, s: {sphere: {center: [3 m, 0, 0], radius: 1 m}, mass: 1 kg}}\n"
-      "gravity: none\ninstants: {now: rest}\nask: {T: kinetic_energy(r)}\n");
-  EXPECT_TRUE(scene_of(document).bodies.at(0).shapes.empty());
-  EXPECT_FALSE(scene_of(document).bodies.at(1).shapes.at(0).stand_in);
-}
-
 const scene::Dimension* length_named(const scene::Scene& scene, const std::string& name) {
   for (const scene::Dimension& dimension : scene.dimensions)
     if (!dimension.angle && dimension.name == name) return &dimension;
@@ -233,20 +192,6 @@ TEST(SceneMarks, the_inclination_of_a_top_is_marked_at_its_tip) {
   ASSERT_NE(angle, nullptr);
   EXPECT_NEAR(drawn_angle(scene_of(document), *angle), 25 * std::numbers::pi / 180, 1e-12);
   EXPECT_NEAR(norm(Vector(on_ground(scene_of(document), angle->corner))), 0, 1e-12);
-}
-
-TEST(SceneMarks, nothing_stands_for_a_body_that_would_swallow_the_tip_on_which_it_stands) {
-  const auto stand_in = [](double height) {
-    const Document document = illustrated(
-        "title: t\npoints: {O: [0, 0, 0], G: [0, 0, " + std::to_string(height) +
-        " m]}\nbodies: {top: {mass: 1 kg, center: G, inertia: {axis: z, axial: 0.5 kg*m^2, transverse: 0.35 "
-        "kg*m^2}}}\njoints: {tip: {ball: O, to: top}}\ngravity: -z\ninstants: {start: rest}\n"
-        "ask: {T: kinetic_energy(top)}\n");
-    return !scene_of(document).bodies.at(0).shapes.empty();
-  };
-  // The cylinder of these moments is 1 m in radius and sqrt(12*0.35 - 3) m = 1.095 m long.
-  EXPECT_TRUE(stand_in(0.6));
-  EXPECT_FALSE(stand_in(0.5));
 }
 
 const char* hung =
