@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "pictures/figure/panel.h"
-#include "pictures/solids/gimbals.h"
+#include "pictures/figure/symbol_places.h"
 
 namespace poinsot::pictures {
 namespace {
@@ -54,9 +54,67 @@ Vector down_across(const Panel& panel, const Vector& axis) {
   return unit_or(on_paper, across(axis));
 }
 
+// Whether a point of the paper lies over a body or a rod.
+bool is_covered(const Panel& panel, Point2 at) {
+  constexpr double beside_rod = 6;
+  if (panel.visibility.over_body(at)) return true;
+  for (const Solid& solid : panel.solids) {
+    if (solid.extent != scene::Extent::line) continue;
+    for (const auto& line : solid.lines)
+      for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        if (distance(at, panel.projection(solid.vertices[line[i]]), panel.projection(solid.vertices[line[i + 1]])) <
+            beside_rod)
+          return true;
+  }
+  return false;
+}
+
+// How much of a bracket that reaches to a place on the paper stands over bodies, or along an axis of the ground.
+int covered_part(const Panel& panel, Point2 at, Point2 toward) {
+  constexpr double reach = 16, half = 8, along = 0.9;
+  const Point2 side = turned_left(toward), base = at + reach * toward;
+  int count = 0;
+  if (norm(at - panel.projection(Vector{})) < half)
+    for (std::size_t i = 0; i < 3; ++i)
+      count += dot(panel.projection.direction_of(Vector::unit(i)), toward) > along ? 2 : 0;
+  for (const Point2 p : {base - half * side, base, base + half * side, at + 0.7 * reach * toward})
+    count += is_covered(panel, p) ? 1 : 0;
+  return count;
+}
+
+// Where on the paper the ground is that holds a joint: below, if the body that is held leaves it free; else on the side
+// that it does.
+Point2 ground_on_paper(const Panel& panel, Point2 at, Point2 down) {
+  Point2 best = down;
+  int least = covered_part(panel, at, down);
+  for (const Point2 other : {-down, turned_left(down), -turned_left(down)})
+    if (const int covered = covered_part(panel, at, other); covered < least) {
+      least = covered;
+      best = other;
+    }
+  return best;
+}
+
+// The same for a bracket that stands across an axis.
+Vector ground_across(const Panel& panel, Point2 at, const Vector& axis) {
+  const Vector down = down_across(panel, axis);
+  Vector best = down;
+  int least = 1000;
+  for (const Vector& other : {down, -down, cross(axis, down), -cross(axis, down)}) {
+    const Point2 seen = panel.projection.direction_of(other);
+    constexpr double foreshortened = 0.4;
+    if (norm(seen) < foreshortened && least < 1000) continue;
+    if (const int covered = covered_part(panel, at, direction(seen, {0, 1})); covered < least) {
+      least = covered;
+      best = other;
+    }
+  }
+  return best;
+}
+
 // A bracket from the sleeve to hatched ground.
 void foot(Panel& panel, const Sketch& sketch, const Vector& axis, double radius) {
-  const Vector down = down_across(panel, axis);
+  const Vector down = ground_across(panel, sketch.at(), axis);
   const Point2 toward = panel.projection.direction_of(down);
   const Point2 along = direction(panel.projection.direction_of(axis), turned_left(direction(toward)));
   const Point2 begin = sketch.at() + radius * toward;
@@ -78,7 +136,8 @@ bool seen_from_above(const Panel& panel) {
 // A pin seen along its axis: a circle, on a triangle where the ground holds it.
 void pin(Panel& panel, Point2 at, bool on_ground, const Vector& axis) {
   if (on_ground) {
-    const Point2 down = direction(panel.projection.direction_of(down_across(panel, axis)), {0, 1});
+    const Point2 down =
+        ground_on_paper(panel, at, direction(panel.projection.direction_of(down_across(panel, axis)), {0, 1}));
     const Point2 side = turned_left(down);
     const Point2 left = at + 15 * down - 9 * side, right = at + 15 * down + 9 * side;
     panel.shape({at, left, right}, metal, Role::symbol, 1.1);
@@ -89,7 +148,8 @@ void pin(Panel& panel, Point2 at, bool on_ground, const Vector& axis) {
 }
 
 void ball(Panel& panel, Point2 at, bool on_ground, const Vector& axis) {
-  const Point2 down = direction(panel.projection.direction_of(down_across(panel, axis)), {0, 1});
+  Point2 down = direction(panel.projection.direction_of(down_across(panel, axis)), {0, 1});
+  if (on_ground) down = ground_on_paper(panel, at, down);
   const double angle = std::atan2(-down.y, down.x);
   if (on_ground) {
     const Point2 side = turned_left(down);
@@ -144,32 +204,55 @@ void weld(Panel& panel, const Sketch& sketch, const Vector& axis, bool on_ground
   hatch(panel, sketch.at() - 16 * side, sketch.at() + 16 * side, 8);
 }
 
+// Half the side of the piece of ground that is drawn under a body: less than the body is wide.
+double half_of_ground(const Panel& panel, int body) {
+  constexpr double least = 12, most = 34, part = 0.4;
+  Box box;
+  for (const Solid& solid : panel.solids)
+    if (solid.body == body)
+      for (const Vector& vertex : solid.vertices) box.include(panel.projection(vertex));
+  return box.empty() ? most : std::clamp(part * std::max(box.width(), box.height()), least, most);
+}
+
 // How much farther a round body is seen to reach than to the place where it touches, which lies on its back.
 double reach_beyond(const Panel& panel, int body, Point2 at, Point2 into) {
-  constexpr double most = 24;
   double reach = 0;
   for (const Solid& solid : panel.solids)
     if (solid.body == body)
       for (const Vector& vertex : solid.vertices) reach = std::max(reach, dot(panel.projection(vertex) - at, into));
-  return reach < most ? reach : 0;
+  return reach;
 }
 
-// The surface that is touched, across the normal and as nearly in the plane of the paper as it can be.
+// The surface that is touched: a piece of it around the place, as far as a round body hides it from above; seen from
+// the side it is a line across the normal.
 void contact(Panel& panel, const Sketch& sketch, int body, const Vector& normal, bool on_ground, bool rolling) {
-  const Vector along = unit_or(cross(normal, panel.projection.view().viewer), across(normal));
+  const Vector& viewer = panel.projection.view().viewer;
+  const Vector along = unit_or(cross(normal, viewer), across(normal));
   const Point2 d = panel.projection.direction_of(along), into = panel.projection.direction_of(-normal);
-  const double half = on_ground ? 30 : 9;
-  const Point2 outward = direction(into, {0, 1});
-  const Point2 at = sketch.at() + (on_ground ? reach_beyond(panel, body, sketch.at(), outward) : 0) * outward;
-  const Point2 begin = at - half * d, end = at + half * d;
-  if (on_ground)
-    cross(end - begin, into) > 0 ? hatch(panel, begin, end) : hatch(panel, end, begin);
-  else if (rolling)
-    panel.line({begin, end}, Role::symbol, 1.1);
+  const double half = on_ground ? half_of_ground(panel, body) : 9;
+  const Point2 begin = sketch.at() - half * d, end = sketch.at() + half * d;
+  if (!on_ground) {
+    if (rolling) panel.line({begin, end}, Role::symbol, 1.1);
+    return;
+  }
+  constexpr double from_the_side = 0.1;
+  const double seen_from_above = dot(normal, viewer);
+  if (seen_from_above < from_the_side)
+    return cross(end - begin, into) > 0 ? hatch(panel, begin, end) : hatch(panel, end, begin);
+  // So far to the front that a ball does not hide it; what reaches farther stands over an edge.
+  constexpr double clear = 2, most = 60;
+  const double reach = reach_beyond(panel, body, sketch.at(), direction(into, {0, 1})) + clear;
+  const double before = std::max(half, reach < most ? reach / seen_from_above : 0);
+  const Point2 near = panel.projection.direction_of(cross(along, normal));
+  const Point2 toward = dot(near, into) < 0 ? -near : near, front = before * toward, back = half * toward;
+  const std::vector<Point2> piece{begin - back, end - back, end + front, begin + front};
+  panel.area(piece, "#f1f1ee", Role::paper);
+  panel.loop(piece, Role::hidden, 0.8, Ink::grey);
+  cross(end - begin, into) > 0 ? hatch(panel, begin + front, end + front) : hatch(panel, end + front, begin + front);
 }
 
 void draw(Panel& panel, const scene::Symbol& symbol, const Vector& at) {
-  const Vector axis = unit_or(turned_to_ground(symbol.to, symbol.axis, panel.poses), Vector{});
+  const Vector axis = axis_on_ground(panel, symbol);
   const bool has_axis = norm(axis) > 0;
   const Vector along = has_axis ? axis : panel.scene.up;
   const bool on_ground = symbol.from < 0;
@@ -217,26 +300,6 @@ void draw(Panel& panel, const scene::Symbol& symbol, const Vector& at) {
   }
 }
 
-// The axis of a joint as a chain line, as far as named points lie on it.
-void draw_center_line(Panel& panel, const scene::Symbol& symbol) {
-  using scene::SymbolKind;
-  const bool touches = symbol.kind == SymbolKind::contact || symbol.kind == SymbolKind::rolling_contact;
-  if (touches || !(norm(symbol.axis) > 0)) return;
-  const Vector at = panel.ground(symbol.place);
-  const Vector axis = normalized(turned_to_ground(symbol.to, symbol.axis, panel.poses));
-  const double near = 1e-6 * panel.scene.length;
-  double first = 0, last = 0;
-  for (const scene::Point& point : panel.scene.points) {
-    if (!panel.draws(point.place.body)) continue;
-    const Vector d = panel.ground(point.place) - at;
-    if (norm(cross(d, axis)) > near) continue;
-    first = std::min(first, dot(d, axis));
-    last = std::max(last, dot(d, axis));
-  }
-  if (last - first > near)
-    panel.seen_line(at + first * axis, at + last * axis, Role::hidden, 0.7, Ink::grey, Dash::chain);
-}
-
 }  // namespace
 
 void hatch(Panel& panel, Point2 from, Point2 to, double depth) {
@@ -250,13 +313,16 @@ void hatch(Panel& panel, Point2 from, Point2 to, double depth) {
   }
 }
 
-void draw_symbols(Panel& panel) {
-  for (const scene::Symbol& symbol : panel.scene.symbols)
-    if (panel.draws(symbol.to) && panel.draws(symbol.from)) draw_center_line(panel, symbol);
+void draw_symbols(Panel& panel, Layer layer) {
+  if (layer == Layer::before_bodies) draw_center_lines(panel);
   const std::vector<std::optional<Gimbal>> gimbals = gimbals_of(panel.scene, panel.poses);
-  for (const scene::Symbol& symbol : panel.scene.symbols)
-    if (panel.draws(symbol.to) && panel.draws(symbol.from))
-      for (const Vector& at : bearings_of(panel.scene, symbol, gimbals, panel.poses)) draw(panel, symbol, at);
+  for (const scene::Symbol& symbol : panel.scene.symbols) {
+    if (!panel.draws(symbol.to) || !panel.draws(symbol.from)) continue;
+    for (const Vector& at : places_of_symbol(panel, symbol, gimbals)) {
+      const bool behind = is_contact(symbol) || is_behind_body(panel, at);
+      if (behind == (layer == Layer::behind_bodies)) draw(panel, symbol, at);
+    }
+  }
 }
 
 }  // namespace poinsot::pictures

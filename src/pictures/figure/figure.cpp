@@ -108,10 +108,11 @@ Drawing finished(Panel& panel) {
 Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest, const PanelKind& kind) {
   // The cones are what is shown; the body tells how it is turned.
   constexpr double beside_cones = 0.4;
+  if (kind.symbols) draw_symbols(panel, Layer::behind_bodies);
   draw_bodies(panel, kind.cones ? beside_cones : 1);
   if (kind.symbols) {
     draw_links(panel);
-    draw_symbols(panel);
+    draw_symbols(panel, Layer::before_bodies);
   }
   if (kind.cones) {
     draw_polhodes(panel);
@@ -235,9 +236,10 @@ Drawing motion(const Scene& scene, const Looks& looks) {
   }
   Panel panel(scene, bodies, motion.poses[shown.back()], projection);
   panel.marks = std::move(before);
+  draw_symbols(panel, Layer::behind_bodies);
   draw_bodies(panel);
   draw_links(panel);
-  draw_symbols(panel);
+  draw_symbols(panel, Layer::before_bodies);
   draw_paths(panel);
   panel.small = is_small(panel);
   draw_axes(panel, true);

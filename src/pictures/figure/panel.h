@@ -66,7 +66,10 @@ std::string tone_of(int body);
 
 // The bodies: their areas, edges, rods and particles. `strength` below 1 draws them paler.
 void draw_bodies(Panel& panel, double strength = 1);
-void draw_symbols(Panel& panel);
+// What bodies hide is drawn before them, and what is touched, on which they stand.
+enum class Layer { behind_bodies, before_bodies };
+void draw_symbols(Panel& panel, Layer layer);
+void draw_center_lines(Panel& panel);
 void draw_links(Panel& panel);
 // The axes of the ground, from its origin where that is near, else in a corner.
 void draw_axes(Panel& panel, bool at_origin);

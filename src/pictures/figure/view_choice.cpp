@@ -40,6 +40,12 @@ struct Matter {
   std::vector<Plate> plates;
   std::vector<std::array<Vector, 3>> facets;
   std::vector<Vector> joint_axes;
+  std::vector<Vector> slides;       // ways of sliding
+  std::vector<Vector> normals;      // of contacts
+  Vector gravity{};                 // upward, or zero
+  bool touches = false;             // whether something stands on the ground or on another body
+  std::vector<Vector> angle_faces;  // normals of the planes of marked angles
+  std::vector<Vector> plate_middles;
   std::vector<Vector> leanings;   // what is seen by nothing else than how long it looks
   std::vector<Vector> cone_axes;  // into the cones one should look, and see how high they are
 };
@@ -84,8 +90,13 @@ void add_solids(Matter& matter, const std::vector<Solid>& solids) {
       whole += norm(normal);
       if (t % stride == 0 && !solid.hole) matter.facets.push_back(p);
     }
-    if (solid.extent == scene::Extent::surface && norm(area) > 0.9 * whole && !solid.hole && whole > 0)
+    if (solid.extent == scene::Extent::surface && norm(area) > 0.9 * whole && !solid.hole && whole > 0) {
       matter.plates.push_back({normalized(area), std::min(1.0, std::sqrt(whole) / matter.size * 3)});
+      Vector middle{};
+      for (const Vector& p : solid.vertices) middle += p / static_cast<double>(solid.vertices.size());
+      constexpr std::size_t most_plates = 12;
+      if (matter.plate_middles.size() < most_plates) matter.plate_middles.push_back(middle);
+    }
     if (solid.extent == scene::Extent::volume && solid.lines.empty() && !solid.hole)
       if (const Vector axis = longest_axis(solid); norm(axis) > 0) matter.leanings.push_back(axis);
     if (solid.extent == scene::Extent::line)
@@ -96,6 +107,14 @@ void add_solids(Matter& matter, const std::vector<Solid>& solids) {
             matter.rods.emplace_back(d / length, std::min(1.0, length / matter.size * 2));
         }
   }
+}
+
+bool touches(const scene::Symbol& symbol) {
+  return symbol.kind == scene::SymbolKind::contact || symbol.kind == scene::SymbolKind::rolling_contact;
+}
+
+bool slides(const scene::Symbol& symbol) {
+  return symbol.kind == scene::SymbolKind::prismatic || symbol.kind == scene::SymbolKind::slot;
 }
 
 Matter matter_of(const scene::Scene& scene, const std::vector<int>& bodies, const std::vector<scene::Arrow>& arrows,
@@ -113,8 +132,21 @@ Matter matter_of(const scene::Scene& scene, const std::vector<int>& bodies, cons
       named.push_back(on_ground(symbol.place, poses));
       matter.held.push_back(named.back());
       if (norm(symbol.axis) > 0)
-        matter.joint_axes.push_back(normalized(turned_to_ground(symbol.to, symbol.axis, poses)));
+        (touches(symbol)  ? matter.normals
+         : slides(symbol) ? matter.slides
+                          : matter.joint_axes)
+            .push_back(normalized(turned_to_ground(symbol.to, symbol.axis, poses)));
+      matter.touches = matter.touches || touches(symbol);
     }
+  matter.gravity = scene.gravity ? scene.up : Vector{};
+  for (const scene::Dimension& dimension : scene.dimensions) {
+    if (!dimension.angle || !drawn(dimension.corner.body)) continue;
+    const Vector corner = on_ground(dimension.corner, poses);
+    const Vector face = cross(unit_or(on_ground(dimension.from, poses) - corner, Vector{}),
+                              unit_or(on_ground(dimension.to, poses) - corner, Vector{}));
+    constexpr double noticeable = 0.02;
+    if (norm(face) > noticeable) matter.angle_faces.push_back(normalized(face));
+  }
   for (const scene::Link& link : scene.links)
     for (const scene::Place& place : {link.from, link.to})
       if (drawn(place.body)) named.push_back(on_ground(place, poses));
@@ -174,6 +206,12 @@ double cost_of(const View& view, const Matter& matter) {
   for (const Vector& leaning : matter.leanings) cost += 1.5 * (norm(leaning) - length(leaning));
   for (const Plate& plate : matter.plates)
     cost += 2 * plate.weight * shortfall(std::abs(dot(plate.normal, view.viewer)));
+  // An angle is read where its plane is not seen askew.
+  constexpr double face_on = 0.7;
+  for (const Vector& face : matter.angle_faces) {
+    const double seen = std::abs(dot(face, view.viewer));
+    if (seen < face_on) cost += 1.5 * (1 - seen / face_on);
+  }
   constexpr double cone_weight = 3, highest = 0.6;
   for (const Vector& axis : matter.cone_axes) {
     cost += cone_weight * shortfall(std::abs(dot(axis, view.viewer)));
@@ -198,9 +236,20 @@ double cost_of(const View& view, const Matter& matter) {
           std::abs(cross(da, db)) < 0.2 * norm(da) * norm(db) && dot(da, db) > 0)
         cost += 1;
     }
+  for (const Vector& point : matter.plate_middles) cost += hidden(point, matter, view) ? 0.7 : 0;
   for (const Vector& point : matter.points) cost += hidden(point, matter, view) ? 0.35 : 0;
   for (const Vector& point : matter.held) cost += hidden(point, matter, view) ? 0.5 : 0;
   return cost;
+}
+
+// Whether the faces of solids lie across the plane or in it, as those of a crate that is drawn from the side.
+bool stands_across(const Matter& matter, const Vector& normal) {
+  constexpr double askew = 1e-3;
+  return std::ranges::all_of(matter.facets, [&](const std::array<Vector, 3>& facet) {
+    const Vector face = unit_or(cross(facet[1] - facet[0], facet[2] - facet[0]), normal);
+    const double part = std::abs(dot(face, normal));
+    return part < askew || part > 1 - askew;
+  });
 }
 
 // The direction across the plane of the problem, if all lies and acts in one: then it is looked at face-on.
@@ -210,19 +259,33 @@ std::optional<Vector> planar_normal(const Matter& matter) {
   for (const Plate& plate : matter.plates) across_plane.push_back(plate.normal);
   for (const auto& [rod, weight] : matter.rods) in_plane.push_back(rod);
   // A turning alone lies in no plane.
-  if (across_plane.empty() || (in_plane.empty() && matter.facets.empty() && matter.points.size() < 2))
-    return std::nullopt;
+  const bool something_lies = !in_plane.empty() || !matter.facets.empty() || matter.points.size() >= 2;
+  in_plane.insert(in_plane.end(), matter.slides.begin(), matter.slides.end());
+  if (across_plane.empty() && matter.touches) {
+    if (norm(matter.gravity) > 0) in_plane.push_back(matter.gravity);
+    in_plane.insert(in_plane.end(), matter.normals.begin(), matter.normals.end());
+    for (const Vector& v : in_plane)
+      if (const Vector normal = cross(in_plane.front(), v); norm(normal) > 0.1) {
+        across_plane.push_back(normalized(normal));
+        break;
+      }
+  }
+  if (across_plane.empty() || !something_lies) return std::nullopt;
   const Vector normal = across_plane.front();
   for (const Vector& v : across_plane)
     if (norm(cross(v, normal)) > 1e-3) return std::nullopt;
   for (const Vector& v : in_plane)
     if (std::abs(dot(v, normal)) > 1e-3) return std::nullopt;
+  // What stands on a table may move in its plane.
+  for (const Vector& v : matter.normals)
+    if (std::abs(dot(v, normal)) > 1e-3 && norm(cross(v, normal)) > 1e-3) return std::nullopt;
   double low = 1e300, high = -1e300;
   for (const Vector& p : matter.points) {
     low = std::min(low, dot(p - matter.center, normal));
     high = std::max(high, dot(p - matter.center, normal));
   }
   if (high - low > 0.02 * matter.size) return std::nullopt;
+  if (matter.touches && stands_across(matter, normal)) return normal;
   for (const auto& facet : matter.facets)
     for (const Vector& p : facet)
       if (std::abs(dot(p - matter.center, normal)) > 0.12 * matter.size) return std::nullopt;

@@ -1,0 +1,57 @@
+// The axes of joints.
+#include <algorithm>
+#include <cmath>
+
+#include "pictures/figure/panel.h"
+#include "pictures/figure/symbol_places.h"
+
+namespace poinsot::pictures {
+namespace {
+
+// The axis of a joint as a chain line, as far as named points lie on it; a fixed one through all of the body that
+// turns, and a little beyond.
+void draw_center_line(Panel& panel, const scene::Symbol& symbol) {
+  if (is_contact(symbol) || !(norm(symbol.axis) > 0)) return;
+  const Vector at = panel.ground(symbol.place);
+  const Vector axis = normalized(turned_to_ground(symbol.to, symbol.axis, panel.poses));
+  const double near = 1e-6 * panel.scene.length;
+  double first = 0, last = 0;
+  for (const scene::Point& point : panel.scene.points) {
+    if (!panel.draws(point.place.body)) continue;
+    const Vector d = panel.ground(point.place) - at;
+    if (norm(cross(d, axis)) > near) continue;
+    first = std::min(first, dot(d, axis));
+    last = std::max(last, dot(d, axis));
+  }
+  bool through_body = false;
+  if (turns_about_fixed_axis(symbol)) {
+    constexpr double overhang = 16;
+    const double beyond = overhang / panel.projection.scale();
+    for (const Solid& solid : panel.solids) {
+      if (solid.body != symbol.to || solid.extent == scene::Extent::line || solid.hole) continue;
+      through_body = true;
+      for (const Vector& vertex : solid.vertices) {
+        first = std::min(first, dot(vertex - at, axis) - beyond);
+        last = std::max(last, dot(vertex - at, axis) + beyond);
+      }
+    }
+  }
+  if (last - first <= near) return;
+  const Vector from = at + first * axis, to = at + last * axis;
+  panel.seen_line(from, to, Role::hidden, 0.7, Ink::grey, Dash::chain);
+  if (!through_body) return;
+  const DeepPoint a{panel.projection(from), panel.projection.depth(from)},
+      b{panel.projection(to), panel.projection.depth(to)};
+  for (const Interval& part : remainder(panel.visibility.seen(a, b)))
+    panel.line({a.at + part.first * (b.at - a.at), a.at + part.second * (b.at - a.at)}, Role::hidden, 0.6, Ink::grey,
+               Dash::hidden);
+}
+
+}  // namespace
+
+void draw_center_lines(Panel& panel) {
+  for (const scene::Symbol& symbol : panel.scene.symbols)
+    if (panel.draws(symbol.to) && panel.draws(symbol.from)) draw_center_line(panel, symbol);
+}
+
+}  // namespace poinsot::pictures
