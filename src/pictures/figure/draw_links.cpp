@@ -68,12 +68,12 @@ void cord(Panel& panel, const scene::Link& link) {
     }
     panel.line(std::move(points), Role::link, 1.4);
   }
-  if (link.far) {
-    // The mark of what goes on beyond the paper.
-    const Point2 end = panel.projection(to);
-    const Ruler ruler(end, end + direction(end - panel.projection(from), {0, -1}));
-    panel.line({ruler(0, -6), ruler(3, -2), ruler(-3, 2), ruler(0, 6)}, Role::link, 1);
-  }
+}
+
+// The mark of what goes on beyond the paper.
+void goes_on(Panel& panel, Point2 from, Point2 end) {
+  const Ruler ruler(end, end + direction(end - from, {0, -1}));
+  panel.line({ruler(0, -6), ruler(3, -2), ruler(-3, 2), ruler(0, 6)}, Role::link, 1);
 }
 
 void end_on_ground(Panel& panel, Point2 at, Point2 other) {
@@ -103,6 +103,7 @@ void draw_links(Panel& panel) {
         spiral(panel, from);
         continue;
     }
+    if (link.far) goes_on(panel, from, to);
     if (link.from.body < 0) end_on_ground(panel, from, to);
     if (link.to.body < 0 && !link.far) end_on_ground(panel, to, from);
   }

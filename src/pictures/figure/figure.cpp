@@ -12,7 +12,9 @@
 
 #include "pictures/drawing/label_text.h"
 #include "pictures/figure/arrows.h"
+#include "pictures/figure/fitting.h"
 #include "pictures/figure/layout.h"
+#include "pictures/figure/motion_figure.h"
 #include "pictures/figure/panel.h"
 #include "pictures/figure/view_choice.h"
 
@@ -24,66 +26,7 @@ using scene::DiagramKind;
 using scene::Scene;
 
 constexpr double margin = 14, row_gap = 26;
-constexpr std::size_t most_poses = 6;
 const Diagram no_arrows{};
-
-struct Size {
-  double width = 400, height = 300;
-};
-// The more panels stand side by side, the smaller each is.
-Size size_of_panels(std::size_t count) {
-  return count <= 1 ? Size{400, 300} : count == 2 ? Size{300, 260} : Size{260, 250};
-}
-
-std::vector<int> all_bodies(const Scene& scene) {
-  std::vector<int> bodies;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) bodies.push_back(static_cast<int>(i));
-  return bodies;
-}
-
-// The places that a drawing must hold.
-std::vector<Vector> places_of(const Scene& scene, const std::vector<int>& bodies, const std::vector<scene::Pose>& poses,
-                              const std::vector<scene::Arrow>& arrows, bool with_symbols) {
-  std::vector<Vector> places;
-  for (const Solid& solid : solids_of(scene, bodies, poses))
-    places.insert(places.end(), solid.vertices.begin(), solid.vertices.end());
-  for (const int body : bodies) {
-    if (body < 0) continue;
-    const scene::Body& own = scene.bodies.at(static_cast<std::size_t>(body));
-    if (own.shapes.empty() && !own.frame) places.push_back(on_ground({body, own.center}, poses));
-  }
-  const auto drawn = [&](int body) { return body < 0 || std::ranges::find(bodies, body) != bodies.end(); };
-  for (const scene::Arrow& arrow : arrows) places.push_back(on_ground(arrow.at, poses));
-  if (with_symbols) {
-    for (const scene::Symbol& symbol : scene.symbols)
-      if (drawn(symbol.to)) places.push_back(on_ground(symbol.place, poses));
-    for (const scene::Link& link : scene.links)
-      for (const scene::Place& place : {link.from, link.to})
-        if (drawn(place.body)) places.push_back(on_ground(place, poses));
-    for (const scene::Point& point : scene.points)
-      if (drawn(point.place.body)) places.push_back(on_ground(point.place, poses));
-  }
-  std::erase_if(places, [](const Vector& p) { return !std::isfinite(norm(p)); });
-  if (places.empty()) places.emplace_back();
-  return places;
-}
-
-// The projection in which the places fill the size.
-Projection fitted(const View& view, const std::vector<Vector>& places, const Size& size) {
-  const Projection unscaled(view, 1);
-  Box box;
-  double near = 1e300, far = -1e300;
-  for (const Vector& place : places) {
-    box.include(unscaled(place));
-    near = std::min(near, unscaled.depth(place));
-    far = std::max(far, unscaled.depth(place));
-  }
-  const double scale =
-      std::min(size.width / std::max(box.width(), 1e-300), size.height / std::max(box.height(), 1e-300));
-  const Point2 middle = box.center();
-  const Vector center = middle.x * view.right - middle.y * view.up + ((near + far) / 2) * view.viewer;
-  return {view, std::isfinite(scale) && scale < 1e200 ? scale : 100.0, center};
-}
 
 struct PanelKind {
   bool symbols = true;  // joints, supports, links, dimensions
@@ -92,18 +35,6 @@ struct PanelKind {
   bool cones = false;
   bool body_names = true;
 };
-
-// The labels of a panel placed, and what it covers.
-Drawing finished(Panel& panel) {
-  Drawing drawing;
-  const auto over_body = [&](Point2 p) { return panel.visibility.over_body(p); };
-  std::vector<Mark> labels = place_labels(std::move(panel.labels), panel.marks, over_body);
-  drawing.marks = std::move(panel.marks);
-  std::ranges::move(labels, std::back_inserter(drawing.marks));
-  drawing.paper = extent(drawing.marks);
-  if (drawing.paper.empty()) drawing.paper = {0, 0, 1, 1};
-  return drawing;
-}
 
 Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest, const PanelKind& kind) {
   // The cones are what is shown; the body tells how it is turned.
@@ -195,63 +126,6 @@ Drawing single(const Scene& scene, const Diagram& diagram, const PanelKind& kind
   panel.values = looks.values;
   Drawing drawing = draw_panel(panel, diagram, largest, kind);
   marked = panel.not_to_scale;
-  return drawing;
-}
-
-// Whether the bodies, each together with what it holds, are small beside the way that they go.
-bool is_small(const Panel& panel) {
-  constexpr double readable = 110;  // units of the paper: of a body with some names at its points
-  Box box;
-  for (const Solid& solid : panel.solids)
-    for (const Vector& vertex : solid.vertices) box.include(panel.projection(vertex));
-  return !box.empty() && std::max(box.width(), box.height()) < readable;
-}
-
-// Several poses, the earlier ones paler.
-Drawing motion(const Scene& scene, const Looks& looks) {
-  const scene::Motion& motion = *scene.motion;
-  std::vector<std::size_t> shown;
-  const std::size_t count = std::min(most_poses, motion.poses.size());
-  for (std::size_t i = 0; i < count; ++i) shown.push_back(count == 1 ? 0 : i * (motion.poses.size() - 1) / (count - 1));
-  const std::vector<int> bodies = all_bodies(scene);
-  std::vector<Vector> places;
-  for (const std::size_t i : shown)
-    std::ranges::move(places_of(scene, bodies, motion.poses[i], {}, i == shown.back()), std::back_inserter(places));
-  const View view = looks.view ? *looks.view : chosen_view_of_motion(scene, bodies, motion.poses[shown.back()]);
-  const Projection projection = fitted(view, places, size_of_panels(1));
-  std::vector<Mark> before;
-  for (std::size_t k = 0; k + 1 < shown.size(); ++k) {
-    Panel panel(scene, bodies, motion.poses[shown[k]], projection);
-    draw_bodies(panel, 0.25 + 0.35 * static_cast<double>(k) / static_cast<double>(shown.size()));
-    // What is past stands behind labels.
-    for (Mark& mark : panel.marks) {
-      std::visit(
-          [](auto& own) {
-            if constexpr (requires { own.role; })
-              if (own.role == Role::outline || own.role == Role::rod) own.role = Role::hidden;
-          },
-          mark);
-      before.push_back(std::move(mark));
-    }
-  }
-  Panel panel(scene, bodies, motion.poses[shown.back()], projection);
-  panel.marks = std::move(before);
-  draw_symbols(panel, Layer::behind_bodies);
-  draw_bodies(panel);
-  draw_links(panel);
-  draw_symbols(panel, Layer::before_bodies);
-  draw_paths(panel);
-  panel.small = is_small(panel);
-  draw_axes(panel, true);
-  if (!panel.small) {
-    draw_points(panel, {});
-    draw_body_names(panel);
-  }
-  Drawing drawing = finished(panel);
-  caption(drawing,
-          fmt::format("From t = {} to {}, {} poses", value_text(motion.times[shown.front()], ""),
-                      value_text(motion.times[shown.back()], "s"), shown.size()),
-          200);
   return drawing;
 }
 
@@ -358,7 +232,7 @@ Drawing figure(const Scene& scene, const FigureName& name, const std::string& ti
       drawing = single(scene, no_arrows, {.symbols = false, .cones = true}, looks, marked);
       break;
     case FigureKind::motion:
-      drawing = motion(scene, looks);
+      drawing = motion_figure(scene, looks);
       break;
     case FigureKind::free_body:
     case FigureKind::impulse:

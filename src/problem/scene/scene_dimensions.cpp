@@ -24,19 +24,20 @@ class Dimensions {
     for (const NamedExpression& item : situation.given)
       if (item.value.as<Number>()) add(item.name, &item.value, nullptr);
     for (const Letter& letter : situation.letters) add(letter.name, nullptr, &letter.unit);
+    // The figure of the statement does not tell what is to be found.
     for (const Unknown& unknown : situation.find)
-      if (!unknown.vector) add(unknown.name, nullptr, &unknown.unit);
+      if (!unknown.vector) add(unknown.name, nullptr, &unknown.unit, false);
   }
 
  private:
-  // stated: its value in the file; unit: the one that the file gives it.
-  void add(const std::string& name, const Expression* stated, const Unit* unit) {
+  // stated: its value in the file; unit: the one that the file gives it; told: whether its value is shown.
+  void add(const std::string& name, const Expression* stated, const Unit* unit, bool told = true) {
     try {
       const Value<double> value = figure_.data().value(built(Name{name}, Mark{}));
       const bool angle = value.dimension == dimensions::angle;
       if (!value.is_number() || (value.dimension != dimensions::length && !angle) || !(value.number > 0)) return;
       text_ = stated && !figure_.data().settings().contains(name) ? name + " = " + to_string(*stated)
-              : is_open(name)                                     ? name
+              : is_open(name) || !told                            ? name
                                                                   : name + " = " + in_unit(value, unit);
       if (angle) return add_angle(figure_, {name, text_, value.number});
       if (!between_points(name, value) && !of_shapes(name, value.number)) of_edges(name, value);

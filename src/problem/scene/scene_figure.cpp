@@ -151,13 +151,7 @@ void SceneFigure::add_shape(const Part& part, bool added, scene::Body& drawn) {
   drawn.shapes.push_back(std::move(shape));
 }
 
-void SceneFigure::add_world() {
-  scene_.axes = situation_.axes;
-  const Vector3<double> gravity = mechanism().tree.gravity();
-  scene_.gravity = norm(gravity) > 0;
-  // Texts draw y upward.
-  scene_.up = scene_.gravity ? -normalized(gravity) : Vector3<double>{0, 1, 0};
-  if (!situation_.view.empty()) scene_.viewer = viewing_direction(situation_.view, scene_.up);
+void SceneFigure::set_length() {
   std::vector<Vector3<double>> places;
   for (const scene::Body& body : scene_.bodies) {
     places.push_back(body.pose.R * body.center + body.pose.p);
@@ -174,6 +168,47 @@ void SceneFigure::add_world() {
       high[k] = std::max(high[k], place[k]);
     }
   if (const double size = norm(Vector3<double>(high - low)); size > 0 && std::isfinite(size)) scene_.length = size;
+}
+
+void SceneFigure::cut_long_links() {
+  const auto carries_matter = [&](int body) {
+    return body >= 0 && !scene_.bodies[static_cast<std::size_t>(body)].frame;
+  };
+  // The size of the bodies and of where they are held.
+  double size = 0;
+  std::vector<Vector3<double>> held;
+  for (const scene::Body& body : scene_.bodies) {
+    if (!body.frame) held.push_back(body.pose.R * body.center + body.pose.p);
+    for (const scene::Shape& shape : body.shapes)
+      for (const Vector3<double>& vertex : shape.vertices) held.push_back(body.pose.R * vertex + body.pose.p);
+  }
+  for (const scene::Symbol& symbol : scene_.symbols) held.push_back(on_ground(symbol.place));
+  for (const Vector3<double>& place : held) size = std::max(size, norm(Vector3<double>(place - held.front())));
+  constexpr double longest = 10, piece = 0.8;  // of that size
+  for (scene::Link& link : scene_.links) {
+    if (link.far || link.kind == scene::LinkKind::torsion || !(size > 0)) continue;
+    if (carries_matter(link.from.body) == carries_matter(link.to.body)) continue;
+    if (carries_matter(link.to.body)) std::swap(link.from, link.to);
+    const Vector3<double> from = on_ground(link.from), end = on_ground(link.to), way = end - from;
+    if (norm(way) < longest * size) continue;
+    link.far = true;
+    link.to = {scene::ground, from + piece * size * normalized(way)};
+    // What is named at the far end is named where the link is cut off.
+    constexpr double same = 1e-9;
+    for (scene::Point& point : scene_.points)
+      if (norm(Vector3<double>(on_ground(point.place) - end)) < same * norm(way)) point.place = link.to;
+    set_length();
+  }
+}
+
+void SceneFigure::add_world() {
+  scene_.axes = situation_.axes;
+  const Vector3<double> gravity = mechanism().tree.gravity();
+  scene_.gravity = norm(gravity) > 0;
+  // Texts draw y upward.
+  scene_.up = scene_.gravity ? -normalized(gravity) : Vector3<double>{0, 1, 0};
+  if (!situation_.view.empty()) scene_.viewer = viewing_direction(situation_.view, scene_.up);
+  set_length();
   // Of what goes on beyond the figure a piece is shown.
   constexpr double piece = 0.4;
   for (scene::Link& link : scene_.links) {
@@ -181,6 +216,7 @@ void SceneFigure::add_world() {
     const Vector3<double> from = on_ground(link.from);
     link.to.at = from + piece * scene_.length * normalized(Vector3<double>(link.to.at - from));
   }
+  cut_long_links();
 }
 
 scene::Arrow SceneFigure::arrow(scene::Quantity quantity, const std::string& name, int body, const scene::Place& at,

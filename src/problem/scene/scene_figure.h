@@ -66,6 +66,9 @@ class SceneFigure {
  private:
   void add_shapes(const Body& body, scene::Body& drawn);
   void add_shape(const Part& part, bool added, scene::Body& drawn);
+  void set_length();
+  // Of a link to the ground that is much longer than what it holds only the direction counts.
+  void cut_long_links();
 
   const Situation& situation_;
   const Settings& settings_;

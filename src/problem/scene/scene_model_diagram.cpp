@@ -2,9 +2,12 @@
 #include "problem/scene/scene_model_diagram.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "poinsot/engine/work/work.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
 
 namespace poinsot::problem {
 namespace {
@@ -193,12 +196,36 @@ class ModelDiagram {
       }
       const auto stated = std::find_if(situation().impulses.begin(), situation().impulses.end(),
                                        [&](const Impulse& one) { return one.name == action.name; });
+      if (stated != situation().impulses.end() && is_to_be_found(stated->lasts)) {
+        add_force_of(*stated, impulse);
+        continue;
+      }
       const std::optional<Expression> size = stated == situation().impulses.end() ? std::nullopt : stated->value;
       add(impulse.couple ? Quantity::angular_impulse : Quantity::impulse, action.name,
           impulse.couple ? center_of(impulse.on) : figure_.scene_place(impulse.at),
           state().on_ground_axes(impulse.axes, impulse.vector),
           symbol_of(size, impulse.couple ? couple(action.name) : force(action.name)));
     }
+  }
+  bool is_to_be_found(const std::optional<Expression>& value) const {
+    if (!value) return false;
+    std::set<std::string> names;
+    collect_names(*value, names);
+    return std::any_of(situation().find.begin(), situation().find.end(),
+                       [&](const Unknown& unknown) { return names.contains(unknown.name); });
+  }
+  // How long a force acts is not told where it is to be found: of some of several it may be no time.
+  void add_force_of(const Impulse& stated, const StatedImpulse& impulse) {
+    const Expression& size = impulse.couple ? *stated.couple : *stated.force;
+    const Dimension dimension = impulse.couple ? dimensions::moment : dimensions::force;
+    DataScope<double>& data = figure_.data();
+    const Vector3<double> vector = stated.direction ? data.number(size, dimension) * data.direction(*stated.direction)
+                                                    : data.vector(size, dimension);
+    add(impulse.couple ? Quantity::couple : Quantity::force, stated.name,
+        impulse.couple ? center_of(impulse.on) : figure_.scene_place(impulse.at),
+        state().on_ground_axes(impulse.axes, vector),
+        symbol_of(size,
+                  impulse.couple ? couple(stated.name) : SceneFigure::indexed_symbol("\\mathbf{F}", stated.name)));
   }
   static ArrowSymbol particle_symbol(const std::string& name) {
     return {"m\\mathbf{v}_{" + ExplanationTex::upright(name) + "}", "m v_" + name};

@@ -38,6 +38,7 @@ class PointBodies {
       };
       for (const Load& load : situation.loads) at(load.at, load.body);
       for (const Impulse& impulse : situation.impulses) at(impulse.at, impulse.body);
+      for (const Strike& strike : situation.strikes) at(strike.at, strike.hits);
       for (const Joint& joint : situation.joints) {
         at(joint.place, joint.to);
         at(joint.at, joint.to);

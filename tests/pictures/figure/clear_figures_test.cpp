@@ -249,7 +249,7 @@ TEST(ClearFigures, a_long_way_is_seen_at_its_length_and_small_bodies_have_no_nam
   std::mt19937_64 random(21);
   for (int round = 0; round < 20; ++round) {
     const double angle = 2 * std::numbers::pi * round / 20;
-    const Vector way = 20.0 * Vector{std::cos(angle), std::sin(angle), 0};
+    const Vector way = 7.0 * Vector{std::cos(angle), std::sin(angle), 0};
     const scene::Scene scene = travelling(way, 0.3);
     const View view = chosen_view_of_motion(scene, {0, 1}, scene.motion->poses.back());
     EXPECT_GT(norm(Projection(view, 1).direction_of(normalized(way))), 0.75) << round;
@@ -257,7 +257,7 @@ TEST(ClearFigures, a_long_way_is_seen_at_its_length_and_small_bodies_have_no_nam
     const Drawing drawing = figure(scene, motion, "", {});
     EXPECT_EQ(label_of(drawing, "A"), nullptr);
     EXPECT_EQ(label_of(drawing, "cart"), nullptr);
-    EXPECT_NE(label_of(figure(travelling(0.05 * way, 0.3), motion, "", {}), "A"), nullptr);
+    EXPECT_NE(label_of(figure(travelling(0.15 * way, 0.3), motion, "", {}), "A"), nullptr);
   }
 }
 

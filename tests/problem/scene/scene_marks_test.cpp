@@ -199,6 +199,38 @@ const char* hung =
     "joints: {p: {revolute: y, at: O, to: r}}\ngravity: -z\ninstants: {start: rest}\n"
     "ask: {w: angular_velocity(r) @ 0.5 s}\n";
 
+TEST(SceneMarks, the_figure_of_the_statement_does_not_tell_what_is_to_be_found) {
+  const Document hanging =
+      Problem::from_file(std::string(POINSOT_SOURCE_DIR) + "/examples/textbook/18.108.yaml").illustrate();
+  const scene::Dimension* angle = angle_named(scene_of(hanging), "beta");
+  ASSERT_NE(angle, nullptr);
+  EXPECT_EQ(angle->text, "beta");
+  const Document pushed = illustrated(
+      "title: t\ngiven: {m: 3 kg}\nfind: {T: s}\ngravity: none\npoints: {O: [0, 0, 0], A: [2 m, 0, 0]}\n"
+      "bodies: {r: {rod: [O, A], mass: m}}\njoints: {p: {revolute: z, at: O, to: r}}\n"
+      "impulses: {k: {body: r, at: A, force: [0, 7 N, 0], lasts: T}}\n"
+      "instants: {before: rest, after: {angular_velocity(r).z: 1.5 rad/s}}\nask: {T: T}\n");
+  const std::vector<scene::Arrow>& arrows = scene_of(pushed).diagrams.front().arrows;
+  const auto push = std::ranges::find(arrows, "k", &scene::Arrow::name);
+  ASSERT_NE(push, arrows.end());
+  EXPECT_EQ(push->quantity, scene::Quantity::force);
+  EXPECT_NEAR(push->value, 7, 1e-12);
+}
+
+TEST(SceneMarks, an_anchor_that_is_far_away_is_cut_off) {
+  for (const double h : {0.3, 100.0}) {
+    const Document document =
+        illustrated("title: t\npoints: {O: [0, 0, 0], A: [0.1 m, 0, 0], C: [0.1 m, -" + std::to_string(h) +
+                    " m, 0]}\nbodies: {r: {rod: [O, A], mass: 1 kg}}\njoints: {p: {revolute: z, at: O, to: r}}\n"
+                    "springs: {s: {at: C, to: r, end: A, stiffness: 500 N/m, tension: 2 N}}\ngravity: none\n"
+                    "instants: {now: rest}\nask: {a: angular_acceleration(r)}\n");
+    const scene::Scene& scene = scene_of(document);
+    EXPECT_EQ(scene.links.at(0).far, h > 1);
+    EXPECT_LT(scene.length, 0.4);
+    for (const scene::Point& point : scene.points) EXPECT_LT(norm(on_ground(scene, point.place)), 0.4);
+  }
+}
+
 TEST(SceneMarks, the_view_of_the_file_is_the_direction_to_the_viewer) {
   EXPECT_FALSE(scene_of(illustrated(hung)).viewer);
   const auto viewer = [](const std::string& words) {

@@ -1,0 +1,28 @@
+// What a panel must hold, the projection in which it fills its part of the paper, and the panel as a drawing.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "pictures/figure/panel.h"
+
+namespace poinsot::pictures {
+
+struct Size {
+  double width = 400, height = 300;
+};
+// The more panels stand side by side, the smaller each is.
+Size size_of_panels(std::size_t count);
+
+std::vector<int> all_bodies(const scene::Scene& scene);
+// The places that a drawing must hold.
+std::vector<Vector> places_of(const scene::Scene& scene, const std::vector<int>& bodies,
+                              const std::vector<scene::Pose>& poses, const std::vector<scene::Arrow>& arrows,
+                              bool with_symbols);
+// The projection in which the places fill the size.
+Projection fitted(const View& view, const std::vector<Vector>& places, const Size& size);
+
+// The labels of a panel placed, and what it covers.
+Drawing finished(Panel& panel);
+
+}  // namespace poinsot::pictures

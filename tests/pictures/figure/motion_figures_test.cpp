@@ -1,0 +1,85 @@
+// Poses of a motion on each other or beside each other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "pictures/figure/figure.h"
+#include "pictures/figure/scenes.h"
+#include "pictures/figure/strokes.h"
+#include "poinsot/engine/math/algebra/rotation.h"
+
+namespace poinsot {
+namespace motion_figures_test {
+
+using namespace pictures;
+
+const FigureName motion{FigureKind::motion, "motion", "The motion", scene::ground};
+
+// A box that turns by an angle and goes along x in each of some steps.
+scene::Scene moving(double turn, double step, bool traced) {
+  scene::Scene scene;
+  scene.up = {0, 1, 0};
+  scene.bodies = {{.name = "box", .mass = 1, .shapes = {pictures_test::box_shape({-1, -0.5, -0.2}, {1, 0.5, 0.2})}}};
+  scene.motion.emplace();
+  scene::Curve path{scene::CurveKind::path, "A", scene::ground, false, {}};
+  for (int i = 0; i <= 12; ++i) {
+    scene.motion->times.push_back(i);
+    scene.motion->poses.push_back({{.R = rotation_about(Vector{0, 0, 1}, turn * i), .p = {step * i, 0, 0}}});
+    path.points.push_back(scene.motion->poses.back()[0].R * Vector{1, 0, 0} + scene.motion->poses.back()[0].p);
+  }
+  if (traced) scene.curves = {path};
+  return scene;
+}
+
+std::size_t captions_of_times(const Drawing& drawing) {
+  std::size_t count = 0;
+  for (const Mark& mark : drawing.marks)
+    if (const auto* label = std::get_if<Label>(&mark))
+      for (const pictures::Run& run : label->runs) count += run.text.starts_with("t\u00a0=") ? 1 : 0;
+  return count;
+}
+
+// The boxes of what is drawn of bodies at full strength, apart from each other along x or y.
+std::vector<Box> bodies_on_paper(const Drawing& drawing) {
+  std::vector<Box> found;
+  for (const Mark& mark : drawing.marks) {
+    const auto* fill = std::get_if<Fill>(&mark);
+    if (fill == nullptr || !fill->bordered || fill->opacity < 1) continue;
+    Box box;
+    for (const auto& loop : fill->loops)
+      for (const Point2& p : loop) box.include(p);
+    if (!found.empty() && found.back().grown(1).overlaps(box))
+      found.back().include(box);
+    else
+      found.push_back(box);
+  }
+  return found;
+}
+
+TEST(MotionFigures, poses_that_would_lie_on_each_other_or_far_apart_stand_beside_each_other) {
+  for (const double step : {0.0, 40.0}) {
+    const Drawing drawing =
+        figure(moving(0.5, step, step > 0), motion, "", {.view = view_from({0.2, 0.3, 1}, {0, 1, 0})});
+    EXPECT_EQ(captions_of_times(drawing), 4U) << step;
+    const std::vector<Box> bodies = bodies_on_paper(drawing);
+    ASSERT_EQ(bodies.size(), 4U) << step;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      EXPECT_GT(std::max(bodies[i].width(), bodies[i].height()), 100) << step;
+      for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(bodies[i].overlaps(bodies[k])) << step;
+    }
+  }
+}
+
+TEST(MotionFigures, poses_on_a_path_stay_on_it) {
+  for (const double step : {0.0, 1.0}) {
+    const Drawing drawing = figure(moving(0.2, step, true), motion, "", {.view = view_from({0.2, 0.3, 1}, {0, 1, 0})});
+    EXPECT_EQ(captions_of_times(drawing), 0U) << step;
+    EXPECT_FALSE(pictures_test::points_of(drawing, Role::curve).empty()) << step;
+  }
+}
+
+}  // namespace motion_figures_test
+}  // namespace poinsot
