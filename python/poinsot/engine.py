@@ -6,12 +6,20 @@ doubles in that order are read in place. The numbers of a case are the same what
 
 from __future__ import annotations
 
-from typing import TypeAlias
+import importlib
+from typing import TYPE_CHECKING, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
+
+if TYPE_CHECKING:
+    from . import _engine
+else:
+    # Compiled for the largest set of instructions that this processor has.
+    _set = _core.instruction_set()
+    _engine = importlib.import_module(f"._engine_{_set}" if _set else "._engine", __package__)
 
 Array: TypeAlias = npt.NDArray[np.float64]
 
@@ -33,15 +41,11 @@ def _rows(value: npt.ArrayLike, what: str) -> tuple[tuple[float, float, float], 
     return tuple(_three(row, what) for row in numbers)
 
 
-def _in_order(value: npt.ArrayLike) -> Array:
-    return np.ascontiguousarray(value, dtype=np.float64)
-
-
 class ModelBuilder:
     """Builds a model body by body, from the ground up."""
 
     def __init__(self) -> None:
-        self._core = _core.ModelBuilder()
+        self._core = _engine.ModelBuilder()
 
     def add_body(
         self,
@@ -56,15 +60,17 @@ class ModelBuilder:
         mass: float = 0.0,
         center: npt.ArrayLike = (0.0, 0.0, 0.0),
         inertia: npt.ArrayLike = _NOTHING,
+        mode: Literal["free", "prescribed", "locked"] = "free",
     ) -> None:
         """Adds a body on a joint: "revolute", "prismatic", "screw", "ball", "free" or "weld".
 
         place and rotation: the joint's frame in that of the parent; axis: of the joint, in its frame. The body's frame lies on the
-        joint's in the neutral position. center: of mass, m; inertia: the tensor about it, kg m^2.
+        joint's in the neutral position. center: of mass, m; inertia: the tensor about it, kg m^2. mode: what hybrid_dynamics knows of
+        the joint: its forces, its accelerations, or that these are zero.
         """
         self._core.add_body(
             name, parent, joint, _three(axis, "axis"), pitch, _three(place, "place"), _rows(rotation, "rotation"), mass,
-            _three(center, "center"), _rows(inertia, "inertia"),
+            _three(center, "center"), _rows(inertia, "inertia"), mode,
         )  # fmt: skip
 
     def set_gravity(self, gravity: npt.ArrayLike) -> None:
@@ -78,7 +84,7 @@ class ModelBuilder:
 class Model:
     """A tree of bodies. It does not change, and threads may share it."""
 
-    def __init__(self, core: _core.EngineModel) -> None:
+    def __init__(self, core: _engine.EngineModel) -> None:
         self._core = core
         self.names: list[str] = list(core.names)
         self.parents: list[int] = list(core.parents)  # -1 is the ground
@@ -115,66 +121,131 @@ def inverse_dynamics(
     model: Model, q: npt.ArrayLike, v: npt.ArrayLike, a: npt.ArrayLike, *, threads: int = 1
 ) -> Array:
     """The joint forces that give the accelerations a, by the recursive Newton-Euler algorithm."""
-    return _core.inverse_dynamics(model._core, _in_order(q), _in_order(v), _in_order(a), threads)
+    return _engine.inverse_dynamics(model._core, q, v, a, threads)
 
 
 def forward_dynamics(
     model: Model, q: npt.ArrayLike, v: npt.ArrayLike, tau: npt.ArrayLike, *, threads: int = 1
 ) -> Array:
     """The accelerations under the joint forces tau, by the articulated-body algorithm."""
-    return _core.forward_dynamics(model._core, _in_order(q), _in_order(v), _in_order(tau), threads)
+    return _engine.forward_dynamics(model._core, q, v, tau, threads)
+
+
+class HybridDynamics(NamedTuple):
+    """Of each coordinate its acceleration and its force."""
+
+    acceleration: Array
+    force: Array
+
+
+def hybrid_dynamics(
+    model: Model, q: npt.ArrayLike, v: npt.ArrayLike, known: npt.ArrayLike, *, threads: int = 1
+) -> HybridDynamics:
+    """Accelerations and forces, where of each coordinate one is known: the force, or the acceleration of a joint whose
+    mode is "prescribed"; that of one that is "locked" is zero, whatever stands there."""
+    found = _engine.hybrid_dynamics(model._core, q, v, known, threads)
+    return HybridDynamics(found[0], found[1])
+
+
+class ForceDerivatives(NamedTuple):
+    """A row for each joint force, a column for each coordinate; shape (nv, nv) or (nv, nv, cases)."""
+
+    by_position: Array
+    by_velocity: Array
+    by_acceleration: Array  # the mass matrix
+
+
+class AccelerationDerivatives(NamedTuple):
+    """A row for each acceleration, a column for each coordinate; shape (nv, nv) or (nv, nv, cases)."""
+
+    by_position: Array
+    by_velocity: Array
+    by_force: Array  # the inverse of the mass matrix
+
+
+def inverse_dynamics_derivatives(
+    model: Model, q: npt.ArrayLike, v: npt.ArrayLike, a: npt.ArrayLike, *, threads: int = 1
+) -> ForceDerivatives:
+    """How the joint forces of inverse_dynamics change with the state. Positions are displaced as integrate() does it by
+    velocities: there are nv directions, turns of ball and free joints on the body's own axes."""
+    found = _engine.inverse_dynamics_derivatives(model._core, q, v, a, threads)
+    return ForceDerivatives(found[0], found[1], found[2])
+
+
+def forward_dynamics_derivatives(
+    model: Model, q: npt.ArrayLike, v: npt.ArrayLike, tau: npt.ArrayLike, *, threads: int = 1
+) -> AccelerationDerivatives:
+    """How the accelerations of forward_dynamics change with the state; positions as above."""
+    found = _engine.forward_dynamics_derivatives(model._core, q, v, tau, threads)
+    return AccelerationDerivatives(found[0], found[1], found[2])
+
+
+def inertia_regressor(
+    model: Model, q: npt.ArrayLike, v: npt.ArrayLike, a: npt.ArrayLike, *, threads: int = 1
+) -> Array:
+    """Y of shape (nv, 10 bodies[, cases]) with inverse_dynamics = Y pi, pi = inertia_numbers(model).ravel(): the derivative of the
+    joint forces by the inertias."""
+    return _engine.inertia_regressor(model._core, q, v, a, threads)
+
+
+def inertia_numbers(model: Model) -> Array:
+    """Ten numbers for each body, about its origin on its axes: mass, mass times the place of its mass center (3), and the
+    tensor of inertia as xx, yy, zz, xy, yz, zx."""
+    return _engine.inertia_numbers(model._core)
 
 
 def mass_matrix(model: Model, q: npt.ArrayLike, *, threads: int = 1) -> Array:
     """The mass matrix, of shape (nv, nv) or (nv, nv, cases)."""
-    return _core.mass_matrix(model._core, _in_order(q), threads)
+    return _engine.mass_matrix(model._core, q, threads)
 
 
 def integrate(model: Model, q: npt.ArrayLike, v: npt.ArrayLike, dt: float = 1.0, *, threads: int = 1) -> Array:
     """The positions after the velocities have held for the time dt."""
-    return _core.integrate(model._core, _in_order(q), _in_order(v), dt, threads)
+    return _engine.integrate(model._core, q, v, dt, threads)
 
 
 def rotation(model: Model, q: npt.ArrayLike, body: int | str, *, threads: int = 1) -> Array:
     """The matrix that takes components on the body's axes to those on the ground's."""
-    return _core.body_rotation(model._core, _in_order(q), model._number(body), threads)
+    return _engine.body_rotation(model._core, q, model._number(body), threads)
 
 
 def position(
     model: Model, q: npt.ArrayLike, body: int | str, point: npt.ArrayLike = (0.0, 0.0, 0.0), *, threads: int = 1
 ) -> Array:
     """Where a point of the body is; the point is given on the body's axes."""
-    return _core.point_position(model._core, _in_order(q), model._number(body), _three(point, "point"), threads)
+    return _engine.point_position(model._core, q, model._number(body), _three(point, "point"), threads)
 
 
 def jacobian(
     model: Model, q: npt.ArrayLike, body: int | str, point: npt.ArrayLike = (0.0, 0.0, 0.0), *, threads: int = 1
 ) -> Array:
     """J with (velocity of the point, angular velocity of the body) = J v, on the ground's axes: six rows."""
-    return _core.jacobian(model._core, _in_order(q), model._number(body), _three(point, "point"), threads)
+    return _engine.jacobian(model._core, q, model._number(body), _three(point, "point"), threads)
 
 
 def mass_center(model: Model, q: npt.ArrayLike, *, threads: int = 1) -> Array:
-    return _core.mass_center(model._core, _in_order(q), threads)
+    return _engine.mass_center(model._core, q, threads)
 
 
 def momentum(
     model: Model, q: npt.ArrayLike, v: npt.ArrayLike, about: npt.ArrayLike = (0.0, 0.0, 0.0), *, threads: int = 1
 ) -> Array:
     """Linear momentum, then angular momentum about a point of the ground: six rows."""
-    return _core.momentum(model._core, _in_order(q), _in_order(v), _three(about, "about"), threads)
+    return _engine.momentum(model._core, q, v, _three(about, "about"), threads)
 
 
 def kinetic_energy(model: Model, q: npt.ArrayLike, v: npt.ArrayLike, *, threads: int = 1) -> Array:
-    energy: Array = _core.kinetic_energy(model._core, _in_order(q), _in_order(v), threads)[0]
+    energy: Array = _engine.kinetic_energy(model._core, q, v, threads)[0]
     return energy
 
 
 def potential_energy(model: Model, q: npt.ArrayLike, *, threads: int = 1) -> Array:
     """Of the weights, zero with all mass at the ground's origin."""
-    energy: Array = _core.potential_energy(model._core, _in_order(q), threads)[0]
+    energy: Array = _engine.potential_energy(model._core, q, threads)[0]
     return energy
 
 
 # As users of Pinocchio look for them.
 rnea, aba, crba, center_of_mass = inverse_dynamics, forward_dynamics, mass_matrix, mass_center
+rnea_derivatives, aba_derivatives = inverse_dynamics_derivatives, forward_dynamics_derivatives
+joint_torque_regressor = inertia_regressor

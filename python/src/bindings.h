@@ -5,9 +5,6 @@
 
 namespace poinsot::python {
 
-void bind_engine_dynamics(nanobind::module_& module);
-void bind_engine_kinematics(nanobind::module_& module);
-void bind_engine_model(nanobind::module_& module);
 void bind_errors(nanobind::module_& module);
 void bind_document(nanobind::module_& module);
 void bind_motion(nanobind::module_& module);

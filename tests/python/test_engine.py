@@ -1,12 +1,15 @@
 """The engine in arrays, against kinematics and Lagrange's equations written down here with NumPy alone."""
 
+import subprocess
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 import pytest
 
-from poinsot import engine
+from poinsot import _core, engine
 
 Array = engine.Array
 
@@ -169,6 +172,115 @@ def test_momenta_of_a_free_body() -> None:
     np.testing.assert_allclose(a[3:], -np.cross(v[:3], v[3:]), atol=1e-12)
 
 
+def free_tree(random: np.random.Generator) -> engine.Model:
+    """A free body that carries a ball joint, a hinge and a slide."""
+    builder = engine.ModelBuilder()
+    builder.set_gravity(random.normal(size=3))
+    parent = "ground"
+    for i, joint in enumerate(["free", "ball", "revolute", "prismatic"]):
+        A = random.normal(size=(3, 3))
+        builder.add_body(
+            f"b{i}", parent, joint, axis=random.normal(size=3), place=random.normal(size=3), mass=random.uniform(1, 2),
+            center=random.normal(size=3), inertia=np.trace(A @ A.T) * np.eye(3) - A @ A.T,
+        )  # fmt: skip
+        parent = f"b{i}"
+    return builder.build()
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_derivatives_are_differences(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    model = free_tree(random)
+    n, h = model.nv, 1e-6
+    q = engine.integrate(model, model.neutral(), random.normal(size=n))
+    v, third = random.normal(size=(2, n))
+    for function, derivatives in [
+        (engine.inverse_dynamics, engine.inverse_dynamics_derivatives),
+        (engine.forward_dynamics, engine.forward_dynamics_derivatives),
+    ]:
+        found = derivatives(model, q, v, third)
+        steps = np.eye(n) * h
+
+        def ends(at: Callable[[Array], Array], steps: Array = steps) -> Array:
+            return np.array([(at(step) - at(-step)) / (2 * h) for step in steps]).T
+
+        of = function
+        size = np.abs(found[0]).max() + np.abs(found[1]).max() + np.abs(found[2]).max()
+        expected = (
+            ends(lambda step, of=of: of(model, engine.integrate(model, q, step), v, third)),  # type: ignore[misc]
+            ends(lambda step, of=of: of(model, q, v + step, third)),  # type: ignore[misc]
+            ends(lambda step, of=of: of(model, q, v, third + step)),  # type: ignore[misc]
+        )
+        for one, other in zip(found, expected, strict=True):
+            np.testing.assert_allclose(one, other, atol=1e-7 * size)
+
+
+def test_regressor_is_linear_in_the_inertias() -> None:
+    random = np.random.default_rng(9)
+    model = free_tree(random)
+    q = engine.integrate(model, model.neutral(), random.normal(size=model.nv))
+    v, a = random.normal(size=(2, model.nv))
+    Y = engine.inertia_regressor(model, q, v, a)
+    numbers = engine.inertia_numbers(model)
+    assert Y.shape == (model.nv, 40) and numbers.shape == (4, 10)
+    np.testing.assert_allclose(Y @ numbers.ravel(), engine.inverse_dynamics(model, q, v, a), rtol=1e-11, atol=1e-11)
+
+
+def test_hybrid_dynamics_finds_what_is_not_known() -> None:
+    random = np.random.default_rng(4)
+    builder = engine.ModelBuilder()
+    builder.set_gravity([0, -9.81, 0])
+    parent = "ground"
+    modes: list[Literal["free", "prescribed", "locked"]] = ["free", "prescribed", "locked", "free"]
+    for i, mode in enumerate(modes):
+        builder.add_body(f"b{i}", parent, "revolute", axis=random.normal(size=3), place=[0, 1, 0], mass=1.5,
+                         center=[0, 0.5, 0.1], inertia=np.diag([0.3, 0.2, 0.2]), mode=mode)  # fmt: skip
+        parent = f"b{i}"
+    model = builder.build()
+    q, v, known = random.normal(size=(3, 4, 6))
+    acceleration, force = engine.hybrid_dynamics(model, q, v, known)
+    np.testing.assert_array_equal(acceleration[1], known[1])
+    np.testing.assert_array_equal(acceleration[2], 0)
+    np.testing.assert_array_equal(force[[0, 3]], known[[0, 3]])
+    np.testing.assert_allclose(engine.inverse_dynamics(model, q, v, acceleration), force, rtol=1e-9, atol=1e-9)
+    with pytest.raises(ValueError, match="there is no mode 'held'"):
+        builder.add_body("b", mode="held")  # type: ignore[arg-type]
+
+
+CHILD = """
+import sys
+import numpy as np
+from poinsot import _core
+_core.instruction_set = lambda: sys.argv[1]
+from poinsot import engine
+builder = engine.ModelBuilder()
+builder.set_gravity([0, 1, -9.81])
+for i, joint in enumerate(["free", "ball", "revolute", "prismatic", "screw"]):
+    builder.add_body(f"b{i}", f"b{i - 1}" if i else "ground", joint, axis=[0.1, 0.2, 1], pitch=0.3, place=[0.1, 0.2, 0.3],
+                     mass=1 + i, center=[0.1, 0, 0.2], inertia=np.diag([0.3, 0.2, 0.25]))
+model = builder.build()
+random = np.random.default_rng(1)
+v, third, turn = random.normal(size=(3, model.nv, 21))
+q = engine.integrate(model, np.repeat(model.neutral()[:, None], 21, axis=1), turn)
+for function in (engine.inverse_dynamics, engine.forward_dynamics, engine.inverse_dynamics_derivatives,
+                 engine.forward_dynamics_derivatives):
+    sys.stdout.buffer.write(np.array(function(model, q, v, third)).tobytes())
+"""
+
+
+def test_all_compiled_engines_agree() -> None:
+    """Those for the sets of instructions that this processor has; each in a process of its own, as only one is ever loaded."""
+    sets = ["", "x86_64_v3", "x86_64_v4"]
+    here = sets[: sets.index(_core.instruction_set()) + 1]
+    numbers = []
+    for one in here:
+        child = subprocess.run([sys.executable, "-c", CHILD, one], capture_output=True, check=True)
+        numbers.append(np.frombuffer(child.stdout))
+    assert numbers[0].size == 21 * (2 * 12 + 2 * 3 * 144)
+    for other in numbers[1:]:
+        np.testing.assert_allclose(other, numbers[0], rtol=1e-8, atol=1e-8)
+
+
 @pytest.fixture(scope="module")
 def arm() -> engine.Model:
     return random_tree(np.random.default_rng(11), 7).model()
@@ -184,6 +296,7 @@ def test_batches_are_their_cases(arm: engine.Model, count: int) -> None:
         (engine.mass_matrix(arm, q), lambda k: engine.mass_matrix(arm, q[:, k])),
         (engine.jacobian(arm, q, "b6"), lambda k: engine.jacobian(arm, q[:, k], "b6")),
         (engine.momentum(arm, q, v), lambda k: engine.momentum(arm, q[:, k], v[:, k])),
+        (engine.forward_dynamics_derivatives(arm, q, v, a)[0], lambda k: engine.forward_dynamics_derivatives(arm, q[:, k], v[:, k], a[:, k])[0]),
         (engine.integrate(arm, q, v, 0.1), lambda k: engine.integrate(arm, q[:, k], v[:, k], 0.1)),
     ]
     for found, single in compared:

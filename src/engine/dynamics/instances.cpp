@@ -3,8 +3,10 @@
 #include <tuple>
 
 #include "poinsot/engine/dynamics/constraint.h"
+#include "poinsot/engine/dynamics/dynamics_derivatives.h"
 #include "poinsot/engine/dynamics/forward_dynamics.h"
 #include "poinsot/engine/dynamics/hybrid_dynamics.h"
+#include "poinsot/engine/dynamics/inertia_regressor.h"
 #include "poinsot/engine/dynamics/inverse_dynamics.h"
 #include "poinsot/engine/dynamics/kinematics.h"
 #include "poinsot/engine/dynamics/mass_matrix.h"
@@ -34,6 +36,9 @@ constexpr auto algorithms() {
                     &hybrid_response<S>,
                     &mass_matrix<S>,
                     &mirror_lower_triangle<S>,
+                    &inverse_dynamics_derivatives<S>,
+                    &forward_dynamics_derivatives<S>,
+                    &inertia_regressor<S>,
                     &update_poses<S>,
                     &update_velocities<S>,
                     &update_accelerations<S>,

@@ -7,8 +7,8 @@
 #include <array>
 #include <map>
 
-#include "bindings.h"
-#include "cases.h"
+#include "engine/bindings.h"
+#include "engine/cases.h"
 #include "poinsot/engine/model/builder.h"
 
 namespace nb = nanobind;
@@ -34,6 +34,13 @@ Joint<double> joint_of(const std::string& kind, const Three& axis, double pitch)
       ("there is no joint '" + kind + "': expected revolute, prismatic, screw, ball, free or weld").c_str());
 }
 
+CoordinateMode mode_of(const std::string& name) {
+  if (name == "free") return CoordinateMode::free;
+  if (name == "prescribed") return CoordinateMode::prescribed;
+  if (name == "locked") return CoordinateMode::locked;
+  throw nb::value_error(("there is no mode '" + name + "': expected free, prescribed or locked").c_str());
+}
+
 // The tensor has to be symmetric, as it is taken for one.
 SymmetricMatrix3<double> tensor(const std::string& body, const Rows& I) {
   for (std::size_t i = 0; i < 3; ++i)
@@ -45,22 +52,24 @@ SymmetricMatrix3<double> tensor(const std::string& body, const Rows& I) {
 
 void add_body(ModelBuilder<double>& builder, const std::string& name, const std::string& parent,
               const std::string& joint, const Three& axis, double pitch, const Three& place, const Rows& rotation,
-              double mass, const Three& center, const Rows& inertia) {
+              double mass, const Three& center, const Rows& inertia, const std::string& mode) {
   builder.add_body(name, std::string_view(parent), joint_of(joint, axis, pitch), {matrix(rotation), vector(place)},
-                   {mass, vector(center), tensor(name, inertia)});
+                   {mass, vector(center), tensor(name, inertia)}, mode_of(mode));
 }
 
 }  // namespace
 
-void bind_engine_model(nb::module_& module) {
+void bind_model(nb::module_& module) {
   nb::class_<ModelBuilder<double>>(module, "ModelBuilder")
       .def(nb::init<>())
       .def("add_body", &add_body, "name"_a, "parent"_a, "joint"_a, "axis"_a, "pitch"_a, "place"_a, "rotation"_a,
-           "mass"_a, "center"_a, "inertia"_a)
+           "mass"_a, "center"_a, "inertia"_a, "mode"_a)
       .def(
           "set_gravity", [](ModelBuilder<double>& builder, const Three& g) { builder.set_gravity(vector(g)); },
           "gravity"_a)
-      .def("build", [](const ModelBuilder<double>& builder) { return EngineModel(builder.build()); });
+      .def(
+          "build", [](const ModelBuilder<double>& builder) { return new EngineModel(builder.build()); },
+          nb::rv_policy::take_ownership);
   nb::class_<EngineModel>(module, "EngineModel")
       .def_prop_ro("names", [](const EngineModel& model) { return model.numbers.names(); })
       .def_prop_ro("parents",

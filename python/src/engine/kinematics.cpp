@@ -1,12 +1,12 @@
 // Kinematics, momenta and energies of the engine for single states and batches.
-#include <nanobind/ndarray.h>
+#include "poinsot/engine/dynamics/kinematics.h"
+
 #include <nanobind/stl/array.h>
 
 #include <array>
 
-#include "bindings.h"
-#include "cases.h"
-#include "poinsot/engine/dynamics/kinematics.h"
+#include "engine/bindings.h"
+#include "engine/cases.h"
 #include "poinsot/engine/dynamics/momentum.h"
 
 namespace nb = nanobind;
@@ -37,9 +37,9 @@ void require_body(const EngineModel& model, int body) {
 
 // What needs positions alone.
 template <class Work>
-ResultArray of_pose(const EngineModel& model, const CaseArray& q, std::vector<std::size_t> shape, int threads,
-                    const Work& work) {
-  return for_cases(model, {{"q", q, model.numbers.position_size()}}, std::move(shape), threads,
+NumpyArray of_pose(const EngineModel& model, nb::handle q, const std::vector<std::size_t>& shape, int threads,
+                   const Work& work) {
+  return for_cases(model, {{"q", q, model.numbers.position_size()}}, shape, threads,
                    [&]<class Scalar>(const Model<Scalar>& of, Case<Scalar>& one) {
                      update_poses<Scalar>(of, one.workspace, one.state.q);
                      work(of, one);
@@ -48,16 +48,16 @@ ResultArray of_pose(const EngineModel& model, const CaseArray& q, std::vector<st
 
 // What needs velocities too.
 template <class Work>
-ResultArray of_motion(const EngineModel& model, const CaseArray& q, const CaseArray& v, std::vector<std::size_t> shape,
-                      int threads, const Work& work) {
-  return for_cases(model, {{"q", q, model.numbers.position_size()}, {"v", v, model.numbers.velocity_size()}},
-                   std::move(shape), threads, [&]<class Scalar>(const Model<Scalar>& of, Case<Scalar>& one) {
+NumpyArray of_motion(const EngineModel& model, nb::handle q, nb::handle v, const std::vector<std::size_t>& shape,
+                     int threads, const Work& work) {
+  return for_cases(model, {{"q", q, model.numbers.position_size()}, {"v", v, model.numbers.velocity_size()}}, shape,
+                   threads, [&]<class Scalar>(const Model<Scalar>& of, Case<Scalar>& one) {
                      update_velocities<Scalar>(of, one.workspace, one.state);
                      work(of, one);
                    });
 }
 
-ResultArray rotations(const EngineModel& model, const CaseArray& q, int body, int threads) {
+NumpyArray rotations(const EngineModel& model, nb::handle q, int body, int threads) {
   require_body(model, body);
   return of_pose(model, q, {3, 3}, threads, [body]<class Scalar>(const Model<Scalar>& of, Case<Scalar>& one) {
     const Matrix3<Scalar> R = body_rotation(of, one.workspace, body);
@@ -65,21 +65,21 @@ ResultArray rotations(const EngineModel& model, const CaseArray& q, int body, in
   });
 }
 
-ResultArray positions(const EngineModel& model, const CaseArray& q, int body, const Three& point, int threads) {
+NumpyArray positions(const EngineModel& model, nb::handle q, int body, const Three& point, int threads) {
   require_body(model, body);
   return of_pose(model, q, {3}, threads, [&]<class Scalar>(const Model<Scalar>& of, Case<Scalar>& one) {
     put(one.found, 0, point_position(of, one.workspace, body, vector<Scalar>(point)));
   });
 }
 
-ResultArray mass_centers(const EngineModel& model, const CaseArray& q, int threads) {
+NumpyArray mass_centers(const EngineModel& model, nb::handle q, int threads) {
   return of_pose(model, q, {3}, threads, []<class Scalar>(const Model<Scalar>& of, Case<Scalar>& one) {
     put(one.found, 0, mass_center(of, one.workspace));
   });
 }
 
 // Three rows of the velocity of a point, then three of the angular velocity.
-ResultArray jacobians(const EngineModel& model, const CaseArray& q, int body, const Three& point, int threads) {
+NumpyArray jacobians(const EngineModel& model, nb::handle q, int body, const Three& point, int threads) {
   require_body(model, body);
   const std::size_t nv = size(model.numbers.velocity_size());
   return of_pose(model, q, {6, nv}, threads, [&]<class Scalar>(const Model<Scalar>& of, Case<Scalar>& one) {
@@ -90,7 +90,7 @@ ResultArray jacobians(const EngineModel& model, const CaseArray& q, int body, co
 }
 
 // Linear, then angular about the ground point.
-ResultArray momenta(const EngineModel& model, const CaseArray& q, const CaseArray& v, const Three& about, int threads) {
+NumpyArray momenta(const EngineModel& model, nb::handle q, nb::handle v, const Three& about, int threads) {
   return of_motion(model, q, v, {6}, threads, [&]<class Scalar>(const Model<Scalar>& of, Case<Scalar>& one) {
     const Momentum<Scalar> all = momentum(of, one.workspace, vector<Scalar>(about));
     put(one.found, 0, all.linear);
@@ -98,13 +98,13 @@ ResultArray momenta(const EngineModel& model, const CaseArray& q, const CaseArra
   });
 }
 
-ResultArray kinetic_energies(const EngineModel& model, const CaseArray& q, const CaseArray& v, int threads) {
+NumpyArray kinetic_energies(const EngineModel& model, nb::handle q, nb::handle v, int threads) {
   return of_motion(model, q, v, {1}, threads, []<class Scalar>(const Model<Scalar>& of, Case<Scalar>& one) {
     one.found[0] = kinetic_energy(of, one.workspace);
   });
 }
 
-ResultArray potential_energies(const EngineModel& model, const CaseArray& q, int threads) {
+NumpyArray potential_energies(const EngineModel& model, nb::handle q, int threads) {
   return of_pose(model, q, {1}, threads, []<class Scalar>(const Model<Scalar>& of, Case<Scalar>& one) {
     one.found[0] = potential_energy(of, one.workspace);
   });
@@ -112,7 +112,7 @@ ResultArray potential_energies(const EngineModel& model, const CaseArray& q, int
 
 }  // namespace
 
-void bind_engine_kinematics(nb::module_& module) {
+void bind_kinematics(nb::module_& module) {
   module.def("body_rotation", &rotations, "model"_a, "q"_a, "body"_a, "threads"_a);
   module.def("point_position", &positions, "model"_a, "q"_a, "body"_a, "point"_a, "threads"_a);
   module.def("mass_center", &mass_centers, "model"_a, "q"_a, "threads"_a);

@@ -1,0 +1,213 @@
+// Many states of one model at once: arrays of NumPy whose rows are coordinates and whose columns are cases (structures
+// of arrays), read and written in place. Cases go through the algorithms in packs, and packs over threads; the numbers
+// of a case are the same bits whatever the number of threads.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <span>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "poinsot/engine/dynamics/dynamics_derivatives.h"
+#include "poinsot/engine/dynamics/workspace.h"
+#include "poinsot/engine/math/algebra/pack.h"
+#include "poinsot/engine/model/model.h"
+#include "poinsot/engine/model/state.h"
+
+namespace poinsot::python {
+
+// As many as a register of the largest kind holds.
+#ifdef __AVX512F__
+inline constexpr int pack_width = 8;
+#else
+inline constexpr int pack_width = 4;
+#endif
+using CasePack = Pack<pack_width>;
+
+// The memory for one case or pack: its state, a further input by coordinates, and what is found.
+template <class Scalar>
+struct Case {
+  explicit Case(const Model<Scalar>& model)
+      : workspace(model), state(neutral_state(model)), given(model.velocity_size()) {}
+
+  Workspace<Scalar> workspace;
+  State<Scalar> state;
+  std::vector<Scalar> given;
+  std::vector<Scalar> found;
+  std::optional<DerivativesWorkspace<Scalar>> derivatives;
+
+  // Made by who asks for it first.
+  DerivativesWorkspace<Scalar>& for_derivatives(const Model<Scalar>& model) {
+    if (!derivatives) derivatives.emplace(model);
+    return *derivatives;
+  }
+  std::vector<Scalar>& input(int which) { return which == 0 ? state.q : which == 1 ? state.v : given; }
+};
+
+// A model with what its algorithms need over numbers and over packs.
+struct EngineModel {
+  explicit EngineModel(Model<double> one)
+      : numbers(std::move(one)), packs(convert<CasePack>(numbers)), single(numbers) {}
+
+  Model<double> numbers;
+  Model<CasePack> packs;
+  // The memory for single states, which hold the interpreter's lock: to make it takes longer than most calls.
+  mutable Case<double> single;
+};
+
+// An array of NumPy on its way back to Python.
+struct NumpyArray {
+  nanobind::object object;
+};
+
+// What comes in: one state (one dimension), or a column for each case (two), as the memory of an array of NumPy. What
+// is no array of doubles in that order becomes one. Errors: what NumPy raises if it cannot.
+class CaseArray {
+ public:
+  explicit CaseArray(nanobind::handle array);
+  CaseArray(const CaseArray&) = delete;
+  CaseArray& operator=(const CaseArray&) = delete;
+  ~CaseArray() { PyBuffer_Release(&view_); }
+
+  std::size_t ndim() const { return static_cast<std::size_t>(view_.ndim); }
+  std::size_t shape(std::size_t i) const { return static_cast<std::size_t>(view_.shape[i]); }
+  const double* data() const { return static_cast<const double*>(view_.buf); }
+
+ private:
+  bool read(nanobind::handle array);
+
+  Py_buffer view_{};
+};
+
+struct CaseInput {
+  CaseInput(const char* own_name, nanobind::handle own_array, int own_rows)
+      : name(own_name), array(own_array), rows(own_rows) {}
+
+  const char* name;
+  CaseArray array;
+  int rows;
+};
+using CaseInputs = std::span<const CaseInput>;
+
+// The number of cases, 1 for a single state; checks that the inputs agree and fit the model.
+struct CaseShape {
+  std::size_t count = 1;
+  bool single = true;
+};
+CaseShape case_shape(CaseInputs inputs);
+
+// A new array: `shape` for a single state, with a last dimension of the cases for several.
+struct ResultArray {
+  NumpyArray array;
+  double* data = nullptr;
+};
+ResultArray new_result(const std::vector<std::size_t>& shape, const CaseShape& cases);
+
+// Some packs of cases, as many as fit into a processor's nearer memory, with their inputs and results beside each
+// other: in the whole arrays the numbers of a case lie far apart.
+class CaseTile {
+ public:
+  CaseTile(const EngineModel& model, CaseInputs inputs, std::size_t cases, std::size_t results);
+
+  std::size_t packs() const { return packs_; }
+  // These packs of the inputs, of which the last one repeats the last case.
+  void read(std::size_t first_pack, std::size_t last_pack);
+  // Their results into a row of all cases for each.
+  void write(double* out) const;
+
+  template <class Work>
+  void for_each_pack(const Work& work) {
+    for (std::size_t at = 0; at < held_; at += pack_width) {
+      const double* from = in_.data() + at;
+      for (std::size_t i = 0; i < inputs_.size(); ++i)
+        for (CasePack& number : case_.input(static_cast<int>(i))) {
+          number = CasePack(CasePack::Lanes(from, std::experimental::element_aligned));
+          from += width();
+        }
+      work(case_);
+      double* to = out_.data() + at;
+      for (const CasePack& number : case_.found) {
+        number.lanes().copy_to(to, std::experimental::element_aligned);
+        to += width();
+      }
+    }
+  }
+
+ private:
+  std::size_t width() const { return packs_ * pack_width; }
+
+  CaseInputs inputs_;
+  std::size_t cases_, rows_ = 0, packs_, first_ = 0, held_ = 0;
+  Case<CasePack> case_;
+  std::vector<double> in_, out_;
+};
+
+// Runs work(model, case) for every case, with its inputs in place, in the order q, v, given; and writes what is found.
+template <std::size_t N, class Work>
+NumpyArray for_cases(const EngineModel& model, const CaseInput (&inputs)[N], const std::vector<std::size_t>& shape,
+                     int threads, const Work& work) {
+  const CaseShape cases = case_shape(inputs);
+  std::size_t results = 1;
+  for (const std::size_t size : shape) results *= size;
+  const ResultArray result = new_result(shape, cases);
+  double* const out = result.data;
+
+  if (cases.single) {
+    Case<double>& one = model.single;
+    one.found.resize(results);
+    for (std::size_t i = 0; i < N; ++i)
+      std::copy_n(inputs[i].array.data(), inputs[i].rows, one.input(static_cast<int>(i)).begin());
+    work(model.numbers, one);
+    std::ranges::copy(one.found, out);
+    return result.array;
+  }
+
+  const nanobind::gil_scoped_release released;
+  const auto run = [&](std::size_t first_pack, std::size_t last_pack) {
+    CaseTile tile(model, inputs, cases.count, results);
+    for (std::size_t pack = first_pack; pack < last_pack; pack += tile.packs()) {
+      tile.read(pack, std::min(pack + tile.packs(), last_pack));
+      tile.for_each_pack([&](Case<CasePack>& one) { work(model.packs, one); });
+      tile.write(out);
+    }
+  };
+  const std::size_t packs = (cases.count + pack_width - 1) / pack_width;
+  const std::size_t workers =
+      std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), 1, std::max<std::size_t>(packs, 1));
+  if (workers == 1) {
+    run(0, packs);
+    return result.array;
+  }
+  std::vector<std::exception_ptr> failures(workers);
+  {
+    std::vector<std::jthread> pool;
+    for (std::size_t k = 0; k < workers; ++k)
+      pool.emplace_back([&, k] {
+        try {
+          run(packs * k / workers, packs * (k + 1) / workers);
+        } catch (...) {
+          failures[k] = std::current_exception();
+        }
+      });
+  }
+  for (const std::exception_ptr& failure : failures)
+    if (failure) std::rethrow_exception(failure);
+  return result.array;
+}
+
+}  // namespace poinsot::python
+
+template <>
+struct nanobind::detail::type_caster<poinsot::python::NumpyArray> {
+  static constexpr auto Name = const_name("numpy.typing.NDArray[numpy.float64]");
+
+  static handle from_cpp(const poinsot::python::NumpyArray& array, rv_policy, cleanup_list*) {
+    return handle(array.object).inc_ref();
+  }
+};
