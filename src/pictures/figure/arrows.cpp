@@ -184,11 +184,12 @@ class ArrowDrawer {
 
   // How far along its line an arrow finds itself beyond all bodies; 0 if it begins there.
   double way_out(Point2 at, Point2 along) const {
-    constexpr double step = 6, most = 460;
-    double out = 0;
-    for (double way = 0; way < most; way += step)
-      if (panel_.visibility.over_body(at + way * along)) out = way + 2 * step;
-    return out;
+    constexpr double step = 6;
+    constexpr int most = 77;
+    int out = 0;
+    for (int steps = 0; steps < most; ++steps)
+      if (panel_.visibility.over_body(at + steps * step * along)) out = steps + 2;
+    return out * step;
   }
 
   // How much of an arrow runs along thin bodies, as a part of it.
@@ -207,13 +208,13 @@ class ArrowDrawer {
   double over_symbols(const Shaft& shaft) const {
     constexpr double step = 3, near = 6;
     const double length = norm(shaft.tip - shaft.tail);
-    double over = 0;
-    for (double at = 0; at <= length; at += step) {
-      const Point2 p = shaft.tail + at / std::max(length, 1e-9) * (shaft.tip - shaft.tail);
-      if (std::ranges::any_of(symbols_, [&](const Shaft& s) { return distance(p, s.tail, s.tip) < near; }))
-        over += step;
+    const int steps = static_cast<int>(length / step);
+    int over = 0;
+    for (int i = 0; i <= steps; ++i) {
+      const Point2 p = shaft.tail + i * step / std::max(length, 1e-9) * (shaft.tip - shaft.tail);
+      if (std::ranges::any_of(symbols_, [&](const Shaft& s) { return distance(p, s.tail, s.tip) < near; })) ++over;
     }
-    return std::min(1.0, over / past_symbol);
+    return std::min(1.0, over * step / past_symbol);
   }
 
   // The arrow around the shaft by the rule of the right hand, open where it passes behind.

@@ -93,7 +93,7 @@ void simplify(SeenLine& line) {
   if (line.points.size() < 3) return;
   if (line.closed) {
     // From an outermost point to itself.
-    std::ranges::rotate(line.points, std::ranges::min_element(line.points, {}, &Point2::x));
+    std::rotate(line.points.begin(), std::ranges::min_element(line.points, {}, &Point2::x), line.points.end());
     line.points.push_back(line.points.front());
   }
   std::vector<bool> kept(line.points.size());

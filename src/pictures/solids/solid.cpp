@@ -88,7 +88,7 @@ Solid solid_of(const scene::Shape& shape, const scene::Pose& pose, int body, boo
   if (coarse) {
     // Thin walls fall together: triangles there come twice.
     std::ranges::sort(solid.triangles);
-    solid.triangles.erase(std::ranges::unique(solid.triangles).begin(), solid.triangles.end());
+    solid.triangles.erase(std::unique(solid.triangles.begin(), solid.triangles.end()), solid.triangles.end());
   }
   for (const auto& edge : shape.edges) {
     std::vector<std::uint32_t> line;

@@ -155,10 +155,9 @@ class ClaimSolver {
     } else if (!formulas_hold) {
       if (numbers->close) return Outcome::skipped;
       verdict = *numbers;
-    } else if (verdict.difference && numbers->holds) {
-      // Rounding hides from the numbers what the exact formulas tell.
-    } else if (found_alike(*numbers, verdict)) {
-      // The numbers have the same two sides, which count as equal beside forces that have no part in them.
+    } else if ((verdict.difference && numbers->holds) || found_alike(*numbers, verdict)) {
+      // Rounding hides from the numbers what the exact formulas tell; or they have the same two sides, which count as
+      // equal beside forces that have no part in them.
     } else if (too_fine(*numbers, verdict)) {
       // Formulas that no number confirms refute nothing: another point has to show it.
       unconfirmed_ = true;

@@ -23,10 +23,10 @@ bool found_alike(const Verdict& numbers, const Verdict& formulas) {
   // Of the difference: sides are good to 1e-9 of themselves, so that differences down to a thousandth of them are told.
   constexpr double same = 1e-6;
   if (!numbers.holds || formulas.holds || !formulas.sides) return false;
-  const auto [left, right] = *formulas.sides;
-  const double apart = same * std::abs(left - right);
+  const auto& of_formulas = *formulas.sides;
+  const double apart = same * std::abs(of_formulas.first - of_formulas.second);
   return std::ranges::any_of(numbers.alike, [&](const Verdict::Alike& sides) {
-    return std::abs(sides.left - left) <= apart && std::abs(sides.right - right) <= apart;
+    return std::abs(sides.left - of_formulas.first) <= apart && std::abs(sides.right - of_formulas.second) <= apart;
   });
 }
 

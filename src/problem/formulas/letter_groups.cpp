@@ -22,7 +22,7 @@ struct Draft {
 };
 
 // Adds powers of the letters from `next` on to a draft, and keeps what has no dimension.
-void grow(const std::vector<Letter>& letters, std::size_t next, const Dimension& dimension, Draft draft,
+void grow(const std::vector<Letter>& letters, std::size_t next, const Dimension& dimension, const Draft& draft,
           std::vector<Draft>& found) {
   if (!draft.powers.empty() && same_kind(dimension, dimensions::none)) {
     found.push_back(draft);
@@ -40,7 +40,7 @@ void grow(const std::vector<Letter>& letters, std::size_t next, const Dimension&
         Draft longer = draft;
         longer.powers.emplace_back(letters[k], signed_power);
         longer.cost += 10 + power;
-        grow(letters, k + 1, signed_power > 0 ? with : without, std::move(longer), found);
+        grow(letters, k + 1, signed_power > 0 ? with : without, longer, found);
       }
     }
   }

@@ -108,7 +108,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
   });
   const auto told = [&](ToldQuantity::Kind kind, const Vector3<Base>& place, const Vector3<Base>& value,
                         const Dimension& dimension) {
-    const Result result = as_vector(value, dimension);
+    Result result = as_vector(value, dimension);
     if (tells() && one_pair)
       told_->push_back({.kind = kind,
                         .body = on,

@@ -319,12 +319,12 @@ class RotationInEqualSteps final : public RotationSteps {
 
 }  // namespace
 
-std::unique_ptr<StepMethod> make_rotation_collocation(std::shared_ptr<const Rotor> rotor,
+std::unique_ptr<StepMethod> make_rotation_collocation(const std::shared_ptr<const Rotor>& rotor,
                                                       const IntegrationOptions& options) {
-  return std::make_unique<RotationCollocation>(std::move(rotor), options);
+  return std::make_unique<RotationCollocation>(rotor, options);
 }
-std::unique_ptr<StepMethod> make_rotation_in_equal_steps(std::shared_ptr<const Rotor> rotor,
+std::unique_ptr<StepMethod> make_rotation_in_equal_steps(const std::shared_ptr<const Rotor>& rotor,
                                                          const IntegrationOptions& options) {
-  return std::make_unique<RotationInEqualSteps>(std::move(rotor), options);
+  return std::make_unique<RotationInEqualSteps>(rotor, options);
 }
 }  // namespace poinsot

@@ -19,9 +19,9 @@ struct Rotor {
 };
 
 // Collocation in steps of its own choice, and equal steps.
-std::unique_ptr<StepMethod> make_rotation_collocation(std::shared_ptr<const Rotor> rotor,
+std::unique_ptr<StepMethod> make_rotation_collocation(const std::shared_ptr<const Rotor>& rotor,
                                                       const IntegrationOptions& options);
-std::unique_ptr<StepMethod> make_rotation_in_equal_steps(std::shared_ptr<const Rotor> rotor,
+std::unique_ptr<StepMethod> make_rotation_in_equal_steps(const std::shared_ptr<const Rotor>& rotor,
                                                          const IntegrationOptions& options);
 
 // The collocation in coordinates of joints: in steps of about a radian at most, so that angles can be followed. The
