@@ -6,6 +6,7 @@
 
 #include "pictures/drawing/label_text.h"
 #include "pictures/figure/arrows.h"
+#include "pictures/figure/draw_details.h"
 #include "pictures/figure/herpolhode.h"
 #include "pictures/figure/panel.h"
 
@@ -113,6 +114,61 @@ std::size_t points_of_turns(const scene::Curve& herpolhode, const Vector& center
   return count;
 }
 
+// The herpolhode as it is seen along the angular momentum, where it is too small in the figure.
+void draw_herpolhode_enlarged(Panel& panel, const scene::Curve& herpolhode, const Vector& center, double factor) {
+  constexpr double readable = 26;  // units of the paper
+  const Vector axis = direction_across(herpolhode, center);
+  if (!(norm(axis) > 0)) return;
+  const Vector first = across(axis), second = cross(axis, first);
+  const std::size_t count = points_of_turns(herpolhode, center);
+  Detail::Line line{.points = {}, .name = "herpolhode", .ink = Ink::motion, .dash = Dash::fine, .closed = false};
+  double radius = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector d = factor * panel.projection.scale() * (herpolhode.points[i] - center);
+    line.points.push_back({dot(d, first), -dot(d, second)});
+    radius = std::max(radius, norm(line.points.back()));
+  }
+  if (line.points.empty() || radius > readable) return;
+  const Point2 now = line.points.front();
+  draw_detail(panel, {.lines = {std::move(line)},
+                      .spots = {{{0, 0}, "\\mathbf{H}_G", Ink::momentum}, {now, "\\boldsymbol{\\omega}", Ink::motion}},
+                      .words = "Seen along the angular momentum"});
+}
+
+// Needles of cones: what a plane across the angular momentum cuts of them, where they are too narrow in the figure.
+void draw_cones_enlarged(Panel& panel) {
+  constexpr double readable = 14;  // units of the paper
+  constexpr int corners = 72;
+  const scene::Cone* space = nullptr;
+  for (const scene::Cone& cone : panel.scene.cones) {
+    if (side_length * std::sin(cone.half_angle) > readable) return;
+    if (cone.body < 0) space = &cone;
+  }
+  if (space == nullptr) return;
+  const Vector axis = unit_or(space->axis, {0, 0, 1}), first = across(axis), second = cross(axis, first);
+  const auto cut = [&](const Vector& direction) {
+    const Vector d = side_length / dot(direction, axis) * direction;
+    return Point2{dot(d, first), -dot(d, second)};
+  };
+  Detail detail{
+      .lines = {}, .spots = {{{0, 0}, "\\mathbf{H}_G", Ink::momentum}}, .words = "Cut across the angular momentum"};
+  for (const scene::Cone& cone : panel.scene.cones) {
+    const Vector own = unit_or(turned_to_ground(cone.body, cone.axis, panel.poses), {0, 0, 1});
+    const Vector side = across(own), other = cross(own, side);
+    Detail::Line line{.points = {}, .name = cone.name, .dash = cone.body < 0 ? Dash::fine : Dash::none};
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      line.points.push_back(cut(std::cos(cone.half_angle) * own +
+                                std::sin(cone.half_angle) * (std::cos(angle) * side + std::sin(angle) * other)));
+    }
+    detail.lines.push_back(std::move(line));
+    if (cone.body >= 0 && norm(cone.touching_line) > 0)
+      detail.spots.push_back({cut(normalized(turned_to_ground(cone.body, cone.touching_line, panel.poses))),
+                              "\\boldsymbol{\\omega}", Ink::motion});
+  }
+  draw_detail(panel, detail);
+}
+
 // Around the herpolhode, across the angular momentum.
 template <class Enlarged>
 void draw_invariable_plane(Panel& panel, const scene::Curve& herpolhode, const Enlarged& enlarged, const Vector& foot,
@@ -170,6 +226,7 @@ void draw_polhodes(Panel& panel) {
       name_curve(panel, points, own->name);
       add_curve(panel, std::move(points), *own);
     }
+    draw_herpolhode_enlarged(panel, curve, center, factor);
     const Vector w = curve.points.front() - center;
     draw_direction(panel, center, normalized(w), Ink::motion, "\\boldsymbol{\\omega}", factor * norm(w));
     polhode = nullptr;
@@ -196,6 +253,7 @@ void draw_cones(Panel& panel) {
       draw_direction(panel, apex, axis, Ink::momentum, "\\mathbf{H}_G", length);
     }
   }
+  draw_cones_enlarged(panel);
 }
 
 }  // namespace poinsot::pictures

@@ -205,8 +205,12 @@ void SceneFigure::add_world() {
   scene_.axes = situation_.axes;
   const Vector3<double> gravity = mechanism().tree.gravity();
   scene_.gravity = norm(gravity) > 0;
-  // Texts draw y upward.
-  scene_.up = scene_.gravity ? -normalized(gravity) : Vector3<double>{0, 1, 0};
+  // Texts draw y upward, and the axis that they call so.
+  const auto named = std::find_if(situation_.axes.begin(), situation_.axes.end(),
+                                  [](const std::string& axis) { return axis == "U" || axis == "up"; });
+  const std::size_t upward =
+      named == situation_.axes.end() ? 1 : static_cast<std::size_t>(named - situation_.axes.begin());
+  scene_.up = scene_.gravity ? -normalized(gravity) : Vector3<double>::unit(upward);
   if (!situation_.view.empty()) scene_.viewer = viewing_direction(situation_.view, scene_.up);
   set_length();
   // Of what goes on beyond the figure a piece is shown.
