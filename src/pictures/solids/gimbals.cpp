@@ -13,21 +13,6 @@ constexpr double same_place = 1e-6;    // as a part of the picture
 constexpr double without_size = 0.25;  // of the picture: the radius around what has no size
 constexpr int segments = 36;
 
-bool turns_about_axis(const scene::Symbol& symbol) {
-  using scene::SymbolKind;
-  switch (symbol.kind) {
-    case SymbolKind::revolute:
-    case SymbolKind::hinge:
-    case SymbolKind::clevis:
-    case SymbolKind::fork:
-    case SymbolKind::journal:
-    case SymbolKind::thrust:
-      return norm(symbol.axis) > 0;
-    default:
-      return false;
-  }
-}
-
 class Gimbals {
  public:
   Gimbals(const scene::Scene& scene, const std::vector<scene::Pose>& poses)
@@ -124,6 +109,21 @@ const Gimbal* ring_of_bearings(const scene::Scene& scene, const scene::Symbol& s
 }
 
 }  // namespace
+
+bool turns_about_axis(const scene::Symbol& symbol) {
+  using scene::SymbolKind;
+  switch (symbol.kind) {
+    case SymbolKind::revolute:
+    case SymbolKind::hinge:
+    case SymbolKind::clevis:
+    case SymbolKind::fork:
+    case SymbolKind::journal:
+    case SymbolKind::thrust:
+      return norm(symbol.axis) > 0;
+    default:
+      return false;
+  }
+}
 
 std::vector<std::optional<Gimbal>> gimbals_of(const scene::Scene& scene, const std::vector<scene::Pose>& poses) {
   return Gimbals(scene, poses).all();

@@ -17,6 +17,9 @@ struct Gimbal {
   Vector first, second;  // unit vectors across each other in its plane
 };
 
+// Whether a joint or a support is one about an axis.
+bool turns_about_axis(const scene::Symbol& symbol);
+
 // For each body its ring, if it is one.
 std::vector<std::optional<Gimbal>> gimbals_of(const scene::Scene& scene, const std::vector<scene::Pose>& poses);
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "pictures/solids/bent_arms.h"
 #include "pictures/solids/gimbals.h"
 
 namespace poinsot::pictures {
@@ -185,6 +186,32 @@ void reach_points(const scene::Scene& scene, int body, const std::vector<Solid>&
   }
 }
 
+// The axis that is held at a place, or zero if there is none or more than one.
+Vector axis_at(const scene::Scene& scene, int body, const Vector& place, const std::vector<scene::Pose>& poses) {
+  Vector found{};
+  for (const scene::Symbol& symbol : scene.symbols) {
+    if (symbol.to != body && symbol.from != body) continue;
+    if (norm(on_ground(symbol.place, poses) - place) > 1e-3 * scene.length) continue;
+    if (norm(found) > 0 || !turns_about_axis(symbol)) return {};
+    found = normalized(turned_to_ground(symbol.to, symbol.axis, poses));
+  }
+  return found;
+}
+
+// What the bodies that a body carries go through.
+std::vector<Sweep> sweeps_of(const scene::Scene& scene, int body, const std::vector<scene::Pose>& poses) {
+  std::vector<Sweep> sweeps;
+  for (const scene::Symbol& symbol : scene.symbols) {
+    if (symbol.from != body || symbol.to < 0 || !turns_about_axis(symbol)) continue;
+    std::vector<Vector> vertices;
+    for (const scene::Shape& shape : scene.bodies.at(static_cast<std::size_t>(symbol.to)).shapes)
+      for (const Vector& vertex : shape.vertices) vertices.push_back(on_ground({symbol.to, vertex}, poses));
+    sweeps.push_back(sweep_of(on_ground(symbol.place, poses),
+                              normalized(turned_to_ground(symbol.to, symbol.axis, poses)), vertices));
+  }
+  return sweeps;
+}
+
 }  // namespace
 
 std::vector<std::array<Vector, 2>> skeleton_of(const scene::Scene& scene, int body, const std::vector<Solid>& solids,
@@ -232,7 +259,24 @@ std::vector<std::array<Vector, 2>> skeleton_of(const scene::Scene& scene, int bo
         first = {i, k};
       }
     }
-  arms.push_back({places[first[0]], places[first[1]]});
+  const std::vector<Sweep> sweeps = sweeps_of(scene, body, poses);
+  const auto add_way = [&](const ArmEnd& from, const ArmEnd& to) {
+    const std::vector<Vector> way = bent_way(from, to, sweeps, near);
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) arms.push_back({way[i], way[i + 1]});
+  };
+  const auto end_at = [&](std::size_t i) { return ArmEnd{places[i], axis_at(scene, body, places[i], poses)}; };
+  // From the ground on.
+  const bool swapped = std::ranges::any_of(scene.symbols, [&](const scene::Symbol& symbol) {
+    return symbol.from < 0 && norm(on_ground(symbol.place, poses) - places[first[1]]) < near;
+  });
+  if (swapped) std::swap(first[0], first[1]);
+  // Where they hold a body that turns between them, the arms go around it.
+  std::vector<Vector> fork;
+  for (const Sweep& sweep : sweeps)
+    for (const Vector& place : places)
+      if (fork.empty()) fork = fork_way(places[first[0]], places[first[1]], place, sweep, near);
+  for (std::size_t i = 0; i + 1 < fork.size(); ++i) arms.push_back({fork[i], fork[i + 1]});
+  if (fork.empty()) add_way(end_at(first[0]), end_at(first[1]));
   std::vector<bool> joined(places.size());
   joined[first[0]] = joined[first[1]] = true;
   for (std::size_t count = 2; count < places.size(); ++count) {
@@ -249,7 +293,7 @@ std::vector<std::array<Vector, 2>> skeleton_of(const scene::Scene& scene, int bo
         }
     }
     joined[next] = true;
-    if (least > 1e-3 * scene.length) arms.push_back({foot, places[next]});
+    if (least > 1e-3 * scene.length) add_way(end_at(next), {foot, {}});
   }
   return arms;
 }
