@@ -161,7 +161,7 @@ struct Diagram {
   std::vector<Arrow> arrows{};
 };
 
-// A length or an angle that a datum names.
+// A length or an angle that a datum names; from and to at one place: a number of what is touched there, as friction.
 struct Dimension {
   std::string name;    // the datum: "L", "beta"
   std::string text;    // with its value: "L = 600 mm"

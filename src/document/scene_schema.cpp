@@ -202,7 +202,7 @@ std::string scene_definitions() {
         "text": {"type": "string"},
         "angle": {"type": "boolean"},
         "from": {"$ref": "#/$defs/place"},
-        "to": {"$ref": "#/$defs/place"},
+        "to": {"$ref": "#/$defs/place", "description": "the same as from, if the datum is a number of what is touched there"},
         "corner": {"$ref": "#/$defs/place", "description": "of an angle: it is between the directions to the places"},
         "axis": {"$ref": "#/$defs/vector", "description": "of a radius, on the axes of the body of `from`: it may be drawn in any direction across this"}
       }

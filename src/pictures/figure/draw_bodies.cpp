@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pictures/figure/panel.h"
+#include "pictures/figure/symbol_places.h"
 #include "pictures/solids/areas.h"
 #include "pictures/solids/outlines.h"
 
@@ -12,6 +13,8 @@ namespace poinsot::pictures {
 namespace {
 
 constexpr double particle_radius = 4, center_radius = 7;
+constexpr double same_place = 1e-6;  // of the picture
+constexpr double ball_radius = 9;    // of a particle at a joint, whose symbol would cover a smaller one
 
 std::string hex(const std::array<double, 3>& color) {
   constexpr const char* digits = "0123456789abcdef";
@@ -22,6 +25,44 @@ std::string hex(const std::array<double, 3>& color) {
     text += digits[value % 16];
   }
   return text;
+}
+
+// Where a surface lies under a body, at a place.
+const scene::Symbol* contact_at(const Panel& panel, int body, const Vector& place) {
+  for (const scene::Symbol& symbol : panel.scene.symbols)
+    if (is_contact(symbol) && symbol.to == body &&
+        norm(panel.ground(symbol.place) - place) < same_place * panel.scene.length)
+      return &symbol;
+  return nullptr;
+}
+
+bool is_joint_at(const Panel& panel, int body, const Vector& place) {
+  return std::ranges::any_of(panel.scene.symbols, [&](const scene::Symbol& symbol) {
+    return !is_contact(symbol) && (symbol.to == body || symbol.from == body) &&
+           norm(panel.ground(symbol.place) - place) < same_place * panel.scene.length;
+  });
+}
+
+// A block on the surface that a particle touches; a ball at a joint; else a dot.
+void draw_particle(Panel& panel, int body, const Vector& place, double strength) {
+  const Point2 at = panel.projection(place);
+  if (const scene::Symbol* contact = contact_at(panel, body, place)) {
+    constexpr double half_width = 15, height = 18, least_seen = 0.5;
+    const Point2 seen = panel.projection.direction_of(axis_on_ground(panel, *contact));
+    if (norm(seen) > least_seen) {
+      const Point2 up = direction(seen), side = turned_left(up);
+      const std::vector<Point2> block{at - half_width * side, at + half_width * side,
+                                      at + half_width * side + height * up, at - half_width * side + height * up};
+      panel.marks.emplace_back(Fill{.loops = {block}, .color = tone_of(body), .bordered = true, .opacity = strength});
+      panel.marks.emplace_back(Stroke{
+          .points = block, .width = silhouette_width, .role = Role::outline, .closed = true, .opacity = strength});
+      return;
+    }
+  }
+  panel.marks.emplace_back(Fill{.loops = {circle(at, is_joint_at(panel, body, place) ? ball_radius : particle_radius)},
+                                .color = "#333333",
+                                .role = Role::point,
+                                .opacity = strength});
 }
 
 // The quartered circle that stands for the mass center of a body whose shape is not known.
@@ -140,11 +181,7 @@ void draw_bodies(Panel& panel, double strength) {
   draw_rods(panel, std::move(lines.rods), strength);
   for (const Solid& solid : panel.solids)
     if (solid.extent == scene::Extent::point)
-      for (const Vector& vertex : solid.vertices)
-        panel.marks.emplace_back(Fill{.loops = {circle(panel.projection(vertex), particle_radius)},
-                                      .color = "#333333",
-                                      .role = Role::point,
-                                      .opacity = strength});
+      for (const Vector& vertex : solid.vertices) draw_particle(panel, solid.body, vertex, strength);
   for (const int body : panel.bodies) {
     if (body < 0) continue;
     const scene::Body& own = panel.scene.bodies.at(static_cast<std::size_t>(body));

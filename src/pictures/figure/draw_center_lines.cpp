@@ -23,6 +23,15 @@ void draw_center_line(Panel& panel, const scene::Symbol& symbol) {
     first = std::min(first, dot(d, axis));
     last = std::max(last, dot(d, axis));
   }
+  // Of a hinge between two bodies to where it is nearest to their mass centers.
+  if (turns_about_axis(symbol) && symbol.from >= 0)
+    for (const int body : {symbol.from, symbol.to}) {
+      const scene::Body& own = panel.scene.bodies.at(static_cast<std::size_t>(body));
+      if (own.massless) continue;
+      const double along = dot(panel.ground({body, own.center}) - at, axis);
+      first = std::min(first, along);
+      last = std::max(last, along);
+    }
   bool through_body = false;
   if (turns_about_fixed_axis(symbol)) {
     constexpr double overhang = 16;

@@ -7,6 +7,7 @@
 #include "pictures/drawing/label_text.h"
 #include "pictures/figure/arrows.h"
 #include "pictures/figure/panel.h"
+#include "pictures/figure/symbol_places.h"
 
 namespace poinsot::pictures {
 namespace {
@@ -145,6 +146,8 @@ void draw_angle(Panel& panel, const scene::Dimension& dimension) {
     points.push_back(panel.projection(corner + radius * (std::cos(turn) * first + std::sin(turn) * second)));
   }
   const Point2 at = panel.projection(corner);
+  constexpr double readable = 4;  // units of the paper
+  if (distance(points[12], points.front(), points.back()) + norm(points.back() - points.front()) < readable) return;
   for (const Vector& arm : {first, normalized(b)})
     panel.line({at, panel.projection(corner + (1.25 * radius) * arm)}, Role::dimension, 0.6, Ink::grey);
   const Point2 middle = points[12];
@@ -153,12 +156,32 @@ void draw_angle(Panel& panel, const scene::Dimension& dimension) {
   panel.labels.push_back({std::move(label), {{middle, middle - at, 4, 0}}, 1.5});
 }
 
+// A number that belongs to a surface which is touched stands under it.
+bool draw_number_of_surface(Panel& panel, const scene::Dimension& dimension) {
+  const Vector at = panel.ground(dimension.from);
+  const double same = 1e-9 * panel.scene.length;
+  if (dimension.angle || norm(panel.ground(dimension.to) - at) > same) return false;
+  for (const scene::Symbol& symbol : panel.scene.symbols) {
+    if (!is_contact(symbol) || norm(panel.ground(symbol.place) - at) > same) continue;
+    constexpr double depth = 10;  // of the hatches
+    const Point2 into = direction(panel.projection.direction_of(-axis_on_ground(panel, symbol)), {0, 1});
+    const Point2 side = turned_left(into);
+    panel.labels.push_back({label_of(dimension),
+                            {{panel.projection(at) + depth * into, into + 0.5 * side, 2, 0},
+                             {panel.projection(at), into - 0.5 * side, 4, 1}},
+                            1.2});
+    return true;
+  }
+  return true;
+}
+
 }  // namespace
 
 void draw_dimensions(Panel& panel) {
   std::size_t drawn = 0;
   for (const scene::Dimension& dimension : panel.scene.dimensions) {
     if (!panel.draws(dimension.from.body) || !panel.draws(dimension.to.body)) continue;
+    if (draw_number_of_surface(panel, dimension)) continue;
     if (++drawn > most_dimensions) break;
     if (dimension.angle)
       draw_angle(panel, dimension);

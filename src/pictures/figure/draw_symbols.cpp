@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "pictures/figure/draw_slides.h"
 #include "pictures/figure/panel.h"
 #include "pictures/figure/symbol_places.h"
 
@@ -112,13 +113,15 @@ Vector ground_across(const Panel& panel, Point2 at, const Vector& axis) {
   return best;
 }
 
+constexpr double foot_length = 9;  // from the sleeve to the ground
+
 // A bracket from the sleeve to hatched ground.
 void foot(Panel& panel, const Sketch& sketch, const Vector& axis, double radius) {
   const Vector down = ground_across(panel, sketch.at(), axis);
   const Point2 toward = panel.projection.direction_of(down);
   const Point2 along = direction(panel.projection.direction_of(axis), turned_left(direction(toward)));
   const Point2 begin = sketch.at() + radius * toward;
-  const Point2 base = sketch.at() + (radius + 9) * direction(toward, {0, 1});
+  const Point2 base = sketch.at() + (radius + foot_length) * direction(toward, {0, 1});
   const double half = 11;
   Point2 across_foot =
       std::abs(cross(along, direction(toward, {0, 1}))) > 0.5 ? along : turned_left(direction(toward, {0, 1}));
@@ -162,23 +165,7 @@ void ball(Panel& panel, Point2 at, bool on_ground, const Vector& axis) {
   panel.line(arc(at, 8, angle - 1.9, angle + 1.9), Role::symbol, 1.4);
 }
 
-void rails(Panel& panel, const Sketch& sketch, const Vector& axis, bool on_ground) {
-  const Point2 along = direction(panel.projection.direction_of(axis));
-  Point2 side = turned_left(along);
-  if (side.y < 0) side = -side;
-  const double half = 26;
-  for (const double s : {-1.0, 1.0}) {
-    const Point2 middle = sketch.at() + (s * 8) * side;
-    const Point2 begin = middle - half * along, end = middle + half * along;
-    if (on_ground)
-      cross(end - begin, s * side) > 0 ? hatch(panel, begin, end, 4) : hatch(panel, end, begin, 4);
-    else
-      panel.line({begin, end}, Role::symbol, 1.1);
-  }
-}
-
-void screw(Panel& panel, Sketch& sketch, const Vector& axis, bool on_ground) {
-  if (on_ground) foot(panel, sketch, axis, 5);
+void screw(Panel& panel, Sketch& sketch, const Vector& axis) {
   sketch.tube(axis, 11, 5);
   const Point2 along = panel.projection.direction_of(axis), side = turned_left(direction(along));
   for (const double s : {-7.0, -2.0, 3.0})
@@ -211,7 +198,10 @@ double half_of_ground(const Panel& panel, int body) {
   for (const Solid& solid : panel.solids)
     if (solid.body == body)
       for (const Vector& vertex : solid.vertices) box.include(panel.projection(vertex));
-  return box.empty() ? most : std::clamp(part * std::max(box.width(), box.height()), least, most);
+  // A particle is drawn larger than it is.
+  return box.empty() || box.width() + box.height() < least
+             ? most
+             : std::clamp(part * std::max(box.width(), box.height()), least, most);
 }
 
 // How much farther a round body is seen to reach than to the place where it touches, which lies on its back.
@@ -251,12 +241,50 @@ void contact(Panel& panel, const Sketch& sketch, int body, const Vector& normal,
   cross(end - begin, into) > 0 ? hatch(panel, begin + front, end + front) : hatch(panel, end + front, begin + front);
 }
 
+bool is_seen_end_on(const Panel& panel, const Vector& axis) {
+  return std::abs(dot(axis, panel.projection.view().viewer)) > 0.85;
+}
+
+// The radius of the sleeve that stands on the ground by a bracket, if there is one.
+std::optional<double> sleeve_on_ground(const Panel& panel, const scene::Symbol& symbol) {
+  const Vector axis = axis_on_ground(panel, symbol);
+  if (symbol.from >= 0) return std::nullopt;
+  const bool has_axis = norm(axis) > 0;
+  const bool end_on = is_seen_end_on(panel, has_axis ? axis : panel.scene.up);
+  switch (symbol.kind) {
+    case SymbolKind::revolute:
+    case SymbolKind::hinge:
+    case SymbolKind::clevis:
+    case SymbolKind::fork:
+    case SymbolKind::journal:
+    case SymbolKind::thrust:
+    case SymbolKind::listed_support:
+      return has_axis && !end_on ? std::optional(5.0) : std::nullopt;
+    case SymbolKind::cylindrical:
+      return 6;
+    case SymbolKind::screw:
+      return 5;
+    default:
+      return std::nullopt;
+  }
+}
+
+// Its bracket, where it belongs to a layer: what stands before a body may be held behind it.
+void draw_foot(Panel& panel, const scene::Symbol& symbol, const Vector& at, Layer layer, bool behind) {
+  const std::optional<double> radius = sleeve_on_ground(panel, symbol);
+  if (!radius) return;
+  const Sketch sketch(panel, at);
+  const Vector axis = unit_or(axis_on_ground(panel, symbol), panel.scene.up);
+  const Vector base = at + (*radius + foot_length) / panel.projection.scale() * ground_across(panel, sketch.at(), axis);
+  if ((behind || is_behind_body(panel, base)) == (layer == Layer::behind_bodies)) foot(panel, sketch, axis, *radius);
+}
+
 void draw(Panel& panel, const scene::Symbol& symbol, const Vector& at) {
   const Vector axis = axis_on_ground(panel, symbol);
   const bool has_axis = norm(axis) > 0;
   const Vector along = has_axis ? axis : panel.scene.up;
   const bool on_ground = symbol.from < 0;
-  const bool end_on = std::abs(dot(along, panel.projection.view().viewer)) > 0.85;
+  const bool end_on = is_seen_end_on(panel, along);
   Sketch sketch(panel, at);
   switch (symbol.kind) {
     case SymbolKind::weld:
@@ -272,7 +300,6 @@ void draw(Panel& panel, const scene::Symbol& symbol, const Vector& at) {
     case SymbolKind::thrust:
     case SymbolKind::listed_support:
       if (end_on || !has_axis) return pin(panel, sketch.at(), on_ground && !seen_from_above(panel), along);
-      if (on_ground) foot(panel, sketch, along, 5);
       sketch.tube(along, 7, 5);
       if (symbol.kind == SymbolKind::thrust) {
         // The plate on which the end of the shaft bears.
@@ -283,15 +310,14 @@ void draw(Panel& panel, const scene::Symbol& symbol, const Vector& at) {
       return;
     case SymbolKind::cylindrical:
     case SymbolKind::collar:
-      if (on_ground && symbol.kind == SymbolKind::cylindrical) foot(panel, sketch, along, 6);
       if (end_on) return panel.shape(circle(sketch.at(), 6), metal, Role::symbol, 1.2);
       return sketch.tube(along, 11, 6);
     case SymbolKind::prismatic:
     case SymbolKind::slot:
     case SymbolKind::planar:
-      return rails(panel, sketch, along, on_ground);
+      return draw_slide(panel, symbol, sketch.at(), along, end_on);
     case SymbolKind::screw:
-      return screw(panel, sketch, along, on_ground);
+      return screw(panel, sketch, along);
     case SymbolKind::universal:
       return universal(panel, sketch, along, turned_to_ground(symbol.to, symbol.second_axis, panel.poses));
     case SymbolKind::contact:
@@ -320,6 +346,7 @@ void draw_symbols(Panel& panel, Layer layer) {
     if (!panel.draws(symbol.to) || !panel.draws(symbol.from)) continue;
     for (const Vector& at : places_of_symbol(panel, symbol, gimbals)) {
       const bool behind = is_contact(symbol) || is_behind_body(panel, at);
+      draw_foot(panel, symbol, at, layer, behind);
       if (behind == (layer == Layer::behind_bodies)) draw(panel, symbol, at);
     }
   }

@@ -137,6 +137,9 @@ Matter matter_of(const scene::Scene& scene, const std::vector<int>& bodies, cons
                           : matter.joint_axes)
             .push_back(normalized(turned_to_ground(symbol.to, symbol.axis, poses)));
       matter.touches = matter.touches || touches(symbol);
+    } else if (touches(symbol) && symbol.from >= 0 && drawn(symbol.from)) {
+      matter.touches = true;
+      matter.normals.push_back(normalized(turned_to_ground(symbol.to, symbol.axis, poses)));
     }
   matter.gravity = scene.gravity ? scene.up : Vector{};
   for (const scene::Dimension& dimension : scene.dimensions) {
@@ -200,6 +203,9 @@ double cost_of(const View& view, const Matter& matter) {
   for (const Directed& arrow : matter.arrows) {
     cost += 2.5 * shortfall(length(arrow.direction));
     if (arrow.size > to_scale) cost += shortfall(arrow.size * length(arrow.direction));
+    // Rather well seen than only just.
+    constexpr double well_seen = 0.65, weight = 0.8;
+    cost += weight * std::max(0.0, 1 - length(arrow.direction) / well_seen);
   }
   for (const auto& [rod, weight] : matter.rods)
     cost += 2.0 * weight * shortfall(length(rod)) / std::sqrt(static_cast<double>(matter.rods.size()));
@@ -259,7 +265,8 @@ std::optional<Vector> planar_normal(const Matter& matter) {
   for (const Plate& plate : matter.plates) across_plane.push_back(plate.normal);
   for (const auto& [rod, weight] : matter.rods) in_plane.push_back(rod);
   // A turning alone lies in no plane.
-  const bool something_lies = !in_plane.empty() || !matter.facets.empty() || matter.points.size() >= 2;
+  const bool something_lies =
+      !in_plane.empty() || !matter.facets.empty() || matter.points.size() >= 2 || matter.touches;
   in_plane.insert(in_plane.end(), matter.slides.begin(), matter.slides.end());
   if (across_plane.empty() && matter.touches) {
     if (norm(matter.gravity) > 0) in_plane.push_back(matter.gravity);

@@ -66,6 +66,62 @@ TEST(Symbols, a_bearing_behind_a_body_is_drawn_before_it_and_covered) {
   }
 }
 
+TEST(Symbols, the_bracket_of_a_bearing_before_a_body_is_hidden_where_it_stands_behind) {
+  // A level strip with a wall at its far edge, seen from above: what holds it from below is behind it.
+  scene::Shape strip = pictures_test::plate_shape(4, 4), wall = strip;
+  for (Vector& vertex : strip.vertices) vertex = {vertex.x, 0, vertex.y};
+  for (Vector& vertex : wall.vertices) vertex = {vertex.x, vertex.y + 2, -2};
+  for (const bool far : {true, false}) {
+    scene::Scene scene = scene_with(strip, {pin({0, 0, far ? -1.6 : 2.4}, {1, 0, 0})});
+    scene.bodies[0].shapes.push_back(wall);
+    scene.symbols[0].kind = scene::SymbolKind::journal;
+    const Drawing drawing = figure(scene, model, "", {.view = view_from({0.3, 0.7, 1}, scene.up)});
+    std::size_t first_area = drawing.marks.size(), last_area = 0, bracket = 0, sleeve = 0;
+    for (std::size_t i = 0; i < drawing.marks.size(); ++i) {
+      if (const auto* fill = std::get_if<Fill>(&drawing.marks[i]); fill != nullptr && fill->bordered) {
+        first_area = std::min(first_area, i);
+        last_area = i;
+      }
+      const auto* stroke = std::get_if<Stroke>(&drawing.marks[i]);
+      if (stroke == nullptr || stroke->role != Role::symbol) continue;
+      if (stroke->width > 2.9) bracket = i;
+      if (stroke->closed) sleeve = i;
+    }
+    EXPECT_GT(sleeve, last_area);
+    if (far) {
+      EXPECT_LT(bracket, first_area);
+    } else {
+      EXPECT_GT(bracket, last_area);
+    }
+  }
+}
+
+TEST(Symbols, the_axis_of_a_hinge_between_bodies_is_drawn_to_their_centers) {
+  std::mt19937_64 random(12);
+  for (int round = 0; round < 10; ++round) {
+    const Vector axis = random_direction(random), side = normalized(Vector(cross(axis, random_direction(random))));
+    scene::Scene scene;
+    scene.up = {0, 1, 0};
+    scene.length = 3;
+    scene.bodies = {{.name = "frame", .mass = 1, .center = 2.0 * axis + 0.5 * side},
+                    {.name = "fork", .mass = 1, .center = 1.0 * axis - 0.5 * side}};
+    scene.symbols = {
+        {.kind = scene::SymbolKind::revolute, .name = "head", .from = 0, .to = 1, .place = {1, {}}, .axis = axis}};
+    const View view = view_from(cross(axis, side), scene.up);
+    const Drawing drawing = figure(scene, model, "", {.view = view});
+    // From the place to the farther center, in the scale that the centers show.
+    double line = 0, between = 0;
+    for (const Mark& mark : drawing.marks) {
+      if (const auto* stroke = std::get_if<Stroke>(&mark); stroke != nullptr && stroke->dash == Dash::chain)
+        line = norm(stroke->points.back() - stroke->points.front());
+    }
+    std::vector<Point2> rods = points_of(drawing, Role::rod);
+    for (const Point2& p : rods)
+      for (const Point2& q : rods) between = std::max(between, norm(p - q));
+    EXPECT_NEAR(line / between, 2 / norm(2.0 * axis + 0.5 * side), 0.02) << round;
+  }
+}
+
 TEST(Symbols, the_ground_that_holds_a_body_is_where_the_body_is_not) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> draw(-1, 1);
