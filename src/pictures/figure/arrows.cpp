@@ -1,7 +1,5 @@
 #include "pictures/figure/arrows.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,6 +54,9 @@ Style style_of(Quantity quantity) {
 
 // Whether it shows a state of the body, whose tail stands at the point, and nothing that pushes or pulls.
 bool belongs_to_body(Quantity quantity) { return style_of(quantity).head != Head::full; }
+
+// What a particle brings to the body that it hits: its head is at the point.
+bool arrives(const scene::Arrow& arrow) { return arrow.quantity == Quantity::linear_momentum && arrow.known; }
 
 void draw_head(Panel& panel, Point2 tip, Point2 along, const Style& style) {
   const Point2 side = turned_left(along);
@@ -141,9 +142,15 @@ class ArrowDrawer {
     Shaft best{at, at + arm};
     double least = 1e9;
     const bool movable = turns(arrow.quantity);
+    constexpr double beside = 20;
     const auto attempt = [&](const Shaft& shaft, double cost) {
       cost += 0.8 * panel_.visibility.covered(shaft.tail, shaft.tip);
-      for (const Shaft& other : drawn_) cost += 2 * clash(shaft, other);
+      for (const Shaft& other : drawn_) {
+        cost += 2 * clash(shaft, other);
+        // A couple at the tail of a force that stands elsewhere would seem to belong to it.
+        if (movable && distance(other.tail, at, at) > beside && distance(other.tail, shaft.tail, shaft.tip) < beside)
+          cost += 1;
+      }
       // What may be moved does not lie on a thin body or a symbol if there is room elsewhere; what pushes along a body
       // stands before its end.
       cost += (movable ? 1.3 : 0.6) * along_rods(shaft);
@@ -153,7 +160,8 @@ class ArrowDrawer {
         best = shaft;
       }
     };
-    attempt({at, at + arm}, 0);
+    attempt({at, at + arm}, arrives(arrow) ? 1.5 : 0);
+    if (arrives(arrow)) attempt({at - arm, at}, 0);
     if (!belongs_to_body(arrow.quantity)) attempt({at - arm, at}, 0.1);
     for (const double step : {9.0, -9.0}) {
       attempt({at + step * side, at + step * side + arm}, 0.8);
@@ -335,52 +343,6 @@ class ArrowDrawer {
 
 }  // namespace
 
-Scale scale_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::force:
-    case Quantity::weight:
-    case Quantity::rate_of_momentum:
-      return Scale::force;
-    case Quantity::couple:
-    case Quantity::rate_of_angular_momentum:
-      return Scale::couple;
-    case Quantity::impulse:
-    case Quantity::linear_momentum:
-      return Scale::impulse;
-    case Quantity::angular_impulse:
-    case Quantity::angular_momentum:
-      return Scale::angular_impulse;
-    case Quantity::velocity:
-      return Scale::velocity;
-    case Quantity::angular_velocity:
-      return Scale::angular_velocity;
-    case Quantity::acceleration:
-      return Scale::acceleration;
-    case Quantity::angular_acceleration:
-      return Scale::angular_acceleration;
-  }
-  return Scale::force;
-}
-
-bool turns(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::couple:
-    case Quantity::angular_impulse:
-    case Quantity::angular_velocity:
-    case Quantity::angular_acceleration:
-    case Quantity::angular_momentum:
-    case Quantity::rate_of_angular_momentum:
-      return true;
-    default:
-      return false;
-  }
-}
-
-void Largest::include(const scene::Arrow& arrow) {
-  double& largest = of[static_cast<std::size_t>(scale_of(arrow.quantity))];
-  if (const double size = norm(arrow.vector); std::isfinite(size)) largest = std::max(largest, size);
-}
-
 void draw_arrows(Panel& panel, const std::vector<scene::Arrow>& arrows, const Largest& largest) {
   ArrowDrawer drawer(panel, largest);
   // Those that stand at a point first; those that may be moved give way.
@@ -393,27 +355,6 @@ void plain_arrow(Panel& panel, Point2 from, Point2 to, Role role, double width, 
   const Point2 along = direction(to - from), side = turned_left(along);
   panel.line({from, to - 0.8 * head * along}, role, width, ink);
   panel.area({to, to - head * along + 0.33 * head * side, to - head * along - 0.33 * head * side}, color_of(ink), role);
-}
-
-std::string value_text(double value, const std::string& unit) {
-  std::string text = fmt::format("{:.4g}", value);
-  if (const std::size_t e = text.find('e'); e != std::string::npos) {
-    int exponent = 0;
-    for (std::size_t i = e + 2; i < text.size(); ++i) exponent = exponent * 10 + (text[i] - '0');
-    text = fmt::format("{}·10^{}{}", text.substr(0, e), text[e + 1] == '-' ? "−" : "", exponent);
-  }
-  if (!text.empty() && text[0] == '-') text = "−" + text.substr(1);
-  std::string spaced;
-  for (std::size_t i = 0; i < unit.size(); ++i) {
-    if (unit[i] == '*')
-      spaced += "·";
-    else if (unit[i] == '^' && i + 1 < unit.size() && (unit[i + 1] == '2' || unit[i + 1] == '3'))
-      spaced += unit[++i] == '2' ? "²" : "³";
-    else
-      spaced += unit[i];
-  }
-  if (spaced == "deg") return text + "°";
-  return spaced.empty() || spaced == "1" ? text : text + " " + spaced;
 }
 
 }  // namespace poinsot::pictures

@@ -91,6 +91,30 @@ TEST(ClearFigures, what_pushes_along_a_rod_stands_before_its_end) {
   EXPECT_GT(looked_at, 20U);
 }
 
+TEST(ClearFigures, what_a_particle_brings_ends_where_it_hits) {
+  std::mt19937_64 random(8);
+  for (const bool known : {true, false})
+    for (int round = 0; round < 10; ++round) {
+      const Vector end = random_direction(random);
+      scene::Scene scene = rod_scene({}, end);
+      const Vector way = normalized(Vector(cross(end, random_direction(random))));
+      scene.diagrams = {{.kind = scene::DiagramKind::model,
+                         .title = "",
+                         .bodies = {0},
+                         .arrows = {arrow(scene::Quantity::linear_momentum, 0, end, way, "p")}}};
+      scene.diagrams[0].arrows[0].known = known;
+      const View view = view_from(cross(end, way), scene.up);
+      const Drawing drawing = figure(scene, model, "", {.view = view});
+      const std::vector<Point2> rod = points_of(drawing, Role::rod);
+      const Point2 direction_on_paper = Projection(view, 1).direction_of(end);
+      const Point2 place = dot(rod.front() - rod.back(), direction_on_paper) > 0 ? rod.front() : rod.back();
+      for (const Stroke* shaft : shafts(drawing)) {
+        const double from_tail = norm(shaft->points.front() - place), from_tip = norm(shaft->points.back() - place);
+        EXPECT_EQ(from_tip < from_tail, known) << round;
+      }
+    }
+}
+
 TEST(ClearFigures, turning_arrows_do_not_stand_on_bearings) {
   std::mt19937_64 random(6);
   std::size_t looked_at = 0;
