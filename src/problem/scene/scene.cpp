@@ -109,7 +109,9 @@ class SceneMaker {
     figure.add_symbols();
     figure.add_links();
     add_stand_ins(figure);
+    figure.stand_hinges_at_bodies();
     figure.add_world();
+    figure.add_joint_springs();
     scene_.diagrams.push_back(model_diagram(figure));
     Explanation unread;
     const std::unique_ptr<FormulaInstant> formulas = formulas_of(home, instant);

@@ -56,8 +56,8 @@ class AngleFinder {
 
   void add() {
     if (!(angle_.value > exact) || !(angle_.value < std::numbers::pi - exact)) return;
-    if (of_rays(shape_rays()) || of_rays(segment_rays()) || of_rays(edge_rays()) || of_rays(spin_rays()) ||
-        of_rays(load_rays()))
+    if (of_slopes() || of_rays(shape_rays()) || of_rays(segment_rays()) || of_rays(edge_rays()) ||
+        of_rays(spin_rays()) || of_rays(load_rays()) || of_rays(turning_rays()))
       return;
     of_coordinates();
   }
@@ -106,6 +106,50 @@ class AngleFinder {
     if (std::abs(angle - angle_.value) > exact || std::abs(rate - 1) > exact) return false;
     put(ray.from, beyond(ray.from, plain(other)), beyond(ray.from, plain(ray.along)));
     return true;
+  }
+
+  // Between a surface that is touched and an axis that runs into what is touched.
+  bool of_slopes() {
+    bool found = false;
+    for (const Contact& contact : figure_.situation().contacts)
+      or_none([&] {
+        if (found) return;
+        const VariedVector normal = data_.direction(contact.normal);
+        const Vector3<double> turning = derivative(normal);
+        // The slope turns with its normal, as fast as the angle grows.
+        if (std::abs(norm(turning) - 1) > exact) return;
+        VariedVector slope;
+        for (std::size_t k = 0; k < 3; ++k) {
+          slope[k].value = turning[k];
+          slope[k].partial[0] = -normal[k].value;
+        }
+        const scene::Place at{scene::ground,
+                              figure_.on_ground(figure_.scene_place(figure_.machine().place(
+                                  figure_.machine().index.at(contact.of), figure_.data().place(contact.at))))};
+        for (const double sense : {1.0, -1.0})
+          for (const double other : {1.0, -1.0})
+            for (std::size_t k = 0; k < 3; ++k) {
+              const VariedVector axis = VariedVector::unit(k) * Scalar(other);
+              if (dot(plain(axis), plain(normal)) < -exact && !found) found = makes({at, slope * Scalar(sense)}, axis);
+            }
+      });
+    return found;
+  }
+
+  // Axes of frames that turn, and of inertia.
+  std::vector<Ray> turning_rays() {
+    std::vector<Ray> rays;
+    for (const Frame& frame : figure_.situation().frames)
+      if (frame.turns && frame.origin)
+        or_none([&] {
+          rays.push_back({{scene::ground, figure_.data().place(*frame.origin)}, data_.direction(*frame.turns)});
+        });
+    for (std::size_t k = 0; k < figure_.situation().bodies.size(); ++k)
+      if (const auto& inertia = figure_.situation().bodies[k].inertia; inertia && inertia->axis)
+        or_none([&] {
+          rays.push_back({{static_cast<int>(k), figure_.scene().bodies.at(k).center}, data_.direction(*inertia->axis)});
+        });
+    return rays;
   }
 
   // Normals and axes of shapes, at their middles.
@@ -275,6 +319,7 @@ class AngleFinder {
         const Vector3<double>& axis = place.axis->vector;
         Vector3<double> arm = figure_.scene().bodies[static_cast<std::size_t>(to)].center - corner.at;
         arm = arm - dot(arm, axis) / norm_squared(axis) * axis;
+        if (!(norm(arm) > exact * figure_.scene().length)) arm = carried_axis(to, axis);
         if (!(norm(arm) > exact * figure_.scene().length)) continue;
         // As drawn, the axes of all bodies are those of the ground.
         const scene::Place fixed{from, corner.at};
@@ -284,6 +329,16 @@ class AngleFinder {
         put(corner, beyond(fixed, arm), beyond(corner, arm));
         return;
       }
+  }
+
+  // Of what a body carries in gimbals the axis, across that of the body; zero if there is none.
+  Vector3<double> carried_axis(int body, const Vector3<double>& axis) const {
+    for (const scene::Symbol& symbol : figure_.scene().symbols)
+      if (symbol.from == body && norm(symbol.axis) > 0)
+        if (const Vector3<double> arm = symbol.axis - dot(symbol.axis, axis) / norm_squared(axis) * axis;
+            norm(arm) > 0.1 * norm(symbol.axis))
+          return figure_.scene().length * arm;
+    return {};
   }
 
   SceneFigure& figure_;

@@ -138,34 +138,44 @@ class Dimensions {
     return true;
   }
 
-  // A straight edge of a shape that is as long as the datum says, and grows as it does.
+  // A straight edge of a shape that is as long as the datum says, or twice as long, and grows as it does.
   void of_edges(const std::string& name, const Value<double>& value) {
-    constexpr double growth = 1e-4, exact = 1e-9, alike = 1e-6;
+    constexpr double growth = 1e-4;
     Settings grown = figure_.data().settings();
     Value<double> more = value;
     more.number *= 1 + growth;
     grown[name] = more;
     DataScope<double> data(figure_.situation(), grown);
-    for (std::size_t k = 0; k < figure_.situation().bodies.size(); ++k) {
-      const Body& body = figure_.situation().bodies[k];
-      for (const Part& part : body.parts) {
-        if (part.shape.kind == "mesh") continue;
-        const Outline here = shape_picture(part.shape, figure_.data(), body.name);
-        const Outline there = shape_picture(part.shape, data, body.name);
-        if (here.vertices.size() != there.vertices.size()) continue;
-        for (const auto& edge : here.edges)
-          for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
-            const auto length = [&](const Outline& outline) {
-              return norm(Vector3<double>(outline.vertices[edge[i + 1]] - outline.vertices[edge[i]]));
-            };
-            const double now = length(here), then = length(there);
-            if (std::abs(now - value.number) > exact * value.number) continue;
-            if (std::abs(then - now - growth * value.number) > alike * growth * value.number) continue;
-            const int number = static_cast<int>(k);
-            return put(name, {number, here.vertices[edge[i]]}, {number, here.vertices[edge[i + 1]]});
-          }
+    for (const double times : {1.0, 2.0})
+      for (std::size_t k = 0; k < figure_.situation().bodies.size(); ++k) {
+        const Body& body = figure_.situation().bodies[k];
+        for (const Part& part : body.parts) {
+          if (part.shape.kind == "mesh") continue;
+          if (of_edges(name, times * value.number, growth, times == 2, static_cast<int>(k),
+                       shape_picture(part.shape, figure_.data(), body.name),
+                       shape_picture(part.shape, data, body.name)))
+            return;
+        }
       }
-    }
+  }
+  // here, there: the shape as it is, and with the grown datum.
+  bool of_edges(const std::string& name, double told, double growth, bool half, int body, const Outline& here,
+                const Outline& there) {
+    constexpr double exact = 1e-9, alike = 1e-6;
+    if (here.vertices.size() != there.vertices.size()) return false;
+    for (const auto& edge : here.edges)
+      for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
+        const auto length = [&](const Outline& outline) {
+          return norm(Vector3<double>(outline.vertices[edge[i + 1]] - outline.vertices[edge[i]]));
+        };
+        const double now = length(here), then = length(there);
+        if (std::abs(now - told) > exact * told) continue;
+        if (std::abs(then - now - growth * told) > alike * growth * told) continue;
+        const Vector3<double>&from = here.vertices[edge[i]], &to = here.vertices[edge[i + 1]];
+        put(name, {body, half ? Vector3<double>(0.5 * (from + to)) : from}, {body, to});
+        return true;
+      }
+    return false;
   }
 
   static constexpr std::size_t most_points = 60;  // pairs of them are looked at

@@ -30,7 +30,11 @@ class SceneFigure {
   void add_points();
   void add_symbols();
   void add_links();
-  void add_world();  // axes, gravity, size; after the others
+  // Hinges whose place on their axis tells nothing stand where the axis is nearest to both bodies, if these are drawn
+  // by their arms alone.
+  void stand_hinges_at_bodies();
+  void add_world();          // axes, gravity, size; after the others
+  void add_joint_springs();  // after the size is known
 
   const Situation& situation() const { return situation_; }
   const Machine& machine() const { return machine_; }

@@ -1,5 +1,6 @@
 // What holds the bodies of a figure: joints, supports, contacts, cords, springs.
 #include <algorithm>
+#include <optional>
 
 #include "problem/keys/joint_kinds.h"
 #include "problem/language/diagnostic.h"
@@ -16,6 +17,19 @@ SymbolKind joint_symbol(const JointKind& kind) { return kind_of_word<SymbolKind>
 SymbolKind support_symbol(const SupportKind* kind) {
   if (kind == nullptr) return SymbolKind::listed_support;
   return kind->name == "ball" ? SymbolKind::ball_support : kind_of_word<SymbolKind>(kind->name).value();
+}
+
+// Whether a joint's axis is named by two points at both of which it holds its body: the place that is told for it is
+// between them, or none is.
+bool is_held_at_both(const Joint& joint, const Vector3<double>& from, const Vector3<double>& to,
+                     const std::optional<Vector3<double>>& at) {
+  if (joint.kind->name != "revolute") return false;
+  if (!at) return true;
+  const Vector3<double> d = to - from, arm = *at - from;
+  constexpr double exact = 1e-9;
+  const double part = dot(arm, d) / norm_squared(d);
+  return joint.from == "ground" && part > exact && part < 1 - exact &&
+         norm(Vector3<double>(arm - part * d)) < exact * norm(d);
 }
 
 }  // namespace
@@ -38,6 +52,18 @@ void SceneFigure::add_symbols() {
       symbol.axis = place.axis->vector;
     }
     if (!joint.supports_stated) {
+      if (const Arrow* axis = joint.place.as<Arrow>()) {
+        const Vector3<double> from = data_.place(axis->from), to = data_.place(axis->to);
+        std::optional<Vector3<double>> at;
+        if (joint.at) at = data_.place(*joint.at);
+        if (is_held_at_both(joint, from, to, at)) {
+          for (const Vector3<double>& end : {from, to}) {
+            symbol.place = scene_place(machine_.place(place.to, end));
+            scene_.symbols.push_back(symbol);
+          }
+          continue;
+        }
+      }
       scene_.symbols.push_back(symbol);
       continue;
     }
@@ -59,6 +85,71 @@ void SceneFigure::add_symbols() {
     const Vector3<double> normal = state_.on_ground_axes(against, data_.direction(contact.normal));
     symbol.axis = transpose_times(pose_of(of, state_).R, normal);
     scene_.symbols.push_back(symbol);
+  }
+  // What a body hits.
+  for (const Impact& impact : situation_.impacts) {
+    scene::Symbol symbol;
+    symbol.kind = SymbolKind::contact;
+    symbol.name = impact.name;
+    const int of = machine_.index.at(impact.of), against = machine_.index.at(impact.against);
+    symbol.from = scene_body(against);
+    symbol.to = scene_body(of);
+    symbol.place = scene_place(machine_.place(of, data_.place(impact.at)));
+    const Vector3<double> normal = state_.on_ground_axes(against, data_.direction(impact.pushes));
+    symbol.axis = transpose_times(pose_of(of, state_).R, normal);
+    scene_.symbols.push_back(symbol);
+  }
+}
+
+void SceneFigure::stand_hinges_at_bodies() {
+  constexpr double much_nearer = 0.6;
+  for (scene::Symbol& symbol : scene_.symbols) {
+    if (symbol.kind != SymbolKind::revolute || symbol.from < 0 || symbol.to < 0) continue;
+    const Vector3<double> at = on_ground(symbol.place);
+    const Vector3<double> axis =
+        normalized(Vector3<double>(scene_.bodies[static_cast<std::size_t>(symbol.to)].pose.R * symbol.axis));
+    double along = 0;
+    bool nearer = true;
+    for (const int body : {symbol.from, symbol.to}) {
+      const scene::Body& own = scene_.bodies[static_cast<std::size_t>(body)];
+      const Vector3<double> arm = on_ground({body, own.center}) - at;
+      const double own_along = dot(arm, axis);
+      nearer = nearer && !own.frame && !own.massless && own.shapes.empty() &&
+               norm(Vector3<double>(arm - own_along * axis)) < much_nearer * norm(arm);
+      along += 0.5 * own_along;
+    }
+    if (nearer) symbol.place.at += along * normalized(symbol.axis);
+  }
+}
+
+void SceneFigure::add_joint_springs() {
+  constexpr double part = 0.25;  // of the figure: how far from what slides its spring is held
+  for (const Joint& joint : situation_.joints) {
+    if (joint.freedoms.size() != 1) continue;
+    const Freedom& freedom = joint.freedoms.front();
+    const JointPlace& place = machine_.joints.at(joint.name);
+    scene::Link link;
+    link.name = joint.name;
+    link.to = scene_place(place.at);
+    if (freedom.turning) {
+      if (!freedom.stiffness) continue;
+      link.kind = scene::LinkKind::torsion;
+      link.from = link.to;
+      scene_.links.push_back(link);
+      continue;
+    }
+    if (!place.axis || link.to.body == scene::ground) continue;
+    const Vector3<double> at = on_ground(link.to);
+    const Vector3<double> way =
+        part * scene_.length *
+        normalized(Vector3<double>(scene_.bodies[static_cast<std::size_t>(link.to.body)].pose.R * place.axis->vector));
+    const auto add = [&](scene::LinkKind kind, const Vector3<double>& end) {
+      link.kind = kind;
+      link.from = riding(place.from, end);
+      scene_.links.push_back(link);
+    };
+    if (freedom.stiffness) add(scene::LinkKind::spring, at - way);
+    if (freedom.damping) add(scene::LinkKind::damper, at + way);
   }
 }
 

@@ -172,11 +172,14 @@ bool is_link(const SceneFigure& figure, int body, const std::vector<Vector3<doub
   });
 }
 
-// Whether a body is held at its mass center.
+// Whether a body is held at its mass center, or about an axis through it.
 bool is_middle(const SceneFigure& figure, const scene::Symbol& symbol, int body) {
   const Vector3<double> center = figure.on_ground({body, figure.scene().bodies[static_cast<std::size_t>(body)].center});
   constexpr double same = 1e-6;
-  return norm(Vector3<double>(figure.on_ground(symbol.place) - center)) <= same * norm(center);
+  const Vector3<double> arm = figure.on_ground(symbol.place) - center;
+  if (norm(arm) <= same * norm(center)) return true;
+  const Vector3<double> axis = figure.scene().bodies[static_cast<std::size_t>(body)].pose.R * symbol.axis;
+  return norm(axis) > 0 && norm(Vector3<double>(cross(arm, axis))) <= same * norm(arm) * norm(axis);
 }
 
 // A top: the cone on the tip at which a body of revolution is held, with its center and its moment about the axis.

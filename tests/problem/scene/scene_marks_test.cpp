@@ -9,36 +9,12 @@
 #include <tuple>
 
 #include "poinsot/engine/mass/mesh.h"
-#include "poinsot/problem.h"
-#include "poinsot/scene.h"
+#include "problem/scene/illustrated.h"
 
 namespace poinsot {
 namespace scene_marks_test {
 
-using Vector = Vector3<double>;
-
-Document illustrated(const std::string& text) { return Problem::from_text(text, "marks.yaml").illustrate(); }
-const scene::Scene& scene_of(const Document& document) { return *document.solutions.at(0).scene; }
-
-Vector on_ground(const scene::Scene& scene, const scene::Place& place) {
-  if (place.body == scene::ground) return place.at;
-  const scene::Pose& pose = scene.bodies.at(static_cast<std::size_t>(place.body)).pose;
-  return pose.R * place.at + pose.p;
-}
-
-double drawn_angle(const scene::Scene& scene, const scene::Dimension& dimension) {
-  const Vector corner = on_ground(scene, dimension.corner);
-  const Vector a = on_ground(scene, dimension.from) - corner, b = on_ground(scene, dimension.to) - corner;
-  return std::atan2(norm(Vector(cross(a, b))), dot(a, b));
-}
-
-const scene::Dimension* angle_named(const scene::Scene& scene, const std::string& name) {
-  for (const scene::Dimension& dimension : scene.dimensions)
-    if (dimension.angle && dimension.name == name) return &dimension;
-  return nullptr;
-}
-
-std::string degrees(double value) { return std::to_string(value) + " deg"; }
+using namespace scene_tests;
 
 TEST(SceneMarks, angles_are_drawn_as_large_as_they_are_wherever_data_make_them) {
   std::mt19937_64 random(4);

@@ -5,16 +5,12 @@
 #include <cmath>
 #include <random>
 
-#include "poinsot/problem.h"
-#include "poinsot/scene.h"
+#include "problem/scene/illustrated.h"
 
 namespace poinsot {
 namespace scene_stand_ins_test {
 
-using Vector = Vector3<double>;
-
-Document illustrated(const std::string& text) { return Problem::from_text(text, "marks.yaml").illustrate(); }
-const scene::Scene& scene_of(const Document& document) { return *document.solutions.at(0).scene; }
+using namespace scene_tests;
 
 // The moments of a uniform solid inside a closed surface, by tetrahedra from the origin.
 Vector moments_of_solid(const scene::Shape& shape, const Vector& center, double mass) {
