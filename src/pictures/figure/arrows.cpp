@@ -40,9 +40,10 @@ Style style_of(Quantity quantity) {
       return {.width = 2.6};
     case Quantity::velocity:
     case Quantity::angular_velocity:
+      return {.ink = Ink::motion, .head = Head::open};
     case Quantity::acceleration:
     case Quantity::angular_acceleration:
-      return {.ink = Ink::motion, .head = Head::open};
+      return {.ink = Ink::motion, .head = Head::open, .dash = Dash::fine};
     case Quantity::linear_momentum:
     case Quantity::angular_momentum:
     case Quantity::rate_of_momentum:
@@ -154,7 +155,7 @@ class ArrowDrawer {
       // What may be moved does not lie on a thin body or a symbol if there is room elsewhere; what pushes along a body
       // stands before its end.
       cost += (movable ? 1.3 : 0.6) * along_rods(shaft);
-      if (movable) cost += over_symbols(shaft);
+      cost += (movable ? 1 : 0.5) * over_symbols(shaft);
       if (cost < least - 1e-9) {
         least = cost;
         best = shaft;

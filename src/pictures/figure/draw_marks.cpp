@@ -78,6 +78,26 @@ void draw_axes_of_frames(Panel& panel) {
   }
 }
 
+// The mass centers to which momenta and their rates belong, where no point has a name: "\\dot{\\mathbf{H}}_{G}" tells
+// it.
+void name_centers(Panel& panel, const std::vector<scene::Arrow>& arrows, std::vector<Vector> named) {
+  const double near = 1e-3 * panel.scene.length;
+  for (const scene::Arrow& arrow : arrows) {
+    const bool of_center = arrow.quantity == scene::Quantity::angular_momentum ||
+                           arrow.quantity == scene::Quantity::rate_of_angular_momentum;
+    const std::size_t index = arrow.symbol.rfind("_{");
+    if (!of_center || index == std::string::npos || !arrow.symbol.ends_with('}')) continue;
+    const Vector at = panel.ground(arrow.at);
+    if (std::ranges::any_of(named, [&](const Vector& other) { return norm(other - at) < near; })) continue;
+    named.push_back(at);
+    const Point2 paper = panel.projection(at);
+    panel.area(circle(paper, point_radius), "#1a1a1a", Role::point);
+    panel.labels.push_back({tex_label(arrow.symbol.substr(index + 2, arrow.symbol.size() - index - 3)),
+                            {{paper, {-0.5, -0.8}, 4, 0}},
+                            2.4});
+  }
+}
+
 }  // namespace
 
 void draw_axes(Panel& panel, bool at_origin) {
@@ -134,6 +154,9 @@ void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut
     panel.area(circle(paper, point_radius), "#1a1a1a", Role::point);
     panel.labels.push_back({name_label(name), {{paper, {-0.5, -0.8}, 4, 0}}, 2.5, drawn.size() > most_points});
   }
+  std::vector<Vector> named;
+  for (const auto& [at, name] : drawn) named.push_back(at);
+  name_centers(panel, arrows, std::move(named));
 }
 
 void draw_body_names(Panel& panel) {

@@ -152,7 +152,9 @@ class BalanceDiagrams {
   void add_known(scene::Diagram& diagram, const KnownAction& known) const {
     const Action& action = mechanism().actions[known.action];
     const auto symbol_of = [&](const Wrench& wrench) {
-      return SceneFigure::named_symbol(norm(wrench.force) > 0 ? "\\mathbf{F}" : "\\mathbf{M}", action.name);
+      const std::string letter = norm(wrench.force) > 0 ? "\\mathbf{F}" : "\\mathbf{M}";
+      return sudden() ? SceneFigure::impulse_symbol(letter, action.name)
+                      : SceneFigure::named_symbol(letter, action.name);
     };
     const auto add = [&](const Wrench& wrench, const Vector3<double>& at, const ArrowSymbol& shown) {
       add_wrench(diagram, {known.sign * wrench.moment, known.sign * wrench.force}, action.name,

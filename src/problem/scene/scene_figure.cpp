@@ -252,6 +252,13 @@ ArrowSymbol SceneFigure::indexed_symbol(const std::string& letter, const std::st
   return {tex, ExplanationTex::plain(tex)};
 }
 
+ArrowSymbol SceneFigure::impulse_symbol(const std::string& letter, const std::string& name) {
+  const ArrowSymbol symbol = named_symbol(letter, name);
+  if (symbol.text == name) return symbol;
+  const std::string tex = symbol.tex + "\\Delta t";
+  return {tex, ExplanationTex::plain(tex)};
+}
+
 bool SceneFigure::vanishes(const Vector3<double>& vector, const Dimension& dimension) const {
   const double size = norm(vector);
   if (!(size > 0) || !std::isfinite(size)) return true;

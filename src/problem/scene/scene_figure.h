@@ -63,6 +63,8 @@ class SceneFigure {
   // That of what has a name: the name itself if it is as short as a symbol, otherwise a letter (TeX) with it as index.
   static ArrowSymbol named_symbol(const std::string& letter, const std::string& name);
   static ArrowSymbol indexed_symbol(const std::string& letter, const std::string& index);
+  // An impulse: that of what has a name of its own, and of a force or couple with the time that it acts.
+  static ArrowSymbol impulse_symbol(const std::string& letter, const std::string& name);
   // Whether a vector is nothing but rounding beside the natural sizes of the instant. Set by whoever knows them.
   bool vanishes(const Vector3<double>& vector, const Dimension& dimension) const;
   void set_natural_size(std::function<double(const Dimension&)> size) { natural_size_ = std::move(size); }

@@ -204,7 +204,7 @@ class ModelDiagram {
       add(impulse.couple ? Quantity::angular_impulse : Quantity::impulse, action.name,
           impulse.couple ? center_of(impulse.on) : figure_.scene_place(impulse.at),
           state().on_ground_axes(impulse.axes, impulse.vector),
-          symbol_of(size, impulse.couple ? couple(action.name) : force(action.name)));
+          symbol_of(size, SceneFigure::impulse_symbol(impulse.couple ? "\\mathbf{M}" : "\\mathbf{F}", action.name)));
     }
   }
   bool is_to_be_found(const std::optional<Expression>& value) const {

@@ -115,6 +115,42 @@ TEST(ClearFigures, what_a_particle_brings_ends_where_it_hits) {
     }
 }
 
+TEST(ClearFigures, a_mass_center_without_name_has_the_one_of_its_momentum) {
+  scene::Scene scene = rod_scene({}, {1, 0, 0});
+  scene.bodies[0].center = {0.5, 0, 0};
+  scene.diagrams = {{.kind = scene::DiagramKind::kinetic,
+                     .title = "Kinetic diagram",
+                     .group = 1,
+                     .bodies = {0},
+                     .arrows = {arrow(scene::Quantity::rate_of_angular_momentum, 0, {0.5, 0, 0}, {0, 5, 0}, "H")}}};
+  scene.diagrams[0].arrows[0].symbol = "\\dot{\\mathbf{H}}_{G}";
+  const FigureName cut{FigureKind::free_body, "free-body", "", scene::ground};
+  EXPECT_NE(label_of(figure(scene, cut, "", {}), "G"), nullptr);
+  scene.diagrams[0].arrows[0].symbol = "\\mathbf{H}'_{G}";
+  EXPECT_NE(label_of(figure(scene, cut, "", {}), "G"), nullptr);
+  scene.points = {{"S", {0, {0.5, 0, 0}}}};
+  EXPECT_EQ(label_of(figure(scene, cut, "", {}), "G"), nullptr);
+}
+
+TEST(ClearFigures, a_weight_over_a_floor_comes_from_above) {
+  scene::Scene scene = rod_scene({}, {1, 0.2, 0});
+  scene.symbols = {{.kind = scene::SymbolKind::contact, .name = "floor", .to = 0, .place = {0, {}}, .axis = {0, 1, 0}}};
+  for (const double place : {0.02, 0.9}) {
+    scene.diagrams = {{.kind = scene::DiagramKind::model,
+                       .title = "",
+                       .bodies = {0},
+                       .arrows = {arrow(scene::Quantity::force, 0, {place, 0.2 * place, 0}, {0, -5, 0}, "P")}}};
+    const Drawing drawing = figure(scene, model, "", {.view = view_from({0, 0, 1}, scene.up)});
+    const double floor = points_of(drawing, Role::symbol).front().y;
+    ASSERT_EQ(shafts(drawing).size(), 1U);
+    if (place < 0.5) {
+      EXPECT_LT(shafts(drawing)[0]->points.back().y, floor + 1);
+    } else {
+      EXPECT_GT(shafts(drawing)[0]->points.back().y, floor - 30);
+    }
+  }
+}
+
 TEST(ClearFigures, turning_arrows_do_not_stand_on_bearings) {
   std::mt19937_64 random(6);
   std::size_t looked_at = 0;

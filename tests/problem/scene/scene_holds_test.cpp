@@ -95,5 +95,24 @@ TEST(SceneHolds, springs_and_dampers_of_joints_are_drawn) {
   EXPECT_TRUE(links("prismatic: x, at: O, to: r, displacement: s").empty());
 }
 
+TEST(SceneHolds, an_impulse_that_has_no_symbol_of_its_own_is_a_force_with_its_time) {
+  const auto texts = [](const std::string& name, const std::string& size) {
+    const Document document = illustrated(
+        "title: t\ngiven: {P: 5 N*s, F: 5 N, dt: 1 s}\npoints: {O: [0, 0, 0], A: [1 m, 0, 0]}\n"
+        "bodies: {r: {rod: [O, A], mass: 1 kg}}\nimpulses: {" +
+        name + ": {body: r, at: A, along: y, " + size +
+        "}}\ninstants: {before: rest}\ngravity: none\nask: {w: angular_velocity(r)}\n");
+    std::vector<std::string> found;
+    for (const scene::Diagram& diagram : scene_of(document).diagrams)
+      for (const scene::Arrow& arrow : diagram.arrows)
+        if (arrow.quantity == scene::Quantity::impulse) found.push_back(arrow.symbol);
+    return found;
+  };
+  const auto of_force = texts("blow", "force: F, lasts: dt"), named = texts("P", "force: F, lasts: dt");
+  ASSERT_GE(of_force.size(), 2U);
+  for (const std::string& symbol : of_force) EXPECT_TRUE(symbol.ends_with("\\Delta t")) << symbol;
+  for (const std::string& symbol : named) EXPECT_FALSE(symbol.ends_with("\\Delta t")) << symbol;
+}
+
 }  // namespace scene_holds_test
 }  // namespace poinsot
