@@ -197,7 +197,11 @@ void draw_paths(Panel& panel) {
     if (!panel.draws(curve.body)) continue;
     std::vector<Point2> points;
     for (const Vector& point : curve.points) points.push_back(panel.paper({curve.body, point}));
+    if (points.empty()) continue;
+    constexpr double begin_radius = 3;
+    const std::vector<Point2> begin = circle(points.front(), begin_radius);
     add_curve(panel, std::move(points), curve);
+    if (!curve.closed) panel.shape(begin, "#ffffff", Role::point, 1, Ink::motion);
   }
 }
 

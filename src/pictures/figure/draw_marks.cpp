@@ -173,8 +173,10 @@ void draw_body_names(Panel& panel) {
     Label label = words_label(words, 12);
     label.ink = Ink::grey;
     Box box;
+    // The name stands at the body rather than at the arms that hold it.
+    const auto is_arm = [&](const Solid& solid) { return solid.massless && !own.massless; };
     for (const Solid& solid : panel.solids)
-      if (solid.body == body && !solid.hole)
+      if (solid.body == body && !solid.hole && !is_arm(solid))
         for (const Vector& vertex : solid.vertices) box.include(panel.projection(vertex));
     if (box.empty()) continue;
     panel.labels.push_back({std::move(label),

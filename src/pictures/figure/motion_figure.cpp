@@ -147,9 +147,13 @@ Drawing motion_figure(const scene::Scene& scene, const Looks& looks) {
     draw_body_names(panel);
   }
   Drawing drawing = finished(panel);
+  const bool has_path = std::ranges::any_of(scene.curves, [](const scene::Curve& curve) {
+    return !curve.closed && (curve.kind == scene::CurveKind::path || curve.kind == scene::CurveKind::axis_path);
+  });
   caption(drawing,
-          fmt::format("From t = {} to {}, {} poses", value_text(motion.times[shown.front()], ""),
-                      value_text(motion.times[shown.back()], "s"), shown.size()),
+          fmt::format("From t = {} to {}, {} poses{}", value_text(motion.times[shown.front()], ""),
+                      value_text(motion.times[shown.back()], "s"), shown.size(),
+                      has_path ? "; paths begin at small circles" : ""),
           200);
   return drawing;
 }

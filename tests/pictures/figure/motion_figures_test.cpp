@@ -78,6 +78,13 @@ TEST(MotionFigures, poses_on_a_path_stay_on_it) {
     const Drawing drawing = figure(moving(0.2, step, true), motion, "", {.view = view_from({0.2, 0.3, 1}, {0, 1, 0})});
     EXPECT_EQ(captions_of_times(drawing), 0U) << step;
     EXPECT_FALSE(pictures_test::points_of(drawing, Role::curve).empty()) << step;
+    // A circle marks where the path begins.
+    const Point2 begin = pictures_test::points_of(drawing, Role::curve).front();
+    EXPECT_TRUE(std::ranges::any_of(drawing.marks, [&](const Mark& mark) {
+      const auto* stroke = std::get_if<Stroke>(&mark);
+      if (stroke == nullptr || !stroke->closed || stroke->ink != Ink::motion) return false;
+      return std::ranges::all_of(stroke->points, [&](const Point2& p) { return std::abs(norm(p - begin) - 3) < 1e-9; });
+    })) << step;
   }
 }
 
