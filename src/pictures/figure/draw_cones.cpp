@@ -197,7 +197,11 @@ void draw_paths(Panel& panel) {
     if (!panel.draws(curve.body)) continue;
     std::vector<Point2> points;
     for (const Vector& point : curve.points) points.push_back(panel.paper({curve.body, point}));
-    if (points.empty()) continue;
+    // What stays where it is has no path.
+    constexpr double least = 3;
+    Box box;
+    for (const Point2& p : points) box.include(p);
+    if (points.empty() || std::max(box.width(), box.height()) < least) continue;
     constexpr double begin_radius = 3;
     const std::vector<Point2> begin = circle(points.front(), begin_radius);
     add_curve(panel, std::move(points), curve);
