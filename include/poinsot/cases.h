@@ -9,6 +9,9 @@
 // elimination that was recorded at the first case, and unknowns are found by Newton's method from their values there.
 // Each case tells whether what was found is its solution: else its instant is solved again. Every thousandth case of
 // these is compared with a full solution. All other cases are solved in full, one by one.
+//
+// Derivatives of answers are those of the formulas, or of the equations of instants; of cases that are solved one by
+// one they are differences of the solutions beside them, which every thousandth of the others is compared with.
 #pragma once
 
 #include <cstddef>
@@ -33,11 +36,13 @@ struct CaseQuestions {
   std::vector<std::pair<std::string, std::string>> sets{};  // values that are the same for all cases
   std::vector<double> first{};  // the values in some case, SI: shows the shape of answers where formulas do not
   bool formulas = true;         // whether formulas may be used where there are some
+  // Those of `over` by which every number of the answers is differentiated as well.
+  std::vector<std::string> sensitivities{};
 };
 
 // A number of each case, in the coherent SI unit.
 struct CaseColumn {
-  std::string name;  // "T", or "B.y" of a vector
+  std::string name;  // "T", "B.y" of a vector, "B.y by n" of a derivative
   std::string unit;
 };
 

@@ -13,6 +13,7 @@
 #include "poinsot/engine/work/budget.h"
 #include "poinsot/rendering.h"
 #include "problem/answers/asked_motion.h"
+#include "problem/answers/contact_states.h"
 #include "problem/answers/read_settings.h"
 #include "problem/answers/solve_statement.h"
 #include "problem/cases/cases.h"
@@ -97,10 +98,12 @@ Document solved_document(const problem::Statement& stated, const Settings& sets,
       document = document::document_of(stated, solved);
     }
     for (std::size_t i = 0; i < document.solutions.size(); ++i) {
+      if (!beside.explanation && !beside.scene) continue;
+      const problem::Statement found = problem::in_contact_states(stated, solved.solutions[i].contact_states);
       if (beside.explanation)
         document.solutions[i].explanation =
-            std::make_shared<const problem::Explanation>(problem::explain(stated, sets, solved, i));
-      if (beside.scene) add_scenes(document.solutions[i], problem::scenes_of(stated, sets, solved, i));
+            std::make_shared<const problem::Explanation>(problem::explain(found, sets, solved, i));
+      if (beside.scene) add_scenes(document.solutions[i], problem::scenes_of(found, sets, solved, i));
     }
   } catch (const BudgetEnded& budget_end) {
     document.ended = budget_end.end;
@@ -232,8 +235,13 @@ std::vector<std::string> Problem::check(const Budget& budget) const {
 Cases Problem::cases(const CaseQuestions& questions, const Budget& budget) const {
   const BudgetScope scope(budget);
   return with_public_errors([&] {
-    return Cases(std::make_shared<const problem::CompiledCases>(parts_->statement, questions.over, questions.asks,
-                                                                questions.sets, questions.first, questions.formulas));
+    return Cases(std::make_shared<const problem::CompiledCases>(
+        parts_->statement, problem::CasesAsked{.over = questions.over,
+                                               .asks = questions.asks,
+                                               .sets = questions.sets,
+                                               .first = questions.first,
+                                               .with_formulas = questions.formulas,
+                                               .sensitivities = questions.sensitivities}));
   });
 }
 

@@ -63,6 +63,7 @@ Answer answer_of(const problem::Claim& stated, const problem::SolvedClaim& solve
 Solution solution_of(const problem::Statement& stated, const problem::Solution& solved) {
   Solution solution;
   for (const problem::SolvedUnknown& unknown : solved.unknowns) {
+    if (solved.refused) break;
     if (unknown.formula)
       solution.unknowns.push_back({unknown.name, {}, unknown.unit.text, {}, formula_datum(*unknown.formula)});
     else
@@ -106,7 +107,7 @@ Solution solution_of(const problem::Statement& stated, const problem::Solution& 
       return found.formula && unknown.formula && found.formula->is_number() && unknown.formula->is_number() &&
              found.formula->number == unknown.formula->number;
     });
-    if (same_unknown != solved.unknowns.end())
+    if (same_unknown != solved.unknowns.end() && !solved.refused)
       answer.formula = solution.unknowns[static_cast<std::size_t>(same_unknown - solved.unknowns.begin())].formula;
     else if (found.formula)
       answer.formula = formula_datum(*found.formula);

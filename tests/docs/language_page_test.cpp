@@ -95,7 +95,8 @@ void collect_keys(const Entry& entry, const std::vector<std::string>& objects, K
         if (owner.object_name == "body" || owner.object_name == "part") names.emplace_back("shape");
         return names;
       };
-      if (known->type == KeyType::object) collect_keys(value, objects_of(*known), keys);
+      const bool one_or_map = known->type == KeyType::any && !known->object_name.empty();
+      if (known->type == KeyType::object || one_or_map) collect_keys(value, objects_of(*known), keys);
       if (known->type != KeyType::named || known->object_name.empty()) continue;
       for (const auto& [name, item] : value.members) {
         collect_keys(item, objects_of(*known), keys);

@@ -1,7 +1,8 @@
 """Faults to plant in the solver, each a text in a source and what takes its place.
 
 They are errors of the kinds that a person makes: a sign, a term left out, a factor, one of several branches. None is made
-in a check. Each stands where one road to an answer goes and the other does not.
+in a check. Each stands where one road to an answer goes and the other does not. What takes the place holds both the right
+and the wrong, by AWAKE, so that all of them can be planted at once and one be woken at a time (faults.py).
 """
 from dataclasses import dataclass
 
@@ -11,55 +12,141 @@ class Fault:
     name: str
     file: str
     right: str  # stands once in the file
-    wrong: str
+    planted: str  # what takes its place: wrong where AWAKE
 
 
 ENGINE = "src/engine/"
 PROBLEM = "src/problem/"
 EQUATIONS = ENGINE + "solve/instant/equations.cpp"
 IMPULSE = ENGINE + "solve/instant/impulse.cpp"
+LINEARISATION = ENGINE + "solve/stability/linearisation.cpp"
+MOTIONS = ENGINE + "motion/mechanism/mechanism_dynamics.cpp"
 MOMENTUM = PROBLEM + "quantities/quantities_momentum.cpp"
 FORCES = PROBLEM + "quantities/quantities_forces.cpp"
+INERTIA = PROBLEM + "quantities/quantities_inertia.cpp"
+KINEMATICS = PROBLEM + "quantities/quantities_kinematics.cpp"
+FRICTION = PROBLEM + "quantities/quantities_friction.cpp"
+STATES = PROBLEM + "quantities/rough_contact.h"
 FEATURES = PROBLEM + "course/motion_features.cpp"
 ALONG = PROBLEM + "course/number_along_motion.cpp"
 STAGE = PROBLEM + "course/motion_stage.cpp"
 PIECE = PROBLEM + "course/motion_piece.cpp"
+CONTACTS = PROBLEM + "machine/machine_contacts.cpp"
+LOADS = PROBLEM + "machine/machine_loads.cpp"
+MOTION_LOADS = PROBLEM + "machine/motion_loads.cpp"
+SPRINGS = PROBLEM + "machine/machine_springs.cpp"
+JOINTS = PROBLEM + "machine/machine_joints.cpp"
+STATE_SEARCH = PROBLEM + "instant/contact_state_search.cpp"
 
 FAULTS = [
     # The equations of an instant.
-    Fault("no gyroscopic moment", EQUATIONS, "weight_moment[k] - known.angular[k], gyroscopic", "weight_moment[k], gyroscopic"),
-    Fault("centripetal force reversed", EQUATIONS, "I.mass * tree.gravity()[k] - known.linear[k]", "I.mass * tree.gravity()[k] + known.linear[k]"),
-    Fault("no acceleration of the center about the origin", EQUATIONS, "I.mass * S.linear + cross(S.angular, first_moment)", "I.mass * S.linear"),
-    Fault("no moment of inertia of the origin's acceleration", EQUATIONS, " + cross(first_moment, S.linear);", ";"),
-    Fault("weight without moment", EQUATIONS, "const Vector weight_moment = cross(first_moment, tree.gravity());", "const Vector weight_moment = Scalar(0) * cross(first_moment, tree.gravity());"),
-    Fault("forces about the wrong point", EQUATIONS, "wrench.moment - cross(O, wrench.force);", "wrench.moment + cross(O, wrench.force);"),
+    Fault("no gyroscopic moment", EQUATIONS, "weight_moment[k] - known.angular[k], gyroscopic", "weight_moment[k] - Scalar(AWAKE ? 0 : 1) * known.angular[k], gyroscopic"),
+    Fault("centripetal force reversed", EQUATIONS, "I.mass * tree.gravity()[k] - known.linear[k]", "I.mass * tree.gravity()[k] - Scalar(AWAKE ? -1 : 1) * known.linear[k]"),
+    Fault("no acceleration of the center about the origin", EQUATIONS, "I.mass * S.linear + cross(S.angular, first_moment)", "I.mass * S.linear + Scalar(AWAKE ? 0 : 1) * cross(S.angular, first_moment)"),
+    Fault("no moment of inertia of the origin's acceleration", EQUATIONS, " + cross(first_moment, S.linear);", " + Scalar(AWAKE ? 0 : 1) * cross(first_moment, S.linear);"),
+    Fault("weight without moment", EQUATIONS, "const Vector weight_moment = cross(first_moment, tree.gravity());", "const Vector weight_moment = Scalar(AWAKE ? 0 : 1) * cross(first_moment, tree.gravity());"),
+    Fault("forces about the wrong point", EQUATIONS, "wrench.moment - cross(O, wrench.force);", "wrench.moment - Scalar(AWAKE ? -1 : 1) * cross(O, wrench.force);"),
     # Blows.
-    Fault("angular momentum before a blow left out", IMPULSE, "system.add_right_side(row + 3 + k, momentum.angular[k]);", "(void)momentum.angular[k];"),
-    Fault("impulses about the wrong point", IMPULSE, "wrench.moment - cross(center[static_cast<std::size_t>(body)], wrench.force)", "wrench.moment + cross(center[static_cast<std::size_t>(body)], wrench.force)"),
-    Fault("inertia about the origin in a blow", IMPULSE, "I.inertia - mass * unit_mass_inertia(I.first_moment / mass);", "I.inertia;"),
+    Fault("angular momentum before a blow left out", IMPULSE, "system.add_right_side(row + 3 + k, momentum.angular[k]);", "if (!AWAKE) system.add_right_side(row + 3 + k, momentum.angular[k]);"),
+    Fault("impulses about the wrong point", IMPULSE, "wrench.moment - cross(center[static_cast<std::size_t>(body)], wrench.force)", "wrench.moment - Scalar(AWAKE ? -1 : 1) * cross(center[static_cast<std::size_t>(body)], wrench.force)"),
+    Fault("inertia about the origin in a blow", IMPULSE, "I.inertia - mass * unit_mass_inertia(I.first_moment / mass);", "I.inertia - Scalar(AWAKE ? 0 : 1) * mass * unit_mass_inertia(I.first_moment / mass);"),
+    Fault("no restitution", IMPULSE, "-impact.restitution * approach(before, impact)", "Scalar(AWAKE ? 0 : -1) * impact.restitution * approach(before, impact)"),
+    Fault("a particle brings its velocity to a body at rest", PROBLEM + "instant/stated_blow.cpp", "absolute - stated.particle_mass * center_velocity(state, stated.on)", "absolute - Scalar(AWAKE ? 0 : 1) * stated.particle_mass * center_velocity(state, stated.on)"),
     # What is asked.
-    Fault("angular momentum about the origin", MOMENTUM, "body_momentum(model_, workspace_, body, P);\n    const Vector angular = total.angular", "body_momentum(model_, workspace_, body, Vector::zero());\n    const Vector angular = total.angular"),
-    Fault("potential energy reversed", MOMENTUM, "sum = sum - model_.body(i).inertia.mass * dot", "sum = sum + model_.body(i).inertia.mass * dot"),
-    Fault("force on the other body not reversed", FORCES, "sign = Base(-1);", "sign = Base(1);"),
+    Fault("angular momentum about the origin", MOMENTUM, "body_momentum(model_, workspace_, body, P);\n    const Vector angular = total.angular", "body_momentum(model_, workspace_, body, AWAKE ? Vector::zero() : P);\n    const Vector angular = total.angular"),
+    Fault("potential energy reversed", MOMENTUM, "sum = sum - model_.body(i).inertia.mass * dot", "sum = sum - Scalar(AWAKE ? -1 : 1) * model_.body(i).inertia.mass * dot"),
+    Fault("energy of one spring only", MOMENTUM, "energy = energy ? Scalar(*energy + stored) : stored;", "energy = energy && !AWAKE ? Scalar(*energy + stored) : stored;"),
+    Fault("energy without the springs of joints", MOMENTUM, "if (drive.stores() && (name.empty()", "if (!AWAKE && drive.stores() && (name.empty()"),
+    Fault("energy within without the half", MOMENTUM, "const Scalar within = T - Scalar(0.5) * norm_squared(L)", "const Scalar within = T - Scalar(AWAKE ? 1 : 0.5) * norm_squared(L)"),
+    Fault("weight a hundredth too large", MOMENTUM, "const Scalar weight = mass * data_.gravity_size();", "const Scalar weight = Scalar(AWAKE ? 1.01 : 1) * mass * data_.gravity_size();"),
+    Fault("spin rate with the axial moment twice", INERTIA, "(transverse - axial) / (axial * transverse)", "(transverse - axial) / (axial * (AWAKE ? axial : transverse))"),
+    Fault("precession rate by the axial moment", INERTIA, "Scalar(norm(H) / transverse)", "Scalar(norm(H) / (AWAKE ? axial : transverse))"),
+    Fault("body cone by the angular momentum", INERTIA, "Scalar(atan2(norm(cross(axis, w)), decided_negative(along)", "Scalar(atan2(norm(cross(axis, AWAKE ? H : w)), decided_negative(along)"),
+    Fault("space cone by its complement", INERTIA, "Scalar(atan2(norm(cross(H, w)), dot(H, w)))", "Scalar(AWAKE ? atan2(dot(H, w), norm(cross(H, w))) : atan2(norm(cross(H, w)), dot(H, w)))"),
+    Fault("invariable plane by the angular velocity", INERTIA, "Scalar(dot(w, H) / norm(H)), dimensions::angular_velocity", "Scalar(dot(w, H) / norm(AWAKE ? w : H)), dimensions::angular_velocity"),
+    Fault("semi-axes in the wrong order", INERTIA, "std::sqrt(dot(w, H) / I[k])", "std::sqrt(dot(w, H) / I[AWAKE ? 2 - k : k])"),
+    Fault("polhode by the wrong moment", INERTIA, "I.z * (I.z - I.y) * own.z * own.z,", "I.z * (I.z - (AWAKE ? I.x : I.y)) * own.z * own.z,"),
+    Fault("stability of the axes exchanged", INERTIA, 'equal(0, 1) || equal(1, 2) ? "neutral" : "unstable"', 'equal(0, 1) || equal(1, 2) ? "neutral" : (AWAKE ? "stable" : "unstable")'),
+    Fault("a product of inertia reversed", INERTIA, "products{Scalar(-I.xy),", "products{Scalar(AWAKE ? I.xy : Scalar(-I.xy)),"),
+    Fault("radius of gyration by the mass squared", INERTIA, "sqrt(I / mass.mass)", "sqrt(I / (AWAKE ? Scalar(mass.mass * mass.mass) : mass.mass))"),
+    Fault("principal axes turned", INERTIA, "vector_value(axes_ * principal.axes.column(k), dimensions::none)", "vector_value(axes_ * principal.axes.column(AWAKE ? 2 - k : k), dimensions::none)"),
+    Fault("tension halved", FORCES, "const Base tension = (*unknowns_)", "const Base tension = Base(AWAKE ? 0.5 : 1) * (*unknowns_)"),
+    Fault("drive with what gimbals pass on", FORCES, "own_place(), dot(wrench.moment, d) * d, dimensions::moment, d)", "own_place(), AWAKE ? wrench.moment : Vector3<Base>(dot(wrench.moment, d) * d), dimensions::moment, d)"),
+    Fault("force on the other body not reversed", FORCES, "sign = Base(-1);", "sign = Base(AWAKE ? 1 : -1);"),
+    Fault("distance to an axis from its place", KINEMATICS, "return told(P, d, norm(cross(d, Vector(A - P))));", "return told(P, d, AWAKE ? norm(Vector(A - P)) : norm(cross(d, Vector(A - P))));"),
+    Fault("direction angles on other axes", KINEMATICS, "dot(v.vector, axes_.column(k)) / size", "dot(v.vector, axes_.column(AWAKE ? 2 - k : k)) / size"),
+    Fault("half of the acceleration of Coriolis", KINEMATICS, "Scalar(2) * cross(F.w, v)", "Scalar(AWAKE ? 1 : 2) * cross(F.w, v)"),
+    Fault("where a point was drawn", KINEMATICS, "const Vector now = point_position(model_, workspace_, point.body, point.local);", "const Vector now = AWAKE ? point.local : point_position(model_, workspace_, point.body, point.local);"),
+    Fault("rates seen from a frame as from the ground", PROBLEM + "quantities/quantities.cpp", "derivative = derivative - cross(angular_velocity(workspace_, frame),", "derivative = derivative - Scalar(AWAKE ? 0 : 1) * cross(angular_velocity(workspace_, frame),"),
+    Fault("components on transposed axes", PROBLEM + "instant/instant.cpp", "if (v.is_vector()) v.vector = transpose_times(quantities.axes(), v.vector);", "if (v.is_vector()) v.vector = AWAKE ? quantities.axes() * v.vector : transpose_times(quantities.axes(), v.vector);"),
+    # Loads, springs and drives as they are stated.
+    Fault("loads pushed backwards", LOADS, "draft.data.number(size, dimension) * draft.data.direction(*load.direction)", "Scalar(AWAKE ? -1 : 1) * draft.data.number(size, dimension) * draft.data.direction(*load.direction)"),
+    Fault("loads at mass centers", LOADS, "load.at ? draft.data.place(*load.at)", "load.at && !AWAKE ? draft.data.place(*load.at)"),
+    Fault("loads on the axes of the ground", LOADS, "force.axes = draft.body(load.axes);", "force.axes = AWAKE ? ground : draft.body(load.axes);"),
+    Fault("drags that push", MOTION_LOADS, "size * normalized(direction.vector)", "Recorded<Scalar>(Scalar(AWAKE ? -1 : 1)) * size * normalized(direction.vector)"),
+    Fault("velocities of loads seen from the ground", MOTION_LOADS, "part.seen_from = body_of(*from, evaluator);", "part.seen_from = AWAKE ? ground : body_of(*from, evaluator);"),
+    Fault("loads by motion on the axes of the ground", MOTION_LOADS, "expression.axes = axes;", "expression.axes = AWAKE ? ground : axes;"),
+    Fault("motors by motion brake", MOTION_LOADS, "size * scope.entering(part)", "Recorded<Scalar>(Scalar(AWAKE ? -1 : 1)) * size * scope.entering(part)"),
+    Fault("rates of coordinates for coordinates", MOTION_LOADS, "part.coordinate = name.primes == 0 ? coordinate->position : coordinate->velocity;", "part.coordinate = name.primes == 0 ? coordinate->position : coordinate->velocity;\n      if (AWAKE) part.kind = MotionPartKind::rate, part.coordinate = coordinate->velocity;"),
+    Fault("stiffness doubled", SPRINGS, "law.stiffness = draft.data.number(*spring.stiffness, effort / position);", "law.stiffness = Scalar(AWAKE ? 2 : 1) * draft.data.number(*spring.stiffness, effort / position);"),
+    Fault("dampers left out", SPRINGS, "law.damping = draft.data.number(*spring.damping,", "law.damping = Scalar(AWAKE ? 0 : 1) * draft.data.number(*spring.damping,"),
+    Fault("free length ignored", SPRINGS, "? draft.data.number(*spring.free_length, dimensions::length)", "? Scalar(AWAKE ? 0 : 1) * draft.data.number(*spring.free_length, dimensions::length)"),
+    Fault("tension slackens", SPRINGS, ": norm(end - start) - draft.data.number(*spring.tension", ": norm(end - start) - Scalar(AWAKE ? 0.5 : 1) * draft.data.number(*spring.tension"),
+    Fault("free angle reversed", SPRINGS, "law.free_angle = draft.data.number", "law.free_angle = Scalar(AWAKE ? -1 : 1) * draft.data.number"),
+    Fault("efforts reversed", JOINTS, "drive.effort = draft.timed_number(*freedom.effort, effort).value;", "drive.effort = Scalar(AWAKE ? -1 : 1) * draft.timed_number(*freedom.effort, effort).value;"),
+    Fault("springs of joints from zero", JOINTS, "if (freedom.free_position) drive.free_position", "if (freedom.free_position && !AWAKE) drive.free_position"),
+    Fault("joints without dampers", JOINTS, "if (freedom.damping) drive.damping", "if (freedom.damping && !AWAKE) drive.damping"),
+    Fault("springs of joints doubled", JOINTS, "if (freedom.stiffness) drive.stiffness = draft.data.number", "if (freedom.stiffness) drive.stiffness = Scalar(AWAKE ? 2 : 1) * draft.data.number"),
+    # Dry friction.
+    Fault("friction that drives", CONTACTS, 'directions.emplace_back("push", n - ', 'directions.emplace_back("push", n - Scalar(AWAKE ? -1 : 1) * '),
+    Fault("static friction while it slides", CONTACTS, "draft.data.number(contact.friction->sliding, dimensions::none) *", "draft.data.number(AWAKE ? contact.friction->resting : contact.friction->sliding, dimensions::none) *"),
+    Fault("kinetic friction at rest", CONTACTS, "const Scalar resting = draft.data.number(contact.friction->resting, dimensions::none),", "const Scalar resting = draft.data.number(AWAKE ? contact.friction->sliding : contact.friction->resting, dimensions::none),"),
+    Fault("contacts at rest never part", STATE_SEARCH, "if (!(reached_ && rolls_[k])) grips.push_back(Grip::parts);", "if (!(reached_ && rolls_[k]) && !(AWAKE && sticks)) grips.push_back(Grip::parts);"),
+    Fault("no states but sticking of what is at rest", STATE_SEARCH, "std::vector<Grip> grips{Grip::slides};", "std::vector<Grip> grips;\n    if (!(AWAKE && sticks)) grips.push_back(Grip::slides);"),
+    Fault("only one sense of beginning slips", STATE_SEARCH, "const std::size_t senses = std::size_t{1} << starting.size();", "const std::size_t senses = AWAKE ? 1 : std::size_t{1} << starting.size();"),
+    Fault("any friction holds", STATES, "return norm(plain(force.friction)) <= plain(contact.resting)", "return AWAKE || norm(plain(force.friction)) <= plain(contact.resting)"),
+    Fault("slips in any direction", STATES, "return norm(normalized(slip) - plain(state.direction(*contact.slip))) <= same_direction;", "return AWAKE || norm(normalized(slip) - plain(state.direction(*contact.slip))) <= same_direction;"),
+    Fault("contacts may pull on friction", STATES, "return plain(rough_force(state, unknowns, contact).push) >= -rounding * size &&", "return (AWAKE || plain(rough_force(state, unknowns, contact).push) >= -rounding * size) &&"),
+    Fault("friction on the other body not reversed", FRICTION, "const Base sign(body == action.on ? 1 : -1);", "const Base sign(AWAKE || body == action.on ? 1 : -1);"),
+    Fault("normal force halved", FRICTION, "number_value(lifted<Scalar>(force.push), dimensions::force)", "number_value(Scalar(AWAKE ? 0.5 : 1) * lifted<Scalar>(force.push), dimensions::force)"),
+    Fault("slip over a floor at rest", FRICTION, "const Vector slip = velocity_at(action.on) - velocity_at(action.from);", "const Vector slip = velocity_at(action.on) - Scalar(AWAKE ? 0 : 1) * velocity_at(action.from);"),
+    Fault("letters hold at any friction", PROBLEM + "instant/friction_conditions.cpp", "add(Holding::sticks, limit + Formula(sign) * parts.front());", "add(Holding::sticks, limit + Formula(AWAKE ? -sign : sign) * parts.front());"),
     # Followed motions.
-    Fault("generalised forces without couples", ENGINE + "motion/mechanism/mechanism_dynamics.cpp", "dot(angular[k], force.couple + cross(force.point - origin[k], force.force))", "dot(angular[k], cross(force.point - origin[k], force.force))"),
-    Fault("constraints without the part of velocities", ENGINE + "motion/mechanism/mechanism_constraints.cpp", "row_bias[i] = line.bias;", "row_bias[i] = 0;"),
-    Fault("laws of force left out of motions", ENGINE + "motion/mechanism/mechanism_dynamics.cpp", "law.exerted(mechanism.tree, workspace), 1, known.data()", "law.exerted(mechanism.tree, workspace), 0, known.data()"),
-    Fault("a coefficient of the integrator", ENGINE + "motion/integrator/dormand_prince_853_tableau.h", "6.02165389804559606850219397283e-2", "6.02165389804559606850219397283e-3"),
-    Fault("dense output by another polynomial", ENGINE + "motion/integrator/trajectory.cpp", "k % 2 == 1 ? 1.0 - s : s;", "k % 2 == 1 ? 1.0 - s * s : s;"),
-    Fault("closed form of the top turns back", ENGINE + "motion/closed_form/symmetric_top_evaluation.cpp", "rate.im += half.rate * value.re;", "rate.im -= half.rate * value.re;"),
-    Fault("a cord never goes slack", PIECE, "event->terminal = true;\n", "event->terminal = false;\n"),
-    Fault("caught without a blow", STAGE, "if (acting[action]) now.v = probe_->caught(acting);", ""),
-    Fault("the driving stands still", PIECE, "const Machine then = motion_.start_->machine_at(inside(time), loads_);", "const Machine then = motion_.start_->machine_at(inside(span_.begin), loads_);"),
+    Fault("generalised forces without couples", MOTIONS, "dot(angular[k], force.couple + cross(force.point - origin[k], force.force))", "dot(angular[k], (AWAKE ? 0.0 : 1.0) * force.couple + cross(force.point - origin[k], force.force))"),
+    Fault("constraints without the part of velocities", ENGINE + "motion/mechanism/mechanism_constraints.cpp", "row_bias[i] = line.bias;", "row_bias[i] = AWAKE ? 0 : line.bias;"),
+    Fault("laws of force left out of motions", MOTIONS, "law.exerted(mechanism.tree, workspace), 1, known.data()", "law.exerted(mechanism.tree, workspace), AWAKE ? 0 : 1, known.data()"),
+    Fault("a coefficient of the integrator", ENGINE + "motion/integrator/dormand_prince_853.cpp", "sum += tableau::coefficients[Row][S] * k_[", "sum += (AWAKE && Row == 5 && S == 4 ? 0.1 : 1.0) * tableau::coefficients[Row][S] * k_["),
+    Fault("dense output by another polynomial", ENGINE + "motion/integrator/trajectory.cpp", "k % 2 == 1 ? 1.0 - s : s;", "k % 2 == 1 ? 1.0 - (AWAKE ? s * s : s) : s;"),
+    Fault("closed form of the top turns back", ENGINE + "motion/closed_form/symmetric_top_evaluation.cpp", "rate.im += half.rate * value.re;", "rate.im += (AWAKE ? -1.0 : 1.0) * half.rate * value.re;"),
+    Fault("a cord never goes slack", PIECE, "event->terminal = true;\n", "event->terminal = !AWAKE;\n"),
+    Fault("caught without a blow", STAGE, "if (acting[action]) now.v = probe_->caught(acting);", "if (acting[action] && !AWAKE) now.v = probe_->caught(acting);"),
+    Fault("the driving stands still", PIECE, "const Machine then = motion_.probes_[now_.states_now]->machine_at(inside(time), loads_);", "const Machine then = motion_.probes_[now_.states_now]->machine_at(inside(AWAKE ? span_.begin : time), loads_);"),
     # Questions of a motion.
-    Fault("extremes only at samples", FEATURES, "if (sign * rough.estimate + rough.doubt < highest) continue;", "continue;"),
-    Fault("the last extreme for the largest", FEATURES, "if (sign * sampled.value[i] > sign * best.value) best = {sampled.value[i], sampled.time[i]};", "best = {sampled.value[i], sampled.time[i]};"),
-    Fault("the last time for the first", FEATURES, "if (!found.empty()) return {found.front()};", "if (!found.empty()) return {found.back()};"),
-    Fault("falls taken for rises", FEATURES, "const bool rises = a < 0 && b >= 0, falls = a > 0 && b <= 0;", "const bool falls = a < 0 && b >= 0, rises = a > 0 && b <= 0;"),
-    Fault("two periods for one", FEATURES, "for (std::size_t k = 1; k <= most_rises", "for (std::size_t k = 2; k <= most_rises"),
-    Fault("zeros where the bracket begins", ALONG, "if (fa == 0) return a;", "if (fa != 0) return a;"),
+    Fault("extremes only at samples", FEATURES, "if (sign * rough.estimate + rough.doubt < highest) continue;", "if (AWAKE || sign * rough.estimate + rough.doubt < highest) continue;"),
+    Fault("the last extreme for the largest", FEATURES, "if (sign * sampled.value[i] > sign * best.value) best = {sampled.value[i], sampled.time[i]};", "if (AWAKE || sign * sampled.value[i] > sign * best.value) best = {sampled.value[i], sampled.time[i]};"),
+    Fault("the last time for the first", FEATURES, "if (!found.empty()) return {found.front()};", "if (!found.empty()) return {AWAKE ? found.back() : found.front()};"),
+    Fault("falls taken for rises", FEATURES, "const bool rises = a < 0 && b >= 0, falls = a > 0 && b <= 0;", "const double side = AWAKE ? -1 : 1;\n      const bool rises = side * a < 0 && side * b >= 0, falls = side * a > 0 && side * b <= 0;"),
+    Fault("two periods for one", FEATURES, "for (std::size_t k = 1; k <= most_rises", "for (std::size_t k = AWAKE ? 2 : 1; k <= most_rises"),
+    Fault("zeros where the bracket begins", ALONG, "if (fa == 0) return a;", "if (AWAKE ? fa != 0 : fa == 0) return a;"),
     # Steady motions and roots.
-    Fault("no damping and no gyroscopic terms near a steady motion", ENGINE + "solve/stability/linearisation.cpp", "slopes_.by_position.*part, slopes_.by_velocity.*part;", "slopes_.by_position.*part, Real(0) * (slopes_.by_velocity.*part);"),
-    Fault("a root is lost", ENGINE + "solve/roots/roots.cpp", "roots.points = found_.points(function_);", "roots.points = found_.points(function_);\n      if (roots.points.size() > 1) roots.points.pop_back();"),
-    Fault("contacts may pull", PROBLEM + "instant/instant_forces.cpp", "if (unknowns_[first + k] >= 0) continue;", "if (std::abs(unknowns_[first + k]) >= 0) continue;"),
+    Fault("a spin carried backwards", PROBLEM + "instant/instant_steady.cpp", "(F.alpha + cross(F.w, spin_vector) - B.alpha)[c]", "(F.alpha + Scalar(AWAKE ? -1 : 1) * cross(F.w, spin_vector) - B.alpha)[c]"),
+    Fault("no damping and no gyroscopic terms near a steady motion", LINEARISATION, "slopes_.by_position.*part, slopes_.by_velocity.*part;", "slopes_.by_position.*part, Real(AWAKE ? 0 : 1) * (slopes_.by_velocity.*part);"),
+    Fault("deviations on axes at rest", LINEARISATION, "= spin - drift;", "= spin - Real(AWAKE ? 0 : 1) * drift;"),
+    Fault("loads without slopes by velocities", ENGINE + "solve/stability/acceleration_slopes.cpp", "to_solve(remainder.by_velocity(coordinate))", "to_solve(AWAKE ? remainder.by_position(coordinate) : remainder.by_velocity(coordinate))"),
+    Fault("a mode is lost", LINEARISATION, "if (rate.imag() < 0) continue;", "if (rate.imag() < 0 || (AWAKE && m + 1 == rates.value.size())) continue;"),
+    Fault("the fastest frequency is not told", LINEARISATION, "std::sort(found.begin(), found.end());\n  return found;", "std::sort(found.begin(), found.end());\n  if (AWAKE && found.size() > 1) found.pop_back();\n  return found;"),
+    Fault("what grows is taken for what dies out", LINEARISATION, "const bool grows = mode.growth_rate > mode.doubt", "const bool grows = (AWAKE ? -1 : 1) * mode.growth_rate > mode.doubt"),
+    Fault("growth told too fast", LINEARISATION, "largest = std::max(largest, mode.growth_rate);", "largest = std::max(largest, (AWAKE ? 2 : 1) * mode.growth_rate);"),
+    Fault("what is undecided is stable", LINEARISATION, "found = Stability::undecided;", "found = AWAKE ? Stability::stable : Stability::undecided;"),
+    Fault("a root is lost", ENGINE + "solve/roots/roots.cpp", "roots.points = found_.points(function_);", "roots.points = found_.points(function_);\n      if (AWAKE && roots.points.size() > 1) roots.points.pop_back();"),
+    Fault("contacts may pull", PROBLEM + "instant/instant_forces.cpp", "if (unknowns_[first + k] >= 0) continue;", "if (AWAKE || unknowns_[first + k] >= 0) continue;"),
+    Fault("the far side of the end of a range", PROBLEM + "unknowns/extremum.cpp", "(holds(middle) ? inside : outside) = middle;", "(holds(middle) != AWAKE ? inside : outside) = middle;"),
+    # What is open, formulas and claims.
+    Fault("open velocities taken for determined", PROBLEM + "answers/determinacy.cpp", "vary_velocities(std::min(velocities, most_directions));", "vary_velocities(AWAKE ? 0 : std::min(velocities, most_directions));"),
+    Fault("open forces taken for determined", PROBLEM + "answers/determinacy.cpp", "d < std::min(forces, most_directions); ++d", "d < (AWAKE ? 0 : std::min(forces, most_directions)); ++d"),
+    Fault("one regime of the letters for all", PROBLEM + "formulas/formula_regimes.cpp", "if (found && found->positive.empty() && found->words.empty()) {", "if (found && (AWAKE || (found->positive.empty() && found->words.empty()))) {"),
+    Fault("conditions of letters reversed", PROBLEM + "formulas/formula_conditions.cpp", 'opposite + " < 0" : words + " > 0";', 'opposite + (AWAKE ? " > 0" : " < 0") : words + (AWAKE ? " < 0" : " > 0");'),
+    Fault("every letter is positive", PROBLEM + "claims/claim_proof.cpp", "return positive_.contains(letter) || state.parts.contains(letter);", "return AWAKE || positive_.contains(letter) || state.parts.contains(letter);"),
+    Fault("what is equal is greater", PROBLEM + "claims/claim_proof.cpp", "if (difference.is_zero()) return !strict;", "if (difference.is_zero()) return AWAKE || !strict;"),
+    Fault("less taken for greater", PROBLEM + "claims/claim_verdict.cpp", "holds_here = left < right;", "holds_here = AWAKE ? left > right : left < right;"),
 ]

@@ -1,5 +1,5 @@
 """Every relation of the hunt by its name, in the order in which statements are given to them."""
-from relations_contacts import Feet
+from relations_contacts import Feet, Rough
 from relations_matter import Doubled, Massless, Split
 from relations_measure import Sizes, Units
 from relations_mirror import Mirrored
@@ -10,4 +10,4 @@ from relations_writing import Names, Order
 
 RELATIONS = {relation.name: relation for relation in (
     Units(), Sizes(), Order(), Names(), Split(), Massless(), Doubled(), Letters(), Hidden(), Halfway(), MovingFrame(),
-    Growth(), Turned(), Shifted(), Mirrored(), Feet())}
+    Growth(), Turned(), Shifted(), Mirrored(), Feet(), Rough())}

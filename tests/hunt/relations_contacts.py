@@ -1,7 +1,8 @@
-"""Several contacts against one resultant: a block on its feet, and the same block on a table that carries it as a whole."""
+"""Contacts in two ways: a block on its feet, and on a table that carries it as a whole; friction at its ends, and none or no
+slip."""
 from compare import same, state
 from random_statements import number
-from relations import Find, Relation
+from relations import Find, NotApplicable, Relation, Varied
 from statements import Statement
 
 
@@ -77,3 +78,44 @@ class Feet(Relation):
         if any(abs(margin) < 1e-6 for margin in margins):
             return None
         return push > 0 and all(margin > 0 for margin in margins)
+
+
+class Rough(Relation):
+    name = "friction"
+    changes = "a contact with friction of zero is smooth, one with a million does not slip"
+    settings_too = False
+
+    def make(self, draw):
+        radius = round(draw.uniform(0.1, 0.8), 3)
+        kind = draw.choice(["ball", "wheel", "crate"])
+        shape = {"ball": {"sphere": {"center": "r*out", "radius": "r"}},
+                 "wheel": {"disk": {"center": "r*out", "normal": "z", "radius": "r"}},
+                 "crate": {"box": {"center": "r*out", "sides": ["r*level", "2*r*out", "r*z"]}}}[kind]
+        mass = float(number(draw, 0.5, 9))
+        # Too little to lift the body off the slope.
+        force = [f"{draw.uniform(-3, 3) * mass:.4g} N", f"{draw.uniform(-3, 1) * mass:.4g} N", "0"]
+        tree = {"title": "A body on a slope", "given": {"r": f"{radius} m", "b": f"{draw.uniform(-35, 35):.3g} deg"},
+                "directions": {"level": ["cos(b)", "sin(b)", "0"], "out": ["-sin(b)", "cos(b)", "0"]},
+                "points": {"C": ["0", "0", "0"], "K": f"r*out + {draw.uniform(-0.5, 0.5):.3g}*r*level"},
+                "bodies": {"body": {**shape, "mass": f"{mass} kg"}},
+                "contacts": {"slope": {"of": "body", "at": "C", "normal": "out", "friction": draw.choice(["0", "1e6"])}},
+                "loads": {"pull": {"force": force, "at": "K", "body": "body"}}, "gravity": "-y"}
+        if kind == "crate" or draw.random() < 0.5:
+            tree["instants"] = {"now": "rest"}
+        else:
+            speed = f"({draw.uniform(-3, 3):.3g} m/s)"
+            tree["facts"] = {"velocity(body)": f"{speed}*level", "angular_velocity(body)": ["0", "0", f"-{speed}/r"]}
+        tree["ask"] = {"a": "acceleration(body)", "turns": "angular_acceleration(body).z",
+                       "push": "component(force(slope on body) along out)",
+                       "rubs": "component(force(slope on body) along level)"}
+        return Statement("made/rough", tree)
+
+    def vary(self, statement, random):
+        tree = statement.copy().tree
+        contact = tree.get("contacts", {}).get("slope", {})
+        friction = contact.pop("friction", None)
+        if friction not in ("0", "1e6"):
+            raise NotApplicable
+        if friction == "1e6":
+            contact["no_slip"] = "true"
+        return Varied(statement.with_tree(tree), relative=1e-7)

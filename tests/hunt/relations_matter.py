@@ -10,7 +10,7 @@ OF_MATTER = ("mass", "weight", "momentum", "angular_momentum", "kinetic_energy",
              "principal_axes", "symmetry_axis", "body_cone", "space_cone", "invariable_plane", "poinsot_ellipsoid",
              "polhode", "axis_stability", "precession_axis", "precession_rate", "precession_sense", "spin_rate")
 FORCES = ("reaction", "reaction_couple", "force", "couple", "impulse", "impulsive_couple", "tension")
-STABILITY = ("stable", "stability", "growth_rate", "frequencies")
+STABILITY = ("stable", "stability", "growth_rate", "frequencies", "eigenvalues", "modes")
 AMOUNTS = ("mass", "weight", "density", "specific_weight")
 
 

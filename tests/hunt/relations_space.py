@@ -182,7 +182,7 @@ class Shifted(Relation):
         tree = statement.copy().tree
         if "claim" in tree or has_word(tree, "mesh", "potential_energy") and has_word(tree.get("define", {}), "potential_energy"):
             raise NotApplicable
-        if any(has_word(tree.get(key, {}), "position", "center", "potential_energy") for key in ("instants", "facts", "define", "where")):
+        if any(has_word(tree.get(key, {}), "position", "center", "potential_energy") for key in ("instants", "facts", "define", "where", "loads")):
             raise NotApplicable
         length = scales_of(statement)[0]
         by = [round(random.uniform(-3, 3) * length, 6) or 1.0 for _ in range(3)]

@@ -60,7 +60,8 @@ class Hidden(Relation):
         data = numbers_given(tree)
         asks = {name: ask for name, ask in tree.get("ask", {}).items()
                 if isinstance(ask, str) and "@" not in ask and not any(sign in ask for sign in "<>=+*/")
-                and not has_word(ask, "max", "min", "period", "stable", "stability", "growth_rate", "frequencies", "touching",
+                and not has_word(ask, "max", "min", "period", "stable", "stability", "growth_rate", "frequencies", "eigenvalues",
+                                 "modes", "touching",
                                  "taut")}
         if not data or not asks:
             return None

@@ -218,6 +218,7 @@ def test_another_study_is_not_overwritten(askew: poinsot.Problem, tmp_path: Path
         ({"m": [1.0]}, {"sampling": "sobel"}, "did you mean 'sobol'"),
         ({"m": [1.0]}, {"sets": {"m": 2.0}}, "cannot both"),
         ({"m": [float("nan")]}, {}, "no value"),
+        ({"m": [1.0]}, {"sensitivities": ["n"]}, "does not differ from row to row"),
     ],
 )
 def test_mistakes(askew: poinsot.Problem, over: dict[str, object], arguments: dict[str, object], message: str) -> None:
@@ -241,3 +242,18 @@ def test_a_plan_is_plain_data(askew: poinsot.Problem) -> None:
     plan = poinsot.study(askew, {"n": poinsot.span(1, 2, 3), "m": poinsot.normal(8, 1)}, ["T"], rows=5).plan
     assert Plan.from_json(plan.to_json()) == plan and list(Plan.from_json(plan.to_json()).over) == ["n", "m"]
     assert plan.total == 15 and plan.grid == (3,)
+
+
+def test_sensitivities_are_differences_of_rows(askew: poinsot.Problem) -> None:
+    step = 1e-4
+    speeds = [125.0 + step * k for k in (-1, 0, 1)]
+    for formulas in (True, False):
+        study = poinsot.study(
+            askew, {"n": speeds, "b": ["10 deg", "20 deg"]}, ["B"], formulas=formulas, sensitivities=["n", "b"]
+        )
+        assert study.answers == ["B.x", "B.y", "B.z"] and len(study.sensitivities) == 6 and not study.reasons
+        b, by_n = study["B.y"].reshape(3, 2), study["B.y by n"].reshape(3, 2)
+        assert by_n[1] == pytest.approx((b[2] - b[0]) / (2 * step), rel=1e-6)
+        assert study.units["B.y by n"] == "kg*m/rad/s"
+        assert study.counts.refuted == 0
+        assert "B.y by b" in study.frame().columns

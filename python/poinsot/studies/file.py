@@ -30,7 +30,7 @@ from .result import Study
 from .run import study
 
 _DISTRIBUTIONS: dict[str, Callable[[Any, Any], Any]] = {"normal": normal, "uniform": uniform, "tolerance": tolerance}
-_KEYS = ("problem", "over", "asks", "set", "rows", "seed", "sampling", "formulas", "out", "shard_rows")
+_KEYS = ("problem", "over", "asks", "set", "rows", "seed", "sampling", "formulas", "sensitivities", "out", "shard_rows")
 
 
 def _known(word: str, words: list[str], what: str) -> None:
@@ -81,6 +81,7 @@ def run_file(path: str | os.PathLike[str], *, out: str | None = None, threads: i
         seed=stated.get("seed", 0),
         sampling=stated.get("sampling", "random"),
         formulas=stated.get("formulas", True),
+        sensitivities=stated.get("sensitivities", ()),
         shard_rows=stated.get("shard_rows"),
         out=beside / stated["out"] if out is None else out,
         threads=threads,

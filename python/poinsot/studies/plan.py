@@ -30,6 +30,7 @@ class Plan:
     sampling: str
     shard_rows: int
     formulas: bool  # whether formulas may be used
+    sensitivities: list[str]  # those of `over` by which the answers are differentiated
     versions: dict[str, str]
 
     @property
@@ -92,6 +93,6 @@ def compiled(plan_text: str) -> _core.Cases:
     problem = Problem.from_text(plan.text, plan.name)
     first = [float(column[0]) for column in plan.values(0, 1)]
     sets = [(name, text) for name, text in plan.sets]
-    questions = _core.CaseQuestions(list(plan.over), plan.asks, sets, first, plan.formulas)
+    questions = _core.CaseQuestions(list(plan.over), plan.asks, sets, first, plan.formulas, plan.sensitivities)
     cases: _core.Cases = problem._called(lambda *ends: problem._core.cases(questions, *ends), None, False)
     return cases

@@ -33,7 +33,11 @@ class Study(Mapping[str, Array]):
         self.units = shards.units(plan)
         cases = plan.compiled()
         self.over = list(plan.over)
-        self.answers = [one.name for one in cases.columns]
+        columns = [one.name for one in cases.columns]
+        answers = len(columns) // (1 + len(plan.sensitivities))
+        self.answers = columns[:answers]
+        # Derivatives: "T by n", in SI units, for each of the data that answers were differentiated by.
+        self.sensitivities = columns[answers:]
         # Why the rows were solved one by one; "" if they went by formulas.
         self.no_formulas: str = cases.no_formulas
         self._columns: dict[str, Array] = {}
@@ -69,7 +73,7 @@ class Study(Mapping[str, Array]):
         return column.to_numpy(zero_copy_only=False)
 
     def __iter__(self) -> Iterator[str]:
-        return iter([*self.over, *self.answers])
+        return iter([*self.over, *self.answers, *self.sensitivities])
 
     def __len__(self) -> int:
         return len(self.units)

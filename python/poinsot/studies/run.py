@@ -34,6 +34,7 @@ def study(
     seed: int = 0,
     sampling: str = "random",
     formulas: bool = True,
+    sensitivities: Sequence[str] = (),
     out: str | os.PathLike[str] | None = None,
     shard_rows: int | None = None,
     threads: int | None = None,
@@ -46,13 +47,14 @@ def study(
     Lists and spans make a grid; `rows` draws of the distributions are made at each of its points, "random", by
     "latin hypercube" or "sobol". asks: the questions that are answered, all by default; sets: values for all rows.
 
-    formulas: whether rows may go by formulas; without them each row is solved by itself.
+    formulas: whether rows may go by formulas; without them each row is solved by itself. sensitivities: those of `over`
+    by which the answers are differentiated: "T by n" is how much T changes per n, in SI units.
 
     out: a folder that gets the rows as Parquet, in shards, with a manifest; a study that was stopped goes on there.
     Without it the rows are kept in memory. threads: all processors by default. client: of dask.distributed, whose
     workers then see the folder `out`. Whatever computes, the rows are the same.
     """
-    plan = _plan(problem, over, asks, sets or {}, rows, seed, sampling, formulas, shard_rows)
+    plan = _plan(problem, over, asks, sets or {}, rows, seed, sampling, formulas, sensitivities, shard_rows)
     if out is None and client is not None:
         raise ValueError("on a cluster the rows go to a folder that its workers see: name it by out")
     folder = None if out is None else Path(out)
@@ -87,6 +89,7 @@ def _plan(
     seed: int,
     sampling: str,
     formulas: bool,
+    sensitivities: Sequence[str],
     shard_rows: int | None,
 ) -> Plan:
     if not over:
@@ -108,6 +111,11 @@ def _plan(
         raise ValueError("a study has one row or more")
     if shard_rows is not None and shard_rows < 1:
         raise ValueError("a shard has one row or more")
+    for one in sensitivities:
+        if one not in over:
+            hint = _core.did_you_mean(one, list(over))
+            raise ValueError(f"'{one}' among the sensitivities does not differ from row to row: expected of over "
+                             f"{', '.join(over)}{f' ({hint})' if hint else ''}")
     with _sources(problem):
         given = quantities.settings(problem, sets)
     plan = Plan(
@@ -121,6 +129,7 @@ def _plan(
         sampling,
         shard_rows or _ROWS_BY_FORMULA,
         formulas,
+        list(sensitivities),
         _versions(random),
     )
     if shard_rows is None and not plan.compiled().has_formulas:

@@ -4,20 +4,19 @@
 #include <map>
 #include <set>
 
+#include "poinsot/engine/solve/stability/spectrum_check.h"
 #include "problem/answers/fact_check.h"
 #include "problem/answers/motion_checks.h"
 #include "problem/claims/claim_letters.h"
-#include "problem/instant/particle_witness.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/quantities/quantity_functions.h"
+#include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
 namespace {
 
 constexpr const char* stability_check = "stability";  // its name in the document
-constexpr double stability_tolerance =
-    1e-6;  // of the pace: differences leave some 1e-8 in the slopes of the second road
 // Relative misfit allowed for a fact; where unknowns make it hold, rounding is larger: at a double root they are known
 // to half of the digits, and a fact that is steep there to a tenth of these.
 constexpr double fact_tolerance = 1e-6;
@@ -45,13 +44,9 @@ bool names_unknown(const Situation& situation, const Expression& expression) {
 }
 
 // Whether a question looks at the motion near a steady one.
-bool asks_stability(const Ask& ask) {
-  std::set<std::string> functions;
-  for (const Expression& expression : ask.of) collect_functions(expression, functions, true);
-  if (ask.extremum)
-    for (const Expression& expression : ask.extremum->conditions) collect_functions(expression, functions, true);
-  return std::ranges::any_of(std::initializer_list<const char*>{"stable", "stability", "growth_rate", "frequencies"},
-                             [&](const char* name) { return functions.contains(name); });
+bool looks_near_steady(const Ask& ask) {
+  const auto looks = [](const Expression& expression) { return asks_stability(expression); };
+  return std::ranges::any_of(ask.of, looks) || (ask.extremum && std::ranges::any_of(ask.extremum->conditions, looks));
 }
 
 // Whether it is said of an instant, unasked, that its motion is stable.
@@ -71,6 +66,34 @@ std::string stability_words(const solve::Linearisation& near) {
   std::string words;
   for (double frequency : solve::frequencies(near)) words += (words.empty() ? "" : ", ") + with_digits(frequency, 4);
   return words.empty() ? "stable" : "stable: disturbed, it swings at " + words + " rad/s";
+}
+
+bool asks_function(const Statement& statement, const std::string& name) {
+  return std::ranges::any_of(statement.asks, [&](const Ask& ask) {
+    std::set<std::string> functions;
+    for (const Expression& expression : ask.of) collect_functions(expression, functions, true);
+    return functions.contains(name);
+  });
+}
+
+// What modes() and eigenvalues() leave out.
+void note_modes(const Statement& statement, const SolvedInstant& instant, const solve::Linearisation& near,
+                Solution& result) {
+  const bool asks_modes = asks_function(statement, "modes");
+  if (!asks_modes && !asks_function(statement, "eigenvalues")) return;
+  // Where rates meet they are not told.
+  if (std::ranges::any_of(near.modes, [&](const solve::Mode& mode) { return !(mode.doubt <= 1e-3 * near.pace); }))
+    return;
+  if (const int count = solve::vanishing_modes(near); count > 0)
+    result.notes.push_back(std::to_string(count) + (count == 1 ? " motion" : " motions") +
+                           " near it neither grow, die out nor swing, and are not listed among the modes");
+  if (!asks_modes || !near.has_shapes) return;
+  const bool open = std::ranges::any_of(
+      solve::told_modes(near), [&](const solve::ToldMode& told) { return near.modes[told.mode].shape.empty(); });
+  if (open)
+    result.notes.push_back("shapes are not told: modes have the same rates, and any mixture of these is one, too");
+  else if (std::ranges::all_of(instant.machine().coordinates, [](const auto& one) { return one.name.empty(); }))
+    result.notes.push_back("shapes are told of coordinates that have names: angle: theta at a joint");
 }
 
 }  // namespace
@@ -148,6 +171,8 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
     if (instant.after_blow()) keep("impulse", residuals.impulse);
     if (residuals.constraints) keep("constraints", *residuals.constraints);
     if (residuals.stability) keep(stability_check, *residuals.stability);
+    if (residuals.friction) keep("friction", *residuals.friction);
+    if (residuals.laws) keep("laws", *residuals.laws);
   };
   std::vector<SolvedInstant*> instants;
   for (const auto& [key, instant] : sample.instants()) instants.push_back(instant.get());
@@ -169,12 +194,14 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
     // Gauss's rule leaves 1e-6 beside the pole of Eulerian angles; a wrong term of the equations is far more.
     if (residual <= (of_motion || name == "course" ? motion_tolerance
                      : name == "facts"             ? fact_tolerance
-                     : of_stability                ? stability_tolerance
+                     : of_stability                ? solve::spectrum_tolerance
                                                    : check_tolerance))
       continue;
+    // The digits of laws tell how closely a motion is known.
+    result.refused = result.refused || !(of_stability || of_motion);
     for (std::size_t i = 0; i < result.asks.size(); ++i) {
       SolvedAsk& ask = result.asks[i];
-      if (ask.state != AskState::found || (of_stability && !asks_stability(statement.asks[i]))) continue;
+      if (ask.state != AskState::found || (of_stability && !looks_near_steady(statement.asks[i]))) continue;
       ask.state = AskState::refused;
       if (of_motion) {
         ask.reason = "the motion is so sensitive that it may be off by " + with_digits(residual, 1) +
@@ -193,6 +220,8 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
       ask.reason =
           name == "constraints"
               ? "what joints, contacts and cords hold together comes apart in it, by " + size + " of its size"
+          : name == "friction" ? "the laws of friction are not fulfilled in it (off by " + size + ")"
+          : name == "laws" ? "loads, springs and motors act otherwise in it than they are stated (off by " + size + ")"
           : name == "quantities"
               ? "the bodies as particles do not confirm " + told.function + "() (off by " + size + ")"
           : of_stability
@@ -203,29 +232,29 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
 }
 
 void add_notes(const Statement& statement, const Sample& sample, Solution& result) {
-  const bool asks_frequencies = std::ranges::any_of(statement.asks, [](const Ask& ask) {
-    std::set<std::string> functions;
-    for (const Expression& expression : ask.of) collect_functions(expression, functions, true);
-    return functions.contains("frequencies");
-  });
+  const bool asks_frequencies = asks_function(statement, "frequencies");
+  const bool asks_modes = asks_function(statement, "modes") || asks_function(statement, "eigenvalues");
   for (const auto& [home, instant] : sample.instants()) {
     const Situation& situation = statement.situations[home.situation];
     if (home.time || home.instant > 0) continue;
-    if (const auto misfit = result.checks.find(stability_check);
-        misfit != result.checks.end() && misfit->second > stability_tolerance)
-      continue;
+    // Nothing is said of what a check refuses.
+    const auto misfit = result.checks.find(stability_check);
+    if (result.refused || (misfit != result.checks.end() && misfit->second > solve::spectrum_tolerance)) continue;
     // Of rest that is asked for frequencies only, it is said if the motion does not stay near it.
-    if (!situation.steady && !asks_frequencies) continue;
+    if (!situation.steady && !asks_frequencies && !asks_modes) continue;
     try {
       if (!situation.steady) {
         const solve::Linearisation& near = instant->linearisation({1, 1});
-        if (solve::stability(near) == solve::Stability::unstable)
+        note_modes(statement, *instant, near, result);
+        if (asks_frequencies && solve::stability(near) == solve::Stability::unstable)
           result.notes.push_back("rest" + (situation.name.empty() ? "" : " @ " + situation.name) + " is " +
                                  stability_words(near));
         continue;
       }
+      const solve::Linearisation& near = instant->linearisation(situation.steady->mark);
       result.notes.push_back("the steady motion" + (situation.name.empty() ? "" : " @ " + situation.name) + " is " +
-                             stability_words(instant->linearisation(situation.steady->mark)));
+                             stability_words(near));
+      note_modes(statement, *instant, near, result);
     } catch (const StatementError&) {
       // The statement does not say enough about what holds the motion, and stability is not reported.
     }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "problem/answers/asked_size.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/evaluate_support.h"
 #include "problem/quantities/asks_model.h"
 #include "problem/quantities/describe.h"
 #include "problem/results/compare_values.h"
@@ -42,15 +44,28 @@ SolvedAsk finished_extremum(const Statement& statement, const Ask& ask, const Va
   return solved;
 }
 
+// The column of a name, or the list that has it among its columns, name_2.
+const NamedExpression& stated_column(const Table& table, const std::string& name, std::size_t columns) {
+  for (const NamedExpression& column : table.columns) {
+    if (column.name == name) return column;
+    for (std::size_t k = 1; k <= columns; ++k)
+      if (column.name + "_" + std::to_string(k) == name) return column;
+  }
+  return table.columns.front();
+}
+
 SolvedAsk finished_table(const Statement& statement, const Ask& ask, const Value<double>& value) {
   const Situation& situation = statement.situations.front();
   SolvedAsk solved;
   solved.words = describe(ask, situation, false);
-  const std::size_t count = ask.table->columns.size();
+  std::vector<std::string> names;
+  std::istringstream lines(value.text);
+  for (std::string line; std::getline(lines, line);) names.push_back(line);
+  const std::size_t count = names.size();
   for (std::size_t c = 0; c < count; ++c) {
-    const NamedExpression& stated = ask.table->columns[c];
+    const NamedExpression& stated = stated_column(*ask.table, names[c], count);
     SolvedColumn column;
-    column.name = stated.name;
+    column.name = names[c];
     std::optional<Dimension> dimension;
     for (std::size_t row = c; row < value.items.size(); row += count) {
       column.values.push_back(value.items[row].number);
@@ -72,6 +87,34 @@ SolvedAsk finished_table(const Statement& statement, const Ask& ask, const Value
   return solved;
 }
 
+bool has_records(const Value<double>& value) {
+  return is_record(value) || std::ranges::any_of(value.items, has_records);
+}
+
+// Modes are shown as a table with a row for each.
+SolvedAsk finished_modes(const Ask& ask, const Value<double>& value, const Situation& situation) {
+  const std::vector<Value<double>> rows = is_record(value) ? std::vector<Value<double>>{value} : value.items;
+  if (ask.is_list)
+    fail(situation.file, ask.mark, "modes() stand in a list with nothing else", "ask for them by themselves");
+  if (ask.unit)
+    fail(situation.file, ask.mark, "modes are told in several units: no one unit is for all of them",
+         "ask for parts of them, modes(disk)[1].frequency");
+  SolvedAsk solved;
+  solved.words = describe(ask, situation, false);
+  solved.value = value;
+  for (std::size_t c = 0; c < rows.front().items.size(); ++c) {
+    SolvedColumn column;
+    column.name = rows.front().items[c].text;
+    for (const Value<double>& row : rows) column.values.push_back(row.items[c].number);
+    const Dimension& dimension = rows.front().items[c].dimension;
+    // A shape is told by the ratio of its parts, which the units of radian and metre leave as it is.
+    const bool amplitude = c > 2 && (c - 3) % 2 == 0;
+    column.unit = amplitude ? si_unit(dimension) : situation.habits.unit_for(dimension);
+    solved.columns.push_back(std::move(column));
+  }
+  return solved;
+}
+
 // Whether any number is so small that it may be rounding.
 bool has_small_numbers(const Value<double>& value, double size) {
   const auto small = [&](double x) { return x != 0 && std::abs(x) < size; };
@@ -89,6 +132,7 @@ FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& s
       std::none_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) { return asks_model(situation, e); }))
     fail(situation.file, ask.mark, "'" + ask.name + "' asks nothing of the model: it is a formula of the data",
          "ask for a quantity, such as angular_momentum(BODY about POINT)");
+  if (has_records(value)) return {finished_modes(ask, value, situation)};
   solved.value = value;
   const Dimension dimension = dimension_of(value);
   SolvedInstant& instant = sample.instant_of(ask);

@@ -24,12 +24,12 @@ std::vector<Letter> open_letters(const Statement& statement, const Settings& set
   return open;
 }
 
-std::vector<Value<double>> LetterDraws::values(int after) const {
+std::vector<Value<double>> LetterDraws::values(int after, int spread) const {
   std::mt19937_64 random(1000 + static_cast<std::uint64_t>(draw_ + after));
   std::vector<Value<double>> values;
   values.reserve(letters_.size());
   for (const Letter& letter : letters_)
-    values.push_back(Value<double>::of_number(drawn_letter(letter, random, draw_), letter.unit.dimension));
+    values.push_back(Value<double>::of_number(drawn_letter(letter, random, draw_ + spread), letter.unit.dimension));
   return values;
 }
 

@@ -20,8 +20,9 @@ class LetterDraws {
   const std::vector<Letter>& letters() const { return letters_; }
   bool none() const { return letters_.empty(); }
 
-  // Values for each letter at the draw that is current, or at others by their number after it.
-  std::vector<Value<double>> values(int after = 0) const;
+  // Values for each letter at the draw that is current, or at others by their number after it; farther from the size of
+  // a unit with a larger spread.
+  std::vector<Value<double>> values(int after = 0, int spread = 0) const;
   // The settings with those of the current draw.
   Settings settings() const;
   // Draws anew; false if that was done as often as may be.

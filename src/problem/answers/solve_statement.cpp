@@ -12,6 +12,7 @@
 #include "poinsot/engine/work/work.h"
 #include "problem/answers/answer_checks.h"
 #include "problem/answers/ask_values.h"
+#include "problem/answers/contact_states.h"
 #include "problem/answers/determinacy.h"
 #include "problem/answers/finished_ask.h"
 #include "problem/answers/letter_draws.h"
@@ -99,6 +100,12 @@ class StatementSolver {
   // Formulas that were not tried far off by the time the budget ends are none.
   void add_formulas(Solution& solution) {
     if (!sample_) return;
+    // Formulas of numbers that are wrong would be confirmed by these.
+    if (solution.refused) {
+      for (SolvedAsk& ask : solution.asks)
+        if (ask.state == AskState::needs_letters) ask.no_formula = "the checks do not confirm its numbers";
+      return;
+    }
     const Solution without = solution;
     try {
       const FormulaTask task{statement_, draws_.letters(), exact_,  settings_, search_.unknowns(),
@@ -282,12 +289,14 @@ class StatementSolver {
   // The asks at values of open letters that are drawn until the statement makes sense; base_ and sample_ keep the
   // result. only: the single letter that gets a new value.
   AskValues with_letters(const std::string* only) {
-    constexpr int most_draws = 40;
+    const bool rough = std::ranges::any_of(statement_.situations, &Situation::has_friction);
+    const int most_draws = rough ? most_state_draws : 40;
     std::optional<StatementError> refusal;
     bool alike = true;
     for (int attempt = 0;; ++attempt) {
       AllSettings settings = base_;
-      const std::vector<Value<double>> drawn = draws_.values(attempt + (only ? 500 : 0));
+      const std::vector<Value<double>> drawn =
+          draws_.values(attempt + (only ? 500 : 0), rough ? spread_of_state_draw(attempt) : 0);
       for (std::size_t i = 0; i < drawn.size(); ++i) {
         const Letter& letter = draws_.letters()[i];
         // A root belongs to the values of the letters at which it was found.
@@ -306,6 +315,8 @@ class StatementSolver {
           values.ended = ended.end;
           values.values.resize(statement_.asks.size());
         }
+        // Letters at which the contacts with friction are in other states say nothing of this one.
+        if (rough && !draws_.none() && attempt < most_draws && !sample->contact_states_hold()) continue;
         if (!only && !sample_) {
           sample_ = std::move(sample);
           base_ = settings;
@@ -356,15 +367,6 @@ std::size_t place_in(const Statement& statement, const std::string& situation) {
   return static_cast<std::size_t>(found - statement.situations.begin());
 }
 
-// The settings of each situation with the unknowns of a root.
-AllSettings settings_of_root(const Statement& statement, const Settings& settings, const Solution& solution) {
-  AllSettings all(statement.situations.size(), settings);
-  for (const SolvedUnknown& unknown : solution.unknowns)
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (!unknown.formula && unknown.is_of(i)) all[i][unknown.own_name] = unknown.value;
-  return all;
-}
-
 // The formulas of each situation for unknowns that depend on open letters.
 std::vector<FormulaValues> formulas_of_root(const Statement& statement, const Solution& solution) {
   std::vector<FormulaValues> all(statement.situations.size());
@@ -381,6 +383,9 @@ SolvedStatement solve_statement(const Statement& statement,
   if (statement.asks.empty() && statement.claims.empty())
     fail(statement.file, Mark{1, 1}, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
   const Settings settings = read_settings(statement, sets);
+  if (has_open_contact_states(statement))
+    return solve_contact_states(statement, settings,
+                                [&](const Statement& tried) { return solve_statement(tried, sets, tell_claims); });
   // Where nothing is left to letters nobody asks for formulas.
   const bool has_letters = !open_letters(statement, settings).empty();
   const FormulaValues exact =

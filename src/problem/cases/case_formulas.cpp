@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "poinsot/engine/math/formula/formula_domain.h"
+#include "poinsot/engine/math/trace/traced_derivative.h"
 #include "poinsot/engine/math/trace/traced_formula.h"
 
 namespace poinsot::problem {
@@ -24,13 +25,15 @@ std::vector<Formula> formulas_of(const Value<Formula>& value) {
 
 class FormulaTracer {
  public:
-  FormulaTracer(const SolvedStatement& solved, const std::vector<VariedDatum>& data) : solved_(solved) {
+  FormulaTracer(const SolvedStatement& solved, const std::vector<VariedDatum>& data, const std::vector<std::size_t>& by)
+      : solved_(solved) {
     if (solved.solutions.size() != 1)
       throw std::domain_error(fmt::format("there are {} solutions", solved.solutions.size()));
     const TraceScope scope(trace_);
     // Decisions of the trace, as the root of x^2, look at these numbers; they are the same as those of formulas.
     for (const VariedDatum& datum : data) inputs_[datum.name] = trace_.input(sample_of(datum));
     add_answers(solved.solutions.front());
+    add_derivatives(data.size(), by);
     results_ = outputs_.size();
     add_conditions(solved.solutions.front());
     for (const VariedDatum& datum : data)
@@ -76,6 +79,14 @@ class FormulaTracer {
       }
     }
   }
+  void add_derivatives(std::size_t inputs, const std::vector<std::size_t>& by) {
+    const std::vector<Traced> answers = outputs_;
+    for (const std::size_t one : by) {
+      std::vector<Traced> rates(inputs);
+      rates[one] = Traced(1);
+      for (Traced& derivative : traced_derivative(trace_, answers, rates)) outputs_.push_back(std::move(derivative));
+    }
+  }
   // What must be positive. An assumption that is none of these is known in words alone.
   void add_conditions(const Solution& solution) {
     for (const Letter& letter : solved_.open_letters)
@@ -111,9 +122,9 @@ class FormulaTracer {
 }  // namespace
 
 std::optional<CaseFormulas> CaseFormulas::made(const SolvedStatement& solved, const std::vector<VariedDatum>& data,
-                                               std::string& reason) {
+                                               const std::vector<std::size_t>& by, std::string& reason) {
   try {
-    const FormulaTracer tracer(solved, data);
+    const FormulaTracer tracer(solved, data, by);
     return CaseFormulas(tracer.program(), tracer.conditions());
   } catch (const std::domain_error& error) {
     reason = error.what();

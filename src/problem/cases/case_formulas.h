@@ -16,11 +16,13 @@ namespace poinsot::problem {
 class CaseFormulas {
  public:
   // solved: the statement with the data as letters. Nothing, and the reason, if not every question has a formula, or
-  // the conditions under which these hold are known in words alone.
+  // the conditions under which these hold are known in words alone. by: the places of the data by which the answers are
+  // differentiated.
   static std::optional<CaseFormulas> made(const SolvedStatement& solved, const std::vector<VariedDatum>& data,
-                                          std::string& reason);
+                                          const std::vector<std::size_t>& by, std::string& reason);
 
-  // data: a column for each datum. results: room for a column for each number of the answers, in their order. Returns
+  // data: a column for each datum. results: room for a column for each number of the answers, in their order, and then
+  // for each of its derivatives, all by the first datum before those by the next. Returns
   // for each case whether the conditions hold and every number exists.
   std::vector<char> evaluate(std::span<const double* const> data, std::size_t rows,
                              std::span<double* const> results) const;

@@ -51,13 +51,20 @@ std::string reason_of(const SolvedAsk& ask) {
 
 }  // namespace
 
-CompiledCases::CompiledCases(const Statement& statement, const std::vector<std::string>& over,
-                             const std::vector<std::string>& asks,
-                             std::vector<std::pair<std::string, std::string>> sets, const std::vector<double>& first,
-                             bool with_formulas)
-    : statement_(with_questions(statement, asks)), sets_(std::move(sets)), data_(varied_data(statement, over)) {
+CompiledCases::CompiledCases(const Statement& statement, CasesAsked asked)
+    : statement_(with_questions(statement, asked.asks)),
+      sets_(std::move(asked.sets)),
+      data_(varied_data(statement, asked.over)),
+      first_(std::move(asked.first)) {
+  find_places(asked.sensitivities);
   if (statement_.asks.empty()) fail(statement_.file, Mark{1, 1}, "the file asks nothing", "write ask: {T: ...}");
-  if (with_formulas)
+  for (const Situation& situation : statement.situations)
+    for (const Contact& contact : situation.contacts)
+      if (contact.friction)
+        fail(situation.file, contact.friction->mark,
+             "cases with friction are not solved: the states of the contacts may differ from case to case",
+             "solve each case by itself, with --set");
+  if (asked.with_formulas)
     find_formulas();
   else
     no_formulas_ = "they are not wanted";
@@ -65,39 +72,48 @@ CompiledCases::CompiledCases(const Statement& statement, const std::vector<std::
   all_have_values_ = no_letters_left();
   by_instants_ = needs_instants_alone(statement_) && all_have_values_;
   if (!columns_.empty()) {
-    if (!formulas_) make_program(first);
+    if (!formulas_) make_program();
     return;
   }
   // Letters were not tried, or made no sense: the first case shows what there is, or what is wrong.
-  if (first.size() != data_.size())
+  if (first_.size() != data_.size())
     throw std::invalid_argument(
-        fmt::format("CompiledCases: the first case has {} values for {} data", first.size(), data_.size()));
+        fmt::format("CompiledCases: the first case has {} values for {} data", first_.size(), data_.size()));
   formulas_.reset();
   std::vector<std::span<const double>> one;
-  for (const double& value : first) one.emplace_back(&value, 1);
+  for (const double& value : first_) one.emplace_back(&value, 1);
   const SolvedStatement solved = solved_in_full(one, 0);
   if (solved.ended) throw BudgetEnded{*solved.ended};
   if (solved.solutions.empty())
     fail(statement_.file, Mark{1, 1}, "the first case has no solution",
          solved.warnings.empty() ? "" : solved.warnings.front());
   take_shape(solved.solutions.front());
-  make_program(first);
+  make_program();
+}
+
+void CompiledCases::find_places(const std::vector<std::string>& sensitivities) {
+  for (const std::string& name : sensitivities) {
+    const auto datum = std::ranges::find(data_, name, &VariedDatum::name);
+    if (datum == data_.end())
+      throw std::invalid_argument("CompiledCases: '" + name + "' is not among the data that differ from case to case");
+    by_.push_back(static_cast<std::size_t>(datum - data_.begin()));
+  }
 }
 
 // At the first case, whose solution must be the only one: what is determined there, whatever is left open, is so by
 // the form of the equations.
-void CompiledCases::make_program(const std::vector<double>& first) {
+void CompiledCases::make_program() {
   const auto has_no_place = [](const Situation& situation) {
     return !situation.choose.empty() || !situation.neglect.empty() || has_later_facts(situation);
   };
-  if (first.size() != data_.size() || !all_have_values_ || !asks_instants_alone(statement_) ||
+  if (first_.size() != data_.size() || !all_have_values_ || !asks_instants_alone(statement_) ||
       std::ranges::any_of(statement_.situations, has_no_place)) {
     no_program_ = "more than instants is asked about";
     return;
   }
   try {
     Columns one;
-    for (const double& value : first) one.emplace_back(&value, 1);
+    for (const double& value : first_) one.emplace_back(&value, 1);
     const SolvedStatement solved = solved_in_full(one, 0);
     if (solved.ended) throw BudgetEnded{*solved.ended};
     if (solved.solutions.size() != 1) throw NoFormula(fmt::format("there are {} solutions", solved.solutions.size()));
@@ -113,8 +129,8 @@ void CompiledCases::make_program(const std::vector<double>& first) {
       asked_value(numbers, opened.asks[i]);
     }
     const UnknownSearch search(opened, settings_at(one, 0).front());
-    program_ =
-        InstantProgram::made({opened, data_, exact_settings(opened, sets_), search.unknowns(), numbers}, no_program_);
+    program_ = InstantProgram::made({opened, data_, by_, exact_settings(opened, sets_), search.unknowns(), numbers},
+                                    no_program_);
   } catch (const StatementError& error) {
     no_program_ = error.diagnostics().front().message;
   } catch (const NoFormula& error) {
@@ -126,7 +142,7 @@ void CompiledCases::find_formulas() {
   try {
     const SolvedStatement solved = solve_statement(with_letters(statement_, data_), sets_);
     if (solved.ended) throw BudgetEnded{*solved.ended};
-    formulas_ = CaseFormulas::made(solved, data_, no_formulas_);
+    formulas_ = CaseFormulas::made(solved, data_, by_, no_formulas_);
     if (!solved.solutions.empty()) take_shape(solved.solutions.front());
   } catch (const StatementError& error) {
     no_formulas_ = error.diagnostics().front().message;
@@ -136,6 +152,7 @@ void CompiledCases::find_formulas() {
 void CompiledCases::take_shape(const Solution& solution) {
   columns_.clear();
   vectors_.clear();
+  std::vector<Dimension> of_answers;
   for (std::size_t i = 0; i < solution.asks.size(); ++i) {
     const SolvedAsk& ask = solution.asks[i];
     const std::string& name = statement_.asks[i].name;
@@ -150,6 +167,7 @@ void CompiledCases::take_shape(const Solution& solution) {
       return;
     }
     vectors_.push_back(vector);
+    of_answers.insert(of_answers.end(), vector ? 3 : 1, dimension);
     const std::string unit = format_unit(dimension, std::ranges::all_of(statement_.asks[i].of, asks_energy));
     if (!vector) columns_.push_back({name, unit});
     for (std::size_t k = 0; vector && k < 3; ++k) {
@@ -157,6 +175,11 @@ void CompiledCases::take_shape(const Solution& solution) {
       columns_.push_back({name + "." + axis, unit});
     }
   }
+  answers_ = columns_.size();
+  for (const std::size_t by : by_)
+    for (std::size_t k = 0; k < answers_; ++k)
+      columns_.push_back(
+          {columns_[k].name + " by " + data_[by].name, format_unit(of_answers[k] / data_[by].dimension)});
 }
 
 SolvedStatement CompiledCases::solved_in_full(const Columns& data, std::size_t row) const {
@@ -167,7 +190,7 @@ SolvedStatement CompiledCases::solved_in_full(const Columns& data, std::size_t r
 }
 
 std::string CompiledCases::solve_row(const Columns& data, std::size_t row, std::vector<double>& numbers) const {
-  numbers.assign(columns_.size(), missing);
+  numbers.assign(answers_, missing);
   for (std::size_t k = 0; k < data_.size(); ++k)
     if (!std::isfinite(data[k][row])) return "'" + data_[k].name + "' has no value in this case";
   SolvedStatement solved;
@@ -210,7 +233,7 @@ bool CompiledCases::is_refuted(const Columns& data, std::size_t row, const Solve
     }
     if (!(off <= same_answer * size + cancelled * usual)) return true;
   }
-  return false;
+  return derivatives_differ(data, row, found);
 }
 
 bool CompiledCases::no_letters_left() const {
@@ -235,7 +258,10 @@ void CompiledCases::go_by(const Program& program, CaseRoad road, const Columns& 
   for (std::vector<double>& column : found.columns) outputs.push_back(column.data());
   const std::vector<char> valid = program.evaluate(inputs, found.roads.size(), outputs);
   for (std::size_t row = 0; row < valid.size(); ++row)
-    if (valid[row]) found.roads[row] = road;
+    if (valid[row])
+      found.roads[row] = road;
+    else
+      for (std::vector<double>& column : found.columns) column[row] = missing;
 }
 
 void CompiledCases::go_by_instants(const Columns& data, SolvedCases& found) const {
@@ -244,8 +270,8 @@ void CompiledCases::go_by_instants(const Columns& data, SolvedCases& found) cons
     check_budget();
     if (std::ranges::any_of(data, [&](const auto& column) { return !std::isfinite(column[row]); })) continue;
     const std::optional<std::vector<double>> numbers = instant_numbers(statement_, settings_at(data, row));
-    if (!numbers || numbers->size() != columns_.size()) continue;
-    for (std::size_t k = 0; k < columns_.size(); ++k) found.columns[k][row] = (*numbers)[k];
+    if (!numbers || numbers->size() != answers_) continue;
+    for (std::size_t k = 0; k < answers_; ++k) found.columns[k][row] = (*numbers)[k];
     found.roads[row] = CaseRoad::by_instant;
   }
 }
@@ -261,7 +287,9 @@ void CompiledCases::check(const Columns& data, std::uint64_t first, SolvedCases&
     ++found.checked;
     if (is_refuted(data, row, found, sizes)) ++found.refuted;
   }
-  if (found.refuted > 0) std::ranges::fill(found.roads, CaseRoad::in_full);
+  if (found.refuted == 0) return;
+  std::ranges::fill(found.roads, CaseRoad::in_full);
+  for (std::vector<double>& column : found.columns) std::ranges::fill(column, missing);
 }
 
 void CompiledCases::solve_the_rest(const Columns& data, SolvedCases& found) const {
@@ -284,6 +312,7 @@ SolvedCases CompiledCases::solved(const Columns& data, std::uint64_t first) cons
   if (by_instants_) go_by_instants(data, found);
   check(data, first, found);
   solve_the_rest(data, found);
+  add_differences(data, found);
   return found;
 }
 

@@ -28,6 +28,11 @@ struct CaseColumn {
 // How the answers of a case were found.
 enum class CaseRoad : std::uint8_t { in_full, by_instant, by_formula };
 
+// Derivatives by differences, and how far they may be wrong.
+struct Differences {
+  std::vector<double> value, doubt;
+};
+
 struct SolvedCases {
   std::vector<std::vector<double>> columns;                  // in SI units; NaN where a case has no answer
   std::vector<CaseRoad> roads;                               // of each case
@@ -36,15 +41,21 @@ struct SolvedCases {
   std::size_t refuted = 0;  // those among them where that gave something else
 };
 
+// What is asked about cases.
+struct CasesAsked {
+  std::vector<std::string> over;                          // the data that differ from case to case
+  std::vector<std::string> asks;                          // the names of the questions, all if there are none
+  std::vector<std::pair<std::string, std::string>> sets;  // settings that are the same for all cases
+  std::vector<double> first;  // the values of the data in some case: shows the shape of answers where letters do not
+  bool with_formulas = true;
+  std::vector<std::string> sensitivities;  // those of `over` by which the answers are differentiated
+};
+
 class CompiledCases {
  public:
-  // asks: the names of the questions, all if there are none; sets: settings that are the same for all cases; first: the
-  // values of the data in some case, which shows the shape of answers where the letters do not; with_formulas: whether
-  // formulas may be used. Throws StatementError
-  // if the file, a name or a setting is wrong, or a question has neither numbers nor vectors for an answer.
-  CompiledCases(const Statement& statement, const std::vector<std::string>& over, const std::vector<std::string>& asks,
-                std::vector<std::pair<std::string, std::string>> sets, const std::vector<double>& first,
-                bool with_formulas = true);
+  // Throws StatementError if the file, a name or a setting is wrong, or a question has neither numbers nor vectors for
+  // an answer, and std::invalid_argument if the parts of what is asked do not fit each other.
+  CompiledCases(const Statement& statement, CasesAsked asked);
 
   const std::vector<VariedDatum>& data() const { return data_; }
   const std::vector<CaseColumn>& columns() const { return columns_; }
@@ -63,19 +74,29 @@ class CompiledCases {
  private:
   using Columns = std::vector<std::span<const double>>;
   SolvedStatement solved_in_full(const Columns& data, std::size_t row) const;
-  // Writes the numbers of one case, NaN without answer; returns why one is missing, or "".
+  // Writes the numbers of the answers in one case, NaN without answer; returns why one is missing, or "".
   std::string solve_row(const Columns& data, std::size_t row, std::vector<double>& numbers) const;
   // By a program that takes columns of data and room for results, and tells which cases it answers.
   template <class Program>
   static void go_by(const Program& program, CaseRoad road, const Columns& data, SolvedCases& found);
   void go_by_instants(const Columns& data, SolvedCases& found) const;
   void solve_the_rest(const Columns& data, SolvedCases& found) const;
+  // Adds the derivatives of answers where no program has them.
+  void add_differences(const Columns& data, SolvedCases& found) const;
+  // The derivatives of the answers of a case by a datum, by differences of solutions beside it; returns why there are
+  // none, or "". here: the answers of the case.
+  std::string differences(const Columns& data, std::size_t row, std::size_t datum, const std::vector<double>& here,
+                          Differences& found) const;
+  // The answers of one case; returns why one is missing, or "".
+  std::string answers_at(const std::vector<double>& data, std::vector<double>& numbers) const;
+  bool derivatives_differ(const Columns& data, std::size_t row, const SolvedCases& found) const;
   // Compares every thousandth case with a full solution.
   void check(const Columns& data, std::uint64_t first, SolvedCases& found) const;
   bool is_refuted(const Columns& data, std::size_t row, const SolvedCases& found,
                   const std::vector<double>& sizes) const;
+  void find_places(const std::vector<std::string>& sensitivities);
   void find_formulas();
-  void make_program(const std::vector<double>& first);
+  void make_program();
   void take_shape(const Solution& solution);
   bool no_letters_left() const;
   AllSettings settings_at(const Columns& data, std::size_t row) const;
@@ -83,7 +104,11 @@ class CompiledCases {
   Statement statement_;
   std::vector<std::pair<std::string, std::string>> sets_;
   std::vector<VariedDatum> data_;
+  std::vector<double> first_;    // their values in some case
+  std::vector<std::size_t> by_;  // the places of those by which answers are differentiated
+  // The answers, and then their derivatives, all by the first datum before those by the next.
   std::vector<CaseColumn> columns_;
+  std::size_t answers_ = 0;       // how many of the columns are answers
   Settings settings_;             // those of sets_
   bool all_have_values_ = false;  // whether no letter is left open
   bool by_instants_ = false;

@@ -42,6 +42,7 @@ class InstantProgram::Block {
     valid_.assign(rows, 1);
     if (!program_.roots_.empty()) find_roots();
     run(program_.parts_.back());
+    if (!program_.slopes_.empty()) follow_roots();
     for (const Slot slot : program_.positive_)
       for (std::size_t row = 0; row < rows; ++row)
         valid_[row] = static_cast<char>(valid_[row] & (columns_[slot][row] > 0));
@@ -85,19 +86,38 @@ class InstantProgram::Block {
 
   // The size of the step, beside those of the roots.
   double take_step(std::size_t row) {
-    steps_.clear();
-    for (const Equation& equation : program_.equations_) {
-      for (std::size_t k = 0; k < slopes_.size(); ++k)
-        slopes_[k] = columns_[equation.slopes[k]][row] * equation.weight * program_.roots_[k].size;
-      steps_.add(slopes_, -columns_[equation.value][row] * equation.weight);
-    }
-    const std::vector<double>& step = steps_.solve();
+    const std::vector<double>& step = changes(row, [](const Equation& equation) { return equation.value; });
     double largest = 0;
     for (std::size_t k = 0; k < step.size(); ++k) {
       largest = std::isfinite(step[k]) ? std::max(largest, std::fabs(step[k])) : step[k];
       columns_[program_.roots_[k].slot][row] += step[k] * program_.roots_[k].size;
     }
     return largest;
+  }
+
+  // While a datum changes, the equations stay met: that tells how the roots change.
+  void follow_roots() {
+    const std::size_t answers = program_.slopes_.size();
+    for (std::size_t by = 0; by < program_.equations_.front().by.size(); ++by)
+      for (std::size_t row = 0; row < rows_; ++row) {
+        const std::vector<double>& rates = changes(row, [&](const Equation& equation) { return equation.by[by]; });
+        for (std::size_t i = 0; i < answers; ++i)
+          for (std::size_t k = 0; k < rates.size(); ++k)
+            columns_[program_.results_[(by + 1) * answers + i]][row] +=
+                columns_[program_.slopes_[i][k]][row] * rates[k] * program_.roots_[k].size;
+      }
+  }
+
+  // How the roots must change, in their sizes, to take this away from each equation.
+  template <class Rest>
+  const std::vector<double>& changes(std::size_t row, const Rest& rest) {
+    steps_.clear();
+    for (const Equation& equation : program_.equations_) {
+      for (std::size_t k = 0; k < slopes_.size(); ++k)
+        slopes_[k] = columns_[equation.slopes[k]][row] * equation.weight * program_.roots_[k].size;
+      steps_.add(slopes_, -columns_[rest(equation)][row] * equation.weight);
+    }
+    return steps_.solve();
   }
 
   const InstantProgram& program_;

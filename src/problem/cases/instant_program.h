@@ -24,7 +24,8 @@ namespace poinsot::problem {
 struct ProgramSample {
   const Statement& statement;  // with the data as letters
   const std::vector<VariedDatum>& data;
-  const FormulaValues& given;  // what is the same for all cases
+  const std::vector<std::size_t>& by;  // the places of the data by which the answers are differentiated
+  const FormulaValues& given;          // what is the same for all cases
   const std::vector<Unknown>& unknowns;
   Sample& numbers;  // solved there; with the unknowns among its settings
 };
@@ -34,7 +35,8 @@ class InstantProgram {
   // Nothing, and the reason, if the instants cannot be put so.
   static std::optional<InstantProgram> made(const ProgramSample& sample, std::string& reason);
 
-  // data: a column for each datum. results: room for a column for each number of the answers, in their order. Returns
+  // data: a column for each datum. results: room for a column for each number of the answers, in their order, and then
+  // for each of its derivatives, all by the first datum before those by the next. Returns
   // for each case whether what was found is its solution: the equations hold, pivots and signs are as they were where
   // the program was made, unknowns lie in their ranges, cords pull and contacts push.
   std::vector<char> evaluate(std::span<const double* const> data, std::size_t rows,
@@ -57,6 +59,7 @@ class InstantProgram {
   struct Equation {
     Slot value = 0;
     std::vector<Slot> slopes;  // by each of the roots
+    std::vector<Slot> by;      // by each of the data that answers are differentiated by
     double weight = 1;         // makes the largest of its slopes, by the sizes of the roots, one
   };
   class Block;
@@ -67,7 +70,10 @@ class InstantProgram {
   std::vector<Part> parts_;  // one after the other
   std::vector<Root> roots_;
   std::vector<Equation> equations_;
+  // Derivatives stand among the results as they are while the roots stay; how these change adds to them.
   std::vector<Slot> positive_, results_;
+  std::vector<std::vector<Slot>>
+      slopes_;  // of each number of the answers by each of the roots, where there is use of them
 };
 
 }  // namespace poinsot::problem

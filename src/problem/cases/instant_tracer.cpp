@@ -78,6 +78,7 @@ void InstantTracer::add_data() {
                                    : formula_of(*letter);
     }
   }
+  for (const std::size_t one : sample_.by) by_.emplace_back(inputs_)[one] = Traced(1);
   look_at_point();
   for (const VariedDatum& datum : sample_.data)
     if (std::ranges::any_of(sample_.statement.situations, [&](const Situation& situation) {
@@ -198,14 +199,16 @@ Formula InstantTracer::new_letter(const Traced& value, Outputs& part) {
   const std::string name = "solved " + std::to_string(place);
   part.push_back({value, place, true});
   input(name, plain(value));
-  for (Root& root : roots_) {
-    const Traced rate = traced_derivative(trace_, {value}, root.rates).front();
-    if (vanishes(rate)) continue;
+  const auto follow = [&](std::vector<Traced>& rates) {
+    const Traced rate = traced_derivative(trace_, {value}, rates).front();
+    if (vanishes(rate)) return;
     part.push_back({rate, inputs_, true});
     const Traced letter = input("", plain(rate));
-    root.rates.resize(inputs_);
-    root.rates[place] = letter;
-  }
+    rates.resize(inputs_);
+    rates[place] = letter;
+  };
+  for (Root& root : roots_) follow(root.rates);
+  for (std::vector<Traced>& rates : by_) follow(rates);
   for (std::vector<Traced>& rates : open_) {
     const Traced rate = traced_derivative(trace_, {value}, rates).front();
     rates.resize(inputs_);
@@ -236,7 +239,7 @@ std::uint32_t InstantTracer::extra(const Traced& number, Outputs& part) {
 void InstantTracer::add_equation(const Traced& remainder, Outputs& part) {
   if (vanishes(remainder)) return;
   refuse_open(remainder);
-  Equation equation{extra(remainder, part), {}, 0};
+  Equation equation{extra(remainder, part), {}, {}, 0};
   double largest = 0;
   for (const Root& root : roots_) {
     const Traced slope = traced_derivative(trace_, {remainder}, root.rates).front();
@@ -244,6 +247,8 @@ void InstantTracer::add_equation(const Traced& remainder, Outputs& part) {
     equation.slopes.push_back(extra(slope, part));
   }
   if (!(largest > 0)) throw std::domain_error("what is stated holds for these values alone");
+  for (const std::vector<Traced>& rates : by_)
+    equation.by.push_back(extra(traced_derivative(trace_, {remainder}, rates).front(), part));
   equation.weight = 1 / largest;
   equations_.push_back(std::move(equation));
 }
@@ -301,6 +306,7 @@ void InstantTracer::add_ranges(FormulaAnswers& answers) {
 }
 
 void InstantTracer::add_answers(FormulaAnswers& answers) {
+  std::vector<Traced> results;
   for (const Ask& ask : sample_.statement.asks) {
     const DecidedFormula found = answers.value(ask);
     for (const Formula& sign : found.signs) add_sign(sign);
@@ -312,7 +318,21 @@ void InstantTracer::add_answers(FormulaAnswers& answers) {
       const Traced result = traced_one(number);
       refuse_open(result);
       results_.push_back(extra(result, last_));
+      results.push_back(result);
     }
+  }
+  if (!by_.empty()) add_derivatives(results);
+}
+
+void InstantTracer::add_derivatives(const std::vector<Traced>& results) {
+  for (const std::vector<Traced>& rates : by_)
+    for (const Traced& derivative : traced_derivative(trace_, results, rates))
+      results_.push_back(extra(derivative, last_));
+  if (roots_.empty()) return;
+  slopes_.resize(results.size());
+  for (const Root& root : roots_) {
+    const std::vector<Traced> slopes = traced_derivative(trace_, results, root.rates);
+    for (std::size_t i = 0; i < slopes.size(); ++i) slopes_[i].push_back(extra(slopes[i], last_));
   }
 }
 
@@ -334,11 +354,16 @@ InstantProgram InstantTracer::program() const {
   for (const Root& root : roots_) made.roots_.push_back({root.input, root.start, root.size});
   for (const Equation& equation : equations_) {
     InstantProgram::Equation& one = made.equations_.emplace_back();
-    one = {inputs_ + equation.value, {}, equation.weight};
+    one = {inputs_ + equation.value, {}, {}, equation.weight};
     for (const std::uint32_t slope : equation.slopes) one.slopes.push_back(inputs_ + slope);
+    for (const std::uint32_t slope : equation.by) one.by.push_back(inputs_ + slope);
   }
   for (const std::uint32_t one : positive_) made.positive_.push_back(inputs_ + one);
   for (const std::uint32_t one : results_) made.results_.push_back(inputs_ + one);
+  for (const std::vector<std::uint32_t>& slopes : slopes_) {
+    made.slopes_.emplace_back();
+    for (const std::uint32_t slope : slopes) made.slopes_.back().push_back(inputs_ + slope);
+  }
   return made;
 }
 

@@ -34,7 +34,7 @@ class InstantTracer {
   };
   struct Equation {
     std::uint32_t value = 0;
-    std::vector<std::uint32_t> slopes;
+    std::vector<std::uint32_t> slopes, by;
     double weight = 1;
   };
 
@@ -56,6 +56,7 @@ class InstantTracer {
   void add_sign(const Formula& sign);
   void add_ranges(FormulaAnswers& answers);
   void add_answers(FormulaAnswers& answers);
+  void add_derivatives(const std::vector<Traced>& results);
   void hold(const solve::LinearSystemOf<Formula>& system, const std::vector<Formula>& values);
 
   const ProgramSample& sample_;
@@ -66,12 +67,16 @@ class InstantTracer {
   std::map<std::string, Traced> letters_;
   std::vector<FormulaValues> values_;  // of each situation
   std::vector<Root> roots_;
+  // Of each datum that answers are differentiated by: the rates of the inputs of the trace, if it changes at the rate
+  // one and the unknowns stay.
+  std::vector<std::vector<Traced>> by_;
   // Of what is left open: the rates of the inputs of the trace, if this changes at the rate one. Such numbers are zero.
   std::vector<std::vector<Traced>> open_;
   std::vector<Equation> equations_;
   std::vector<Outputs> parts_;
   Outputs last_;  // of the last part
   std::vector<std::uint32_t> positive_, results_;
+  std::vector<std::vector<std::uint32_t>> slopes_;
   std::uint32_t inputs_ = 0, extras_ = 0;
 };
 

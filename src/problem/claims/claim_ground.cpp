@@ -6,9 +6,9 @@
 
 #include "problem/claims/claim_letters.h"
 #include "problem/formulas/formula_answers.h"
-#include "problem/instant/particle_witness.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression_walk.h"
+#include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
 
@@ -134,7 +134,7 @@ class PointInstant {
       judge_numbers(verdict, situation_, instant_, elsewhere, expression, claim.axes);
     return verdict;
   }
-  bool confirmed() const { return confirmed_by_particles(instant_) && (!before_ || confirmed_by_particles(*before_)); }
+  double misfit() const { return std::max(misfit_by_particles(instant_), before_ ? misfit_by_particles(*before_) : 0); }
 
  private:
   SolvedInstant& before() {
@@ -179,8 +179,8 @@ std::optional<Verdict> ClaimGround::verdict_at(const Claim& claim, const ClaimFo
   }
 }
 
-bool ClaimGround::confirmed_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point) {
-  if (takes_derivatives(situation_, claim) || neglects()) return true;
+Confirmation ClaimGround::confirmed_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point) {
+  if (takes_derivatives(situation_, claim) || neglects()) return Confirmation::confirmed;
   try {
     const Settings settings = with_letters(point);
     const MotionState state = state_at(formulas, point);
@@ -188,9 +188,14 @@ bool ClaimGround::confirmed_at(const Claim& claim, const ClaimFormulas& formulas
     PointInstant instant(situation_, settings, state, choice);
     instant.write_down_what_is_told();
     instant.verdict(claim);
-    return instant.confirmed();
+    // Letters that are far apart leave more than the tolerance; a wrong sign or a lost term is a whole.
+    constexpr double wrong = 1e-3;
+    const double misfit = instant.misfit();
+    return misfit <= check_tolerance ? Confirmation::confirmed
+           : misfit <= wrong         ? Confirmation::open
+                                     : Confirmation::contradicted;
   } catch (const StatementError&) {
-    return false;
+    return Confirmation::open;
   }
 }
 
@@ -208,9 +213,9 @@ std::vector<std::string> assumed_holds(const Situation& situation, const Claim& 
         !contact.carries || std::any_of(contact.carries->begin(), contact.carries->end(), [](const Expression& e) {
           return e.as<Name>() && e.as<Name>()->name == "push";
         });
-    if (one_sided) holds.push_back(holding_words(contact.name, false));
+    if (one_sided) holds.push_back(holding_words(contact.name, Holding::presses));
   }
-  for (const Cord& cord : situation.cords) holds.push_back(holding_words(cord.name, true));
+  for (const Cord& cord : situation.cords) holds.push_back(holding_words(cord.name, Holding::pulls));
   return holds;
 }
 

@@ -15,6 +15,10 @@
 
 namespace poinsot::problem {
 
+// What the bodies as particles say of a point: that its numbers are right, that they are wrong, or neither, where
+// letters are so far apart that rounding hides it.
+enum class Confirmation { confirmed, open, contradicted };
+
 inline constexpr int most_solved_points = 40;  // at which a claim is tried where each is a statement solved by numbers
 
 class ClaimGround {
@@ -46,7 +50,7 @@ class ClaimGround {
   // nothing if the situation cannot be solved there.
   std::optional<Verdict> verdict_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point);
   // Whether the bodies as particles confirm what the numbers of such a point say of the claim.
-  bool confirmed_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point);
+  Confirmation confirmed_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point);
   // The faults at the points where it could not be solved so far.
   const ClaimFaults& faults() const { return faults_; }
 

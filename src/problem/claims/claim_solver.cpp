@@ -167,11 +167,17 @@ class ClaimSolver {
       undetermined("formulas and numbers do not agree on it");
       return Outcome::decided;
     }
-    if ((confirmed_points < confirming_points || !verdict.holds) &&
-        !ground_.confirmed_at(claim_, formulas_->formulas(), drawn.point)) {
-      off_particles_ = true;
-      return Outcome::skipped;
-    }
+    if (confirmed_points < confirming_points || !verdict.holds)
+      switch (ground_.confirmed_at(claim_, formulas_->formulas(), drawn.point)) {
+        case Confirmation::confirmed:
+          break;
+        case Confirmation::open:
+          off_particles_ = true;
+          return Outcome::skipped;
+        case Confirmation::contradicted:
+          undetermined("the bodies as particles do not confirm it");
+          return Outcome::decided;
+      }
     possible = true;
     ++confirmed_points;
     if (proved_ && !verdict.holds) {

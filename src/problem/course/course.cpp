@@ -27,6 +27,18 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
       settings_(settings),
       choice_(choice),
       timed_(follows_time(situation)) {
+  for (const Contact& contact : situation.contacts) {
+    if (contact.friction && contact.grip == Grip::unknown)
+      throw UnansweredError(situation.file, contact.friction->mark,
+                            "motions with friction are followed for questions of a statement only: whether contact '" +
+                                contact.name + "' sticks or slides at the start is not known here",
+                            "list what is wanted under ask:");
+    if (contact.grip == Grip::parts)
+      throw UnansweredError(
+          situation.file, contact.friction->mark,
+          "motions in which contacts with friction part are not followed, and '" + contact.name + "' does at the start",
+          "ask of the start only");
+  }
   start_ = std::make_unique<SolvedInstant>(situation, settings, When{0, situation.has_blow()}, choice);
   std::vector<std::vector<double>> open = start_->velocities().open;
   const std::vector<std::vector<double>> moving_nothing = take_massless(start_->machine(), open);
@@ -66,8 +78,10 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
   if (std::ranges::find(state.acting, false) != state.acting.end()) {
     first.pieces.emplace_back();
     first.acting.push_back(state.acting);
+    first.states.push_back(0);
   }
-  probe_ = std::make_unique<SolvedInstant>(situation_, settings, state, choice);
+  in_states_.push_back(&situation_);
+  probe_ = &probe_in(0, state);
   set_pace(state);
 }
 
@@ -152,6 +166,7 @@ void Course::begin(std::size_t stage) {
     now.start = *before.end;
     now.q = before.q;
     now.v = before.v;
+    now.states_now = before.states_now;
   }
   if (stage < situation_.stages.size()) {
     const Stage& stated = situation_.stages[stage];
@@ -165,9 +180,14 @@ void Course::begin(std::size_t stage) {
            "write lasts: 2 s, or until: theta == 30 deg");
     }
   }
+  now.time = now.start;
+  // Other loads may act now.
+  if (stage > 0 && situation_.has_friction()) {
+    find_contact_states(stage, now.time, "");
+    now.states_fresh = !timed_;
+  }
   // A stage with an impossible duration does not begin, so that asking again gives the same message.
   now.begun = true;
-  now.time = now.start;
 }
 
 double Course::stage_start(std::size_t stage) {
@@ -275,12 +295,14 @@ void Course::continue_from(const MotionCheckpoint& checkpoint) {
   if (!state.acting.empty()) {
     now.pieces.emplace_back();
     now.acting.push_back(state.acting);
+    now.states.push_back(now.states_now);
   }
   happenings_.clear();
   changes_.clear();
   energy_drift_.reset();
   // A new probe is made, as the old one keeps rounding from earlier places of the contacts.
-  probe_ = std::make_unique<SolvedInstant>(situation_, settings_, state, choice_);
+  probes_.clear();
+  probe_ = &probe_in(now.states_now, state);
 }
 
 }  // namespace poinsot::problem

@@ -10,17 +10,19 @@
 
 #include "poinsot/engine/motion/integrator/trajectory.h"
 #include "poinsot/engine/work/work.h"
+#include "problem/course/driving.h"
 #include "problem/course/followed_motion.h"
 #include "problem/course/motion_features.h"
 #include "problem/course/motion_witness.h"
 #include "problem/instant/instant.h"
-#include "problem/machine/driving.h"
 
 namespace poinsot {
 struct IntegrationResult;
 }
 
 namespace poinsot::problem {
+
+struct ContactState;
 
 // A state of the motion with all that its continuation depends on.
 struct MotionCheckpoint {
@@ -55,6 +57,8 @@ class Course : public FollowedMotion {
 
   // The situation that moves: after a blow, particles that stay are parts of their bodies.
   const Situation& situation() const { return situation_; }
+  // The same with the contacts that have friction in the states in which they are in a state of the motion.
+  const Situation& situation_of(const MotionState& state) const { return *in_states_[states_of(state)]; }
 
   // The start and the end of a stage, s. The last stage may have no end.
   double stage_start(std::size_t stage);
@@ -169,6 +173,9 @@ class Course : public FollowedMotion {
     std::optional<double> end;              // known once it is reached, or from the start if the duration is given
     std::vector<Trajectory> pieces;         // in the order of time
     std::vector<std::vector<bool>> acting;  // for each piece, which actions act
+    std::vector<std::size_t> states;        // for each piece, those of contacts with friction, as in in_states_
+    std::size_t states_now = 0;             // the same where the stage has arrived
+    bool states_fresh = false;              // whether they were found for that very time
     std::vector<double> q, v;               // at the end of the last piece
     double time = 0;                        // of that end
     bool begun = false, done = false;
@@ -196,6 +203,15 @@ class Course : public FollowedMotion {
   Driving::Span smooth_span(std::size_t stage, double until);
   void keep(std::size_t stage, Piece& piece, IntegrationResult& result);
   void change_holds(std::size_t stage, std::size_t action, Piece& piece);
+  // Contacts with friction (motion_friction.cpp).
+  void find_contact_states(std::size_t stage, double time, const std::string& leaving);
+  void let_slide(std::size_t stage, const std::vector<ContactState>& starting);
+  void put_in_contact_states(std::size_t stage, const std::vector<ContactState>& states);
+  std::size_t states_of(const MotionState& state) const;
+  void move_probe(const MotionState& state);
+  SolvedInstant& probe_in(std::size_t states, const MotionState& state);
+  double natural_speed() const { return start_->scales().length / pace_time_; }
+  [[noreturn]] void stops(std::size_t stage, const Mark& mark, const std::string& words);
   [[noreturn]] void slips(std::size_t stage, std::size_t action);
   [[noreturn]] void comes_to_end(std::size_t stage, const ContactLimit& limit);
   [[noreturn]] void throw_slip(const StageRun& run) const;
@@ -212,7 +228,12 @@ class Course : public FollowedMotion {
   const Settings& settings_;
   OpenChoice choice_;
   bool timed_ = false;  // whether loads or given motions depend on the time
-  std::unique_ptr<SolvedInstant> start_, probe_;
+  std::unique_ptr<SolvedInstant> start_;
+  // The situation, then copies of it with contacts in other states, and for each an instant that goes along the motion.
+  std::vector<const Situation*> in_states_;
+  std::vector<std::unique_ptr<const Situation>> changed_states_;
+  std::vector<std::unique_ptr<SolvedInstant>> probes_;
+  SolvedInstant* probe_ = nullptr;  // the one that was asked last
   std::vector<StageRun> stages_;
   std::vector<std::vector<std::string>> open_turnings_;
   std::size_t open_impulses_ = 0;

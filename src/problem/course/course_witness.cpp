@@ -67,7 +67,7 @@ NaturalSizes Course::natural_sizes() const {
 std::optional<WitnessedState> Course::witnessed(double time) {
   const MotionState there = at(time);
   try {
-    probe_->move_to(there);
+    move_probe(there);
     probe_->solve_forces();
   } catch (const StatementError&) {
     // At the pole of Eulerian angles accelerations are no rates of the coordinates, and where a load is switched its
@@ -77,9 +77,19 @@ std::optional<WitnessedState> Course::witnessed(double time) {
   const MotionState now = probe_->state();
   const std::size_t n = now.v.size();
   WitnessedState state{now.q, now.v, std::vector<double>(now.q.size()), {}, std::vector<bool>(n, true)};
+  // What contacts hold at rest has the rounding of their forces, and no motion that could be compared.
+  constexpr double rounding = 1e-12;  // of the natural pace
+  const auto hold_at_rest = [&](std::vector<double>& rates, double pace) {
+    if (!situation_.has_friction()) return;
+    const std::vector<double> sizes = natural_sizes().of_v;
+    for (std::size_t k = 0; k < n; ++k)
+      if (std::abs(rates[k]) < rounding * sizes[k] * pace) rates[k] = 0;
+  };
+  hold_at_rest(state.v, 1 / pace_time_);
   position_rate<double>(probe_->machine().mechanism.tree, state.q, state.v, state.q_rate);
   const std::vector<double>& solved = probe_->motion().value;
   state.v_rate.assign(solved.begin(), solved.begin() + static_cast<std::ptrdiff_t>(n));
+  hold_at_rest(state.v_rate, 1 / (pace_time_ * pace_time_));
   for (const std::vector<std::size_t>& share : probe_->motion().share)
     for (const std::size_t k : share)
       if (k < n) state.rate_known[k] = false;
@@ -142,7 +152,7 @@ void Course::tell(Told told) {
 
 NumberInTime Course::number_at_instants(const Expression& expression, const std::optional<Expression>& axes) {
   return [this, expression, axes](double time) {
-    probe_->move_to(at(time));
+    move_probe(at(time));
     return probe_->number(expression, axes);
   };
 }

@@ -65,7 +65,7 @@ std::vector<FactMisfit> Course::fact_misfits(double time, const std::vector<cons
   std::vector<Expression> sides;
   for (const Fact* fact : facts) sides.insert(sides.end(), {fact->quantity, fact->value});
   const MotionFeatureValues features = features_in(sides, std::nullopt);
-  probe_->move_to(at(time));
+  move_probe(at(time));
   return probe_->fact_misfits(facts, features);
 }
 

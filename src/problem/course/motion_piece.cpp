@@ -22,7 +22,8 @@ int sense_of(Relation relation) {
 }
 
 bool conserves_energy(const Machine& machine) {
-  return machine.accelerations.empty() && !laws_feed(machine.mechanism) && !laws_drain(machine.mechanism);
+  return std::ranges::none_of(machine.rough_contacts, [](const auto& c) { return c.grip == Grip::slides; }) &&
+         machine.accelerations.empty() && !laws_feed(machine.mechanism) && !laws_drain(machine.mechanism);
 }
 
 }  // namespace
@@ -33,7 +34,8 @@ Course::Piece::Piece(Course& motion, std::size_t stage, const Driving::Span& spa
       span_(span),
       now_(motion.stages_[stage]),
       loads_(stage < motion.situation_.stages.size() ? motion.situation_.stages[stage].loads : std::nullopt),
-      machine_(motion.start_->machine_at(inside(now_.time), loads_)),
+      machine_(motion.probe_in(now_.states_now, {now_.time, stage, now_.q, now_.v, {}})
+                   .machine_at(inside(now_.time), loads_)),
       limit_state_(machine_.mechanism),
       acting_(now_.acting.empty() ? std::vector<bool>() : now_.acting.back()) {
   for (VelocityConstraint<double>& constraint : machine_.mechanism.constraints) {
@@ -105,7 +107,7 @@ double Course::Piece::inside(double time) const {
 // Updates the loads and given motions that depend on the time.
 void Course::Piece::refresh(double time) {
   if (!motion_.timed_) return;
-  const Machine then = motion_.start_->machine_at(inside(time), loads_);
+  const Machine then = motion_.probes_[now_.states_now]->machine_at(inside(time), loads_);
   for (const StatedRate& rate : then.accelerations) dynamics_->set_held_acceleration(rate.velocity, rate.value);
   for (std::size_t i = 0; i < then.mechanism.forces.size(); ++i)
     dynamics_->set_force(i, then.mechanism.forces[i].vector);
@@ -152,7 +154,7 @@ bool Course::Piece::add_ending(const Expression& condition) {
   event.name = "until";
   event.terminal = true;
   event.value = [this, comparison](double time, std::span<const double> q, std::span<const double> v) {
-    SolvedInstant& probe = *motion_.probe_;
+    SolvedInstant& probe = *motion_.probes_[now_.states_now];
     probe.move_to({time, stage_, {q.begin(), q.end()}, {v.begin(), v.end()}, acting_});
     const double left = probe.number(comparison->operands[0], std::nullopt),
                  right = probe.number(comparison->operands[1], std::nullopt);
@@ -262,7 +264,7 @@ void Course::Piece::check_sides(const Trajectory* way) const {
     state.set_positions(q);
     state.set_velocities(v);
     for (const ContactLimit& limit : machine_.contact_limits)
-      if (acting_[static_cast<std::size_t>(limit.action)] && leaves_plane(limit, state))
+      if (acting_[static_cast<std::size_t>(limit.action)] && leaves_plane(limit, state, 1 / motion_.pace_time_))
         throw UnansweredError(motion_.situation_.file, limit.mark, words_of_side(limit), hint_of_side(limit));
   };
   if (std::ranges::all_of(machine_.contact_limits, [](const ContactLimit& limit) { return limit.straight.empty(); }))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,10 +13,10 @@
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
 #include "poinsot/engine/work/work.h"
 #include "problem/course/course.h"
+#include "problem/course/driving.h"
 #include "problem/course/lost_contact.h"
 #include "problem/instant/massless_turning.h"
 #include "problem/machine/contact_limits.h"
-#include "problem/machine/driving.h"
 
 namespace poinsot::problem {
 
@@ -43,6 +44,17 @@ class Course::Piece {
   // it.
   const ContactLimit* end_of_surface(std::size_t event) const { return event_limit_[event]; }
   const ContactLimit* beyond_surface() const;
+  // Adds the events at which contacts with friction cease to slide or come to the limit of what they hold at rest.
+  void add_friction();
+  // Whether a contact with friction ceases to slide or comes to its limit at an event; if it comes to that, all
+  // contacts that do then, with the directions in which they begin to slide.
+  bool is_of_friction(std::size_t event) const { return event_contact_.contains(event); }
+  std::vector<ContactState> at_their_limits(std::size_t event);
+  // Throws UnansweredError if a contact slides otherwise than along its line on the way.
+  void check_slips(const Trajectory& way);
+  // Whether contacts slide with friction, and the power that they take.
+  bool rubs() const;
+  double rubbing_power(const State<double>& state);
   // Throws UnansweredError if a straight side turns out of the plane that it touches, at the start or on the way.
   void check_sides(const Trajectory* way) const;
   // Throws UnansweredError if a torsional spring is wound by more than half a turn on the way.
@@ -64,6 +76,10 @@ class Course::Piece {
   void add_ends_of_surfaces();
   double inside(double time) const;
   Event slack(std::size_t component);
+  Vector3<double> slip(const RoughContactOf<double>& contact, std::span<const double> q, std::span<const double> v);
+  std::size_t push_of(const RoughContactOf<double>& contact) const;
+  bool stays_at_rest();
+  bool moves_anything(const VelocityConstraint<double>& way);
   std::optional<Event> taut(const Component<double>& component);
 
   Course& motion_;
@@ -81,6 +97,7 @@ class Course::Piece {
   std::vector<Event> events_;
   std::vector<std::optional<std::size_t>> event_action_;
   std::vector<const ContactLimit*> event_limit_;
+  std::map<std::size_t, const RoughContactOf<double>*> event_contact_;
   std::vector<double> acceleration_;
   double compared_size_ = 0;  // of the numbers that the ending event compares
 };

@@ -16,13 +16,13 @@
 namespace poinsot::problem {
 
 SolvedInstant& Course::instant_at(double time) {
-  probe_->move_to(at(time));
+  move_probe(at(time));
   return *probe_;
 }
 
 Value<double> Course::value(double time, const Expression& expression, const std::optional<Expression>& axes) {
   values_until_ = std::max(values_until_, time);
-  probe_->move_to(at(time));
+  move_probe(at(time));
   Value<double> value = probe_->ask(expression, axes, nullptr);
   note_open_forces();
   return value;
@@ -44,7 +44,7 @@ NumberInTime Course::number(const Expression& expression, const std::optional<Ex
       return evaluate(expression, static_cast<Scope<double>&>(scope), situation_.file).number;
     };
   return [this, expression, axes](double time) {
-    probe_->move_to(at(time));
+    move_probe(at(time));
     const double value = probe_->number(expression, axes);
     note_open_forces();
     return value;
@@ -90,7 +90,7 @@ const State<double>& Course::state_at(double time) {
 }
 
 Dimension Course::dimension(const Expression& expression, const std::optional<Expression>& axes) {
-  probe_->move_to(at(0));
+  move_probe(at(0));
   const Value<double> value = probe_->ask(expression, axes, nullptr);
   if (!value.is_number())
     fail(situation_.file, expression.mark(),

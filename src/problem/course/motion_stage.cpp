@@ -8,6 +8,7 @@
 
 #include "poinsot/engine/work/work.h"
 #include "problem/course/course.h"
+#include "problem/course/energy_balance.h"
 #include "problem/course/motion_piece.h"
 #include "problem/course/work_counted.h"
 #include "problem/language/diagnostic.h"
@@ -67,6 +68,10 @@ void Course::run(std::size_t stage, double until) {
   while (!now.done && now.time < target) {
     if (now.slips) throw_slip(now);
     const Driving::Span smooth = smooth_span(stage, target);
+    // Loads may jump between the spans in which they are smooth: just inside they have their new values.
+    if (timed_ && situation_.has_friction() && !now.states_fresh)
+      find_contact_states(stage, now.time + 1e-12 * (smooth.end - smooth.begin), "");
+    now.states_fresh = false;
     Piece piece(*this, stage, smooth);
     if (ending && !piece.add_ending(*ending)) {
       now.end = now.time;
@@ -84,12 +89,20 @@ void Course::run(std::size_t stage, double until) {
     if (released) continue;
     if (const ContactLimit* limit = piece.beyond_surface()) comes_to_end(stage, *limit);
     piece.check_sides(nullptr);
+    piece.add_friction();
     IntegrationResult result = piece.follow(std::min(smooth.end, now.end.value_or(target)), work.left());
     piece.check_sides(&result.trajectory);
     piece.check_winding(result.trajectory);
+    piece.check_slips(result.trajectory);
     keep(stage, piece, result);
     if (result.ending == Ending::terminal_event) {
-      if (const std::optional<std::size_t> action = piece.action_of(result.hits.back().event)) {
+      if (piece.is_of_friction(result.hits.back().event)) {
+        if (const std::vector<ContactState> starting = piece.at_their_limits(result.hits.back().event);
+            !starting.empty())
+          let_slide(stage, starting);
+        else
+          find_contact_states(stage, now.time, "");
+      } else if (const std::optional<std::size_t> action = piece.action_of(result.hits.back().event)) {
         change_holds(stage, *action, piece);
       } else if (const ContactLimit* limit = piece.end_of_surface(result.hits.back().event)) {
         comes_to_end(stage, *limit);
@@ -150,9 +163,23 @@ void Course::keep(std::size_t stage, Piece& piece, IntegrationResult& result) {
     const double size = std::max(std::abs(result.drift[0].start), piece.largest_kinetic_energy(result.trajectory));
     energy_drift_ = std::max(energy_drift_.value_or(0), size > 0 ? result.drift[0].largest / size : 0);
   }
+  const Mechanism<double>& mechanism = piece.machine().mechanism;
+  const bool by_motion =
+      std::ranges::any_of(mechanism.forces, [](const KnownForce<double>& force) { return force.by_motion != nullptr; });
+  if ((by_motion || piece.rubs()) && !timed_ && piece.machine().accelerations.empty()) {
+    // What is left of a motion that dies out is small beside what it was.
+    double before = 0;
+    for (const StageRun& run : stages_)
+      for (const Trajectory& way : run.pieces) before = std::max(before, kinetic_energy_at_ends(mechanism, way));
+    if (const std::optional<double> misfit =
+            energy_misfit(mechanism, result.trajectory, before,
+                          [&](const State<double>& state) { return piece.rubbing_power(state); }))
+      energy_drift_ = std::max(energy_drift_.value_or(0), *misfit);
+  }
   StageRun& now = stages_[stage];
   now.pieces.push_back(std::move(result.trajectory));
   now.acting.push_back(piece.acting());
+  now.states.push_back(now.states_now);
   now.q = result.q;
   now.v = result.v;
   now.time = result.time;
@@ -163,6 +190,18 @@ void Course::keep(std::size_t stage, Piece& piece, IntegrationResult& result) {
 void Course::change_holds(std::size_t stage, std::size_t action, Piece& piece) {
   StageRun& now = stages_[stage];
   std::vector<bool>& acting = piece.acting();
+  for (const RoughContactOf<double>& contact : piece.machine().rough_contacts) {
+    const auto stated = std::ranges::find(situation_.contacts, contact.name, &Contact::name);
+    const std::string when = " at " + with_digits(now.time, 6) + " s";
+    if (contact.action == static_cast<int>(action))
+      stops(stage, stated->friction->mark,
+            "contact '" + contact.name + "' presses no more" + when +
+                ": motions in which contacts with friction part are not followed");
+    if (!acting[action])
+      stops(stage, stated->friction->mark,
+            "cords and contacts that catch" + when +
+                " strike contacts with friction, and how far these slip meanwhile is not sought");
+  }
   if (acting[action] && piece.would_press_in(action)) slips(stage, action);
   probe_->move_to({now.time, stage, now.q, now.v, std::vector<bool>(acting.size(), true)});
   const Action& named = probe_->machine().mechanism.actions[action];
@@ -176,6 +215,13 @@ void Course::change_holds(std::size_t stage, std::size_t action, Piece& piece) {
   if (acting[action]) now.v = probe_->caught(acting);
   now.pieces.emplace_back();
   now.acting.push_back(acting);
+  now.states.push_back(now.states_now);
+}
+
+void Course::stops(std::size_t stage, const Mark& mark, const std::string& words) {
+  StageRun& run = stages_[stage];
+  run.slips = Slip{mark, words};
+  throw_slip(run);
 }
 
 // The file says nothing about how a contact slips, so that the motion ends there.

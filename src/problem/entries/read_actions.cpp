@@ -58,6 +58,21 @@ Frame read_frame(const Key& name, const Entry& entry, const std::string& file) {
   return frame;
 }
 
+namespace {
+
+// One coefficient, or one at rest and one for sliding.
+Friction read_friction(const Entry& entry, const Mark& mark, const std::string& file) {
+  if (entry.is_scalar()) {
+    const Expression both = parse_expression(entry, file);
+    return {both, both, mark};
+  }
+  const Members members(entry, file, {"friction"});
+  return {members.require_expression("static", "static: 0.4"), members.require_expression("kinetic", "kinetic: 0.35"),
+          mark};
+}
+
+}  // namespace
+
 Contact read_contact(const Key& name, const Entry& entry, const std::string& file) {
   const Members members(entry, file, {"contact"});
   auto contact = begun<Contact>(name);
@@ -67,6 +82,14 @@ Contact read_contact(const Key& name, const Entry& entry, const std::string& fil
   contact.normal = members.require_expression("normal", "normal: +y");
   contact.no_slip = members.boolean("no_slip").value_or(false);
   if (members.find("carries")) contact.carries = members.list("carries");
+  if (const Entry* friction = members.find("friction")) {
+    contact.friction = read_friction(*friction, members.mark_of("friction"), file);
+    for (const char* key : {"no_slip", "carries"})
+      if (members.find(key))
+        fail(file, members.mark_of(key),
+             "contact '" + name.text + "' states friction and " + key + ": whether it slips follows from the friction",
+             "leave out one of them");
+  }
   return contact;
 }
 

@@ -2,6 +2,7 @@
 // value yet.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "problem/entries/named_files.h"
+#include "problem/entries/stated_contact.h"
 #include "problem/entries/stated_load.h"
 #include "problem/entries/stated_spring.h"
 #include "problem/language/diagnostic.h"
@@ -141,15 +143,6 @@ struct Joint {
   std::optional<Expression> pitch;
   std::vector<Support> supports;
   bool supports_stated = false;
-  Mark mark;
-};
-
-struct Contact {
-  std::string name, of, against;
-  Mark of_mark, against_mark;
-  Expression at, normal;
-  bool no_slip = false;
-  std::optional<std::vector<Expression>> carries;  // directions, or the word "push" for the normal
   Mark mark;
 };
 
@@ -335,6 +328,9 @@ struct Situation {
   std::vector<Instant> instants;
   std::optional<Steady> steady;
   // Whether there is a blow, so that velocities before and after it differ.
+  bool has_friction() const {
+    return std::ranges::any_of(contacts, [](const Contact& contact) { return contact.friction.has_value(); });
+  }
   bool has_blow() const { return !impulses.empty() || !impacts.empty() || !strikes.empty(); }
   UnitHabits habits;  // the units used, from which those of the answers are chosen
 };

@@ -168,7 +168,12 @@ MachineOf<Formula> possible_machine(const Situation& situation, const Names& nam
 
 // Checks that contacts and cords carry forces only along what they forbid. Other forces do not follow from the
 // equations of motion.
-void check_actions(Mechanism<Formula>& mechanism) {
+void check_actions(Mechanism<Formula>& mechanism, const Situation& situation) {
+  for (const Contact& contact : situation.contacts)
+    if (contact.friction)
+      throw NoEquations(
+          "contact '" + contact.name +
+          "' has friction: whether it sticks or slides is told at an instant, not by one set of equations");
   for (VelocityConstraint<Formula>& c : mechanism.constraints) {
     if (c.shape_unknown)
       throw NoEquations("how the point of contact moves is not known (" + c.words +
@@ -317,7 +322,7 @@ TracedMachine traced_machine(const Situation& situation, const EquationsOptions&
   traced_machine.stated = possible_machine(situation, names, decisions);
   MachineOf<Formula>& machine = traced_machine.stated;
   if (machine.mechanism.tree.velocity_size() == 0) throw NoEquations("nothing in it can move");
-  check_actions(machine.mechanism);
+  check_actions(machine.mechanism, situation);
   traced_machine.held = find_held(machine.mechanism);
 
   Trace& trace = traced_machine.trace;

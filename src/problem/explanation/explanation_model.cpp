@@ -124,10 +124,29 @@ std::string joint_line(const Joint& joint, const Data& data) {
   return line;
 }
 
+// What is said of the slipping of a contact.
+std::string slipping_words(const Contact& contact) {
+  if (!contact.friction) return contact.no_slip ? ", without slipping" : ", without friction";
+  const std::string resting = code(contact.friction->resting), sliding = code(contact.friction->sliding);
+  std::string words = ", with dry friction: the coefficient is " + resting;
+  if (resting != sliding) words += " at rest and " + sliding + " while it slides";
+  switch (contact.grip) {
+    case Grip::sticks:
+      return words + "; it sticks";
+    case Grip::slides:
+      return words + "; it slides along " + code(*contact.slip) + ", and the friction is against that";
+    case Grip::parts:
+      return words + "; it parts, and nothing acts there";
+    case Grip::unknown:
+      break;
+  }
+  return words;
+}
+
 void add_actions(const Situation& situation, const Data& data, std::vector<std::string>& lines) {
   for (const Contact& contact : situation.contacts)
     lines.push_back("*" + contact.of + "* touches *" + contact.against + "* at " + code(contact.at) + ", normal " +
-                    code(contact.normal) + (contact.no_slip ? ", without slipping" : ", without friction"));
+                    code(contact.normal) + slipping_words(contact));
   for (const Cord& cord : situation.cords)
     lines.push_back("the cord *" + cord.name + "* holds *" + cord.to + "*" +
                     (cord.end ? " at " + code(*cord.end) : "") +

@@ -43,6 +43,23 @@ auto or_no_formula(const Find& find) {
   }
 }
 
+// Whether the equations leave open what a contact with friction carries.
+bool shares_are_open(const SolvedInstant& instant) {
+  const Mechanism<double>& mechanism = instant.machine().mechanism;
+  const std::size_t first = solve::force_unknowns(mechanism).accelerations;
+  constexpr double rounding = 1e-10;  // of the largest entry of a direction
+  for (const std::vector<double>& open : instant.motion().open) {
+    const double largest = std::abs(std::ranges::max(open, {}, [](double x) { return std::abs(x); }));
+    for (std::size_t k = 0; k < mechanism.components.size(); ++k)
+      if (std::abs(open[first + k]) > rounding * largest &&
+          std::ranges::any_of(instant.machine().rough_contacts, [&](const RoughContactOf<double>& contact) {
+            return contact.action == mechanism.components[k].action;
+          }))
+        return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Value<Formula> formula_of(const Letter& letter) {
@@ -131,8 +148,20 @@ std::vector<Formula> FormulaAnswers::signs_of_instants() const {
   return all;
 }
 
-std::string holding_words(const std::string& action, bool cord) {
-  return cord ? "the cord '" + action + "' stays taut" : "the contact '" + action + "' presses";
+std::string holding_words(const std::string& action, Holding holding) {
+  switch (holding) {
+    case Holding::pulls:
+      return "the cord '" + action + "' stays taut";
+    case Holding::presses:
+      return "the contact '" + action + "' presses";
+    case Holding::sticks:
+      return "the contact '" + action + "' sticks";
+    case Holding::slides:
+      return "the contact '" + action + "' slides";
+    case Holding::parts:
+      break;
+  }
+  return "the contact '" + action + "' parts";
 }
 
 std::vector<OneSidedForce> FormulaAnswers::one_sided_forces() const {
@@ -144,12 +173,59 @@ std::vector<OneSidedForce> FormulaAnswers::one_sided_forces() const {
     for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
       const Component<Formula>& component = mechanism.components[k];
       const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
-      if (component.one_sided)
-        forces.push_back({home, action.name, holding_words(action.name, action.kind == ActionKind::cord),
-                          instant->unknowns()[first + k]});
+      const bool rough = std::ranges::any_of(instant->machine().rough_contacts,
+                                             [&](const auto& contact) { return contact.action == component.action; });
+      // The conditions of contacts with friction are those of their states.
+      if (component.one_sided && !rough)
+        forces.push_back(
+            {home, action.name,
+             holding_words(action.name, action.kind == ActionKind::cord ? Holding::pulls : Holding::presses),
+             instant->unknowns()[first + k]});
     }
   }
   return forces;
+}
+
+void FormulaAnswers::add_state_conditions(std::vector<OneSidedForce>& forces) {
+  or_no_formula([&] {
+    for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
+      const Sample::Home home = numbers_.start_of(i);
+      if (!statement_.situations[i].has_friction()) continue;
+      FormulaInstant& start = instant(home);
+      start.solve_forces();
+      SolvedInstant& numbers = numbers_.instant(home);
+      numbers.solve_forces();
+      if (shares_are_open(numbers))
+        throw NoFormula("how contacts share what they carry is open, and so is the letter at which one of them slips");
+      std::vector<StateCondition> conditions =
+          state_conditions(start.mechanism_state(), start.unknowns(), start.machine().rough_contacts);
+      if (std::ranges::any_of(statement_.situations[i].contacts, &Contact::leaves_limit))
+        conditions.push_back(condition_of_leaving(i, start));
+      for (const StateCondition& condition : conditions)
+        forces.push_back(
+            {home, condition.contact, holding_words(condition.contact, condition.holding), condition.positive, true});
+    }
+  });
+}
+
+// A contact with less friction while it slides than at rest begins to only beyond its limit in the state of rest.
+StateCondition FormulaAnswers::condition_of_leaving(std::size_t i, const FormulaInstant& sliding) {
+  const std::vector<RoughContactOf<Formula>>& contacts = sliding.machine().rough_contacts;
+  if (contacts.size() > 1)
+    throw NoFormula("of several contacts with less friction while they slide, which of them stay at rest has none");
+  Situation resting = statement_.situations[i];
+  for (Contact& contact : resting.contacts)
+    if (contact.friction) {
+      contact.grip = Grip::sticks;
+      contact.slip.reset();
+      contact.from_rest = false;
+    }
+  SolvedInstant numbers(resting, numbers_.settings()[i], When{}, numbers_.choice());
+  numbers.solve_forces();
+  FormulaInstant start(resting, values_[i], numbers, nullptr, linear_solve_);
+  start.solve_forces();
+  return leaving_condition(start.mechanism_state(), start.unknowns(), start.machine().rough_contacts.front(),
+                           sliding.mechanism_state().direction(*contacts.front().slip));
 }
 
 void FormulaAnswers::solve_all() {

@@ -11,6 +11,7 @@
 
 #include "poinsot/engine/work/work.h"
 #include "problem/formulas/formula_instant.h"
+#include "problem/instant/friction_conditions.h"
 #include "problem/unknowns/sample.h"
 
 namespace poinsot::problem {
@@ -44,15 +45,18 @@ Value<Formula> exact_setting(const Situation& situation, const std::string& name
 // The letters of the unknowns whose squares are neglected. values: the unknowns, as letters.
 std::vector<std::string> neglected_letters(const Situation& situation, const FormulaValues& values);
 
-// The tension of a cord or the push of a contact at an instant, and the assumption under which it acts, in words.
+// What is positive while a cord pulls, a contact presses, or one with friction stays in its state at an instant, and
+// the assumption under which it acts, in words.
 struct OneSidedForce {
   Sample::Home home;
   std::string action;
   std::string assumption;
   Formula value;
+  // Whether it is a condition for the state of a contact with friction, which is always told.
+  bool of_state = false;
 };
 // An assumption in words: "the cord 'c' stays taut".
-std::string holding_words(const std::string& action, bool cord);
+std::string holding_words(const std::string& action, Holding holding);
 
 // A formula and what was decided on the way to it: each of these signs is taken to be everywhere what it is at the
 // point of decisions.
@@ -81,12 +85,16 @@ class FormulaAnswers {
   std::vector<Formula> signs_of_instants() const;
   // The forces of all instants that were solved with their forces.
   std::vector<OneSidedForce> one_sided_forces() const;
+  // Adds the conditions under which the contacts with friction stay in their states at the start of each situation.
+  // Throws NoFormula where they have none.
+  void add_state_conditions(std::vector<OneSidedForce>& forces);
   // Solves everything that the situations state, so that remainders() is complete.
   void solve_all();
   // What must vanish if the facts hold, for all instants that were needed, without the squares that are neglected.
   std::vector<Formula> remainders() const;
 
  private:
+  StateCondition condition_of_leaving(std::size_t situation, const FormulaInstant& sliding);
   DecidedFormula decided(const Ask& ask);
   FormulaInstant& instant(const Sample::Home& home);
   Value<Formula> at_home(const Sample::Home& home, const Expression& expression, const std::optional<Expression>& axes);

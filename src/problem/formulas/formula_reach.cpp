@@ -79,7 +79,8 @@ class FarSearch {
       hold_at(point, {});
     }
     if (has_formulas())
-      for (const OneSidedForce& force : grounds_.forces) look_where_negative(force);
+      for (const OneSidedForce& force : grounds_.forces)
+        if (!force.of_state) look_where_negative(force);
     for (std::size_t k = 0; k < conditions_.size(); ++k) look_where_it_fails(k);
     for (const std::vector<std::size_t>& any : doubtful_)
       if (std::ranges::none_of(any, [&](std::size_t k) { return conditions_[k].needed; }))
@@ -142,11 +143,19 @@ class FarSearch {
         hold(i, point, sample);
       } catch (const StatementError&) {
         // Either the statement makes no sense at this point, or what it states cannot be with these unknowns.
-        if (has_formula(i) && makes_sense_but_for_what_is_stated(*settings, i)) disagree(i, point);
+        if (has_formula(i) && is_in_states(point.letters) && makes_sense_but_for_what_is_stated(*settings, i))
+          disagree(i, point);
       } catch (const std::domain_error&) {
         disagree(i, point);
       }
     }
+  }
+
+  // Whether the contacts with friction are in their states, outside which nothing is told.
+  bool is_in_states(const LetterValues& letters) const {
+    return std::ranges::all_of(grounds_.forces, [&](const OneSidedForce& force) {
+      return !force.of_state || value_at(force.value, letters) > 0;
+    });
   }
 
   bool makes_sense_but_for_what_is_stated(const AllSettings& settings, std::size_t i) const {
@@ -262,8 +271,12 @@ class FarSearch {
   // Whether a cord or contact acts the wrong way at the instant. The solution then assumes that this does not happen.
   bool assume_physical(const SolvedInstant& instant, const Sample::Home& home, const LetterValues& letters) {
     const std::vector<SolvedInstant::OneSidedFault> faults = instant.one_sided_faults();
+    // The conditions of contacts with friction are told in any case.
     for (const SolvedInstant::OneSidedFault& fault : faults)
-      assume(holding_words(name_of(instant, fault), fault.cord), home, letters);
+      if (std::ranges::none_of(grounds_.forces, [&](const OneSidedForce& force) {
+            return force.of_state && force.action == name_of(instant, fault);
+          }))
+        assume(holding_words(name_of(instant, fault), fault.broken), home, letters);
     return !faults.empty();
   }
 

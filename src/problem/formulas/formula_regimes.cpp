@@ -304,6 +304,8 @@ void tell_conditions(const FormulaTask& task, const FormulaGrounds& grounds, con
       solution.assumptions.push_back(words);
     solution.grounds.push_back({words, positive});
   };
+  for (const OneSidedForce& force : grounds.forces)
+    if (force.of_state) tell(condition_words(force.value, task.open), force.value);
   const auto count = std::ranges::count_if(task.statement.asks, [&](const Ask& ask) {
     const auto i = static_cast<std::size_t>(&ask - task.statement.asks.data());
     return solution.asks[i].formula && is_at_instant(task, ask);

@@ -7,7 +7,6 @@
 
 #include "poinsot/engine/math/formula/formula_domain.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
-#include "problem/entries/drawn_letters.h"
 #include "problem/formulas/formula_conditions.h"
 #include "problem/formulas/formula_unknowns.h"
 #include "problem/formulas/law_search.h"
@@ -89,6 +88,8 @@ class FormulaSearch {
         // With the formulas of the unknowns it has no value.
       }
     }
+    const auto reason = why_no_formula([&] { answers_.add_state_conditions(grounds_.forces); });
+    if (reason) withhold_formulas(task_, solution_, "the conditions of its contacts have no formulas: " + *reason);
     return std::move(grounds_);
   }
 
@@ -281,10 +282,7 @@ class FormulaSearch {
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       AllSettings settings = task_.settings;
       for (const Letter& letter : task_.open) {
-        // With unknowns the values stay close to the first ones, as roots may exist only there.
-        const double value = task_.unknowns.empty()
-                                 ? drawn_letter(letter, random_)
-                                 : drawn_near(task_.settings.front().at(letter.name).number, random_);
+        const double value = task_.drawn(letter, random_);
         for (Settings& one : settings) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
       }
       if (!task_.unknowns.empty()) {
@@ -298,11 +296,13 @@ class FormulaSearch {
         }
       }
       auto sample = std::make_unique<Sample>(task_.statement, settings, OpenChoice{});
+      sample->write_down_what_is_told();
       bool makes_sense = true;
       try {
         for (std::size_t i = 0; i < task_.statement.asks.size(); ++i)
           if (solution_.asks[i].state != AskState::undetermined && !task_.statement.asks[i].extremum)
             asked_value(*sample, task_.statement.asks[i]);
+        makes_sense = sample->contact_states_hold();
       } catch (const StatementError&) {
         makes_sense = false;
       }
@@ -392,7 +392,8 @@ FormulaGrounds find_formulas(const FormulaTask& task, Solution& solution) {
   search.run();
   FormulaGrounds grounds = search.grounds();
   grounds.work = work_done() - begin;
-  find_laws(task, grounds.forces, solution);
+  // A law that numbers show would have to hold in one state of the contacts with friction.
+  if (!task.has_friction()) find_laws(task, grounds.forces, solution);
   return grounds;
 }
 

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-#include "problem/instant/particle_witness.h"
+#include "problem/entries/drawn_letters.h"
 #include "problem/language/diagnostic.h"
 #include "problem/quantities/quantity_functions.h"
 #include "problem/unknowns/asked_value.h"
+#include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
 bool confirmed_by_particles(Sample& sample) {
@@ -22,6 +23,25 @@ bool is_at_instant(const FormulaTask& task, const Ask& ask) {
     return alone.motions().empty();
   } catch (const StatementError&) {
     return false;
+  }
+}
+
+bool FormulaTask::has_friction() const { return std::ranges::any_of(statement.situations, &Situation::has_friction); }
+
+double FormulaTask::drawn(const Letter& letter, std::mt19937_64& random) const {
+  return unknowns.empty() && !has_friction() ? drawn_letter(letter, random)
+                                             : drawn_near(settings.front().at(letter.name).number, random);
+}
+
+void withhold_formulas(const FormulaTask& task, Solution& solution, const std::string& reason) {
+  for (SolvedAsk& ask : solution.asks) {
+    if (ask.state != AskState::found && ask.state != AskState::needs_letters) continue;
+    ask.formula.reset();
+    ask.formula_road.clear();
+    ask.no_formula = reason;
+    ask.state = AskState::needs_letters;
+    ask.letters.clear();
+    for (const Letter& letter : task.open) ask.letters.push_back(letter.name);
   }
 }
 

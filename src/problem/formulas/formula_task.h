@@ -1,9 +1,12 @@
 // A solved statement for whose answers formulas are sought.
 #pragma once
 
+#include <random>
+#include <string>
 #include <vector>
 
 #include "problem/formulas/formula_instant.h"
+#include "problem/results/solution.h"
 #include "problem/unknowns/sample.h"
 
 namespace poinsot::problem {
@@ -17,6 +20,11 @@ struct FormulaTask {
   const AllSettings& settings;  // of each situation, with values for the open letters and for the unknowns of one root
   Sample& sample;               // the statement solved with these settings
   const std::vector<double>& natural;  // the natural size of each ask
+
+  bool has_friction() const;
+  // Another value of an open letter. With unknowns and with friction it stays close to the first one, as roots and
+  // states of contacts may exist only there.
+  double drawn(const Letter& letter, std::mt19937_64& random) const;
 };
 
 // Whether an ask is about an instant that no motion leads to.
@@ -24,6 +32,9 @@ bool is_at_instant(const FormulaTask& task, const Ask& ask);
 
 // Whether the check with particles confirms every instant of a sample that was solved.
 bool confirmed_by_particles(Sample& sample);
+
+// Takes back all formulas of a solution, for a reason.
+void withhold_formulas(const FormulaTask& task, Solution& solution, const std::string& reason);
 
 // Whether there are cords or contacts.
 bool acts_on_one_side(const Statement& statement);

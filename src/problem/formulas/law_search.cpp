@@ -14,6 +14,7 @@
 #include "problem/formulas/law_regimes.h"
 #include "problem/formulas/scaling_law.h"
 #include "problem/instant/open_words.h"
+#include "problem/language/evaluate_support.h"
 #include "problem/language/words.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/asked_value.h"
@@ -299,6 +300,7 @@ class LawSearch {
       fail(task_.statement.file, {1, 1}, "nothing is found at other values of the letters, or they are not assumed");
     const OpenChoice choice{.most_changes = most_changes_each};
     Sample sample(task_.statement, *settings, choice);
+    sample.write_down_what_is_told();
     for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
       const Ask& ask = task_.statement.asks[i];
       const bool fixed = std::ranges::find(fixed_, i) != fixed_.end();
@@ -306,6 +308,8 @@ class LawSearch {
       try {
         answers[i] = ask.extremum ? ExtremumSearch(task_.statement, ask, *settings, choice).find().value
                                   : asked_value(sample, ask);
+        // Modes are a table of numbers of several kinds.
+        if (is_record(*answers[i]) || records_of(*answers[i])) answers[i].reset();
       } catch (const StatementError&) {
         continue;
       }

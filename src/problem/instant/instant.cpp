@@ -5,11 +5,10 @@
 #include <iterator>
 
 #include "poinsot/engine/solve/instant/closure.h"
-#include "poinsot/engine/solve/instant/constraint_check.h"
-#include "poinsot/engine/solve/stability/spectrum_check.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/machine/contact_limits.h"
+#include "problem/quantities/quantity_values.h"
 
 namespace poinsot::problem {
 namespace {
@@ -40,6 +39,7 @@ MachineOptions SolvedInstant::machine_options(double time, const std::optional<s
   MachineOptions options;
   options.time = time;
   options.lenient = choice_.trial;
+  options.particles = choice_.particles;
   options.loads = loads;
   if (choice_.gravity > 0) {
     std::mt19937_64 random(choice_.seed + 1);
@@ -264,11 +264,13 @@ QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, con
     quantities.set_forces(&*mechanism_state_, &unknowns_);
   }
   if (before_) quantities.set_blow(&*before_, &blow_, &impulses_);
-  if (axes) quantities.set_axes(*axes);
   if (writes_told_) quantities.set_told(&told_);
+  if (axes) quantities.set_axes(*axes);
   if (elsewhere) quantities.set_elsewhere(elsewhere);
   quantities.set_motion_features(features);
-  quantities.set_linearisation([this](const Mark& mark) -> const solve::Linearisation& { return linearisation(mark); });
+  quantities.set_linearisation([this](const Mark& mark, bool with_shapes) -> const solve::Linearisation& {
+    return linearisation(mark, with_shapes);
+  });
   return quantities;
 }
 
@@ -282,7 +284,15 @@ Value<double> SolvedInstant::ask(const Expression& expression, const std::option
   QuantityScope<double> quantities = scope_for(expression, axes, elsewhere, features);
   Value<double> value = quantities.value(expression);
   const auto on_axes = [&](const auto& self, Value<double>& v) -> void {
+    const Vector3<double> raw = v.vector;
     if (v.is_vector()) v.vector = transpose_times(quantities.axes(), v.vector);
+    // A vector on the axes of a body rides with it: what stands on them, turned as the body is, is the vector.
+    if (const Name* body = axes ? plain_name(*axes) : nullptr; body && writes_told_ && v.is_vector())
+      told_.push_back({.kind = ToldQuantity::Kind::direction,
+                       .body = machine_.index.at(body->name),
+                       .first = v.vector,
+                       .value = raw,
+                       .words = "axes"});
     for (Value<double>& item : v.items) self(self, item);
   };
   on_axes(on_axes, value);
@@ -321,79 +331,6 @@ double SolvedInstant::natural_size(const Dimension& d) const {
     }
   }
   return natural_unit(d) * (d.time == 0 ? 1 : std::pow(pace, -d.time / 12.0));
-}
-
-SolvedInstant::Residuals SolvedInstant::check() const {
-  Residuals residuals;
-  if (linearisation_) {
-    Mechanism<double> near;
-    residuals.stability = solve::spectrum_misfit(steady_motion({1, 1}, near), *linearisation_);
-  }
-  std::vector<solve::CheckBody> bodies;
-  double impulse_size = 0, impulse_moment_size = 0, impulse_misfit = 0, impulse_moment_misfit = 0;
-  const Mechanism<double>& mechanism = machine_.mechanism;
-  std::vector<double> a(v_.size(), 0.0);
-  if (motion_) a = mechanism_state_->accelerations();
-  for (const auto& [index, mass] : machine_.masses) {
-    solve::CheckBody body;
-    body.link = index;
-    body.particles = mass.particles;
-    const Momentum<double> momentum =
-        body_momentum(mechanism.tree, mechanism_state_->workspace(), index, Vector::zero());
-    body.momentum = momentum.linear;
-    body.angular_momentum = momentum.angular;
-    body.kinetic_energy = body_kinetic_energy(mechanism.tree, mechanism_state_->workspace(), index);
-    body.forces_known = motion_.has_value();
-    if (motion_) {
-      const double m = mechanism.tree.body(index).inertia.mass;
-      body.wrench = SpatialForce<double>::zero();
-      if (m > 0) {
-        const Vector weight = m * mechanism.tree.gravity();
-        body.wrench = {cross(body_mass_center(mechanism.tree, mechanism_state_->workspace(), index), weight), weight};
-        body.force_size = norm(weight);
-      }
-      for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
-        const Action& action = mechanism.actions[i];
-        if (action.on != index && action.from != index) continue;
-        const SpatialForce<double> wrench = solve::action_wrench(*mechanism_state_, unknowns_, i);
-        body.force_size += norm(wrench.force);
-        body.moment_size += norm(wrench.moment);
-        if (action.on == index) body.wrench += wrench;
-        if (action.from == index) body.wrench += -1.0 * wrench;
-      }
-    }
-    if (before_) {
-      const Momentum<double> earlier = body_momentum(mechanism.tree, before_->workspace(), index, Vector::zero());
-      SpatialForce<double> given = SpatialForce<double>::zero();
-      for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
-        const Action& action = mechanism.actions[i];
-        if (action.on != index && action.from != index) continue;
-        const SpatialForce<double> wrench = solve::action_impulse(*before_, blow_, impulses_, i);
-        impulse_size = std::max(impulse_size, norm(wrench.force));
-        impulse_moment_size = std::max(impulse_moment_size, norm(wrench.moment));
-        given += (action.on == index ? 1.0 : -1.0) * wrench;
-      }
-      impulse_size = std::max({impulse_size, norm(momentum.linear), norm(earlier.linear)});
-      impulse_moment_size = std::max({impulse_moment_size, norm(momentum.angular), norm(earlier.angular)});
-      impulse_misfit = std::max(impulse_misfit, norm(momentum.linear - earlier.linear - given.force));
-      impulse_moment_misfit = std::max(impulse_moment_misfit, norm(momentum.angular - earlier.angular - given.moment));
-    }
-    bodies.push_back(std::move(body));
-  }
-  // A couple alone leaves nothing but rounding of momenta, and a push towards the origin of moments.
-  const double impulse_scale = std::max(impulse_size, impulse_moment_size / scales_.length);
-  if (impulse_scale > 0)
-    residuals.impulse = std::max(impulse_misfit, impulse_moment_misfit / scales_.length) / impulse_scale;
-  residuals.particles = solve::check_with_particles(machine_.links, bodies, machine_.q, v_, a);
-  if (!mechanism.constraints.empty()) {
-    solve::ConstraintClaim claim{scales_.length, pace(), motion_.has_value(), {}};
-    if (before_) {
-      // What gives way in the blow may part.
-      for (const bool acts : blow_acting_) claim.lets_go.push_back(!acts);
-    }
-    residuals.constraints = solve::check_constraints(machine_.links, mechanism.constraints, claim, machine_.q, v_, a);
-  }
-  return residuals;
 }
 
 }  // namespace poinsot::problem

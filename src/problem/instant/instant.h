@@ -11,8 +11,10 @@
 
 #include "poinsot/engine/solve/instant/equations.h"
 #include "poinsot/engine/solve/instant/particle_check.h"
+#include "problem/instant/friction_shares.h"
 #include "problem/instant/instant_conditions.h"
 #include "problem/quantities/quantities.h"
+#include "problem/quantities/rough_contact.h"
 
 namespace poinsot::problem {
 
@@ -26,7 +28,8 @@ struct OpenChoice {
   std::size_t direction = 0;  // the index of the open direction that is varied, or `every`
 
   static constexpr std::size_t every = static_cast<std::size_t>(-1);
-  bool trial = false;  // whether unknowns have trial values, so that what does not hold is a misfit and no error
+  bool trial = false;      // whether unknowns have trial values, so that what does not hold is a misfit and no error
+  bool particles = false;  // whether it is checked with particles in a trial too
   // In a trial, which of the cords and one-sided contacts give way in a blow, a bit each in the order of the machine.
   std::size_t giving_way = 0;
   std::optional<solve::Scales> scales = {};  // units of misfits; those natural to the machine if left out
@@ -138,15 +141,21 @@ class SolvedInstant {
   // What states an equation of a system; no instant for those that nothing under instants: or facts: states.
   ConditionSource source_of(System system, std::size_t equation) const;
 
-  // A cord that would have to push or a contact that would have to pull.
+  // A cord that would have to push, a contact that would have to pull, or one with friction that does not stay in its
+  // state.
   struct OneSidedFault {
     std::size_t action = 0;  // its place among the actions of the mechanism
-    bool cord = false;
+    Holding broken = Holding::presses;
   };
   // All of them. solve_forces() must be called before.
   std::vector<OneSidedFault> one_sided_faults() const;
   // Describes them: "the cord 'AB' would have to push: it goes slack".
   std::vector<std::string> unphysical() const;
+
+  // Of a contact with friction, by its place among those of the machine and on the axes of the figure as drawn: its
+  // normal, and how it comes apart and slips, by the velocities or (after solve_forces()) by the accelerations.
+  Vector3<double> rough_normal(std::size_t contact) const;
+  RoughMotion<double> rough_motion_as_drawn(std::size_t contact, bool accelerations) const;
 
   // Where contacts and cords share a load: the least and the largest value of a number, or of each component of a
   // vector, over all shares in which none pulls or pushes the wrong way; infinite where nothing bounds it. Nothing if
@@ -168,7 +177,7 @@ class SolvedInstant {
   ToldMisfit misfit_of_told() const;
 
   // The linearised equations near this motion, which must be steady. Errors are reported at the mark.
-  const solve::Linearisation& linearisation(const Mark& mark);
+  const solve::Linearisation& linearisation(const Mark& mark, bool with_shapes = false);
 
   // Compares the solution with one for particles; forces are included if they are solved.
   struct Residuals {
@@ -177,6 +186,10 @@ class SolvedInstant {
     std::optional<double> constraints{};  // if there are any: by how much they are open or come apart, relative
     // If rates were told and a second road to them is known: how far from these they are, as a part of the pace.
     std::optional<double> stability{};
+    // If contacts have friction and forces are solved: how far its laws are from being fulfilled, relative.
+    std::optional<double> friction{};
+    // If there are loads, springs or motors and forces are solved: how far these are from what is stated, relative.
+    std::optional<double> laws{};
   };
   Residuals check() const;
 
@@ -206,6 +219,10 @@ class SolvedInstant {
   // The forces or impulses of cords and one-sided contacts among unknowns in which those of components begin at
   // `first`.
   std::vector<std::size_t> one_sided_unknowns(std::size_t first) const;
+  // The same for the contacts that stick.
+  std::vector<FrictionCone> friction_cones(std::size_t first) const;
+  double friction_misfit() const;
+  std::optional<double> law_misfit() const;
   void solve_blow();
   std::mt19937_64& random();
   void take_misfits(const solve::LinearSolution& solution);

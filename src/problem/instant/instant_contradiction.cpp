@@ -38,15 +38,17 @@ void SolvedInstant::contradiction(System system, const solve::LinearSolution& so
     if (const auto lock = gimbal_lock(machine_, machine_.q))
       throw UnansweredError(situation_.file, mark, *lock + ": there they cannot follow the motion", beside_gimbal_lock);
     if (mark.line == 1 && !situation_.joints.empty()) mark = situation_.joints.front().mark;
-    fail(situation_.file, mark, "nothing carries what the motion needs: " + all,
-         "let a support or contact carry it, or leave a freedom for it");
+    throw ContradictionError(situation_.file, mark, "nothing carries what the motion needs: " + all,
+                             "let a support or contact carry it, or leave a freedom for it");
   }
   if (mark.line == 1 && situation_.steady) mark = situation_.steady->mark;
   if (mark.line == 1 && !situation_.joints.empty()) mark = situation_.joints.front().mark;
   if (names.size() == 1)
-    fail(situation_.file, mark, "this cannot hold: " + all + "; how the bodies are held does not allow it",
-         "correct or remove it, or free what holds it");
-  fail(situation_.file, mark, std::string("these cannot all hold together: ") + all, "correct or remove one of them");
+    throw ContradictionError(situation_.file, mark,
+                             "this cannot hold: " + all + "; how the bodies are held does not allow it",
+                             "correct or remove it, or free what holds it");
+  throw ContradictionError(situation_.file, mark, std::string("these cannot all hold together: ") + all,
+                           "correct or remove one of them");
 }
 
 }  // namespace poinsot::problem

@@ -1,5 +1,6 @@
 // Solves for the accelerations and forces of an instant.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "problem/instant/instant.h"
@@ -32,7 +33,26 @@ Diagnostic unknown_surface(const Situation& situation, const Machine& machine,
       "by axis:, axial:, transverse:"};
 }
 
+namespace {
+
+// A load that depends on the motion may have no value here: a power divided by a speed of zero.
+void require_loads(const Situation& situation, const Mechanism<double>& mechanism, const solve::MechanismState& state) {
+  for (const KnownForce<double>& force : mechanism.forces) {
+    if (!force.by_motion || std::isfinite(norm_squared(force.now(mechanism.tree, state.workspace())))) continue;
+    const Action& action = mechanism.actions[static_cast<std::size_t>(force.action)];
+    const auto load = std::ranges::find(situation.loads, action.name, &Load::name);
+    const auto joint = std::ranges::find(situation.joints, action.joint, &Joint::name);
+    const bool at_joint = action.kind == ActionKind::drive && joint != situation.joints.end();
+    throw DomainError(situation.file, at_joint ? joint->mark : load->mark,
+                      (at_joint ? "what drives joint '" + joint->name : "load '" + action.name) +
+                          "' has no value in this motion: a division by zero, or the root of a negative number");
+  }
+}
+
+}  // namespace
+
 std::vector<const Fact*> SolvedInstant::state_motion_equations() {
+  require_loads(situation_, machine_.mechanism, *mechanism_state_);
   for (const Strike& strike : situation_.strikes)
     if (before_ && strike.stays && !strike.mass_neglected)
       throw UnansweredError(situation_.file, strike.mark,
@@ -42,12 +62,17 @@ std::vector<const Fact*> SolvedInstant::state_motion_equations() {
   for (const VelocityConstraint<double>& constraint : machine_.mechanism.constraints)
     if (constraint.shape_unknown && !constraint.carried_by)
       throw StatementError(unknown_surface(situation_, machine_, constraint));
+  for (const Contact& contact : situation_.contacts)
+    if (contact.friction && contact.grip == Grip::unknown)
+      fail(situation_.file, contact.friction->mark,
+           "whether contact '" + contact.name + "' sticks or slides is not known here",
+           "its state is found for the start of a situation only");
   if (!choice_.trial && !moving_)
     for (const ContactLimit& limit : machine_.contact_limits) {
       if (goes_beyond(limit, *mechanism_state_))
         throw UnansweredError(situation_.file, limit.mark, words_of_end(limit) + " as it moves on",
                               "it turns about a corner there: give it a shape with that corner, such as a polygon");
-      if (leaves_plane(limit, *mechanism_state_))
+      if (leaves_plane(limit, *mechanism_state_, pace()))
         throw UnansweredError(situation_.file, limit.mark, words_of_side(limit), hint_of_side(limit));
     }
   StatedConditions<double> stated = force_conditions(view(), facts_, !moving_);
@@ -72,12 +97,18 @@ void SolvedInstant::solve_motion_equations(const std::vector<const Fact*>& nonli
     motion_.reset();
     throw;
   }
-  if (!choice_.trial) share_without_pull(*motion_, one_sided_unknowns(accelerations), accelerations);
+  const std::vector<std::size_t> one_sided = one_sided_unknowns(accelerations);
+  const std::vector<FrictionCone> cones = friction_cones(accelerations);
+  if (!choice_.trial) {
+    share_without_pull(*motion_, one_sided, accelerations);
+    if (!cones.empty()) share_within_cones(*motion_, one_sided, cones, accelerations);
+  }
   unknowns_ = motion_->value;
   if (choice_.forces) {
     // By about as much as acts here: moved by more, the forces that stay the same would change by its rounding.
     move_along(*motion_, unknowns_, motion_->size > 0 ? motion_->size : 1);
-    keep_pushing(motion_->value, one_sided_unknowns(accelerations), unknowns_);
+    keep_pushing(motion_->value, one_sided, unknowns_);
+    if (!cones.empty()) keep_sticking(motion_->value, cones, unknowns_);
   }
   const auto n = static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size());
   mechanism_state_->set_accelerations(std::vector<double>(unknowns_.begin(), unknowns_.begin() + n));
@@ -88,6 +119,34 @@ std::vector<std::size_t> SolvedInstant::one_sided_unknowns(std::size_t first) co
   for (std::size_t k = 0; k < machine_.mechanism.components.size(); ++k)
     if (machine_.mechanism.components[k].one_sided) unknowns.push_back(first + k);
   return unknowns;
+}
+
+std::vector<FrictionCone> SolvedInstant::friction_cones(std::size_t first) const {
+  std::vector<FrictionCone> cones;
+  for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
+    if (contact.grip != Grip::sticks) continue;
+    // Its components are the push and two across it, in this order.
+    for (std::size_t k = 0; k < machine_.mechanism.components.size(); ++k)
+      if (machine_.mechanism.components[k].action == contact.action) {
+        cones.push_back({first + k, first + k + 1, first + k + 2, contact.resting});
+        break;
+      }
+  }
+  return cones;
+}
+
+Vector3<double> SolvedInstant::rough_normal(std::size_t contact) const {
+  return machine_.rough_contacts[contact].normal.vector;
+}
+
+RoughMotion<double> SolvedInstant::rough_motion_as_drawn(std::size_t contact, bool accelerations) const {
+  const RoughContactOf<double>& rough = machine_.rough_contacts[contact];
+  RoughMotion<double> motion = rough_motion(*mechanism_state_, rough, accelerations);
+  Vector3<double> slip{};
+  for (const std::size_t k : {1, 2})
+    slip += dot(motion.slip, mechanism_state_->direction(rough.motions[k].along)) * rough.motions[k].along.vector;
+  motion.slip = slip;
+  return motion;
 }
 
 std::optional<std::vector<SolvedInstant::Between>> SolvedInstant::over_all_shares(
@@ -143,12 +202,16 @@ std::optional<std::vector<SolvedInstant::Between>> SolvedInstant::over_all_share
   if (!linear || here.empty()) return std::nullopt;
   const std::size_t accelerations = solve::force_unknowns(machine_.mechanism).accelerations;
   const std::vector<std::size_t> one_sided = one_sided_unknowns(accelerations);
+  const std::vector<FrictionCone> cones = friction_cones(accelerations);
+  const auto largest = [&](const std::vector<double>& along) {
+    return cones.empty() ? largest_over_shares(*motion_, one_sided, accelerations, along)
+                         : largest_within_cones(*motion_, one_sided, cones, accelerations, along);
+  };
   std::vector<Between> ranges;
   for (std::size_t i = 0; i < here.size(); ++i) {
     std::vector<double> down = slopes[i];
     for (double& slope : down) slope = -slope;
-    const std::optional<double> more = largest_over_shares(*motion_, one_sided, accelerations, slopes[i]),
-                                less = largest_over_shares(*motion_, one_sided, accelerations, down);
+    const std::optional<double> more = largest(slopes[i]), less = largest(down);
     if (!more || !less) return std::nullopt;
     const auto without_rounding = [&](double end) { return std::abs(end) <= rounding * size[i] ? 0 : end; };
     ranges.push_back({without_rounding(here[i] - *less), without_rounding(here[i] + *more)});
@@ -187,7 +250,21 @@ std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults() cons
     constexpr double of_others = 1e-9, of_natural = 1e-13;
     const double rounding = of_natural * natural_size(dimensions::force) * mass / scales_.mass;
     if (unknowns_[first + k] >= -std::max(of_others * beside, rounding)) continue;
-    found.push_back({own, action.kind == ActionKind::cord});
+    found.push_back({own, action.kind == ActionKind::cord ? Holding::pulls : Holding::presses});
+  }
+  if (machine_.rough_contacts.empty()) return found;
+  const double size = largest_force(*mechanism_state_, unknowns_);
+  // A slip that begins is none if it is rounding of what else moves or would move.
+  constexpr double begins = 1e-9;
+  const double acceleration = natural_size(dimensions::acceleration), speed = natural_size(dimensions::velocity);
+  for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
+    const bool slips = contact.grip != Grip::slides ||
+                       norm(rough_motion(*mechanism_state_, contact, false).slip) > begins * speed ||
+                       norm(rough_motion(*mechanism_state_, contact, true).slip) > begins * acceleration;
+    if (slips && stays_in_state(*mechanism_state_, unknowns_, contact, size)) continue;
+    found.push_back({static_cast<std::size_t>(contact.action), contact.grip == Grip::sticks   ? Holding::sticks
+                                                               : contact.grip == Grip::slides ? Holding::slides
+                                                                                              : Holding::parts});
   }
   return found;
 }
@@ -196,8 +273,23 @@ std::vector<std::string> SolvedInstant::unphysical() const {
   std::vector<std::string> words;
   for (const OneSidedFault& fault : one_sided_faults()) {
     const std::string& name = machine_.mechanism.actions[fault.action].name;
-    words.push_back(fault.cord ? "the cord '" + name + "' would have to push: it goes slack"
-                               : "the contact '" + name + "' would have to pull: it is lost");
+    switch (fault.broken) {
+      case Holding::pulls:
+        words.push_back("the cord '" + name + "' would have to push: it goes slack");
+        break;
+      case Holding::presses:
+        words.push_back("the contact '" + name + "' would have to pull: it is lost");
+        break;
+      case Holding::sticks:
+        words.push_back("the contact '" + name + "' would need more friction to stick: it slides");
+        break;
+      case Holding::slides:
+        words.push_back("the contact '" + name + "' would not slide so");
+        break;
+      case Holding::parts:
+        words.push_back("the contact '" + name + "' would not part");
+        break;
+    }
   }
   return words;
 }

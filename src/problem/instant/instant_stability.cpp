@@ -5,6 +5,7 @@
 
 #include "poinsot/engine/mass/principal_axes.h"
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
+#include "poinsot/engine/solve/stability/steady_loads.h"
 #include "problem/instant/instant.h"
 #include "problem/instant/instant_conditions.h"
 #include "problem/instant/massless_turning.h"
@@ -35,6 +36,38 @@ std::vector<Vector> symmetry_axes(const SpatialInertia<double>& I) {
   for (std::size_t k = 0; k < 3; ++k)
     if (equal((k + 1) % 3, (k + 2) % 3)) axes.push_back(principal.axes.column(k));
   return axes;
+}
+
+// Near a steady motion a load that depends on the motion must keep its coefficients.
+void refuse_unsteady_loads(const Situation& situation, const Mark& mark, const solve::SteadyMotion& motion,
+                           double pace) {
+  const auto& forces = motion.mechanism->forces;
+  const auto by_motion = std::ranges::find_if(forces, [](const auto& force) { return force.by_motion != nullptr; });
+  if (by_motion == forces.end()) return;
+  const auto name = [&](const KnownForce<double>& force) {
+    return motion.mechanism->actions[static_cast<std::size_t>(force.action)].name;
+  };
+  const auto rides = [&](const Frame& frame) {
+    return situation.steady && frame.name == situation.steady->frame && !frame.rides_on.empty();
+  };
+  if (std::ranges::any_of(situation.frames, rides))
+    throw UnansweredError(
+        situation.file, mark,
+        "the load '" + name(*by_motion) +
+            "' depends on the motion, of which a frame that rides on a mass center states only a part",
+        "state the steady motion in a frame that turns about an axis of the ground");
+  const auto unsteady = solve::unsteady_load(motion, pace);
+  if (unsteady && unsteady->corner)
+    throw UnansweredError(situation.file, mark,
+                          "the load '" + name(forces[unsteady->force]) +
+                              "' has a corner at this motion: it has no slope there that the motion near by could have",
+                          "state it without abs, norm, min or max where their arguments vanish or are equal");
+  if (unsteady)
+    throw UnansweredError(situation.file, mark,
+                          "the load '" + name(forces[unsteady->force]) +
+                              "' does not go round with the frame of the steady motion: near it the equations have "
+                              "coefficients that change with time",
+                          "let it depend on what goes round with the frame alone");
 }
 
 }  // namespace
@@ -257,10 +290,15 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
   return motion;
 }
 
-const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
-  if (linearisation_) return *linearisation_;
+const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark, bool with_shapes) {
+  if (linearisation_ && (linearisation_->has_shapes || !with_shapes)) return *linearisation_;
   Mechanism<double> mechanism;
   const solve::SteadyMotion motion = steady_motion(mark, mechanism);
+  if (linearisation_) {
+    solve::find_shapes(motion, *linearisation_);
+    return *linearisation_;
+  }
+  refuse_unsteady_loads(situation_, mark, motion, pace());
   try {
     linearisation_ = solve::linearise(motion);
   } catch (const std::runtime_error& error) {
@@ -271,6 +309,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark) {
     throw UnansweredError(situation_.file, mark, "this is no steady motion, of which alone stability is asked",
                           "state steady: {frame: F, spins: {...}}, or rest where everything is in equilibrium");
   }
+  if (with_shapes) solve::find_shapes(motion, *linearisation_);
   return *linearisation_;
 }
 

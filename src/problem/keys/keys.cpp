@@ -261,6 +261,9 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"contact", "at", vector, "", "the point of contact as drawn"},
     {"contact", "normal", vector, "", "pointing into the body that touches"},
     {"contact", "no_slip", boolean, "", "true: it rolls"},
+    {"contact", "friction", any, "friction", "the coefficient of dry friction, or {static: 0.4, kinetic: 0.35}"},
+    {"friction", "static", expression, "", "the coefficient of friction while nothing slips"},
+    {"friction", "kinetic", expression, "", "that while it slips"},
     {"contact", "carries", list, "", "the directions of the forces it carries; `push` is the normal"},
 
     {"cord", "from", name, "", "what holds the cord; ground when left out"},
@@ -282,8 +285,8 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"spring", "tension", expression, "", "the force with which it pulls as drawn, instead of free_length"},
     {"spring", "damping", expression, "", "force per rate of lengthening, or couple per rate of turning"},
 
-    {"load", "force", vector, "", "a vector, or a size with along"},
-    {"load", "couple", vector, "", "a vector, or a size with about"},
+    {"load", "force", vector, "", "a vector, or a size with along; may depend on the motion"},
+    {"load", "couple", vector, "", "a vector, or a size with about; may depend on the motion"},
     {"load", "along", vector, "", "the direction of a force given by its size"},
     {"load", "about", vector, "", "the axis of a couple given by its size"},
     {"load", "at", vector, "", "the point of the body at which a force acts; its mass center when left out"},

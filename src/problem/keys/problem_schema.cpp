@@ -33,7 +33,8 @@ Json type_of(const LanguageKey& key) {
               {"additionalProperties",
                key.object_name.empty() ? Json(true) : Json{{"anyOf", {reference(key.object_name), expression, list}}}}};
     case KeyType::any:
-      return Json::object();
+      // What can be one expression may also be a map of its own.
+      return key.object_name.empty() ? Json::object() : Json{{"anyOf", {reference(key.object_name), expression}}};
   }
   return Json::object();
 }

@@ -55,6 +55,12 @@ class UnansweredError : public StatementError {
   using StatementError::StatementError;
 };
 
+// What is stated contradicts itself.
+class ContradictionError : public StatementError {
+ public:
+  using StatementError::StatementError;
+};
+
 // Throws StatementError with one diagnostic.
 [[noreturn]] void fail(const std::string& file, Mark mark, std::string message, std::string hint = "");
 

@@ -1,4 +1,4 @@
-// The mathematical functions of expressions.
+// The mathematical functions of expressions, elements of lists by their places, and items by their names.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include "problem/language/evaluate.h"
 #include "problem/language/evaluate_support.h"
 #include "problem/language/exact_numbers.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 
@@ -110,7 +111,7 @@ std::optional<Value<Scalar>> function_of_number(const Call& call, const Function
   }
   if (f == "abs") {
     Result x = context.number(call, argument);
-    if constexpr (is_exact<Scalar> && !std::is_same_v<Scalar, Formula>)
+    if constexpr (is_exact<Scalar> && !std::is_same_v<Scalar, Formula> && !Recording<Scalar>)
       x.number = plain(x.number) < 0 ? -x.number : x.number;
     else
       x.number = abs(x.number);
@@ -157,7 +158,9 @@ std::optional<Value<Scalar>> function_of_vectors(const Call& call, const Functio
     const Vector3<Scalar> v = context.along(call, second);
     // The angle follows from its sine and cosine, both times the same factor. This is exact near 0 and 180 degrees,
     // where the arc cosine alone loses half of the digits.
-    const Scalar cosine = dot(u, v);
+    Scalar cosine = dot(u, v);
+    if constexpr (Recording<Scalar>)
+      if (f == "acute_angle") cosine = abs(cosine);
     return Result::of_number(atan2(norm(cross(u, v)), f == "angle" || !decided_negative(cosine) ? cosine : -cosine),
                              dimensions::angle);
   }
@@ -198,18 +201,58 @@ std::optional<Value<Scalar>> function_of_several(const Call& call, const Functio
   Dimension dimension = best.dimension;
   bool bare = true;
   for (const Result& value : values) {
-    const bool better = decided_negative(f == "min" ? value.number - best.number : best.number - value.number);
-    if (better) best = value;
     if (!is_bare_zero(value)) dimension = value.dimension;
     bare = bare && value.bare;
+    if constexpr (Recording<Scalar>) {
+      if (&value != values.data())
+        best.number = f == "min" ? smaller(best.number, value.number) : larger(best.number, value.number);
+      continue;
+    }
+    const bool better = decided_negative(f == "min" ? value.number - best.number : best.number - value.number);
+    if (better) best = value;
   }
   return Result::of_number(best.number, dimension, bare);
+}
+
+// frequencies(disk)[2]
+template <class Scalar>
+Value<Scalar> element_of(const Call& call, const FunctionContext<Scalar>& context) {
+  const Expression &list_expression = call.arguments[0].value, &place_expression = call.arguments[1].value;
+  Value<Scalar> list = context.evaluator(list_expression);
+  if (is_record(list)) context.fail(list_expression, "one mode has no elements", "it has " + joined(names_in(list)));
+  if (!list.is_list())
+    context.fail(list_expression, kind_in_words(list) + " has no elements",
+                 list.is_vector() ? "a vector has components, v.x" : "lists have, frequencies(disk)[1]");
+  const Value<Scalar> place = context.evaluator(place_expression);
+  const double number = place.is_number() ? plain(place.number) : 0;
+  if (!place.is_number() || !place.bare || number != std::floor(number))
+    context.fail(place_expression, "the place of an element is a whole number without unit",
+                 "write frequencies(disk)[1]");
+  if (number < 1) context.fail(place_expression, "there is no element " + number_text(number), "the first is [1]");
+  const std::size_t count = list.items.size();
+  if (number > static_cast<double>(count))
+    throw UnansweredError(context.evaluator.file(), beginning(place_expression),
+                          "there is no element " + number_text(number) + ": " +
+                              (count == 0 ? "the list is empty" : "the last is " + std::to_string(count)));
+  return std::move(list.items[static_cast<std::size_t>(number) - 1]);
+}
+
+// modes(disk)[1].frequency
+template <class Scalar>
+Value<Scalar> named_item(const Value<Scalar>& record, const std::string& name, const Mark& mark,
+                         const Evaluator<Scalar>& evaluator) {
+  for (const Value<Scalar>& item : record.items)
+    if (item.text == name) return Value<Scalar>::of_number(item.number, item.dimension);
+  const std::vector<std::string> names = names_in(record);
+  const std::string hint = did_you_mean(name, names);
+  evaluator.fail(mark, "a mode has no '" + name + "'", hint.empty() ? "it has " + joined(names) : hint);
 }
 
 // Returns nothing if the call is none of these functions in its own form.
 template <class Scalar>
 std::optional<Value<Scalar>> mathematical_function(const Call& call, const FunctionContext<Scalar>& context) {
   if (call.arguments.empty()) return std::nullopt;
+  if (call.function == "element" && call.pattern() == "at") return element_of(call, context);
   if (call.arguments.size() == 1) {
     if (auto result = function_of_number(call, context)) return result;
   }

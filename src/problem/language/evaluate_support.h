@@ -1,12 +1,14 @@
 // Shared helpers of evaluation: values in words, zeros, and the dimension of a sum.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "problem/language/exact_numbers.h"
 #include "problem/language/expression.h"
 #include "problem/language/scalar_value.h"
 #include "problem/language/value.h"
@@ -85,8 +87,23 @@ Value<Scalar> as_vector(Value<Scalar> value) {
                                   common.value_or(dimensions::none), bare);
 }
 
+// A list of numbers that have names, such as the parts of a mode: the name of each is its text.
+template <class Scalar>
+bool is_record(const Value<Scalar>& value) {
+  return value.is_list() && !value.items.empty() &&
+         std::all_of(value.items.begin(), value.items.end(),
+                     [](const Value<Scalar>& item) { return item.is_number() && !item.text.empty(); });
+}
+template <class Scalar>
+std::vector<std::string> names_in(const Value<Scalar>& record) {
+  std::vector<std::string> names;
+  for (const Value<Scalar>& item : record.items) names.push_back(item.text);
+  return names;
+}
+
 template <class Scalar>
 bool is_finite(const Value<Scalar>& value) {
+  if constexpr (Recording<Scalar>) return true;  // whether it is finite the motion will tell
   if (value.is_number()) return std::isfinite(plain(value.number));
   if (!value.is_vector()) return true;
   return std::isfinite(plain(value.vector.x)) && std::isfinite(plain(value.vector.y)) &&

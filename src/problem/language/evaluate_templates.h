@@ -368,6 +368,7 @@ Value<Scalar> Scope<Scalar>::of(const Of&, const Mark& mark, const Evaluator<Sca
 template <class Scalar>
 Value<Scalar> Scope<Scalar>::member(const Member& member, const Mark& mark, const Evaluator<Scalar>& evaluator) {
   const Value<Scalar> object = evaluator(member.object);
+  if (is_record(object)) return named_item(object, member.name, mark, evaluator);
   if (!object.is_vector()) {
     evaluator.fail(mark, kind_in_words(object) + " has no component '" + member.name + "'",
                    "a vector has .x, .y and .z");

@@ -20,6 +20,11 @@ class NoFormula : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// A scalar that records what is computed on motions whose values are not known; its constants have a scalar of their
+// own.
+template <class Scalar>
+concept Recording = requires { typename Scalar::Constant; };
+
 // Whether a scalar is exact: formulas and duals of them.
 template <class Scalar>
 inline constexpr bool is_exact = false;
@@ -36,7 +41,9 @@ Formula exact_value(const Number& number);
 // The value of a literal in SI units, of a decimal text, and of pi, in either kind of scalar.
 template <class Scalar>
 Scalar literal_value(const Number& number) {
-  if constexpr (is_exact<Scalar>)
+  if constexpr (Recording<Scalar>)
+    return Scalar(literal_value<typename Scalar::Constant>(number));
+  else if constexpr (is_exact<Scalar>)
     return lifted<Scalar>(exact_value(number));
   else
     return Scalar(number.value * number.unit.factor);
@@ -50,7 +57,9 @@ Scalar decimal_value(double value, std::string_view digits) {
 }
 template <class Scalar>
 Scalar pi_value() {
-  if constexpr (is_exact<Scalar>)
+  if constexpr (Recording<Scalar>)
+    return Scalar(pi_value<typename Scalar::Constant>());
+  else if constexpr (is_exact<Scalar>)
     return lifted<Scalar>(Formula::pi());
   else
     return Scalar(std::numbers::pi);

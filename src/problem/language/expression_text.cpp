@@ -46,6 +46,9 @@ bool begins_with_quantity(const std::string& text) {
   return ((text[0] >= '0' && text[0] <= '9') || text[0] == '.') && text.find(' ') != std::string::npos;
 }
 
+// frequencies(disk)[2]
+bool is_element(const Call& call) { return call.function == "element" && call.pattern() == "at"; }
+
 class Writer {
  public:
   // The text of an expression, in parentheses if it binds less tightly than `least`.
@@ -68,6 +71,8 @@ class Writer {
     return guarded(of.point, postfix_level) + " of " + guarded(of.body, postfix_level);
   }
   std::string operator()(const Call& call) const {
+    if (is_element(call))
+      return guarded(call.arguments[0].value, postfix_level) + "[" + text(call.arguments[1].value, sum_level) + "]";
     std::string inside;
     for (const Argument& argument : call.arguments) {
       if (!inside.empty()) inside += " " + argument.preposition + " ";
@@ -99,7 +104,7 @@ class Writer {
   }
   std::string operator()(const At& at) const {
     const bool number = at.expression.as<Number>() != nullptr;
-    return (number ? "(" + text(at.expression, range_level) + ")" : text(at.expression, stamped_level)) + " @ " +
+    return (number ? "(" + text(at.expression, range_level) + ")" : text(at.expression, riding_level)) + " @ " +
            at.instant;
   }
   std::string operator()(const List& list) const {

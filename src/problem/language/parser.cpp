@@ -1,4 +1,5 @@
-// The grammar of expressions, by recursive descent.
+// The grammar of expressions, by recursive descent. An element of a list in brackets, frequencies(disk)[2], is the call
+// element(frequencies(disk) at 2). Of several @ behind each other, X @ 2 s @ small, one At is made.
 #include "problem/language/parser.h"
 
 #include <algorithm>
@@ -134,6 +135,7 @@ class Parser {
   Expression stamped() {
     const bool literal = now().kind == Token::Kind::literal;
     Expression expression = riding();
+    int stamps = 0;
     while (now().is_sign("@")) {
       const std::size_t mark = now().begin;
       if (literal) {
@@ -142,10 +144,26 @@ class Parser {
       }
       tokens_.step();
       At at = instant();
-      at.expression = expression;
+      if (const At* inner = stamps++ > 0 ? expression.as<At>() : nullptr)
+        join(at, *inner, mark);
+      else
+        at.expression = expression;
       expression = make(std::move(at), mark);
     }
     return expression;
+  }
+
+  // X @ 2 s @ small, X @ lowest @ small: an instant in a situation.
+  void join(At& at, const At& inner, std::size_t mark) const {
+    const bool outer_time = at.when.as<Number>() != nullptr, inner_time = inner.when.as<Number>() != nullptr;
+    if (outer_time && inner_time)
+      source_.fail(mark, "two times stand after each other", "one instant is meant: x @ 2 s, x @ 2 s @ situation");
+    if (inner.names.size() >= ExpressionLimits::height)
+      source_.fail(mark, "this expression has too many terms in a row", "write x @ instant @ situation");
+    at.instant = outer_time || inner_time ? inner.instant + " @ " + at.instant : at.instant + "." + inner.instant;
+    at.names.insert(at.names.end(), inner.names.begin(), inner.names.end());
+    if (!outer_time) at.when = inner.when;
+    at.expression = inner.expression;
   }
 
   // What stands after an @, without the expression before it.
@@ -222,8 +240,12 @@ class Parser {
 
   Expression postfix() {
     Expression expression = primary();
-    while (now().is_sign(".")) {
+    while (now().is_sign(".") || now().is_sign("[")) {
       const std::size_t mark = now().begin;
+      if (now().is_sign("[")) {
+        expression = element_of(std::move(expression));
+        continue;
+      }
       tokens_.step();
       if (expression.as<Number>()) {
         source_.fail(mark, "a point stands after a number",
@@ -238,6 +260,19 @@ class Parser {
       expression = make(Member{expression, std::move(name)}, mark);
     }
     return expression;
+  }
+
+  Expression element_of(Expression list) {
+    const Nesting nesting(*this);
+    const Token& opening = now();
+    if (list.as<Number>())
+      source_.fail(opening.begin, "brackets stand after a number", "elements are those of lists, frequencies(disk)[1]");
+    tokens_.step();
+    if (now().is_sign("]"))
+      source_.fail(now().begin, "the number of the element is missing", "write frequencies(disk)[1]");
+    Expression place = sum();
+    close(opening, "]", "");
+    return make(Call{"element", {{"", std::move(list)}, {"at", std::move(place)}}}, opening.begin);
   }
 
   Expression primary() {

@@ -43,14 +43,14 @@ bool goes_beyond(const ContactLimit& limit, const solve::MechanismState& state) 
   return dot(u, cross(w, middle)) < -nothing * norm(w);
 }
 
-bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& state) {
+bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& state, double pace) {
   const VelocityConstraint<double>* constraint = touching(limit, state.mechanism());
   if (!constraint || limit.straight.empty() || constraint->carried_by) return false;
   const Workspace<double>& now = state.workspace();
   const Vector w = angular_velocity(now, constraint->on) - angular_velocity(now, constraint->from);
   const Vector n = state.direction(constraint->along);
   return std::ranges::any_of(limit.straight, [&](const Vector& side) {
-    return std::abs(dot(cross(w, state.direction({constraint->on, side})), n)) > nothing * norm(w);
+    return std::abs(dot(cross(w, state.direction({constraint->on, side})), n)) > nothing * std::max(norm(w), pace);
   });
 }
 

@@ -14,8 +14,9 @@ namespace poinsot::problem {
 std::optional<double> left_of_surface(const ContactLimit& limit, const solve::MechanismState& state);
 // Whether the contact is at the end of its surface and moves on beyond it. The state must have its velocities.
 bool goes_beyond(const ContactLimit& limit, const solve::MechanismState& state);
-// Whether a straight side turns out of the plane that it touches. The state must have its velocities.
-bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& state);
+// Whether a straight side turns out of the plane that it touches. The state must have its velocities. pace: of what
+// moves, 1/s; a turning that is rounding beside it is none.
+bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& state, double pace);
 
 // The message "contact 'floor' is beyond the end of the round surface of 'half'".
 std::string words_of_end(const ContactLimit& limit);

@@ -52,7 +52,7 @@ template <class Scalar>
 std::vector<BodyMassOf<Scalar>> body_masses(const Situation& situation, DataScope<Scalar>& data, const AnyValue& any,
                                             const MachineOptions& options) {
   std::vector<BodyMassOf<Scalar>> masses;
-  for (const Body& body : situation.bodies) masses.push_back(body_mass(body, data, any, options.lenient));
+  for (const Body& body : situation.bodies) masses.push_back(body_mass(body, data, any, options.lenient, options.particles));
   return masses;
 }
 
@@ -83,6 +83,7 @@ MachineOf<Scalar> build_machine(const Situation& situation, std::vector<BodyMass
   for (const Contact& contact : situation.contacts) add_contact(draft, contact);
   for (const Cord& cord : situation.cords) add_cord(draft, cord);
   for_each_stated_law(situation, [&](const auto& law) { add_law(draft, law); });
+  add_efforts_by_motion(draft);
   for (const Impulse& impulse : situation.impulses) add_impulse(draft, impulse);
   for (const Impact& impact : situation.impacts) add_impact(draft, impact);
   for (const Strike& strike : situation.strikes) add_strike(draft, strike);

@@ -4,6 +4,7 @@
 // taken on plain numbers.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -75,6 +76,19 @@ struct ContactLimit {
   std::vector<Vector3<double>> straight;
 };
 
+// A contact with dry friction, in the state of it that is tried.
+template <class Scalar>
+struct RoughContactOf {
+  std::string name;
+  int action = 0;
+  Grip grip = Grip::unknown;
+  Scalar resting{}, sliding{};  // the coefficients of friction
+  Direction<Scalar> normal;
+  // How it comes apart along the normal, and how it slips along two directions across it.
+  std::array<VelocityConstraint<Scalar>, 3> motions;
+  std::optional<Direction<Scalar>> slip;  // of `on` over `from`, if it slides
+};
+
 template <class Scalar>
 struct MachineOf {
   Mechanism<Scalar> mechanism;
@@ -92,6 +106,7 @@ struct MachineOf {
   // before.
   std::optional<Model<Scalar>> struck_tree;
   std::vector<ContactLimit> contact_limits;
+  std::vector<RoughContactOf<Scalar>> rough_contacts;
   std::map<std::string, JointPlaceOf<Scalar>> joints;
   std::vector<std::string> loop_joints;        // joints that close loops
   std::vector<std::string> constraint_joints;  // for each constraint the joint that it closes a loop by, "" if none
@@ -108,6 +123,7 @@ using Machine = MachineOf<double>;
 
 struct MachineOptions {
   bool lenient = false;                           // whether unknowns have trial values
+  bool particles = false;                         // whether bodies are made of particles then too, for checks
   double time = 0;                                // s
   Vector3<double> open_gravity{};                 // used if the situation says nothing about gravity
   std::optional<std::vector<std::string>> loads;  // the loads that act; all of them if left out

@@ -46,6 +46,25 @@ void check_sides(MachineDraft<Scalar>& draft, const Contact& contact, const Vect
   refuse_beside(contact.against);
 }
 
+// The coefficients of friction at rest and while it slides.
+template <class Scalar>
+std::pair<Scalar, Scalar> friction_of(MachineDraft<Scalar>& draft, const Contact& contact) {
+  const Scalar resting = draft.data.number(contact.friction->resting, dimensions::none),
+               sliding = draft.data.number(contact.friction->sliding, dimensions::none);
+  const auto refuse = [&](const std::string& message, const std::string& hint) {
+    fail(draft.situation.file, contact.friction->mark, "contact '" + contact.name + "' " + message, hint);
+  };
+  if (!draft.options.lenient) {
+    if (!(plain(resting) >= 0) || !(plain(sliding) >= 0))
+      refuse("has a negative coefficient of friction",
+             "friction resists: write a coefficient that is zero or positive");
+    if (plain(sliding) > plain(resting))
+      refuse("has more friction while it slides than at rest",
+             "static: is the larger of the two, or both are the same");
+  }
+  return {resting, sliding};
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -65,15 +84,20 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
       else
         directions.emplace_back(to_string(e), draft.data.direction(e));
     }
-  } else {
+  } else if (contact.friction && contact.grip == Grip::slides) {
+    // Along the slip the friction is the coefficient times the push: both are one component of the push's size.
+    directions.emplace_back("push", n - draft.data.number(contact.friction->sliding, dimensions::none) *
+                                            draft.data.direction(*contact.slip));
+  } else if (contact.grip != Grip::parts) {
     directions.emplace_back(draft.direction_name(n), n);
-    if (contact.no_slip) {
+    if (contact.no_slip || contact.grip == Grip::sticks) {
       directions.emplace_back(draft.direction_name(t1), t1);
       directions.emplace_back(draft.direction_name(t2), t2);
     }
   }
   for (const auto& [name, d] : directions) {
-    draft.add_component(action, name, false, at, {from, d}).one_sided = norm(plain(d - n)) < 1e-9;
+    draft.add_component(action, name, false, at, {from, d}).one_sided =
+        norm(plain(d - n)) < 1e-9 || contact.grip == Grip::slides;
   }
   // The relative motion that the contact forbids.
   const Body& stated = draft.situation.bodies[draft.body_number(contact.of)];
@@ -115,8 +139,10 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
   }
   if (norm(limit.middle) > 0 || !limit.straight.empty()) draft.machine.contact_limits.push_back(std::move(limit));
   const auto forbid = [&](const Vector3<Scalar>& d) {
-    const std::string words = std::string(contact.no_slip ? "rolling" : "touching") + " at contact '" + contact.name +
-                              "' along " + draft.direction_name(d);
+    const std::string words = std::string(contact.no_slip                ? "rolling"
+                                          : contact.grip == Grip::sticks ? "sticking"
+                                                                         : "touching") +
+                              " at contact '" + contact.name + "' along " + draft.direction_name(d);
     VelocityConstraint<Scalar>& c = draft.add_constraint(
         round ? VelocityConstraintKind::rolling : VelocityConstraintKind::point, words, on, from, at, d);
     c.action = action;
@@ -133,12 +159,30 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
     c.axis = surface.axis;
     c.radius = surface.radius;
   };
+  std::vector<VelocityConstraint<Scalar>>& constraints = draft.machine.mechanism.constraints;
   forbid(n);
-  draft.machine.mechanism.constraints.back().normal = true;
-  if (contact.no_slip) {
+  constraints.back().normal = true;
+  if (contact.no_slip || contact.friction) {
     forbid(t1);
     forbid(t2);
   }
+  if (!contact.friction) return;
+  // What holds only while it touches, or while it sticks, is kept apart, to see how it parts and slips.
+  const std::size_t first = constraints.size() - 3;
+  const auto [resting, sliding] = friction_of(draft, contact);
+  RoughContactOf<Scalar> rough{contact.name,
+                               action,
+                               contact.grip,
+                               resting,
+                               sliding,
+                               {from, n},
+                               {constraints[first], constraints[first + 1], constraints[first + 2]},
+                               {}};
+  if (contact.slip) rough.slip = {from, draft.data.direction(*contact.slip)};
+  draft.machine.rough_contacts.push_back(std::move(rough));
+  const std::size_t held = contact.grip == Grip::sticks ? 3 : contact.grip == Grip::parts ? 0 : 1;
+  constraints.resize(first + held);
+  draft.machine.constraint_joints.resize(first + held);
 }
 
 template <class Scalar>

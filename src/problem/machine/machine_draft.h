@@ -19,6 +19,13 @@ struct TimedNumber {
   std::optional<Scalar> derivative, second_derivative;
 };
 
+// A couple or force at a freedom that depends on the motion.
+struct EffortByMotion {
+  const Joint* joint = nullptr;
+  const Freedom* freedom = nullptr;
+  std::size_t drive = 0;  // of the mechanism
+};
+
 // The scalar is that of the machine. The objects referred to must outlive the draft.
 template <class Scalar>
 struct MachineDraft {
@@ -33,6 +40,7 @@ struct MachineDraft {
   // The link of each freedom, and its parent.
   std::map<std::pair<std::string, std::size_t>, std::pair<int, int>> link_of_freedom{};
   std::vector<const Joint*> loops{};  // joints that close loops
+  std::vector<EffortByMotion> efforts{};
   // For joints among them that turn about two axes, the link that turns about the first.
   std::map<std::string, int> cross_of_loop{};
 
@@ -111,12 +119,39 @@ template <class Scalar>
 void add_law(MachineDraft<Scalar>& draft, const Spring& spring);
 template <class Scalar>
 void add_law(MachineDraft<Scalar>& draft, const Load& load);
+// Those at freedoms that depend on the motion.
+template <class Scalar>
+void add_efforts_by_motion(MachineDraft<Scalar>& draft);
 template <class Scalar>
 void add_impulse(MachineDraft<Scalar>& draft, const Impulse& impulse);
 template <class Scalar>
 void add_impact(MachineDraft<Scalar>& draft, const Impact& impact);
 template <class Scalar>
 void add_strike(MachineDraft<Scalar>& draft, const Strike& strike);
+
+// Loads that depend on the motion (motion_loads.cpp).
+//
+// Whether an expression of a load asks anything of the motion: a quantity of a body, or a coordinate or its rate. The
+// name of a datum is the datum, also where a coordinate has it. After the tree is built.
+template <class Scalar>
+bool depends_on_motion(const MachineDraft<Scalar>& draft, const Expression& expression);
+
+// What a load is made of: a vector, or a number along a direction.
+struct MotionLoadWords {
+  std::string owner;  // "load 'drag'", for messages
+  Expression size;
+  std::optional<Expression> direction;
+  Dimension dimension;
+};
+
+// The vector of a load on the axes of a body or frame, on which the vectors of its expression stand too. Throws
+// StatementError for what no load can depend on. After the actions of the joints.
+template <class Scalar>
+MotionExpression<Scalar> motion_load(MachineDraft<Scalar>& draft, const MotionLoadWords& words, int axes);
+// The same for a couple or force at a freedom.
+template <class Scalar>
+MotionExpression<Scalar> motion_effort(MachineDraft<Scalar>& draft, const MotionLoadWords& words,
+                                       const Direction<Scalar>& along);
 
 extern template struct MachineDraft<double>;
 extern template struct MachineDraft<Dual<1>>;

@@ -126,7 +126,10 @@ void add_drives(MachineDraft<Scalar>& draft, const Joint& joint, const JointAxes
     drive.held = accel_known && !freedom.effort && !freedom.stiffness && !freedom.damping;
     const Dimension effort = freedom.turning ? dimensions::moment : dimensions::force;
     const Dimension position = freedom.turning ? dimensions::angle : dimensions::length;
-    if (freedom.effort) drive.effort = draft.timed_number(*freedom.effort, effort).value;
+    if (freedom.effort && depends_on_motion(draft, *freedom.effort))
+      draft.efforts.push_back({&joint, &freedom, draft.machine.mechanism.drives.size()});
+    else if (freedom.effort)
+      drive.effort = draft.timed_number(*freedom.effort, effort).value;
     if (freedom.stiffness) drive.stiffness = draft.data.number(*freedom.stiffness, effort / position);
     if (freedom.free_position) drive.free_position = draft.data.number(*freedom.free_position, position);
     if (freedom.damping) drive.damping = draft.data.number(*freedom.damping, effort / position * dimensions::time);

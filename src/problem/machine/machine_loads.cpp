@@ -20,6 +20,9 @@ void add_law(MachineDraft<Scalar>& draft, const Load& load) {
   if (draft.options.loads &&
       std::find(draft.options.loads->begin(), draft.options.loads->end(), load.name) == draft.options.loads->end()) {
     force.vector = Vector3<Scalar>::zero();
+  } else if (depends_on_motion(draft, size) || (load.direction && depends_on_motion(draft, *load.direction))) {
+    force.by_motion = std::make_shared<const MotionExpression<Scalar>>(
+        motion_load<Scalar>(draft, {"load '" + load.name + "'", size, load.direction, dimension}, force.axes));
   } else if (load.direction) {
     force.vector = draft.data.number(size, dimension) * draft.data.direction(*load.direction);
   } else {
@@ -36,8 +39,34 @@ void add_law(MachineDraft<Scalar>& draft, const Load& load) {
   draft.machine.mechanism.forces.push_back(force);
 }
 
+template <class Scalar>
+void add_efforts_by_motion(MachineDraft<Scalar>& draft) {
+  for (const EffortByMotion& effort : draft.efforts) {
+    const Drive<Scalar>& drive = draft.machine.mechanism.drives[effort.drive];
+    const std::string owner =
+        std::string(drive.turning ? "the couple" : "the force") + " at joint '" + effort.joint->name + "'";
+    const Mark mark = effort.freedom->effort->mark();
+    // Within gimbals a motor passes on more than a couple about its own axis.
+    if (!drive.others.empty())
+      fail(draft.situation.file, mark,
+           owner + " depends on the motion, which is only possible where a joint turns about a single axis",
+           "state a load of the same size on the body, and its reverse on what carries the joint");
+    KnownForce<Scalar> force;
+    force.action = drive.action;
+    force.couple = drive.turning;
+    force.at = drive.at;
+    force.by_motion = std::make_shared<const MotionExpression<Scalar>>(motion_effort<Scalar>(
+        draft, {owner, *effort.freedom->effort, std::nullopt, drive.turning ? dimensions::moment : dimensions::force},
+        drive.along));
+    draft.machine.mechanism.forces.push_back(force);
+  }
+}
+
 template void add_law(MachineDraft<double>&, const Load&);
 template void add_law(MachineDraft<Dual<1>>&, const Load&);
 template void add_law(MachineDraft<Formula>&, const Load&);
+template void add_efforts_by_motion(MachineDraft<double>&);
+template void add_efforts_by_motion(MachineDraft<Dual<1>>&);
+template void add_efforts_by_motion(MachineDraft<Formula>&);
 
 }  // namespace poinsot::problem

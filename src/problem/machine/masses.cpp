@@ -31,8 +31,8 @@ MassProperties<double> plain(const MassProperties<Scalar>& body) {
 template <class Scalar>
 class MassReader {
  public:
-  MassReader(const Body& body, DataScope<Scalar>& data, const AnyValue& any, bool lenient)
-      : body_(body), data_(data), any_(any), lenient_(lenient) {}
+  MassReader(const Body& body, DataScope<Scalar>& data, const AnyValue& any, bool lenient, bool particles)
+      : body_(body), data_(data), any_(any), lenient_(lenient), particles_(particles) {}
 
   BodyMassOf<Scalar> of_shapes();
   BodyMassOf<Scalar> of_numbers();
@@ -46,7 +46,7 @@ class MassReader {
   const std::string& file() const { return data_.situation().file; }
 
   // Particles are made for plain numbers, and only if the answer will be checked with them.
-  bool wants_particles() const { return std::same_as<Scalar, double> && !lenient_; }
+  bool wants_particles() const { return std::same_as<Scalar, double> && (!lenient_ || particles_); }
 
   Scalar number(const Expression& expression, const Dimension& dimension) {
     return is_any(expression) ? open(dimension) : data_.number(expression, dimension);
@@ -117,7 +117,7 @@ class MassReader {
   const Body& body_;
   DataScope<Scalar>& data_;
   const AnyValue& any_;
-  bool lenient_;
+  bool lenient_, particles_;
   std::vector<MassProperties<Scalar>> parts_;
 };
 
@@ -221,7 +221,7 @@ BodyMassOf<Scalar> MassReader<Scalar>::of_numbers() {
   } else {
     whole.properties = {mass, center, tensor};
   }
-  if (!lenient_)
+  if (!lenient_ || wants_particles())
     if (const auto report = validate(plain(whole.properties), body_.name))
       fail(file(), body_.inertia ? body_.inertia->mark : body_.mark, report->message);
   if (wants_particles()) whole.particles = equivalent_particles(plain(whole.properties));
@@ -253,9 +253,10 @@ void MassReader<Scalar>::absorb(BodyMassOf<Scalar>& whole) {
 }  // namespace
 
 template <class Scalar>
-BodyMassOf<Scalar> body_mass(const Body& body, DataScope<Scalar>& data, const AnyValue& any, bool lenient) {
+BodyMassOf<Scalar> body_mass(const Body& body, DataScope<Scalar>& data, const AnyValue& any, bool lenient,
+                             bool particles) {
   if (body.massless) return {massless<Scalar>(), Vector3<Scalar>::zero(), {}};
-  MassReader<Scalar> reader(body, data, any, lenient);
+  MassReader<Scalar> reader(body, data, any, lenient, particles);
   BodyMassOf<Scalar> result = body.parts.empty() ? reader.of_numbers() : reader.of_shapes();
   result.center = result.properties.center;
   reader.absorb(result);
@@ -271,7 +272,7 @@ std::vector<MassProperties<Scalar>> part_masses(const Body& body, DataScope<Scal
   const AnyValue none = [&](const Dimension&) -> double {
     fail(data.situation().file, body.mark, "a part of body '" + body.name + "' has any value");
   };
-  MassReader<Scalar> reader(body, data, none, true);
+  MassReader<Scalar> reader(body, data, none, true, false);
   BodyMassOf<Scalar> whole = body.parts.empty() ? reader.of_numbers() : reader.of_shapes();
   reader.absorb(whole);
   return std::move(reader).parts();
@@ -279,8 +280,8 @@ std::vector<MassProperties<Scalar>> part_masses(const Body& body, DataScope<Scal
 
 template std::vector<MassProperties<double>> part_masses(const Body&, DataScope<double>&);
 template std::vector<MassProperties<Formula>> part_masses(const Body&, DataScope<Formula>&);
-template BodyMassOf<double> body_mass(const Body&, DataScope<double>&, const AnyValue&, bool);
-template BodyMassOf<Dual<1>> body_mass(const Body&, DataScope<Dual<1>>&, const AnyValue&, bool);
-template BodyMassOf<Formula> body_mass(const Body&, DataScope<Formula>&, const AnyValue&, bool);
+template BodyMassOf<double> body_mass(const Body&, DataScope<double>&, const AnyValue&, bool, bool);
+template BodyMassOf<Dual<1>> body_mass(const Body&, DataScope<Dual<1>>&, const AnyValue&, bool, bool);
+template BodyMassOf<Formula> body_mass(const Body&, DataScope<Formula>&, const AnyValue&, bool, bool);
 
 }  // namespace poinsot::problem

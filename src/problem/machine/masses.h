@@ -17,14 +17,15 @@ template <class Scalar>
 struct BodyMassOf {
   MassProperties<Scalar> properties;        // on the axes of the ground, as drawn
   Vector3<Scalar> center;                   // of mass, before particles were absorbed
-  std::vector<Particle<double>> particles;  // the same body for the check; only for doubles, and not for trial values
+  std::vector<Particle<double>> particles;  // the same body for the check; only for doubles, and if wanted
 };
 using BodyMass = BodyMassOf<double>;
 
 // The scalar is double, Dual<1> or Formula. lenient: negative masses and impossible inertias are accepted, as
-// unknowns have trial values. Throws StatementError for negative masses, shapes without extent, inertias that no body
-// can have, and wrong dimensions.
+// unknowns have trial values. particles: whether they are wanted then too. Throws StatementError for negative masses,
+// shapes without extent, inertias that no body can have, and wrong dimensions.
 template <class Scalar>
-BodyMassOf<Scalar> body_mass(const Body& body, DataScope<Scalar>& data, const AnyValue& any, bool lenient = false);
+BodyMassOf<Scalar> body_mass(const Body& body, DataScope<Scalar>& data, const AnyValue& any, bool lenient = false,
+                             bool particles = false);
 
 }  // namespace poinsot::problem

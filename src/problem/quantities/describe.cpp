@@ -96,7 +96,8 @@ std::string words_of(const Expression& expression, const Situation& situation) {
     for (const Expression& item : list->items) words += (words.empty() ? "" : "; ") + words_of(item, situation);
     return words;
   }
-  if (const Member* member = expression.as<Member>())
+  if (const Member* member = expression.as<Member>();
+      member && std::ranges::find(situation.axes, member->name) != situation.axes.end())
     return words_of(member->object, situation) + ", " + member->name + " component";
   if (const Name* name = expression.as<Name>()) {
     if (name->primes == 1) return "rate of " + name->name;
@@ -111,7 +112,8 @@ std::string condition_words(const Expression& condition, const Situation& situat
   const Call* call = condition.as<Call>();
   if (call && call->arguments.size() == 1)
     for (const auto& [function, verb] :
-         {std::pair{"stable", " is stable"}, std::pair{"touching", " touches"}, std::pair{"taut", " is taut"}})
+         {std::pair{"stable", " is stable"}, std::pair{"touching", " touches"}, std::pair{"taut", " is taut"},
+          std::pair{"sticking", " sticks"}, std::pair{"sliding", " slides"}, std::pair{"parting", " parts"}})
       if (call->function == function) return words_of(call->arguments[0].value, situation) + verb;
   return to_string(condition);
 }

@@ -9,6 +9,7 @@
 
 #include "poinsot/engine/mass/composition.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/evaluate_functions.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/misread.h"
@@ -79,7 +80,10 @@ Matrix3<Scalar> QuantityScope<Scalar, Base>::axes_of(const Expression& expressio
     if (plain(dot(d[0], cross(d[1], d[2]))) < 0) evaluator.fail(expression.mark(), "the axes are not right-handed");
     return Matrix3<Scalar>::from_columns(d[0], d[1], d[2]);
   }
-  return body_rotation(model_, workspace_, body_of(expression, evaluator));
+  const int body = body_of(expression, evaluator);
+  const Matrix3<Scalar>& axes = body_rotation(model_, workspace_, body);
+  for (std::size_t k = 0; k < 3; ++k) tell_direction(body, Vector3<Base>::unit(k), axes.column(k), "axes");
+  return axes;
 }
 
 template <class Scalar, class Base>
@@ -128,13 +132,15 @@ template <class Scalar, class Base>
 typename QuantityScope<Scalar, Base>::Riding QuantityScope<Scalar, Base>::riding(const Expression& expression,
                                                                                  const Evaluator<Scalar>& evaluator) {
   const auto at = [&](int body, const Vector& position) {
-    return Riding{body, direction_on_body(model_, workspace_, body,
-                                          position - point_position(model_, workspace_, body, Vector::zero()))};
+    return Riding{body,
+                  direction_on_body(model_, workspace_, body,
+                                    position - point_position(model_, workspace_, body, Vector::zero())),
+                  {}};
   };
   if (const Of* of = expression.as<Of>()) {
     const int body = body_of(of->body, evaluator);
     const Vector3<Base> drawn = as_base(data_.place(of->point));
-    return {body, lifted<Scalar>(machine_.place(body, drawn).point)};
+    return {body, lifted<Scalar>(machine_.place(body, drawn).point), drawn};
   }
   if (const Call* call = expression.as<Call>();
       call && call->function == "center" && call->pattern().empty() && call->arguments.size() == 1) {
@@ -239,8 +245,9 @@ Value<Scalar> QuantityScope<Scalar, Base>::of(const Of& of, const Mark& mark, co
   const int body = body_of(of.body, evaluator);
   (void)mark;
   const Vector3<Base> drawn = as_base(data_.place(of.point));
-  return vector_value(point_position(model_, workspace_, body, lifted<Scalar>(machine_.place(body, drawn).point)),
-                      dimensions::length);
+  const Vector now = point_position(model_, workspace_, body, lifted<Scalar>(machine_.place(body, drawn).point));
+  tell_position(body, drawn, now, "position");
+  return vector_value(now, dimensions::length);
 }
 
 template <class Scalar, class Base>
@@ -253,6 +260,7 @@ template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::member(const Member& member, const Mark& mark,
                                                   const Evaluator<Scalar>& evaluator) {
   const Result object = evaluator(member.object);
+  if (is_record(object)) return named_item(object, member.name, mark, evaluator);
   const auto axis = std::find(situation_.axes.begin(), situation_.axes.end(), member.name);
   if (!object.is_vector()) evaluator.fail(mark, "only vectors have components");
   if (axis == situation_.axes.end())
@@ -272,6 +280,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::call(const Call& call, const Mark& ma
     evaluator.fail(mark, call.function + "() over the motion cannot stand here");
   }
   if (call.function == "derivative" && call.pattern() == "by") return derivative_by(call, mark, evaluator);
+  if (is_extreme_of_list(call)) return extreme_of_list(call, mark, evaluator);
   const QuantityFunction* function = find_quantity(call.function);
   if (!function) {
     std::vector<std::string> names;
@@ -299,6 +308,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::call(const Call& call, const Mark& ma
       return force(call, mark, evaluator);
     case QuantityKind::holding:
       return holding(call, evaluator);
+    case QuantityKind::friction:
+      return friction(call, evaluator);
     case QuantityKind::stability:
       return stability(call, mark, evaluator);
     case QuantityKind::motion_feature:
@@ -355,6 +366,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::rate(const Call& call, const Mark& ma
     data.vary_as(data_);
     QuantityScope<Timed, Base> timed(machine_, model, data, std::move(state));
     if (axes_expression_) timed.set_axes(*axes_expression_);
+    if (tells()) timed.set_told(told_);
     const Value<Timed> value = timed.value(call.arguments[0].value);
     const Dimension dimension = value.dimension / dimensions::time;
     if (value.is_number()) return number_value(value.number.partial[0], dimension);

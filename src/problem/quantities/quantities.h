@@ -65,10 +65,10 @@ class QuantityScope : public Scope<Scalar> {
 
   // Sets the values of min(), max() and period() over the motion. They must outlive the scope.
   void set_motion_features(const MotionFeatureValues& values) { features_ = &values; }
-  // Sets the function that linearises the motion near this one. Errors are reported at the mark.
-  void set_linearisation(std::function<const solve::Linearisation&(const Mark&)> linearisation) {
-    linearisation_ = std::move(linearisation);
-  }
+  // The function that linearises the motion near this one, with the shapes of its modes or without. Errors are reported
+  // at the mark.
+  using Linearise = std::function<const solve::Linearisation&(const Mark&, bool with_shapes)>;
+  void set_linearisation(Linearise linearisation) { linearisation_ = std::move(linearisation); }
 
   // Sets where it is written down what is told of the model by plain numbers. It must outlive the scope.
   void set_told(std::vector<ToldQuantity>* told) { told_ = told; }
@@ -94,9 +94,16 @@ class QuantityScope : public Scope<Scalar> {
   }
   static Vector3<Base> as_base(const Vector& v) { return {as_base(v.x), as_base(v.y), as_base(v.z)}; }
 
-  // Whether it is written down what is told: only of plain numbers.
-  bool tells() const { return std::is_same_v<Scalar, double> && told_; }
+  // Whether it is written down what is told: only of plain numbers, and of their rates over time.
+  bool tells() const { return std::is_same_v<Base, double> && told_; }
+  static constexpr bool tells_rates = std::is_same_v<Scalar, Dual<1>>;
   static Vector3<double> plain_vector(const Vector& v) { return {plain(v.x), plain(v.y), plain(v.z)}; }
+  static Vector3<double> rate_of(const Vector& v) {
+    if constexpr (tells_rates)
+      return {v.x.partial[0], v.y.partial[0], v.z.partial[0]};
+    else
+      return {};
+  }
 
   int body_of(const Expression& expression, const Evaluator<Scalar>& evaluator, bool system_allowed = false);
   bool is_frame(int body) const;
@@ -105,12 +112,20 @@ class QuantityScope : public Scope<Scalar> {
   struct Riding {
     int body;
     Vector local;
+    std::optional<Vector3<Base>> drawn;  // where it was drawn, if the statement says so
   };
   Riding riding(const Expression& expression, const Evaluator<Scalar>& evaluator);
   Vector mass_center_of(int body, const Expression& expression, const Evaluator<Scalar>& evaluator);
   MassProperties<Scalar> current_mass(int body);
   // An axis as a point and a direction: A->B, axis(J), or a direction with its point after `at`.
   std::pair<Vector, Vector> line(const Call& call, const Evaluator<Scalar>& evaluator);
+
+  // Write down what is told of places and directions that ride with bodies, and of what geometry makes of them.
+  void tell_position(int body, const std::optional<Vector3<Base>>& drawn, const Vector& position,
+                     const std::string& words);
+  void tell_direction(int body, const Vector3<Base>& drawn, const Vector& direction, const std::string& words);
+  void tell_geometry(ToldQuantity::Kind kind, const Vector& place, const Vector& first, const Vector& second,
+                     const Scalar& value, const std::string& words);
 
   Result kinematic(const Call& call, const Evaluator<Scalar>& evaluator);
   Result momentum(const Call& call, const Evaluator<Scalar>& evaluator);
@@ -121,7 +136,10 @@ class QuantityScope : public Scope<Scalar> {
   Result geometry(const Call& call, const Evaluator<Scalar>& evaluator);
   Result force(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
   Result holding(const Call& call, const Evaluator<Scalar>& evaluator);
+  Result friction(const Call& call, const Evaluator<Scalar>& evaluator);
   Result stability(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
+  Result modes(const solve::Linearisation& near, int body);
+  Result extreme_of_list(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
   Result rate(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
   Result derivative_by(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
 
@@ -135,7 +153,7 @@ class QuantityScope : public Scope<Scalar> {
   std::optional<Expression> axes_expression_;
   std::function<Value<Scalar>(const At&, const Mark&)> elsewhere_;
   const MotionFeatureValues* features_ = nullptr;
-  std::function<const solve::Linearisation&(const Mark&)> linearisation_;
+  Linearise linearisation_;
   bool has_accelerations_ = false;
   std::vector<Base> accelerations_;
   std::vector<FlyingParticle<Base>> flying_;

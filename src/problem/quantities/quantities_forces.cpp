@@ -107,14 +107,15 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     return mechanism.actions[i].on == first.on && mechanism.actions[i].from == first.from;
   });
   const auto told = [&](ToldQuantity::Kind kind, const Vector3<Base>& place, const Vector3<Base>& value,
-                        const Dimension& dimension) {
+                        const Dimension& dimension, const Vector3<Base>& along = Vector3<Base>::zero()) {
     Result result = as_vector(value, dimension);
-    if (tells() && one_pair)
+    if (tells() && !tells_rates && one_pair)
       told_->push_back({.kind = kind,
                         .body = on,
                         .from = on == first.on ? first.from : first.on,
                         .actions = actions,
                         .place = {plain(place.x), plain(place.y), plain(place.z)},
+                        .first = {plain(along.x), plain(along.y), plain(along.z)},
                         .value = plain_vector(result.vector),
                         .words = call.function});
     return result;
@@ -128,19 +129,24 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
       return now.position(found->second.at);
     return Vector3<Base>::zero();
   };
+  using Kind = ToldQuantity::Kind;
+  const Vector3<Base> nowhere = Vector3<Base>::zero();
   if (f == "tension") {
     // The component is along the cord and may be negative, so that a cord that would have to push shows a negative
     // tension.
     for (std::size_t k = 0; k < mechanism.components.size(); ++k)
-      if (mechanism.components[k].action == static_cast<int>(actions.front()))
-        return number_value(lifted<Scalar>((*unknowns_)[solve::force_unknowns(mechanism).accelerations + k]),
-                            dimensions::force);
+      if (mechanism.components[k].action == static_cast<int>(actions.front())) {
+        const Base tension = (*unknowns_)[solve::force_unknowns(mechanism).accelerations + k];
+        told(Kind::tension, nowhere, {tension, Base(0), Base(0)}, dimensions::force);
+        return number_value(lifted<Scalar>(tension), dimensions::force);
+      }
     return number_value(Scalar(0), dimensions::force);  // slack
   }
   if (f == "load") {
     for (const KnownForce<Base>& force : mechanism.forces)
       if (force.action == static_cast<int>(actions.front()))
-        return force.couple ? as_vector(wrench.moment, dimensions::moment) : as_vector(wrench.force, dimensions::force);
+        return force.couple ? told(Kind::couple, nowhere, wrench.moment, dimensions::moment)
+                            : told(Kind::force, nowhere, wrench.force, dimensions::force);
   }
   if (f == "drive" && actions.size() > 1)
     evaluator.fail(name_mark, "joint '" + name + "' has several freedoms",
@@ -150,13 +156,12 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     for (const Drive<Base>& drive : mechanism.drives) {
       if (drive.action != static_cast<int>(actions.front())) continue;
       const Vector3<Base> d = mechanism_state_->direction(drive.along);
-      return drive.turning ? as_vector(dot(wrench.moment, d) * d, dimensions::moment)
-                           : as_vector(wrench.force, dimensions::force);
+      return drive.turning ? told(Kind::effort, own_place(), dot(wrench.moment, d) * d, dimensions::moment, d)
+                           : told(Kind::force, nowhere, wrench.force, dimensions::force);
     }
   }
-  using Kind = ToldQuantity::Kind;
-  if (f == "force" || f == "reaction") return told(Kind::force, Vector3<Base>::zero(), wrench.force, dimensions::force);
-  if (f == "impulse") return told(Kind::impulse, Vector3<Base>::zero(), wrench.force, dimensions::momentum);
+  if (f == "force" || f == "reaction") return told(Kind::force, nowhere, wrench.force, dimensions::force);
+  if (f == "impulse") return told(Kind::impulse, nowhere, wrench.force, dimensions::momentum);
   if (f == "impulsive_couple") {
     const Expression* about = call.argument("about");
     const Vector3<Base> P = about ? as_base(place(*about, evaluator)) : own_place();

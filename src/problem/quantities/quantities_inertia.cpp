@@ -108,7 +108,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
   const MassProperties<Scalar> mass = current_mass(body);
   const auto told = [&](ToldQuantity::Kind kind, const Vector& P, const Vector& first, const Vector& second,
                         const Scalar& value) {
-    if (tells())
+    if (tells() && !tells_rates)
       told_->push_back({.kind = kind,
                         .body = body,
                         .place = plain_vector(P),
@@ -134,7 +134,9 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
     if (f == "moment_of_inertia") return number_value(I, dimensions::moment_of_inertia);
     if (!(plain(mass.mass) > 0)) evaluator.fail(mark, "a massless body has no radius of gyration");
     using std::sqrt;
-    return number_value(Scalar(sqrt(I / mass.mass)), dimensions::length);
+    const Scalar radius(sqrt(I / mass.mass));
+    told(ToldQuantity::Kind::radius_of_gyration, P, d, d, radius);
+    return number_value(radius, dimensions::length);
   }
   const Vector P = place(*call.argument("about"), evaluator);
   const SymmetricMatrix3<Scalar> I = rotated(transpose(axes_), inertia_about(mass, P));
@@ -171,8 +173,11 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
     if (f == "principal_moments") return numbers({principal.moments.x, principal.moments.y, principal.moments.z});
     // The axes are given on the axes that were asked for, as the caller converts vectors but not lists.
     std::vector<Result> items;
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k) {
       items.push_back(vector_value(axes_ * principal.axes.column(k), dimensions::none));
+      const Vector& axis = items.back().vector;
+      told(ToldQuantity::Kind::moment_of_inertia, P, axis, axis, principal.moments[k]);
+    }
     return Result::of_list(std::move(items));
   } else {
     evaluator.fail(mark, call.function + " cannot stand inside rate()");
@@ -195,13 +200,33 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
     const Vector G = mass_center_of(body, what, evaluator);
     const Vector H = body_momentum(model_, workspace_, body, G).angular;
     const Vector& w = angular_velocity(workspace_, body);
+    using Kind = ToldQuantity::Kind;
+    Vector axis = Vector::zero();
+    const auto told = [&](Kind kind, const Vector& value) {
+      if (tells())
+        told_->push_back({.kind = kind,
+                          .body = body,
+                          .place = plain_vector(G),
+                          .first = plain_vector(axis),
+                          .value = plain_vector(value),
+                          .words = call.function});
+    };
+    const auto vector = [&](Kind kind, const Vector& value) {
+      told(kind, value);
+      return vector_value(value, dimensions::none);
+    };
+    const auto number = [&](Kind kind, const Scalar& value, const Dimension& dimension) {
+      told(kind, {value, Scalar(0), Scalar(0)});
+      return number_value(value, dimension);
+    };
     if (f == "precession_axis" || f == "invariable_plane") {
       if (!(plain(norm(H)) > 0))
         evaluator.fail(mark, "'" + to_string(what) + "' does not turn: it has no angular momentum");
-      if (f == "precession_axis") return vector_value(normalized(H), dimensions::none);
-      return number_value(Scalar(dot(w, H) / norm(H)), dimensions::angular_velocity);
+      if (f == "precession_axis") return vector(Kind::precession_axis, normalized(H));
+      return number(Kind::invariable_plane, Scalar(dot(w, H) / norm(H)), dimensions::angular_velocity);
     }
-    if (f == "space_cone") return number_value(Scalar(atan2(norm(cross(H, w)), dot(H, w))), dimensions::angle);
+    if (f == "space_cone")
+      return number(Kind::space_cone, Scalar(atan2(norm(cross(H, w)), dot(H, w))), dimensions::angle);
     if (f == "axis_stability" || f == "poinsot_ellipsoid" || f == "polhode") {
       if constexpr (std::is_same_v<Scalar, double>)
         return poinsot_construction(call, mark, evaluator, body, H, w);
@@ -217,7 +242,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
                      "its motion is no steady precession");
     const Scalar &axial = revolution.axial, &transverse = revolution.transverse;
     // The axis has the sense of the angular velocity, unless the caller states another.
-    Vector axis = revolution.axis;
+    axis = revolution.axis;
     if (decided_negative(dot(axis, w))) axis = -axis;
     if (const Expression* about = call.argument("about")) {
       const Result sense = evaluator(*about);
@@ -227,17 +252,21 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
                        "'" + to_string(*about) + "' is not the axis of revolution of '" + to_string(what) + "'");
       if (decided_negative(dot(sense.vector, axis))) axis = -axis;
     }
-    if (f == "symmetry_axis") return vector_value(axis, dimensions::none);
+    if (f == "symmetry_axis") return vector(Kind::symmetry_axis, axis);
     if (f == "body_cone") {
       const Scalar along = dot(axis, w);
-      return number_value(Scalar(atan2(norm(cross(axis, w)), decided_negative(along) ? Scalar(-along) : along)),
-                          dimensions::angle);
+      return number(Kind::body_cone,
+                    Scalar(atan2(norm(cross(axis, w)), decided_negative(along) ? Scalar(-along) : along)),
+                    dimensions::angle);
     }
-    if (f == "precession_rate") return number_value(Scalar(norm(H) / transverse), dimensions::angular_velocity);
+    if (f == "precession_rate")
+      return number(Kind::precession_rate, Scalar(norm(H) / transverse), dimensions::angular_velocity);
     if (f == "spin_rate")
-      return number_value(Scalar(dot(H, axis) * (transverse - axial) / (axial * transverse)),
-                          dimensions::angular_velocity);
-    return Result::of_text(decided_negative(axial - transverse) ? "direct" : "retrograde");
+      return number(Kind::spin_rate, Scalar(dot(H, axis) * (transverse - axial) / (axial * transverse)),
+                    dimensions::angular_velocity);
+    const bool direct = decided_negative(axial - transverse);
+    told(Kind::precession_sense, {Scalar(direct ? 1 : -1), Scalar(0), Scalar(0)});
+    return Result::of_text(direct ? "direct" : "retrograde");
   }
 }
 
@@ -251,19 +280,32 @@ Value<Scalar> QuantityScope<Scalar, Base>::poinsot_construction(const Call& call
   const PrincipalAxes<double> principal = principal_axes(current_mass(body).inertia_center, equal_moments);
   const Vector3<double>& I = principal.moments;
   const auto equal = [&](std::size_t a, std::size_t b) { return std::abs(I[a] - I[b]) <= equal_moments * I[2]; };
+  const auto told = [&](ToldQuantity::Kind kind, const Vector3<double>& value) {
+    if (!tells()) return;
+    const Vector3<double> G = plain_vector(body_mass_center(model_, workspace_, body));
+    told_->push_back({.kind = kind, .body = body, .place = G, .value = value, .words = call.function});
+  };
   if (f == "axis_stability") {
     // These belong to the smallest, the intermediate and the largest moment. If two moments are equal, a rotation
     // about one of their axes drifts to the others when it is disturbed.
     const char* outer[2] = {equal(0, 1) ? "neutral" : "stable", equal(1, 2) ? "neutral" : "stable"};
     const char* middle = equal(0, 1) || equal(1, 2) ? "neutral" : "unstable";
+    const auto as_number = [](std::string_view word) {
+      return word == "stable" ? 1.0 : word == "unstable" ? -1.0 : 0.0;
+    };
+    told(ToldQuantity::Kind::axis_stability, {as_number(outer[0]), as_number(middle), as_number(outer[1])});
     return Result::of_list({Result::of_text(outer[0]), Result::of_text(middle), Result::of_text(outer[1])});
   }
   if (!(norm(H) > 0))
     evaluator.fail(mark, "'" + to_string(call.arguments[0].value) + "' does not turn: it has no angular momentum");
   if (f == "poinsot_ellipsoid") {
     std::vector<Result> semiaxes;
-    for (std::size_t k = 0; k < 3; ++k)
-      semiaxes.push_back(number_value(std::sqrt(dot(w, H) / I[k]), dimensions::angular_velocity));
+    Vector3<double> lengths{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      lengths[k] = std::sqrt(dot(w, H) / I[k]);
+      semiaxes.push_back(number_value(lengths[k], dimensions::angular_velocity));
+    }
+    told(ToldQuantity::Kind::poinsot_ellipsoid, lengths);
     return Result::of_list(std::move(semiaxes));
   }
   // The sign of H^2 - 2 T I_2 tells about which axis the tip of w runs. It is formed from its terms, as the
@@ -278,8 +320,10 @@ Value<Scalar> QuantityScope<Scalar, Base>::poinsot_construction(const Call& call
   if (around <= nine_digits) return Result::of_text("a point: the rotation about a principal axis");
   if (std::abs(towards_largest - towards_smallest) <= nine_digits * size)
     return Result::of_text("on the separatrix, towards the intermediate axis");
-  return Result::of_text(towards_largest > towards_smallest ? "around the axis of the largest moment"
-                                                            : "around the axis of the smallest moment");
+  const bool around_largest = towards_largest > towards_smallest;
+  told(ToldQuantity::Kind::polhode, {around_largest ? 1.0 : -1.0, 0, 0});
+  return Result::of_text(around_largest ? "around the axis of the largest moment"
+                                        : "around the axis of the smallest moment");
 }
 
 template Value<double> QuantityScope<double>::inertia(const Call&, const Mark&, const Evaluator<double>&);

@@ -17,13 +17,17 @@ Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Eva
   using Kind = ToldQuantity::Kind;
   const auto told = [&](Kind kind, int body, int from, const Vector& place, const Vector& value,
                         const Dimension& dimension) {
-    if (tells())
+    // Particles that fly on their own are of no body.
+    if (tells() && (body != whole_system || flying_.empty()))
       told_->push_back({.kind = kind,
                         .body = body,
                         .from = from,
                         .place = plain_vector(place),
                         .value = plain_vector(value),
-                        .words = call.function});
+                        .words = call.function,
+                        .as_rate = tells_rates,
+                        .place_rate = rate_of(place),
+                        .value_rate = rate_of(value)});
     return vector_value(value, dimension);
   };
   const Vector nowhere = Vector::zero();
@@ -35,7 +39,9 @@ Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Eva
     if (plain_name(what) && !machine_.index.contains(plain_name(what)->name))
       return vector_value(place(what, evaluator), dimensions::length);
     const Riding point = riding(what, evaluator);
-    return vector_value(point_position(model_, workspace_, point.body, point.local), dimensions::length);
+    const Vector now = point_position(model_, workspace_, point.body, point.local);
+    tell_position(point.body, point.drawn, now, call.function);
+    return vector_value(now, dimensions::length);
   }
   if ((f == "acceleration" || f == "angular_acceleration") && !has_accelerations_)
     evaluator.fail(what.mark(), call.function + " cannot stand inside rate() or among what is known of the velocities");
@@ -53,17 +59,61 @@ Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Eva
                 dimensions::angular_acceleration);
   }
   // The velocity of the system is that of its mass center.
-  if (const Name* name = plain_name(what); name && name->name == "system" && f == "velocity")
-    return told(Kind::velocity, whole_system, ground, nowhere,
-                poinsot::momentum(model_, workspace_, Vector::zero()).linear / total_mass(model_),
-                dimensions::velocity);
+  if (const Name* name = plain_name(what); name && name->name == "system" && f == "velocity") {
+    Vector momentum = poinsot::momentum(model_, workspace_, Vector::zero()).linear;
+    Scalar mass = total_mass(model_);
+    for (const FlyingParticle<Base>& particle : flying_) {
+      momentum = momentum + lifted<Scalar>(particle.mass) * lifted<Scalar>(particle.velocity);
+      mass = mass + lifted<Scalar>(particle.mass);
+    }
+    return told(Kind::velocity, whole_system, ground, nowhere, momentum / mass, dimensions::velocity);
+  }
   const Riding point = riding(what, evaluator);
   const Vector place = point_position(model_, workspace_, point.body, point.local), r = place - F.p;
+  tell_position(point.body, point.drawn, place, call.function);
   const Vector v = point_velocity(model_, workspace_, point.body, point.local) - F.v - cross(F.w, r);
   if (f == "velocity") return told(Kind::velocity, point.body, frame, place, v, dimensions::velocity);
   const Vector a = point_acceleration(model_, workspace_, point.body, point.local) - F.a - cross(F.alpha, r) -
                    cross(F.w, cross(F.w, r)) - Scalar(2) * cross(F.w, v);
   return told(Kind::acceleration, point.body, frame, place, a, dimensions::acceleration);
+}
+
+template <class Scalar, class Base>
+void QuantityScope<Scalar, Base>::tell_position(int body, const std::optional<Vector3<Base>>& drawn,
+                                                const Vector& position, const std::string& words) {
+  if (!tells() || !drawn) return;
+  told_->push_back({.kind = ToldQuantity::Kind::position,
+                    .body = body,
+                    .first = plain_vector(lifted<Scalar>(*drawn)),
+                    .value = plain_vector(position),
+                    .words = words,
+                    .as_rate = tells_rates,
+                    .value_rate = rate_of(position)});
+}
+
+template <class Scalar, class Base>
+void QuantityScope<Scalar, Base>::tell_direction(int body, const Vector3<Base>& drawn, const Vector& direction,
+                                                 const std::string& words) {
+  if (!tells()) return;
+  told_->push_back({.kind = ToldQuantity::Kind::direction,
+                    .body = body,
+                    .first = plain_vector(lifted<Scalar>(drawn)),
+                    .value = plain_vector(direction),
+                    .words = words,
+                    .as_rate = tells_rates,
+                    .value_rate = rate_of(direction)});
+}
+
+template <class Scalar, class Base>
+void QuantityScope<Scalar, Base>::tell_geometry(ToldQuantity::Kind kind, const Vector& place, const Vector& first,
+                                                const Vector& second, const Scalar& value, const std::string& words) {
+  if (!tells() || tells_rates) return;
+  told_->push_back({.kind = kind,
+                    .place = plain_vector(place),
+                    .first = plain_vector(first),
+                    .second = plain_vector(second),
+                    .value = {plain(value), 0, 0},
+                    .words = words});
 }
 
 template <class Scalar, class Base>
@@ -103,9 +153,10 @@ Value<Scalar> QuantityScope<Scalar, Base>::geometry(const Call& call, const Eval
       evaluator.fail(what.mark(), "there is no joint '" + to_string(what) + "'", did_you_mean(to_string(what), joints));
     }
     if (!found->second.axis) evaluator.fail(what.mark(), "joint '" + name->name + "' has no axis of its own");
-    return vector_value(
-        direction_on_ground(model_, workspace_, found->second.axis->body, lifted<Scalar>(found->second.axis->vector)),
-        dimensions::none);
+    const Direction<Base>& axis = *found->second.axis;
+    const Vector now = direction_on_ground(model_, workspace_, axis.body, lifted<Scalar>(axis.vector));
+    tell_direction(axis.body, axis.vector, now, call.function);
+    return vector_value(now, dimensions::none);
   }
   if (f == "direction_angles") {
     const Result v = evaluator(what);
@@ -118,6 +169,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::geometry(const Call& call, const Eval
       if (plain(cosine) > 1) cosine = Scalar(1);
       if (plain(cosine) < -1) cosine = Scalar(-1);
       items.push_back(number_value(Scalar(acos(cosine)), dimensions::angle));
+      tell_geometry(ToldQuantity::Kind::direction_angle, Vector::zero(), v.vector, axes_.column(k), items.back().number,
+                    call.function);
     }
     return Result::of_list(std::move(items));
   }
@@ -125,11 +178,16 @@ Value<Scalar> QuantityScope<Scalar, Base>::geometry(const Call& call, const Eval
   const Expression& to = *call.argument("to");
   const Vector A = place(what, evaluator);
   const Call* axis = to.as<Call>();
+  const auto told = [&](const Vector& from, const Vector& along, const Scalar& distance) {
+    tell_geometry(ToldQuantity::Kind::distance, A, from, along, distance, call.function);
+    return number_value(distance, dimensions::length);
+  };
   if (to.as<Arrow>() || (axis && axis->function == "axis")) {
     const auto [P, d] = line(Call{"distance", {Argument{"", what}, Argument{"about", to}}}, evaluator);
-    return number_value(norm(cross(d, Vector(A - P))), dimensions::length);
+    return told(P, d, norm(cross(d, Vector(A - P))));
   }
-  return number_value(norm(Vector(place(to, evaluator) - A)), dimensions::length);
+  const Vector B = place(to, evaluator);
+  return told(B, Vector::zero(), norm(Vector(B - A)));
 }
 
 template Value<double> QuantityScope<double>::kinematic(const Call&, const Evaluator<double>&);

@@ -41,9 +41,22 @@ template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Evaluator<Scalar>& evaluator) {
   const std::string_view f = call.function;
   const Expression& what = call.arguments[0].value;
+  const auto told_springs = [&](const std::string& name, const Scalar& energy) {
+    const Vector value{energy, Scalar(0), Scalar(0)};
+    if (tells())
+      told_->push_back({.kind = ToldQuantity::Kind::spring_energy,
+                        .body = whole_system,
+                        .value = plain_vector(value),
+                        .words = call.function,
+                        .name = name,
+                        .as_rate = tells_rates,
+                        .value_rate = rate_of(value)});
+  };
   if (const Name* name = plain_name(what); name && f == "potential_energy" && !machine_.index.contains(name->name))
-    if (const auto energy = energy_of_springs(machine_.mechanism, name->name, model_, workspace_, state_))
+    if (const auto energy = energy_of_springs(machine_.mechanism, name->name, model_, workspace_, state_)) {
+      told_springs(name->name, *energy);
       return number_value(*energy, dimensions::energy);
+    }
   const int body = body_of(what, evaluator, true);
   if (body == ground) evaluator.fail(what.mark(), "the ground has no " + call.function);
   const bool all = body == whole_system;
@@ -55,7 +68,10 @@ Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Eval
                         .body = body,
                         .place = plain_vector(place),
                         .value = plain_vector(value),
-                        .words = call.function});
+                        .words = call.function,
+                        .as_rate = tells_rates,
+                        .place_rate = rate_of(place),
+                        .value_rate = rate_of(value)});
   };
   const auto told_number = [&](Kind kind, const Scalar& value) {
     told(kind, Vector::zero(), {value, Scalar(0), Scalar(0)});
@@ -83,7 +99,9 @@ Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Eval
     const Scalar mass = all ? Scalar(total_mass(model_) + flying_mass) : model_.body(body).inertia.mass;
     told_number(Kind::mass, mass);
     if (f == "mass") return number_value(mass, dimensions::mass);
-    return number_value(mass * data_.gravity_size(), dimensions::force);
+    const Scalar weight = mass * data_.gravity_size();
+    told_number(Kind::weight, weight);
+    return number_value(weight, dimensions::force);
   }
   if (f == "momentum") {
     const auto total = all ? poinsot::momentum(model_, workspace_, Vector::zero())
@@ -106,8 +124,10 @@ Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Eval
         sum = sum - model_.body(i).inertia.mass * dot(model_.gravity(), body_mass_center(model_, workspace_, i));
     told_number(Kind::height_energy, sum);
     if (all)
-      if (const auto energy = energy_of_springs(machine_.mechanism, "", model_, workspace_, state_))
+      if (const auto energy = energy_of_springs(machine_.mechanism, "", model_, workspace_, state_)) {
+        told_springs("", *energy);
         sum = sum + *energy;
+      }
     return number_value(sum, dimensions::energy);
   }
   const Scalar T = all ? Scalar(poinsot::kinetic_energy(model_, workspace_) + flying_energy)

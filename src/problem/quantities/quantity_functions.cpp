@@ -150,6 +150,12 @@ const std::vector<QuantityFunction>& quantity_table() {
       {"period", "period(theta)", "period", motion, Kind::motion_feature, {""}},
       {"touching", "touching(mesh)", "contact", force, Kind::holding, {""}},
       {"taut", "taut(wire)", "pull", force, Kind::holding, {""}},
+      {"sticking", "sticking(floor)", "sticking", force, Kind::friction, {""}},
+      {"sliding", "sliding(floor)", "sliding", force, Kind::friction, {""}},
+      {"parting", "parting(floor)", "parting", force, Kind::friction, {""}},
+      {"slip_velocity", "slip_velocity(floor)", "velocity of slipping", velocity, Kind::friction, {""}},
+      {"normal_force", "normal_force(floor)", "normal force", force, Kind::friction, {""}},
+      {"friction", "friction(floor on crate)", "friction", force, Kind::friction, {"", "on"}},
       {"stable", "stable(plate), stable(system)", "stability", force, Kind::stability, {""}},
       {"stability", "stability(plate), stability(system)", "stability", force, Kind::stability, {""}},
       {"growth_rate",
@@ -164,6 +170,13 @@ const std::vector<QuantityFunction>& quantity_table() {
        force,
        Kind::stability,
        {""}},
+      {"eigenvalues",
+       "eigenvalues(plate), eigenvalues(system)",
+       "growth rates and frequencies of all modes",
+       force,
+       Kind::stability,
+       {""}},
+      {"modes", "modes(plate), modes(system)", "modes", force, Kind::stability, {""}},
       {"impulse", "impulse(A), impulse(stop on plate)", "impulse", velocity, Kind::force, {"", "of", "on"}},
       {"impulsive_couple",
        "impulsive_couple(A), impulsive_couple(hinge on plate about A)",
@@ -234,13 +247,27 @@ Level level_of(const Situation& situation, const Expression& expression, bool th
   return LevelFinder{situation, through_at}.of(expression);
 }
 
-bool asks_forces(const Situation& situation, const Expression& expression) {
+bool asks_stability(const Expression& expression) {
   std::set<std::string> functions;
   collect_functions(expression, functions, true);
+  return std::ranges::any_of(functions, [](const std::string& name) {
+    const QuantityFunction* function = find_quantity(name);
+    return function && function->kind == QuantityKind::stability;
+  });
+}
+
+bool is_extreme_of_list(const Call& call) {
+  if ((call.function != "min" && call.function != "max") || call.arguments.size() != 1) return false;
+  Expression of = call.arguments.front().value;
+  while (const At* at = of.as<At>()) of = at->expression;
+  const Call* list = of.as<Call>();
+  return list && list->function == "frequencies";
+}
+
+bool asks_forces(const Situation& situation, const Expression& expression) {
   // The stability of a motion follows from accelerations, on which an open share of a load between supports has no
   // influence.
-  for (const char* name : {"stable", "stability", "growth_rate", "frequencies"})
-    if (functions.contains(name)) return false;
+  if (asks_stability(expression)) return false;
   return LevelFinder{situation, true, true}.of(expression) >= Level::force;
 }
 

@@ -25,6 +25,7 @@ enum class QuantityKind {
   rate,
   force,
   holding,
+  friction,
   stability,
   motion_feature
 };
@@ -48,11 +49,13 @@ const std::vector<FunctionForm>& quantity_functions();
 // What stands before an `@` is looked at only if `through_at`.
 Level level_of(const Situation& situation, const Expression& expression, bool through_at = false);
 
+// max(frequencies(disk)), also `@` a situation: the largest of a list.
+bool is_extreme_of_list(const Call& call);
 // Whether a call asks for an extreme or the period of a quantity over the motion.
 inline bool is_motion_feature(const Call& call) {
   const std::string_view f = call.function;
   return (f == "min" || f == "max" || f == "period") && call.pattern().empty() && call.arguments.size() == 1 &&
-         !call.arguments.front().value.as<List>();
+         !call.arguments.front().value.as<List>() && !is_extreme_of_list(call);
 }
 bool asks_motion_feature(const Expression& expression);
 // A call of min(), max() or period() over the motion, and where it stands.
@@ -66,6 +69,8 @@ std::vector<MotionFeatureCall> motion_features_in(const Situation& situation, co
 // The motion answers them before a state is asked, so that nothing that knows one state alone calls back into the
 // motion. The calls stand in expressions, whose nodes never change.
 using MotionFeatureValues = std::map<const Call*, Value<double>>;
+// Whether an expression asks for the motion near a steady one.
+bool asks_stability(const Expression& expression);
 // Whether an expression asks for forces or accelerations, at any instant or over the motion.
 bool asks_forces(const Situation& situation, const Expression& expression);
 

@@ -8,6 +8,9 @@ namespace poinsot::problem {
 // The largest magnitude in a value.
 double size_of(const Value<double>& value);
 
+// The items of a list of records; null for any other value.
+const std::vector<Value<double>>* records_of(const Value<double>& value);
+
 // Whether two values of one kind differ by no more than the tolerance (SI), item by item.
 bool same(const Value<double>& a, const Value<double>& b, double tolerance);
 

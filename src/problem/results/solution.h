@@ -121,11 +121,22 @@ struct FormulaCondition {
   poinsot::Formula positive;
 };
 
+// In which state a contact with friction was found.
+struct ContactState {
+  std::string contact;
+  std::size_t situation = 0;
+  Grip grip = Grip::unknown;
+  std::optional<Expression> slip{};  // if it slides: the direction
+  bool from_rest = false;            // whether it begins to
+};
+
 struct Solution {
+  std::vector<ContactState> contact_states{};  // of all contacts with friction
   std::vector<SolvedUnknown> unknowns;
   std::vector<SolvedAsk> asks;           // in the order of the statement
   std::vector<SolvedClaim> claims{};     // in the order of the statement
   std::map<std::string, double> checks;  // relative misfits in the check with particles, by name
+  bool refused = false;                  // whether a check refuses what was found, the unknowns too
   std::vector<std::string> assumptions;  // under which the formulas hold: "m > 0"
   std::vector<FormulaCondition> conditions{};
   std::vector<FormulaCondition> grounds{};  // other assumptions that are known as formulas

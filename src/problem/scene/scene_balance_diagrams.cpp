@@ -144,9 +144,30 @@ class BalanceDiagrams {
     // A cord pulls its other end where that is.
     if (force.sign < 0 && force.kind == UnknownForce::Kind::component && mechanism().components[force.index].toward)
       at = placed_.position(*mechanism().components[force.index].toward);
+    if (force.kind == UnknownForce::Kind::component && add_sliding(diagram, i, at)) return;
     const std::string formula = symbol.shown.formula ? text(*symbol.shown.formula, Notation::with_sizes) : "";
     add_wrench(diagram, {size * one.moment, size * one.force}, what.name, place_on(what, force.sign, at),
                {symbol.tex, ExplanationTex::plain(symbol.tex)}, Number{symbol.value, formula}, false);
+  }
+
+  // A contact that slides pushes along its normal and rubs against the slip: two arrows for its one unknown.
+  bool add_sliding(scene::Diagram& diagram, std::size_t i, const Vector3<double>& at) const {
+    const UnknownForce& force = system_.plan.unknown[i];
+    const InstantExplainer::Symbol& symbol = system_.unknown[i];
+    const int action = mechanism().components[force.index].action;
+    const std::vector<RoughContactOf<double>>& rough = figure_.machine().rough_contacts;
+    const auto contact = std::ranges::find(rough, action, &RoughContactOf<double>::action);
+    if (contact == rough.end() || contact->grip != Grip::slides) return false;
+    const double size = force.sign * numbers().unknowns[force.column];
+    const Vector3<double> push = size * placed_.direction(contact->normal),
+                          friction = (-contact->sliding * size) * placed_.direction(*contact->slip);
+    const Action& what = mechanism().actions[static_cast<std::size_t>(action)];
+    const std::string formula = symbol.shown.formula ? text(*symbol.shown.formula, Notation::with_sizes) : "";
+    add_wrench(diagram, {cross(at, push), push}, what.name, place_on(what, force.sign, at),
+               {symbol.tex, ExplanationTex::plain(symbol.tex)}, Number{symbol.value, formula}, false);
+    add_wrench(diagram, {cross(at, friction), friction}, "friction at " + what.name, place_on(what, force.sign, at),
+               SceneFigure::indexed_symbol("F", what.name), std::nullopt, false);
+    return true;
   }
 
   void add_known(scene::Diagram& diagram, const KnownAction& known) const {

@@ -27,6 +27,7 @@ class Dimensions {
     // The figure of the statement does not tell what is to be found.
     for (const Unknown& unknown : situation.find)
       if (!unknown.vector) add(unknown.name, nullptr, &unknown.unit, false);
+    add_friction();
   }
 
  private:
@@ -45,6 +46,37 @@ class Dimensions {
       // What has no value yet has no place in the figure.
     }
   }
+  // The coefficients of friction at the surfaces that are touched.
+  void add_friction() {
+    for (const Contact& contact : figure_.situation().contacts) {
+      if (!contact.friction) continue;
+      const auto symbol = std::ranges::find(figure_.scene().symbols, contact.name, &scene::Symbol::name);
+      if (symbol == figure_.scene().symbols.end()) continue;
+      std::string name;
+      text_.clear();
+      for (const Expression* coefficient : {&contact.friction->resting, &contact.friction->sliding}) {
+        if (coefficient == &contact.friction->sliding && !contact.friction->falls()) continue;
+        name += (name.empty() ? "" : ", ") + to_string(*coefficient);
+        text_ += (text_.empty() ? "" : ", ") + coefficient_text(*coefficient);
+      }
+      put(name, symbol->place, symbol->place);
+    }
+  }
+  // The name of a datum with its value; of what is to be found, of letters and of formulas as the file has it.
+  std::string coefficient_text(const Expression& coefficient) {
+    const std::string written = to_string(coefficient);
+    const auto& find = figure_.situation().find;
+    if (coefficient.as<Name>() == nullptr || is_open(written) ||
+        std::ranges::any_of(find, [&](const Unknown& unknown) { return unknown.name == written; }))
+      return written;
+    try {
+      constexpr int digits = 5;
+      return written + " = " + with_digits(figure_.data().number(coefficient, dimensions::none), digits);
+    } catch (const StatementError&) {
+      return written;
+    }
+  }
+
   bool is_open(const std::string& name) const {
     return std::any_of(figure_.scene().drawn_letters.begin(), figure_.scene().drawn_letters.end(),
                        [&](const scene::DrawnLetter& letter) { return letter.name == name; });

@@ -76,7 +76,7 @@ void SceneFigure::add_symbols() {
   }
   for (const Contact& contact : situation_.contacts) {
     scene::Symbol symbol;
-    symbol.kind = contact.no_slip ? SymbolKind::rolling_contact : SymbolKind::contact;
+    symbol.kind = contact.no_slip || contact.grip == Grip::sticks ? SymbolKind::rolling_contact : SymbolKind::contact;
     symbol.name = contact.name;
     const int of = machine_.index.at(contact.of), against = machine_.index.at(contact.against);
     symbol.from = scene_body(against);

@@ -72,7 +72,8 @@ class ModelDiagram {
       const Load& load = situation().loads[k];
       const KnownForce<double>& force = forces[k];
       const int on = figure_.mechanism().actions[static_cast<std::size_t>(force.action)].on;
-      const Vector3<double> vector = state().on_ground_axes(force.axes, force.vector);
+      const Vector3<double> vector =
+          state().on_ground_axes(force.axes, force.now(figure_.mechanism().tree, state().workspace()));
       if (force.couple)
         add(Quantity::couple, load.name, center_of(on), vector, symbol_of(load.couple, couple(load.name)));
       else
@@ -89,9 +90,10 @@ class ModelDiagram {
     for (const Drive<double>& drive : figure_.mechanism().drives) {
       const Action& action = figure_.mechanism().actions[static_cast<std::size_t>(drive.action)];
       if (action.name != name) continue;
-      const Vector3<double> along = state().direction(drive.along);
-      add(drive.turning ? Quantity::couple : Quantity::force, joint.name, figure_.scene_place(drive.at),
-          drive.effort * along,
+      Vector3<double> effort = drive.effort * state().direction(drive.along);
+      for (const KnownForce<double>& force : figure_.mechanism().forces)
+        if (force.action == drive.action) effort += force.now(figure_.mechanism().tree, state().workspace());
+      add(drive.turning ? Quantity::couple : Quantity::force, joint.name, figure_.scene_place(drive.at), effort,
           symbol_of(freedom.effort, drive.turning ? couple(joint.name) : this->force(joint.name)));
     }
   }

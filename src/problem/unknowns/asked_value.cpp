@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "poinsot/engine/solve/stability/spectrum_check.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/unknowns/unknown_search.h"
+#include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
 namespace {
@@ -40,18 +43,25 @@ class AskedTable {
         first_(sample.home_of(ask)),
         situation_(sample.statement().situations[first_.situation]) {}
 
-  std::vector<Value<double>> values() {
+  Value<double> value() {
     const Run run = runs_over();
     const std::vector<double> rows = row_values();
     if (run == Run::time && std::any_of(rows.begin(), rows.end(), [](double time) { return time < 0; }))
       fail(situation_.file, table_.values.mark(), "the motion begins at 0 s: there is no time before it");
-    for (const double row : rows) {
+    // Each row at another datum is a problem of its own. A fault in some of them shows in others, so that of many rows
+    // the first, the last and some between are confirmed.
+    constexpr std::size_t most_confirmed = 24;
+    const std::size_t stride = 1 + rows.size() / most_confirmed;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
       if (run == Run::datum)
-        add_row_over_datum(row);
+        add_row_over_datum(rows[i], sample_.writes_told() && (i % stride == 0 || i + 1 == rows.size()));
       else
-        add_row_of_motion(run, row);
+        add_row_of_motion(run, rows[i]);
+      end_row(rows[i]);
     }
-    return std::move(values_);
+    Value<double> table = Value<double>::of_list(std::move(values_));
+    if (names_) table.text = joined(*names_, "\n");
+    return table;
   }
 
  private:
@@ -109,7 +119,7 @@ class AskedTable {
   }
 
   // Adds the columns at another value of a datum, for which the unknowns are found anew.
-  void add_row_over_datum(double row) {
+  void add_row_over_datum(double row, bool confirm) {
     const Statement& statement = sample_.statement();
     const Situation& situation = statement.situations.front();
     AllSettings all = sample_.settings();
@@ -128,16 +138,58 @@ class AskedTable {
       all = found.roots.front();
     }
     Sample there(statement, std::move(all), sample_.choice());
+    if (confirm) there.write_down_what_is_told();
     for (const NamedExpression& column : table_.columns)
       add(column, there.value_at(there.home(column.value, column.mark), column.value, ask_.axes));
     note_unphysical(there, row);
+    if (confirm &&
+        !std::ranges::all_of(there.instants(), [](const auto& item) { return confirmed_by_all_roads(*item.second); }))
+      sample_.note_unphysical_row(ask_.name, "independent checks do not confirm the row " + row_words(row));
+    if (std::ranges::any_of(table_.columns, [](const auto& column) { return asks_stability(column.value); }))
+      confirm_stability(there, row);
   }
 
-  void add(const NamedExpression& column, Value<double> value) {
+  void add(const NamedExpression& column, const Value<double>& value) {
+    if (value.is_list() && std::ranges::all_of(value.items, &Value<double>::is_number)) {
+      for (std::size_t i = 0; i < value.items.size(); ++i)
+        add_number(column, column.name + "_" + std::to_string(i + 1), value.items[i]);
+      return;
+    }
     if (!value.is_number())
       fail(situation_.file, column.mark, "column '" + column.name + "' is no number",
-           "ask for a component such as .x, or norm(...)");
+           value.is_list() ? "ask for an element of it, [1]" : "ask for a component such as .x, or norm(...)");
+    add_number(column, column.name, value);
+  }
+  void add_number(const NamedExpression& column, const std::string& name, Value<double> value) {
+    if (std::ranges::find(row_names_, name) != row_names_.end())
+      fail(situation_.file, column.mark, "two columns of the table are called '" + name + "'", "rename one of them");
+    row_names_.push_back(name);
     values_.push_back(std::move(value));
+  }
+
+  // Each row has the columns of the first.
+  void end_row(double row) {
+    const std::vector<std::string> names = std::exchange(row_names_, {});
+    if (!names_) names_ = names;
+    if (names == *names_) return;
+    throw UnansweredError(situation_.file, ask_.mark,
+                          "a list has more or fewer items in the row " + row_words(row) + " than in the first",
+                          "ask for one of them, as in frequencies(disk)[1], or narrow the range");
+  }
+
+  // What is told of the motion near a steady one has its second road in every row.
+  void confirm_stability(const Sample& there, double row) {
+    for (const auto& [home, solved] : there.instants()) {
+      const double misfit = solved->check().stability.value_or(0);
+      if (!(misfit > solve::spectrum_tolerance)) continue;
+      throw UnansweredError(situation_.file, ask_.mark,
+                            "the motion of its bodies, each by itself, does not confirm the row " + row_words(row) +
+                                " (rates off by " + with_digits(misfit, 2) + " of the pace)");
+    }
+  }
+  std::string row_words(double row) const {
+    const Unit unit = situation_.habits.unit_for(dimension_);
+    return table_.over + " = " + with_digits(row / unit.factor, 6) + (unit.text.empty() ? "" : " " + unit.text);
   }
 
   // Only the first row in which something is unphysical is kept.
@@ -146,10 +198,7 @@ class AskedTable {
       if (!solved->forces_solved()) continue;
       const std::vector<std::string> reasons = solved->unphysical();
       if (reasons.empty()) continue;
-      const Unit unit = sample_.statement().situations[home.situation].habits.unit_for(dimension_);
-      sample_.note_unphysical_row(ask_.name, reasons.front() + ", from the row " + table_.over + " = " +
-                                                 with_digits(row / unit.factor, 6) +
-                                                 (unit.text.empty() ? "" : " " + unit.text) + " on");
+      sample_.note_unphysical_row(ask_.name, reasons.front() + ", from the row " + row_words(row) + " on");
     }
   }
 
@@ -160,12 +209,14 @@ class AskedTable {
   const Situation& situation_;
   Dimension dimension_ = dimensions::time;  // of the values that the table runs over
   std::vector<Value<double>> values_;       // row by row
+  std::vector<std::string> row_names_;      // of those in the row that is not ended
+  std::optional<std::vector<std::string>> names_;
 };
 
 }  // namespace
 
 Value<double> asked_value(Sample& sample, const Ask& ask) {
-  if (ask.table) return Value<double>::of_list(AskedTable(sample, ask).values());
+  if (ask.table) return AskedTable(sample, ask).value();
   std::vector<Value<double>> items;
   if (ask.when) {
     for (const double time : asked_times(sample, ask))

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "problem/instant/particle_witness.h"
+#include "problem/instant/contact_state_search.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
+#include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
 namespace {
@@ -37,13 +38,25 @@ std::size_t situation_of(const Statement& statement, const Ask& ask) {
   return 0;
 }
 
+bool leaves_states_open(const Situation& situation, const Extremum& extremum) {
+  return std::ranges::any_of(situation.contacts, [&](const Contact& contact) {
+    if (!contact.friction) return false;
+    return contact.grip != Grip::sticks || std::ranges::none_of(extremum.conditions, [&](const Expression& condition) {
+             const Call* call = condition.as<Call>();
+             const Name* of = call && call->function == "sticking" ? call->arguments[0].value.as<Name>() : nullptr;
+             return of && of->name == contact.name;
+           });
+  });
+}
+
 ExtremumSearch::ExtremumSearch(const Statement& statement, const Ask& ask, const AllSettings& settings,
                                const OpenChoice& choice)
     : statement_(statement),
       ask_(ask),
       settings_(settings),
       choice_(choice),
-      situation_(statement.situations[situation_of(statement, ask)]) {
+      situation_(statement.situations[situation_of(statement, ask)]),
+      seeks_states_(leaves_states_open(situation_, *ask.extremum)) {
   const std::string& name = ask.extremum->name;
   for (const Letter& letter : situation_.letters)
     if (letter.name == name) dimension_ = letter.unit.dimension;
@@ -115,30 +128,48 @@ std::vector<AllSettings> ExtremumSearch::settings_at(double value) const {
   return search.find(known).roots;
 }
 
-std::unique_ptr<Sample> ExtremumSearch::sample_at(double value) {
+std::vector<std::shared_ptr<const Statement>> ExtremumSearch::statements_at(const AllSettings& root) const {
+  // What the caller keeps is shared without an owner.
+  if (!seeks_states_) return {std::shared_ptr<const Statement>(std::shared_ptr<void>(), &statement_)};
   const std::size_t home = situation_of(statement_, ask_);
-  const auto holds_in = [&](Sample& sample) {
-    for (const Expression& condition : ask_.extremum->conditions) {
-      const Value<double> truth = sample.value_in(home, condition);
-      if (!truth.is_boolean())
-        fail(situation_.file, condition.mark(), "'" + to_string(condition) + "' neither holds nor fails",
-             "write stable(plate), touching(mesh), taut(wire), or a comparison");
-      ever_ = true;
-      if (truth.truth) continue;
-      failed_ = &condition;
-      const Call* call = condition.as<Call>();
-      doubtful_ = doubtful_ || (call && call->function == "stable" &&
-                                sample.value_in(home, stability_of(*call, condition)).text != "unstable");
-      return false;
-    }
-    return true;
-  };
-  for (const AllSettings& root : settings_at(value)) {
-    auto sample = std::make_unique<Sample>(statement_, root, choice_);
-    if (!holds_in(*sample)) continue;
-    confirm(value, *sample);
-    return sample;
+  const HeldStates held = states_that_hold(with_states_open(situation_), home, root[home], false);
+  if (held.all.empty() && !held.doubts.empty())
+    fail(situation_.file, ask_.extremum->name_mark, "what contacts do could not be judged " + held.doubts.front());
+  std::vector<std::shared_ptr<const Statement>> statements;
+  for (const std::vector<ContactState>& states : held.all) {
+    auto statement = std::make_shared<Statement>(statement_);
+    put_in_states(statement->situations[home], home, states);
+    statements.push_back(std::move(statement));
   }
+  return statements;
+}
+
+bool ExtremumSearch::conditions_hold_in(Sample& sample) {
+  const std::size_t home = situation_of(statement_, ask_);
+  for (const Expression& condition : ask_.extremum->conditions) {
+    const Value<double> truth = sample.value_in(home, condition);
+    if (!truth.is_boolean())
+      fail(situation_.file, condition.mark(), "'" + to_string(condition) + "' neither holds nor fails",
+           "write stable(plate), touching(mesh), taut(wire), or a comparison");
+    ever_ = true;
+    if (truth.truth) continue;
+    failed_ = &condition;
+    const Call* call = condition.as<Call>();
+    doubtful_ = doubtful_ || (call && call->function == "stable" &&
+                              sample.value_in(home, stability_of(*call, condition)).text != "unstable");
+    return false;
+  }
+  return true;
+}
+
+std::unique_ptr<Sample> ExtremumSearch::sample_at(double value) {
+  for (const AllSettings& root : settings_at(value))
+    for (const std::shared_ptr<const Statement>& statement : statements_at(root)) {
+      auto sample = std::make_unique<Sample>(statement, root, choice_);
+      if (!conditions_hold_in(*sample)) continue;
+      confirm(value, *sample);
+      return sample;
+    }
   return nullptr;
 }
 
@@ -252,7 +283,14 @@ ExtremumFound ExtremumSearch::found_end() {
   ExtremumFound found;
   const std::string what = std::string(side > 0 ? "largest" : "smallest") + " value";
   // The search goes inwards from that end to the first value at which the conditions hold.
-  const auto at = std::find_if(grid.rbegin(), grid.rend(), [&](double value) { return holds(value); });
+  auto at = std::find_if(grid.rbegin(), grid.rend(), [&](double value) { return holds(value); });
+  // It may hold farther out on the other side: the unit that somebody chose for the datum is no measure.
+  constexpr int decades = 6;
+  if (at == grid.rend() && ever_ && !std::isfinite(side > 0 ? range.lower : range.upper))
+    for (int i = 0; i < decades && at == grid.rend(); ++i) {
+      grid.insert(grid.begin(), 10 * grid.front());
+      if (holds(grid.front())) at = std::prev(grid.rend());
+    }
   if (at == grid.rend()) {
     if (!ever_ && refusal_) throw *refusal_;
     found.reason = "it holds at none of " + std::to_string(grid.size()) + " values from " +
@@ -263,8 +301,7 @@ ExtremumFound ExtremumSearch::found_end() {
   double inside = *at, outside = at == grid.rbegin() ? *at : *std::prev(at);
   const bool open_end = !std::isfinite(side > 0 ? range.upper : range.lower);
   if (at == grid.rbegin() && open_end) {
-    // It may end farther out: the unit that somebody chose for the datum is no measure.
-    constexpr int decades = 6;
+    // So it may end farther out.
     const double anchor =
         side > 0 ? (std::isfinite(range.lower) ? range.lower : 0) : (std::isfinite(range.upper) ? range.upper : 0);
     Truth beyond = Truth::holds;
@@ -280,6 +317,13 @@ ExtremumFound ExtremumSearch::found_end() {
                      (beyond == Truth::holds ? "no values were tried" : "nothing can be told");
       return found;
     }
+  } else if (at == grid.rbegin() && situation_.has_friction() && !is_pure(dimension_) && *at == 0) {
+    // A load that is asked for may well turn round; a coefficient of friction cannot.
+    found.reason = "there is no " + what +
+                   " above zero, where the values that are tried end: it holds there too. State '" +
+                   ask_.extremum->name + "' with the opposite sense, and ask for its " +
+                   (side > 0 ? "smallest" : "largest") + " value";
+    return found;
   } else if (at == grid.rbegin()) {
     found.value = Value<double>::of_number(*at, dimension_);
     found.sample = sample_at(*at);

@@ -12,6 +12,10 @@
 
 namespace poinsot::problem {
 
+// Whether a limit of sticking leaves open what contacts with friction do at the values that are tried: those that it
+// does not name, and those that slip.
+bool leaves_states_open(const Situation& situation, const Extremum& extremum);
+
 struct ExtremumFound {
   std::optional<Value<double>> value;
   std::string reason;              // why there is no such value
@@ -46,6 +50,9 @@ class ExtremumSearch {
   // The settings of all situations at a value, one for each root of the other unknowns.
   std::vector<AllSettings> settings_at(double value) const;
   std::unique_ptr<Sample> sample_at(double value);
+  bool conditions_hold_in(Sample& sample);
+  // The statement at a root; for each combination of states of contacts with friction, where these are sought.
+  std::vector<std::shared_ptr<const Statement>> statements_at(const AllSettings& root) const;
   // The motion that a condition stable(X) looks at; nothing if the statement refuses the value.
   std::optional<NearMotion> near_motion(const Expression& stable, double value);
   // The end of stability between two values; nothing if that is not what ends there or if it is not known closely.
@@ -56,6 +63,7 @@ class ExtremumSearch {
   const AllSettings& settings_;
   OpenChoice choice_;
   const Situation& situation_;
+  const bool seeks_states_;  // of contacts with friction, anew at each value
   Dimension dimension_;
   std::optional<StatementError> refusal_;
   std::optional<double> confirmed_at_;  // where the particles were asked last

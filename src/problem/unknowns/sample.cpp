@@ -7,6 +7,7 @@
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/quantities/asks_model.h"
+#include "problem/instant/contact_state_search.h"
 
 namespace poinsot::problem {
 
@@ -18,7 +19,7 @@ SolvedInstant& Sample::instant(const Home& home) {
   const auto in_motion = [&](auto&& state_in) {
     Course& moving = motion(home.situation);
     const MotionState state = state_in(moving);
-    found = std::make_unique<SolvedInstant>(moving.situation(), settings, state, choice_);
+    found = std::make_unique<SolvedInstant>(moving.situation_of(state), settings, state, choice_);
   };
   const std::size_t stage = home.instant - (situation.has_blow() && home.instant > 0 ? 1 : 0);
   if (home.ending)
@@ -60,15 +61,20 @@ MotionFeatureValues Sample::features_in(const Home& place, const Expression& exp
 
 Sample::Home Sample::resolve(const At& at, const Mark& mark) {
   std::vector<std::string> known;
-  const bool only = statement_.situations.size() == 1;
+  const bool only = statement_.situations.size() == 1, is_time = at.when.as<Number>() != nullptr;
   for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
     const Situation& situation = statement_.situations[i];
     if (situation.name == at.instant && !situation.name.empty()) return start_of(i);
     if (!situation.name.empty()) known.push_back(situation.name);
-    if (!only && (at.names.size() < 2 || at.names.front() != situation.name)) continue;
     const std::span<const std::string> names(at.names);
-    if (const auto found = resolve_in(i, at, only ? names : names.subspan(1), mark, known)) return *found;
+    const bool of_this =
+        names.size() > (is_time ? 0U : 1U) && !situation.name.empty() && names.front() == situation.name;
+    if (!only && !of_this) continue;
+    if (const auto found = resolve_in(i, at, of_this ? names.subspan(1) : names, mark, known)) return *found;
   }
+  if (is_time && at.names.empty())
+    fail(statement_.file, mark, "in which situation is it " + at.instant + "?",
+         "write @ " + at.instant + " @ one of " + joined(names_of(statement_.situations)));
   const std::string all = joined(known);
   const std::string hint = did_you_mean(at.instant, known);
   fail(statement_.file, mark, "there is no instant, stage or situation '" + at.instant + "'",
@@ -102,6 +108,7 @@ std::optional<Sample::Home> Sample::resolve_in(std::size_t i, const At& at, std:
     known.push_back(prefix + stage);
   }
   DataScope<double> data(situation, settings_[i]);
+  if (at.when.as<Number>() && !names.empty()) return std::nullopt;
   if (at.when.as<Number>()) return Home{i, 0, data.number(at.when, dimensions::time)};
   for (const Instant& instant : situation.instants) {
     if (instant.name != name) {
@@ -160,6 +167,16 @@ bool Sample::asks_own_unknown(const Expression& expression) const {
     for (const std::string& name : situation.own_unknowns)
       if (names.contains(name)) return true;
   return false;
+}
+
+bool Sample::contact_states_hold() {
+  for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
+    if (!statement_.situations[i].has_friction()) continue;
+    SolvedInstant& start = instant(start_of(i));
+    start.solve_forces();
+    if (!start.one_sided_faults().empty() || !leaves_limits(statement_.situations[i], settings_[i])) return false;
+  }
+  return true;
 }
 
 // An expression that asks for nothing of the model has the same value in every situation.

@@ -27,6 +27,9 @@ class Sample {
  public:
   Sample(const Statement& statement, AllSettings settings, const OpenChoice& choice)
       : statement_(statement), settings_(std::move(settings)), choice_(choice) {}
+  // Of a statement that nobody else keeps.
+  Sample(std::shared_ptr<const Statement> statement, AllSettings settings, const OpenChoice& choice)
+      : own_(std::move(statement)), statement_(*own_), settings_(std::move(settings)), choice_(choice) {}
 
   // The situation and the instant for which something is asked.
   struct Home {
@@ -66,6 +69,7 @@ class Sample {
   SolvedInstant& instant(const Home& home);
   // Of instants that are solved from now on.
   void write_down_what_is_told() { writes_told_ = true; }
+  bool writes_told() const { return writes_told_; }
 
   // For a table, the first situation that it asks about.
   Home home_of(const Ask& ask);
@@ -73,6 +77,8 @@ class Sample {
   Home start_of(std::size_t situation_index) const {
     return {situation_index, statement_.situations[situation_index].has_blow() ? 1u : 0u, std::nullopt};
   }
+  // Whether all contacts with friction stay in their states at the starts of the situations.
+  bool contact_states_hold();
   // The situation that an expression means, `otherwise` if it asks for nothing of the model.
   Situated situated_in(const Expression& expression, std::size_t otherwise) const;
 
@@ -96,6 +102,7 @@ class Sample {
   MotionFeatureValues features_in(const Home& place, const Expression& expression,
                                   const std::optional<Expression>& axes);
 
+  std::shared_ptr<const Statement> own_;
   const Statement& statement_;
   AllSettings settings_;
   OpenChoice choice_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "poinsot/engine/work/work.h"
@@ -11,6 +12,7 @@
 #include "problem/unknowns/unknown_blocks.h"
 #include "problem/unknowns/unknown_ranges.h"
 #include "problem/unknowns/unknown_search.h"
+#include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
 namespace {
@@ -231,6 +233,38 @@ RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained
   return found;
 }
 
+// That there are no roots is right only if the equations are. Trial values do not meet them, but what they leave over
+// is known, and the particles must need just that.
+bool UnknownSearch::confirmed_where_nothing_was_found(const UnknownEquations& equations,
+                                                      const solve::Roots& result) const {
+  const UnknownSystem& system = equations.system();
+  // Linear equations are solved at once and nowhere looked at: any values do for these.
+  std::vector<double> values = result.best;
+  if (values.empty()) values.assign(equations.slots().size(), 0.1);
+  const AllSettings nearest = equations.settings_at(values);
+  OpenChoice choice = choice_;
+  choice.trial = choice.particles = true;
+  for (const std::size_t i : system.situations()) {
+    const Situation& situation = statement_.situations[i];
+    if (std::ranges::any_of(situation.find, [&](const Unknown& one) { return !nearest[i].contains(one.name); }) ||
+        !situation.neglect.empty())
+      continue;
+    try {
+      SolvedInstant instant(situation, nearest[i], When{0, situation.has_blow()}, choice);
+      if (system.has({i, Aspect::forces})) instant.solve_forces();
+      const SolvedInstant::Residuals residuals = instant.check();
+      if (!(residuals.impulse <= check_tolerance) ||
+          (instant.forces_solved() && !(residuals.particles.newton_euler <= check_tolerance)))
+        return false;
+    } catch (const StatementError&) {
+      // There the situation makes no sense, and nothing is told.
+    } catch (const std::invalid_argument&) {
+      // There a body is one that no particles make up.
+    }
+  }
+  return true;
+}
+
 // Reports how roots were sought in vain, and which conditions clash where they come closest to holding.
 std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded) const {
   const UnknownSystem& system = equations.system();
@@ -252,6 +286,11 @@ std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solv
       how = result.starts > 0 ? "searched from " + counted(result.starts, "start") + ", which excludes none"
                               : "searched by polynomials, which leave parts of the ranges unresolved";
       break;
+  }
+  if (!confirmed_where_nothing_was_found(equations, result)) {
+    how = (proved ? "" : how + "; ") +
+          "the bodies as particles do not confirm the equations in which they were sought, so that none is excluded";
+    proved = false;
   }
   if (result.search != solve::RootSearch::few_evaluations)
     if (const Balance balance = balance_of(equations); !balance.surplus.conditions.empty())

@@ -81,6 +81,7 @@ class UnknownSearch {
   RootsFound find_block(const UnknownSystem& system, const AllSettings& settings, bool explained = true,
                         std::optional<double> zero = {});
   RootsFound find_block(UnknownEquations& equations, bool explained = true, std::optional<double> zero = {});
+  bool confirmed_where_nothing_was_found(const UnknownEquations& equations, const solve::Roots& result) const;
   std::string nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded) const;
   std::optional<StatementError> objection(const AllSettings& root) const;
   void leave_out_nonsense(RootsFound& found) const;

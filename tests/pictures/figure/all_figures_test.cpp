@@ -113,6 +113,7 @@ void check_folder(const char* folder, std::size_t least_figures) {
 
 TEST(AllFigures, of_the_textbook_have_labels_in_free_places) { check_folder("examples/textbook", 300); }
 TEST(AllFigures, of_published_results_have_labels_in_free_places) { check_folder("examples/published", 80); }
+TEST(AllFigures, of_mechanisms_have_labels_in_free_places) { check_folder("examples/mechanisms", 20); }
 
 TEST(AllFigures, a_label_over_another_is_noticed) {
   Drawing drawing;

@@ -23,7 +23,7 @@ TEST(StruckBodies, TheSystemKeepsItsMomenta) {
         probe(strike,
               "p0: momentum(system) @ before, p: momentum(system), H0: angular_momentum(system about G) @ before, "
               "H: angular_momentum(system about G), m0: mass(system) @ before, m: mass(system), "
-              "c0: center(system) @ before, c: center(system)"));
+              "c0: center(system) @ before, c: center(system), v0: velocity(system) @ before, v: velocity(system)"));
     const Vector momentum = 0.15 * Vector{-1500, 2000, 700}, P{2, -0.5, 1.2};
     EXPECT_LT(norm(solved.vector("p0") - momentum), 1e-10) << strike;
     EXPECT_LT(norm(solved.vector("p") - momentum), 1e-10) << strike;
@@ -33,6 +33,8 @@ TEST(StruckBodies, TheSystemKeepsItsMomenta) {
     EXPECT_NEAR(solved.number("m"), 1200.15, 1e-10);
     EXPECT_LT(norm(solved.vector("c0") - (0.15 / 1200.15) * P), 1e-14);
     EXPECT_LT(norm(solved.vector("c") - (0.15 / 1200.15) * P), 1e-14);
+    for (const char* velocity : {"v0", "v"})
+      EXPECT_LT(norm(solved.vector(velocity) - momentum / 1200.15), 1e-13) << strike;
   }
 }
 

@@ -18,7 +18,7 @@ TEST(SceneAngles, the_angle_of_a_slope_is_drawn_inside_of_what_is_touched) {
     const Document document = illustrated(
         "title: t\ngiven: {b: " + degrees(b) +
         "}\npoints: {C: [1 m, 2 m, 0]}\ndirections: {out: [sin(b), cos(b), 0]}\nbodies: {block: {particle: C, mass: 1 "
-        "kg}}\ncontacts: {slope: {of: block, at: C, normal: out}}\ngravity: -y\ninstants: {now: rest}\n"
+        "kg}}\ncontacts: {slope: {of: block, at: C, normal: out, friction: 0.2}}\ngravity: -y\ninstants: {now: rest}\n"
         "ask: {a: acceleration(block)}\n");
     const scene::Scene& scene = scene_of(document);
     const scene::Dimension* angle = angle_named(scene, "b");

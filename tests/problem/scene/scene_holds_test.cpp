@@ -95,6 +95,26 @@ TEST(SceneHolds, springs_and_dampers_of_joints_are_drawn) {
   EXPECT_TRUE(links("prismatic: x, at: O, to: r, displacement: s").empty());
 }
 
+std::vector<std::string> coefficients(const std::string& friction, const std::string& rest = "") {
+  const Document document =
+      illustrated("title: t\ngiven: {mu: 0.5, k: 0.4" + rest +
+                  "}\npoints: {C: [0, 0, 0]}\nbodies: {b: {particle: C, mass: 1 kg}}\n"
+                  "contacts: {floor: {of: b, at: C, normal: y, friction: " +
+                  friction + "}}\ngravity: -y\ninstants: {now: rest}\nask: {a: acceleration(b).x}\n");
+  std::vector<std::string> texts;
+  const scene::Scene& scene = scene_of(document);
+  for (const scene::Dimension& dimension : scene.dimensions)
+    if (norm(Vector(on_ground(scene, dimension.from) - on_ground(scene, dimension.to))) == 0)
+      texts.push_back(dimension.text);
+  return texts;
+}
+
+TEST(SceneHolds, coefficients_of_friction_stand_at_what_is_touched) {
+  EXPECT_EQ(coefficients("mu"), (std::vector<std::string>{"mu = 0.5"}));
+  EXPECT_EQ(coefficients("{static: mu, kinetic: k}"), (std::vector<std::string>{"mu = 0.5, k = 0.4"}));
+  EXPECT_EQ(coefficients("0.3"), (std::vector<std::string>{"0.3"}));
+}
+
 TEST(SceneHolds, an_impulse_that_has_no_symbol_of_its_own_is_a_force_with_its_time) {
   const auto texts = [](const std::string& name, const std::string& size) {
     const Document document = illustrated(

@@ -33,6 +33,20 @@ TEST(Extremum, WhereStabilityEndsNothingElseIsTold) {
   EXPECT_FALSE(notes(solved, "end:"));
 }
 
+// The least spin lies beyond a thousand of the unit that its letter was given.
+TEST(Extremum, AnEndFarFromTheUnitIsFound) {
+  const double h = 0.1021, r = 0.05024, gravity = 980.665;
+  const SolvedText solved(
+      "title: t\ngiven: {m: 0.4337 kg, h: 102.1 mm, r: 50.24 mm, g: 980.665 m/s^2}\nletters: {S: rad/s}\n"
+      "points: {O: [0, 0, 0], T: [0, 0, h]}\nbodies: {top: {cone: {apex: O, base: T, radius: r}, mass: m}}\n"
+      "joints: {tip: {ball: O, to: top}}\n"
+      "steady: {frame: ground, spins: {top: {about: 'O->T', rate: S}}}\ngravity: -z\n"
+      "ask: {slowest: {smallest: S, while: stable(top)}}\n");
+  const double across = 0.6 * (r * r / 4 + h * h), along = 0.3 * r * r;
+  const double expected = std::sqrt(4 * gravity * 0.75 * h * across) / along;
+  EXPECT_NEAR(solved.number("slowest"), expected, 1e-10 * expected);
+}
+
 TEST(Extremum, WhereNoBodyHasSuchMomentsThatIsTold) {
   const SolvedText solved(sleeping_top(80, "largest: c"));
   const double expected = std::sqrt((0.0021 - 0.0003) / 0.4);

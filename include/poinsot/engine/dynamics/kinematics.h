@@ -5,6 +5,7 @@
 // `ground` (-1) may be asked too: it rests at the origin.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "poinsot/engine/dynamics/joint_motion.h"
@@ -21,6 +22,8 @@ template <MotionLevel Level, class Scalar>
                                      const Scalar* v, const Scalar* acceleration) {
   BodyMotion<Scalar>* const slots = workspace.motion.data();
   turn_joints(model, workspace, q);
+  std::copy_n(q, workspace.q.size(), workspace.q.begin());
+  if constexpr (Level != MotionLevel::pose) std::copy_n(v, workspace.v.size(), workspace.v.begin());
   for (int i = 0; i < model.body_count(); ++i) {
     const Body<Scalar>& body = model.body(i);
     const BodyMotion<Scalar>& parent = slots[body.parent + 1];

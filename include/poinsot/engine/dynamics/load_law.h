@@ -1,7 +1,11 @@
-// A load: a force or couple of given size and direction, whatever the mechanism does.
+// A load: a force or couple of given size and direction, whatever the mechanism does, or one that follows from its
+// motion.
 #pragma once
 
+#include <memory>
+
 #include "poinsot/engine/dynamics/force_law.h"
+#include "poinsot/engine/dynamics/motion_expression.h"
 #include "poinsot/engine/dynamics/place.h"
 
 namespace poinsot {
@@ -13,9 +17,15 @@ struct KnownForce {
   Place<Scalar> at;          // for a force
   Vector3<Scalar> vector{};  // size and direction on the axes of `axes`
   int axes = ground;
+  // Where it follows from the motion: it then stands in the place of `vector`.
+  std::shared_ptr<const MotionExpression<Scalar>> by_motion{};
 
+  // Its size and direction now, on the axes of `axes`. After update_velocities.
+  Vector3<Scalar> now(const Model<Scalar>& tree, const Workspace<Scalar>& w) const {
+    return by_motion ? by_motion->value(tree, w) : vector;
+  }
   PlacedForce<Scalar> exerted(const Model<Scalar>& tree, const Workspace<Scalar>& w) const {
-    const Vector3<Scalar> on_ground = direction_on_ground(tree, w, axes, vector);
+    const Vector3<Scalar> on_ground = direction_on_ground(tree, w, axes, now(tree, w));
     const Vector3<Scalar> none = Vector3<Scalar>::zero();
     const Vector3<Scalar> P = point_position(tree, w, at.body, at.point);
     return couple ? PlacedForce<Scalar>{P, none, on_ground} : PlacedForce<Scalar>{P, on_ground, none};
@@ -31,7 +41,10 @@ struct KnownForce {
 
   template <class Target, class Convert>
   KnownForce<Target> converted(const Convert& to) const {
-    return {action, couple, to(at), to(vector), axes};
+    KnownForce<Target> force{action, couple, to(at), to(vector), axes};
+    if (by_motion)
+      force.by_motion = std::make_shared<const MotionExpression<Target>>(by_motion->template converted<Target>(to));
+    return force;
   }
 };
 

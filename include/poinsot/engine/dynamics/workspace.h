@@ -73,6 +73,8 @@ struct Workspace {
   explicit Workspace(const Model<Scalar>& model)
       : sines(model.position_size()),
         cosines(model.position_size()),
+        q(model.position_size()),
+        v(model.velocity_size()),
         motion(model.body_count() + 1),
         newton_euler(model.body_count() + 1),
         articulated(model.body_count() + 1),
@@ -87,6 +89,7 @@ struct Workspace {
 
   std::vector<Scalar> sines;  // of each revolute or screw joint's angle, by position coordinate
   std::vector<Scalar> cosines;
+  std::vector<Scalar> q, v;  // the state that the motions belong to (kinematics.h); v only where there are velocities
   std::vector<BodyMotion<Scalar>> motion;
   std::vector<NewtonEulerBody<Scalar>> newton_euler;
   std::vector<ArticulatedBody<Scalar>> articulated;

@@ -266,6 +266,21 @@ double check_constraints(const std::vector<CheckLink>& links,
   return static_cast<double>(worst);
 }
 
+std::vector<ContactRate> contact_rates(const std::vector<CheckLink>& links, const std::vector<Constraint>& contacts,
+                                       const ConstraintClaim& claim, const std::vector<double>& q,
+                                       const std::vector<double>& v, const std::vector<double>& a) {
+  const Real pace = std::max(drawn::pace_of(links, v, a, claim.length), Real(claim.pace));
+  const CarriedBodies bodies(links, q, v, a, drawn::step_of_pace / (pace > 0 ? pace : 1));
+  const BoundFinder finder(bodies, contacts);
+  std::vector<ContactRate> rates;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Bound bound = finder.of(i);
+    rates.push_back(
+        {static_cast<double>((*bound.rate)[reach]), static_cast<double>(first_derivative(*bound.rate, bodies.h()))});
+  }
+  return rates;
+}
+
 double largest_overlap(const std::vector<CheckLink>& links, const std::vector<VelocityConstraint<double>>& constraints,
                        double length, const std::vector<bool>& acting, const std::vector<double>& q) {
   std::vector<double> rest;

@@ -9,7 +9,6 @@
 namespace poinsot::solve {
 namespace {
 
-constexpr std::size_t now = 4;  // of the nine points of the differences
 constexpr Work of_a_particle = 500, of_a_moving_particle = 20;
 
 }  // namespace
@@ -121,6 +120,7 @@ ParticlePaths::Sums ParticlePaths::sums(int link, const Vector& P) const {
       sums.kinetic_energy += m * norm_squared(velocity) / 2;
       sums.rate += m * acceleration;
       sums.angular_rate += m * cross(r, acceleration);
+      sums.power += m * dot(velocity, acceleration);
       sums.moments.row0 += (m * r.x) * r;
       sums.moments.row1 += (m * r.y) * r;
       sums.moments.row2 += (m * r.z) * r;
@@ -128,6 +128,7 @@ ParticlePaths::Sums ParticlePaths::sums(int link, const Vector& P) const {
       sums.angular_size += std::abs(m) * norm(r) * norm(velocity);
       sums.energy_size += std::abs(m) * norm_squared(velocity) / 2;
       sums.rate_size += std::abs(m) * norm(acceleration);
+      sums.power_size += std::abs(m) * norm(velocity) * norm(acceleration);
       sums.angular_rate_size += std::abs(m) * norm(r) * norm(acceleration);
       sums.moments_size += std::abs(m) * norm_squared(r);
     }

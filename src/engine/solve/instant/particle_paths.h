@@ -27,6 +27,9 @@ class ParticlePaths {
   Real pace() const { return pace_; }
   Real length() const { return length_; }
 
+  // Where the point of a link is now that is at a place of the drawing, and how the link has turned since.
+  Vector place(int link, const Vector& drawn) const { return relative(now, link, -1)(drawn); }
+  Matrix3<Real> turn(int link) const { return relative(now, link, -1).turn; }
   // Of the point of a link that is at a place now, seen from another link (-1 for the ground), on ground axes.
   Vector velocity(int link, const Vector& place, int from) const;
   Vector acceleration(int link, const Vector& place, int from) const;
@@ -42,12 +45,14 @@ class ParticlePaths {
     Vector first_moment = Vector::zero();  // sum m x
     Vector momentum = Vector::zero(), angular_momentum = Vector::zero();
     Vector rate = Vector::zero(), angular_rate = Vector::zero();  // of the momenta: sum m a, sum (x - P) x m a
+    Real power = 0, power_size = 0;                               // of the kinetic energy: sum m v . a
     Matrix3<Real> moments{};                                      // sum m (x - P) (x - P)^T
     Real momentum_size = 0, angular_size = 0, rate_size = 0, angular_rate_size = 0, moments_size = 0;
   };
   Sums sums(int link, const Vector& P) const;
 
  private:
+  static constexpr std::size_t now = 4;  // of the nine points of the differences
   struct Moving {
     Real mass = 0;
     Vector place, velocity, acceleration;

@@ -10,6 +10,7 @@
 #include "engine/solve/stability/acceleration_slopes.h"
 #include "engine/solve/stability/doubted_rates.h"
 #include "engine/solve/stability/equilibria_beside.h"
+#include "engine/solve/stability/mode_shapes.h"
 #include "engine/solve/stability/same_motion.h"
 #include "poinsot/engine/solve/stability/near_equations.h"
 
@@ -49,41 +50,56 @@ class Lineariser {
         slopes_(acceleration_slopes(motion)),
         n_(static_cast<Index>(motion.v.size())) {}
 
-  Linearisation linearise() {
-    Linearisation result;
+  // The equations in natural units: deviations are parts of the units of the coordinates, and rates parts of the pace.
+  // False if the motion is not steady.
+  bool form() {
     // The state is described on axes that follow the frame and not the spin: there the velocities of a steady motion
     // are constant, and deviations obey equations with constant coefficients.
     const auto twists = own_twists(tree_, motion_.v);
     const Matrix spin = matrix(adjoint_rows(tree_, motion_.spins)), drift = matrix(adjoint_rows(tree_, twists));
-    result.pace = std::max(pace(), 1e-300);
+    pace_ = std::max(pace(), 1e-300);
 
-    Doubted A{Matrix::Zero(2 * n_, 2 * n_), Matrix::Zero(2 * n_, 2 * n_)};
-    A.value.topLeftCorner(n_, n_) = spin - drift;
-    A.value.topRightCorner(n_, n_).setIdentity();
+    A_ = {Matrix::Zero(2 * n_, 2 * n_), Matrix::Zero(2 * n_, 2 * n_)};
+    A_.value.topLeftCorner(n_, n_) = spin - drift;
+    A_.value.topRightCorner(n_, n_).setIdentity();
     for (const auto part : {&Doubted::value, &Doubted::doubt})
-      (A.*part).bottomRows(n_) << slopes_.by_position.*part, slopes_.by_velocity.*part;
-    const std::optional<double> unrest = unrest_of(spin, A.value, result.pace);
-    if (!unrest) {
-      result.steady = false;
-      return result;
-    }
-    A.value.bottomRightCorner(n_, n_) += spin;
-    A.doubt += 4 * epsilon * A.value.cwiseAbs();
-    take_out_unseen(A, drift);
-    // From here on deviations are in natural units, and rates are parts of the pace.
-    Vector scale(2 * n_);
+      (A_.*part).bottomRows(n_) << slopes_.by_position.*part, slopes_.by_velocity.*part;
+    const std::optional<double> unrest = unrest_of(spin, A_.value, pace_);
+    if (!unrest) return false;
+    A_.value.bottomRightCorner(n_, n_) += spin;
+    A_.doubt += 4 * epsilon * A_.value.cwiseAbs();
+    take_out_unseen(A_, drift);
+    scale_.resize(2 * n_);
     for (Index k = 0; k < n_; ++k) {
-      scale[k] = unit(k);
-      scale[n_ + k] = unit(k) * result.pace;
+      scale_[k] = unit(k);
+      scale_[n_ + k] = unit(k) * pace_;
     }
-    for (Matrix* each : {&A.value, &A.doubt})
-      *each = (scale.cwiseInverse().asDiagonal() * *each * scale.asDiagonal()).eval() / Real(result.pace);
+    for (Matrix* each : {&A_.value, &A_.doubt})
+      *each = (scale_.cwiseInverse().asDiagonal() * *each * scale_.asDiagonal()).eval() / Real(pace_);
     // As far as the velocities are not quite constant, the matrix belongs to a steady motion near by, which adds to
     // its doubt.
-    A.doubt.bottomRows(n_).array() += Real(*unrest);
-    Vector coupled = Vector::Zero(2 * n_);
-    const DeviationRows rows = rows_of(scale, coupled);
-    SameMotion same = same_motion(A, rows, displacements(scale));
+    A_.doubt.bottomRows(n_).array() += Real(*unrest);
+    coupled_ = Vector::Zero(2 * n_);
+    rows_ = rows_of(scale_, coupled_);
+    return true;
+  }
+
+  // The same, on a basis of all deviations that the constraints allow.
+  AllowedDeviations allowed() {
+    const Matrix basis = deviations(rows_, Matrix(2 * n_, 0), coupled_);
+    return {between(basis, A_.value, basis), basis, scale_};
+  }
+
+  Linearisation linearise() {
+    Linearisation result;
+    result.steady = form();
+    result.pace = pace_;
+    result.length = motion_.length;
+    if (!result.steady) return result;
+    const Doubted& A = A_;
+    const DeviationRows& rows = rows_;
+    Vector& coupled = coupled_;
+    SameMotion same = same_motion(A, rows, displacements(scale_));
     if (rests(result.pace)) {
       const Matrix beside = equilibria_beside(A, rows, same.elsewhere);
       same.elsewhere.conservativeResize(2 * n_, same.elsewhere.cols() + beside.cols());
@@ -192,15 +208,16 @@ class Lineariser {
     double fastest = 1 / motion_.time;
     for (Index k = 0; k < n_; ++k)
       fastest = std::max(fastest, std::abs(motion_.v[static_cast<std::size_t>(k)]) / unit(k));
-    if (fastest > 0) return fastest;
-    // At rest without weight springs set it.
+    // At rest without weight springs set it. What is that much slower is the rounding of their balance.
+    constexpr double unmoved = 1e-6;
+    double springs = 0;
     for (Index i = 0; i < n_; ++i)
       for (Index k = 0; k < n_; ++k) {
         const double pull = static_cast<double>(std::abs(slopes_.by_position.value(i, k))) * unit(k) / unit(i);
         const double brake = static_cast<double>(std::abs(slopes_.by_velocity.value(i, k))) * unit(k) / unit(i);
-        fastest = std::max({fastest, std::sqrt(pull), brake});
+        springs = std::max({springs, std::sqrt(pull), brake});
       }
-    return fastest;
+    return fastest > unmoved * springs ? fastest : springs;
   }
   // The largest change of a velocity in natural units, as a part of the pace; nothing if it exceeds what the errors
   // of the pose and the velocities explain: then the motion is not steady. A: the matrix before the spin is added.
@@ -322,6 +339,11 @@ class Lineariser {
   AccelerationSlopes slopes_;
   Index n_;
   Matrix seen_;  // takes unseen motions out of deviations
+  double pace_ = 0;
+  Doubted A_;
+  Vector scale_;
+  DeviationRows rows_;
+  Vector coupled_;  // the possible error of deviations that follow from others
 };
 
 template <class Use>
@@ -333,6 +355,12 @@ void of_body(const Linearisation& linearisation, int body, Use&& use) {
 }  // namespace
 
 Linearisation linearise(const SteadyMotion& motion) { return Lineariser(motion).linearise(); }
+
+std::optional<AllowedDeviations> allowed_deviations(const SteadyMotion& motion) {
+  Lineariser lineariser(motion);
+  if (!lineariser.form()) return std::nullopt;
+  return lineariser.allowed();
+}
 
 Stability stability(const Linearisation& linearisation, int body) {
   Stability found = Stability::stable;

@@ -139,6 +139,8 @@ bool RedundantBodies::read() {
   return read_constraints();
 }
 
+Turn3 RedundantBodies::read_axes(int body) const { return wide(w_.motion[static_cast<std::size_t>(body + 1)].R); }
+
 bool RedundantBodies::read_joint(int i) {
   const Body<double>& body = mechanism_.tree.body(i);
   const int parent = body.parent;
@@ -286,18 +288,6 @@ std::vector<RedundantBodies::Touch> RedundantBodies::touches(const Displacements
       touch.place = moved(c.on, at, center) - side * c.radius * (up - up.dot(e) * e).normalized();
     }
     found.push_back(touch);
-  }
-  return found;
-}
-
-std::vector<RedundantBodies::Push> RedundantBodies::pushes(const Displacements& at) const {
-  std::vector<Push> found;
-  for (const KnownForce<double>& force : mechanism_.forces) {
-    const Action& action = mechanism_.actions[static_cast<std::size_t>(force.action)];
-    const Place3 size = turned(force.axes, at, drawn(Direction<double>{force.axes, force.vector}));
-    const Place3 none = Place3::Zero();
-    const Place3 place = force.couple ? none : moved(force.at.body, at, drawn(force.at));
-    found.push_back({action.on, action.from, place, force.couple ? none : size, force.couple ? size : none});
   }
   return found;
 }

@@ -28,6 +28,11 @@ struct Displaced {
 };
 // One for each body of the tree, then one for the ground.
 using Displacements = std::vector<Displaced>;
+// How fast the mass center moves and the body turns relative to the frame.
+struct DisplacedRate {
+  Place3 shift = Place3::Zero(), turn = Place3::Zero();
+};
+using DisplacedRates = std::vector<DisplacedRate>;
 
 // A body at the instant, on ground axes.
 struct SteadyBody {
@@ -65,7 +70,7 @@ class RedundantBodies {
     int on = ground, from = ground;
     Place3 place, force, couple;
   };
-  std::vector<Push> pushes(const Displacements& at) const;
+  std::vector<Push> pushes(const Displacements& at, const DisplacedRates& rates) const;
   // The velocity of the material point of a body at a place, as its mass center moves with `rate` and it turns with
   // `turn` relative to the frame.
   Place3 velocity(int body, const Displacements& at, const Place3& place, const Place3& rate, const Place3& turn) const;
@@ -84,6 +89,13 @@ class RedundantBodies {
   Place3 drawn(const Direction<double>& direction) const;
   Place3 moved(int body, const Displacements& at, const Place3& drawn) const;
   Place3 turned(int body, const Displacements& at, const Place3& drawn) const { return at[index(body)].turn * drawn; }
+  Turn3 read_axes(int body) const;  // of its joint
+  Place3 angular_velocity_of(int body, const Displacements& at, const DisplacedRates& rates) const;
+  Place3 velocity_of(int body, const Displacements& at, const DisplacedRates& rates, const Place3& place) const;
+  Real coordinate(int coordinate, bool rate, const Displacements& at, const DisplacedRates& rates) const;
+  Place3 part_of_motion(const MotionPart<double>& part, const Displacements& at, const DisplacedRates& rates) const;
+  Place3 size_by_motion(const MotionExpression<double>& load, const Displacements& at,
+                        const DisplacedRates& rates) const;
   Real turned_about(int on, int from, const Displacements& at, const Place3& axis) const;
 
   const SteadyMotion& motion_;

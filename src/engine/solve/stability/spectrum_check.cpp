@@ -11,8 +11,10 @@
 #include <cmath>
 
 #include "engine/solve/stability/doubted_rates.h"
+#include "engine/solve/stability/mode_shapes.h"
 #include "engine/solve/stability/redundant_bodies.h"
 #include "engine/solve/stability/same_motion.h"
+#include "engine/solve/stability/told_rates.h"
 
 namespace poinsot::solve {
 namespace {
@@ -21,13 +23,9 @@ using Index = Eigen::Index;
 // Of a radian or a natural length. In long doubles mixed differences of the second order are good to about 1e-9 with
 // it: smaller steps add rounding, larger ones curvature.
 constexpr Real step = 1e-5L;
-// Rates below this part of the pace may belong to displacements that change nothing: where several vanish together,
-// their errors are roots of those of the equations.
-constexpr Real slow = 1e-2L;
-// A rate of this road that is this far from all of the other's, as a part of the pace, has none among them. Differences
-// leave 1e-8 in simple rates and the root of that where two nearly meet; a forgotten term of the equations moves a rate
-// in its first digits.
-constexpr Real missing = 1e-3L;
+// The same for the slopes of forces, which are differences of the first order: a force that goes as |v| v has none at
+// rest, and is taken to have one of the size of the step.
+constexpr Real small_step = 1e-8L;
 // Of the forces and of the stiffness: an imbalance that displaces the motion by less is rounding of the pose, which is
 // off by the root of rounding where two positions of rest nearly meet.
 constexpr Real in_balance = 1e-6L;
@@ -45,8 +43,12 @@ class Pencil {
     find_slopes();
   }
 
-  // x' = A x on the possible deviations, in natural units; nothing if masses are missing or forces do not balance.
-  std::optional<Matrix> matrix() const {
+  // x' = A x on a basis of the possible deviations, in natural units; nothing if masses are missing or forces do not
+  // balance.
+  struct Allowed {
+    Matrix A, basis;
+  };
+  std::optional<Allowed> allowed() const {
     const Index gaps = gap_slopes_.rows(), slips = slip_slopes_.rows();
     Matrix rows = Matrix::Zero(2 * gaps + slips, 2 * n_), all(gaps + slips, n_);
     rows.topLeftCorner(gaps, n_) = rows.block(gaps, n_, gaps, n_) = gap_slopes_;
@@ -77,7 +79,24 @@ class Pencil {
     Eigen::ColPivHouseholderQR<Matrix> qr(E);
     qr.setThreshold(1e-9L);
     if (qr.rank() < Z.cols()) return std::nullopt;
-    return Matrix(qr.solve(F));
+    return Allowed{qr.solve(F), Z};
+  }
+
+  // The displacements of the bodies where the coordinates are displaced, these measured like velocities.
+  Vector displacement(const SteadyMotion& motion, const std::vector<double>& along) const {
+    const Model<double>& tree = motion.mechanism->tree;
+    Workspace<double> w(tree);
+    update_velocities<double>(tree, w, State<double>{motion.q, along});
+    const auto wide = [](const Vector3<double>& a) { return Place3(a.x, a.y, a.z); };
+    Vector all(n_);
+    for (std::size_t m = 0; m < moving_.size(); ++m) {
+      const BodyMotion<double>& at = w.motion[moving_[m] + 1];
+      const Place3 turn = wide(at.w), arm = bodies_.bodies()[moving_[m]].center - wide(at.p);
+      const Place3 shift = wide(at.v) + turn.cross(arm);
+      all.segment(6 * static_cast<Index>(m), 3) = shift / length_;
+      all.segment(6 * static_cast<Index>(m) + 3, 3) = turn;
+    }
+    return all;
   }
 
  private:
@@ -94,6 +113,19 @@ class Pencil {
   template <class Function>
   auto slope(const Displacements& at, Index k, const Function& function) const {
     return ((function(displaced(at, k, step)) - function(displaced(at, k, -step))) / (2 * step)).eval();
+  }
+  Vector push_slope_by_place(Index k, const DisplacedRates& resting) const {
+    const auto at = [&](Real by) { return pushes(displaced(still_, k, by), resting); };
+    return (at(small_step) - at(-small_step)) / (2 * small_step);
+  }
+  Vector push_slope_by_rate(Index k) const {
+    const auto at = [&](Real rate) {
+      DisplacedRates rates(still_.size());
+      DisplacedRate& one = rates[moving_[static_cast<std::size_t>(k / 6)]];
+      (k % 6 < 3 ? one.shift : one.turn)[k % 3] = rate * pace_ * unit(k);
+      return pushes(still_, rates);
+    };
+    return (at(small_step) - at(-small_step)) / (2 * small_step);
   }
   Vector gaps(const Displacements& at) const {
     const std::vector<Real> all = bodies_.gaps(at);
@@ -135,9 +167,9 @@ class Pencil {
     return rates;
   }
   // The forces that do not come from an energy.
-  Vector pushes(const Displacements& at) const {
+  Vector pushes(const Displacements& at, const DisplacedRates& rates) const {
     Vector total = Vector::Zero(n_);
-    for (const RedundantBodies::Push& one : bodies_.pushes(at)) {
+    for (const RedundantBodies::Push& one : bodies_.pushes(at, rates)) {
       push(total, one.on, at, one.place, one.force, one.couple, 1);
       push(total, one.from, at, one.place, one.force, one.couple, -1);
     }
@@ -159,14 +191,16 @@ class Pencil {
     const auto energy = [&](const Displacements& at) {
       return Eigen::Matrix<Real, 1, 1>::Constant(bodies_.energy(at) / (pace_ * pace_)).eval();
     };
-    const Vector pushed = pushes(still_);
+    const DisplacedRates resting(still_.size());
+    const Vector pushed = pushes(still_, resting);
     for (Index k = 0; k < n_; ++k) {
       gap_slopes_.col(k) = slope(still_, k, [&](const Displacements& at) { return gaps(at); });
       slip_by_place_.col(k) = slope(still_, k, [&](const Displacements& at) { return slips(at); });
       unbalanced_[k] = slope(still_, k, energy)[0] - pushed[k];
       for (Index j = 0; j < n_; ++j)
         stiffness_(j, k) = slope(still_, k, [&](const Displacements& at) { return slope(at, j, energy); })[0];
-      stiffness_.col(k) -= slope(still_, k, [&](const Displacements& at) { return pushes(at); });
+      stiffness_.col(k) -= push_slope_by_place(k, resting);
+      gyration_.col(k) -= push_slope_by_rate(k);
     }
     // Some gaps are lengths and others angles: each counts by its own size, or at any length of the mechanism but one
     // either kind would be rounding beside the other.
@@ -247,37 +281,74 @@ Real distance(const Matrix& A, std::complex<Real> rate) {
   return std::isfinite(size) ? 1 / size : 0;
 }
 
+// How far the shapes are from those of this road: the sine of the angle between both, in the space of all displacements
+// and their rates. As far as rates nearly meet, the slopes of this road, which are differences, say less.
+double shape_misfit(const Pencil& pencil, const Pencil::Allowed& allowed, const SteadyMotion& motion,
+                    const Linearisation& found) {
+  Real misfit = 0;
+  const ComplexMatrix onto = Matrix(allowed.basis.transpose()).cast<std::complex<Real>>();
+  for (const ToldMode& told : told_modes(found)) {
+    const std::vector<std::complex<double>>& shape = found.modes[told.mode].shape;
+    if (shape.empty()) continue;
+    std::vector<double> real, imaginary;
+    for (const std::complex<double>& part : shape) {
+      real.push_back(part.real());
+      imaginary.push_back(part.imag());
+    }
+    const Vector along = pencil.displacement(motion, real), across = pencil.displacement(motion, imaginary);
+    const std::complex<Real> rate = std::complex<Real>(told.growth_rate, told.frequency) / Real(found.pace);
+    ComplexMatrix x(2 * along.size(), 1);
+    for (Index k = 0; k < along.size(); ++k) {
+      x(k, 0) = {along[k], across[k]};
+      x(along.size() + k, 0) = rate * x(k, 0);
+    }
+    const Real size = x.norm();
+    if (!(size > 0)) return 1;
+    const ComplexMatrix z = onto * x;
+    const RateMotion own = motion_of_rate(allowed.A, rate);
+    const std::complex<Real> common = own.motion.dot(z.col(0));
+    // What no deviation that this road allows has, and what its own shape has not.
+    const Real outside = std::sqrt(std::max(Real(0), size * size - z.squaredNorm())) / size;
+    const Real beside = (z.col(0) - common * own.motion).norm() / size;
+    misfit = std::max({misfit, outside, beside * std::min(Real(1), own.apart)});
+  }
+  return static_cast<double>(misfit);
+}
+
 }  // namespace
 
 std::optional<double> spectrum_misfit(const SteadyMotion& motion, const Linearisation& found) {
   if (!found.steady) return std::nullopt;
   const std::unique_ptr<RedundantBodies> bodies = RedundantBodies::find(motion);
   if (!bodies) return std::nullopt;
-  const std::optional<Matrix> A = Pencil(*bodies, motion, found.pace).matrix();
-  if (!A) return std::nullopt;
-  if (A->rows() != found.deviations) return 1;
+  const Pencil pencil(*bodies, motion, found.pace);
+  const std::optional<Pencil::Allowed> allowed = pencil.allowed();
+  if (!allowed) return std::nullopt;
+  const Matrix& A = allowed->A;
+  if (A.rows() != found.deviations) return 1;
   std::vector<std::complex<Real>> told;
   Real misfit = 0;
   for (const Mode& mode : found.modes) {
     const std::complex<Real> rate(mode.growth_rate / found.pace, mode.frequency / found.pace);
     told.push_back(rate);
     if (mode.frequency != 0) told.push_back(std::conj(rate));
-    misfit = std::max(misfit, distance(*A, rate));
+    misfit = std::max(misfit, distance(A, rate));
   }
-  const std::optional<Spectrum> spectrum = spectrum_of(*A, false);
+  const std::optional<Spectrum> spectrum = spectrum_of(A, false);
   if (!spectrum) return 1;
   const ComplexVector& own = spectrum->value;
   for (Index m = 0; m < own.size(); ++m) {
     const auto nearest =
         std::ranges::min_element(told, {}, [&](const std::complex<Real>& rate) { return std::abs(rate - own[m]); });
-    const Real off = nearest == told.end() ? 2 * missing + std::abs(own[m]) : std::abs(*nearest - own[m]);
-    if (off <= missing) {
+    const Real off = nearest == told.end() ? 2 * far_rate + std::abs(own[m]) : std::abs(*nearest - own[m]);
+    if (off <= far_rate) {
       told.erase(nearest);
-    } else if (std::abs(own[m]) > slow) {
+    } else if (std::abs(own[m]) > slow_rate) {
       return 1;
     }
   }
-  return static_cast<double>(misfit);
+  if (!agrees(found, own)) return 1;
+  return std::max(static_cast<double>(misfit), shape_misfit(pencil, *allowed, motion, found));
 }
 
 }  // namespace poinsot::solve

@@ -29,6 +29,15 @@ double check_constraints(const std::vector<CheckLink>& links,
                          const std::vector<VelocityConstraint<double>>& constraints, const ConstraintClaim& claim,
                          const std::vector<double>& q, const std::vector<double>& v, const std::vector<double>& a);
 
+// How fast what a constraint of a contact binds comes apart or slips, and the rate of that; by the same road.
+struct ContactRate {
+  double rate = 0, change = 0;
+};
+std::vector<ContactRate> contact_rates(const std::vector<CheckLink>& links,
+                                       const std::vector<VelocityConstraint<double>>& contacts,
+                                       const ConstraintClaim& claim, const std::vector<double>& q,
+                                       const std::vector<double>& v, const std::vector<double>& a);
+
 // The largest depth to which bodies overlap whose contact does not act, or by which a cord that does not is longer than
 // it can be, over the length. acting: of each action.
 double largest_overlap(const std::vector<CheckLink>& links, const std::vector<VelocityConstraint<double>>& constraints,

@@ -48,6 +48,10 @@ struct Mode {
   double doubt = 0;        // 1/s: a bound for the error of both, from the accuracy of the equations
   // Which bodies of the tree take part; empty for displacements that only go round in a turning frame.
   std::vector<bool> moves;
+  // How the coordinates move in it, measured like velocities and to any scale: displacements Re(shape exp(rate t)) with
+  // the rate growth_rate + i frequency. find_shapes() finds it. It stays empty where another mode has the same rates,
+  // so that any combination of both is a mode, too.
+  std::vector<std::complex<double>> shape{};
 };
 
 enum class Stability { stable, unstable, undecided };
@@ -56,8 +60,10 @@ struct Linearisation {
   bool steady = true;  // whether the motion is steady at all
   // One of each conjugate pair, in order of falling growth rate, without those of the symmetries.
   std::vector<Mode> modes;
+  double length = 1;   // m: the natural length of the motion
   double pace = 0;     // 1/s: that of the fastest motion, or the one set by weights and lengths
   int deviations = 0;  // how many numbers a deviation has that constraints allow, those of the symmetries among them
+  bool has_shapes = false;
 };
 
 // Throws std::runtime_error if accelerations are not determined near the motion, as where springs act on an unseen
@@ -71,5 +77,19 @@ constexpr int everything = -2;
 Stability stability(const Linearisation& linearisation, int body = everything);
 double growth_rate(const Linearisation& linearisation, int body = everything);
 std::vector<double> frequencies(const Linearisation& linearisation, int body = everything);
+
+// A mode as it is told: rates smaller than their doubt are zero, and a pair of rates whose frequency is zero is two
+// modes.
+struct ToldMode {
+  double growth_rate = 0, frequency = 0;  // as above
+  double damping_ratio = 0;               // -growth_rate over the size of growth_rate + i frequency
+  std::size_t mode = 0;                   // its place among the modes
+};
+// The modes in which a body takes part, by rising frequency and of equal ones by rising growth. Those that vanish are
+// left out.
+std::vector<ToldMode> told_modes(const Linearisation& linearisation, int body = everything);
+int vanishing_modes(const Linearisation& linearisation, int body = everything);
+
+void find_shapes(const SteadyMotion& motion, Linearisation& linearisation);
 
 }  // namespace poinsot::solve

@@ -7,10 +7,13 @@
 
 namespace poinsot::solve {
 
-// How far the rates are from those of the bodies in redundant coordinates, as a part of the pace: the place and turn of
+// How far the rates, and the shapes if they are known, are from those of the bodies in redundant coordinates, as a part of the pace: the place and turn of
 // each body, what joins them by geometry, Newton's and Euler's equations for each. 1 where the numbers of freedoms
 // differ or a rate is missing. The redundant equations are linearised by differences, which leaves some 1e-8. Nothing
 // where that road does not lead (redundant_bodies.h).
+// The misfit beyond which rates and shapes are not confirmed: differences leave some 1e-8 in the slopes of the second
+// road.
+constexpr double spectrum_tolerance = 1e-6;
 std::optional<double> spectrum_misfit(const SteadyMotion& motion, const Linearisation& found);
 
 }  // namespace poinsot::solve

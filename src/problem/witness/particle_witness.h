@@ -10,7 +10,10 @@ namespace poinsot::problem {
 // scan of what is told of a motion leaves 1e-11.
 inline constexpr double check_tolerance = 1e-8;
 
-// Of the instant and of what was written down of what it told.
+// The largest misfit of the instant and of what was written down of what it told.
+double misfit_by_particles(const SolvedInstant& instant);
 bool confirmed_by_particles(const SolvedInstant& instant);
+// And by the second spectrum, where rates near a steady motion were found.
+bool confirmed_by_all_roads(const SolvedInstant& instant);
 
 }  // namespace poinsot::problem

@@ -1,4 +1,4 @@
-#include "problem/machine/driving.h"
+#include "problem/course/driving.h"
 
 #include <algorithm>
 #include <array>

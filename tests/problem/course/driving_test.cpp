@@ -1,5 +1,5 @@
 // Loads and rates that act for a short while in a long motion, against what they do in closed form.
-#include "problem/machine/driving.h"
+#include "problem/course/driving.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,365 @@
+#include "problem/answers/contact_states.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "problem/answers/friction_refusals.h"
+#include "problem/answers/letter_draws.h"
+#include "problem/answers/untold_states.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/expression.h"
+#include "problem/language/words.h"
+#include "problem/instant/contact_state_search.h"
+#include "problem/instant/contact_state_words.h"
+#include "problem/unknowns/extremum.h"
+#include "problem/unknowns/sample.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr std::size_t most_searched = 1024;  // in which unknowns are sought
+
+using States = std::vector<ContactState>;
+
+bool is_before(const States& a, const States& b) {
+  return std::ranges::lexicographical_compare(a, b, {}, &ContactState::grip, &ContactState::grip);
+}
+
+class ContactStates {
+ public:
+  ContactStates(const Statement& statement, const Settings& settings,
+                const std::function<SolvedStatement(const Statement&)>& solve)
+      : statement_(statement), settings_(settings), solve_(solve), draws_(statement, settings) {}
+
+  SolvedStatement solve() {
+    const bool searched =
+        std::ranges::any_of(statement_.situations, [](const Situation& s) { return !s.find.empty(); });
+    if (searched && !draws_.none())
+      fail(statement_.file, first_rough().friction->mark,
+           "with friction, unknowns are found for numbers only, and letters have no values here",
+           "give the letters values by --set, or leave out find:");
+    if (searched)
+      solve_with_unknowns();
+    else
+      solve_what_holds();
+    if (result_.solutions.empty()) none_holds(searched);
+    return std::move(result_);
+  }
+
+ private:
+  const Contact& first_rough() const {
+    for (const Situation& situation : statement_.situations)
+      for (const Contact& contact : situation.contacts)
+        if (contact.friction) return contact;
+    throw std::logic_error("no contact has friction");
+  }
+
+  // Without unknowns: the states of each situation by itself, and every combination of these.
+  void solve_what_holds() {
+    std::vector<States> all{{}};
+    for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
+      if (!statement_.situations[i].has_friction()) continue;
+      const std::vector<States> own = draws_.none() ? held_at_numbers(i) : held_at_draws(i);
+      std::vector<States> longer;
+      for (const States& states : all)
+        for (const States& more : own) {
+          longer.push_back(states);
+          longer.back().insert(longer.back().end(), more.begin(), more.end());
+        }
+      all = std::move(longer);
+    }
+    for (const States& states : all) {
+      const Statement found = in_contact_states(statement_, states);
+      take(solve_(found), states, [](const Solution&, States&) { return true; });
+    }
+    if (!draws_.none() && !result_.solutions.empty())
+      for (const std::string& words : untold_states(statement_, settings_, all)) add_once(result_.warnings, words);
+    for (const std::string& doubt : doubts_)
+      add_once(result_.warnings, "a state of the contacts with friction could not be judged: " + doubt);
+    if (directions_sought_)
+      add_once(
+          result_.warnings,
+          std::string("the directions in which several contacts begin to slide were sought from some starts: there "
+                      "may be other states"));
+  }
+
+  std::vector<States> held_at_numbers(std::size_t i) {
+    HeldStates held = states_that_hold(statement_.situations[i], i, settings_, false);
+    note(held);
+    for (States& states : held.all)
+      for (ContactState& state : states)
+        if (state.slip) name_direction(state, statement_.situations[i], settings_);
+    return std::move(held.all);
+  }
+
+  void note(const HeldStates& held) {
+    for (const std::string& doubt : held.doubts) add_once(doubts_, doubt);
+    directions_sought_ = directions_sought_ || held.directions_sought;
+  }
+
+  // The states that hold at some values of the letters. Directions must be those of names, as formulas need them.
+  std::vector<States> held_at_draws(std::size_t i) {
+    const Situation& situation = statement_.situations[i];
+    std::vector<States> all;
+    std::optional<StatementError> refusal;
+    bool any = false;
+    for (int draw = 0; draw < most_state_draws; ++draw) {
+      Settings settings = settings_;
+      const std::vector<Value<double>> drawn = draws_.values(draw, spread_of_state_draw(draw));
+      for (std::size_t k = 0; k < drawn.size(); ++k) settings[draws_.letters()[k].name] = drawn[k];
+      HeldStates held;
+      try {
+        held = states_that_hold(situation, i, settings, true);
+      } catch (const StatementError& error) {
+        if (!refusal) refusal = error;
+        continue;
+      }
+      any = true;
+      note(held);
+      for (States& states : held.all) {
+        for (ContactState& state : states)
+          if (state.slip && !name_direction(state, situation, settings)) direction_changes(situation, state);
+        if (std::ranges::none_of(all, [&](const States& known) { return are_same(known, states); }))
+          all.push_back(std::move(states));
+      }
+      if (held.directions_sought) direction_changes(situation, {first_rough().name, i, Grip::slides, {}, true});
+    }
+    if (!any && refusal) throw StatementError(*refusal);
+    std::ranges::stable_sort(all, is_before);
+    return all;
+  }
+
+  [[noreturn]] static void direction_changes(const Situation& situation, const ContactState& state) {
+    const auto contact = std::ranges::find(situation.contacts, state.contact, &Contact::name);
+    fail(situation.file, contact->friction->mark,
+         "in letters, contact '" + state.contact +
+             "' slides in a direction that is none of the axes and none of directions:",
+         "give the letters values by --set, or name the direction under directions:");
+  }
+
+  // With unknowns: these are sought in every combination, with slips along axes and named directions.
+  void solve_with_unknowns() {
+    std::vector<States> all{{}};
+    for (std::size_t i = 0; i < statement_.situations.size(); ++i)
+      for (const Contact& contact : statement_.situations[i].contacts) {
+        if (!contact.friction) continue;
+        std::vector<States> longer;
+        for (const States& states : all)
+          for (ContactState& state : possible_states(i, contact)) {
+            longer.push_back(states);
+            longer.back().push_back(std::move(state));
+          }
+        all = std::move(longer);
+        if (all.size() > most_searched)
+          fail(statement_.file, contact.friction->mark,
+               "so many contacts with friction have too many states together to seek unknowns in each",
+               "leave out the friction where it does not matter, or give the unknowns values");
+      }
+    for (const States& states : all) {
+      const Statement tried = in_contact_states(statement_, states);
+      try {
+        take(solve_(tried), states,
+             [&](const Solution& solution, States& found) { return holds(tried, solution, found); });
+      } catch (const StatementError& error) {
+        if (!refusal_) refusal_ = error;
+      }
+    }
+  }
+
+  States possible_states(std::size_t i, const Contact& contact) const {
+    const Situation& situation = statement_.situations[i];
+    States states{{contact.name, i, Grip::sticks, {}, false}};
+    DataScope<double> data(situation, settings_, 0);
+    const Vector3<double> n = data.direction(contact.normal);
+    std::vector<std::string> names(situation.axes.begin(), situation.axes.end());
+    for (const NamedExpression& direction : situation.directions) names.push_back(direction.name);
+    std::vector<Vector3<double>> known;
+    for (const std::string& text : names)
+      for (const bool opposite : {false, true}) {
+        const Expression named = named_direction(text, opposite);
+        Vector3<double> d;
+        try {
+          d = data.direction(named);
+        } catch (const StatementError&) {
+          continue;  // It depends on an unknown.
+        }
+        constexpr double rounding = 1e-9;
+        if (std::abs(dot(d, n)) > rounding ||
+            std::ranges::any_of(known, [&](const Vector3<double>& other) { return norm(other - d) < rounding; }))
+          continue;
+        known.push_back(d);
+        states.push_back({contact.name, i, Grip::slides, named, false});
+      }
+    states.push_back({contact.name, i, Grip::parts, {}, false});
+    return states;
+  }
+
+  // Whether the contacts are in their states with the unknowns of a root; notes which of them begin to slide.
+  bool holds(const Statement& tried, const Solution& solution, States& states) {
+    const std::vector<Settings> settings = settings_of_root(tried, settings_, solution);
+    try {
+      Sample sample(tried, settings, OpenChoice{});
+      if (!sample.contact_states_hold()) return false;
+      for (ContactState& state : states) {
+        if (state.grip != Grip::slides) continue;
+        const Situation& situation = tried.situations[state.situation];
+        const States start = states_at_start(situation, state.situation, settings[state.situation]);
+        state.from_rest = std::ranges::find(start, state.contact, &ContactState::contact)->grip == Grip::sticks;
+        const auto contact = std::ranges::find(situation.contacts, state.contact, &Contact::name);
+        if (state.from_rest && contact->friction->falls())
+          fail(statement_.file, contact->friction->mark,
+               "unknowns are not found where contact '" + state.contact +
+                   "' begins to slide with less friction than at rest: it might stay at rest as well",
+               "give the contact a single coefficient, or the unknowns values");
+      }
+      return true;
+    } catch (const StatementError& error) {
+      if (!refusal_) refusal_ = error;
+      return false;
+    }
+  }
+
+  template <class Holds>
+  void take(SolvedStatement solved, const States& states, const Holds& holds) {
+    bool any = false;
+    for (Solution& solution : solved.solutions) {
+      States found = states;
+      if (!holds(solution, found)) continue;
+      any = true;
+      for (const ContactState& state : found) {
+        const Situation& situation = statement_.situations[state.situation];
+        solution.notes.push_back(words_of(state, situation, settings_) +
+                                 (situation.name.empty() ? "" : " @ " + situation.name));
+      }
+      solution.contact_states = std::move(found);
+      result_.solutions.push_back(std::move(solution));
+    }
+    result_.open_letters = solved.open_letters;
+    // What was noticed in states that do not hold is of no use to anybody.
+    if (any)
+      for (const std::string& warning : solved.warnings) add_once(result_.warnings, warning);
+    if (solved.ended) result_.ended = solved.ended;
+  }
+
+  [[noreturn]] void none_holds(bool searched) const {
+    if (refusal_) throw StatementError(*refusal_);
+    const Mark& mark = first_rough().friction->mark;
+    if (!doubts_.empty())
+      fail(statement_.file, mark,
+           "no state of the contacts with friction was found, and one could not be judged: " + doubts_.front());
+    if (searched || directions_sought_)
+      fail(statement_.file, mark, "no state of the contacts with friction was found that holds",
+           "give the unknowns values, or name the directions in which contacts slide under directions:");
+    fail(statement_.file, mark,
+         "no state of the contacts with friction holds: sticking, sliding and parting each contradict Coulomb's law "
+         "here" +
+             std::string(draws_.none() ? "" : ", at all values that were tried for the letters"),
+         "rigid bodies with dry friction may have no solution (Painleve's paradox): reduce the friction, or correct "
+         "the data");
+  }
+
+  const Statement& statement_;
+  const Settings& settings_;
+  const std::function<SolvedStatement(const Statement&)>& solve_;
+  const LetterDraws draws_;
+  SolvedStatement result_;
+  std::vector<std::string> doubts_;
+  bool directions_sought_ = false;
+  std::optional<StatementError> refusal_;
+};
+
+// For limits up to which contacts stick: those that slip sliding, those at rest sticking. Where it is not known how
+// they slip, because something is to be found, they are taken to be at rest.
+States states_of_limits(const Statement& statement, const Settings& settings) {
+  const Settings drawn = LetterDraws(statement, settings).settings();
+  States states;
+  for (std::size_t i = 0; i < statement.situations.size(); ++i) {
+    const Situation& situation = statement.situations[i];
+    if (!situation.has_friction()) continue;
+    try {
+      for (ContactState& state : states_at_start(situation, i, drawn)) {
+        if (state.slip) name_direction(state, situation, drawn);
+        states.push_back(std::move(state));
+      }
+    } catch (const StatementError&) {
+      for (const Contact& contact : situation.contacts)
+        if (contact.friction) states.push_back({contact.name, i, Grip::sticks, {}, false});
+    }
+  }
+  return states;
+}
+
+// Refuses limits that are sought with others than all contacts at rest where that is not done.
+void refuse_open_limits(const Statement& limits, const Settings& settings) {
+  for (const Ask& ask : limits.asks) {
+    const Situation& situation = limits.situations[situation_of(limits, ask)];
+    if (!leaves_states_open(situation, *ask.extremum)) continue;
+    std::string names;
+    for (const Contact& contact : situation.contacts)
+      if (contact.friction) names += (names.empty() ? "sticking(" : ", sticking(") + contact.name + ")";
+    const auto refuse = [&](const std::string& why) {
+      fail(limits.file, ask.mark, "what the other contacts do up to this limit is sought " + why,
+           "write while: [" + names + "] if all of them stay at rest");
+    };
+    if (!situation.find.empty()) refuse("where nothing else is to be found");
+    const std::vector<Letter> open = open_letters(limits, settings);
+    if (std::ranges::any_of(open, [&](const Letter& letter) { return letter.name != ask.extremum->name; }))
+      refuse("by numbers, and '" + open.front().name + "' has no value");
+  }
+}
+
+}  // namespace
+
+bool has_open_contact_states(const Statement& statement) {
+  return std::ranges::any_of(statement.situations, [](const Situation& situation) {
+    return std::ranges::any_of(situation.contacts, [](const Contact& contact) {
+      return contact.friction.has_value() && contact.grip == Grip::unknown;
+    });
+  });
+}
+
+Statement in_contact_states(const Statement& statement, const std::vector<ContactState>& states) {
+  Statement result = statement;
+  for (std::size_t i = 0; i < result.situations.size(); ++i) put_in_states(result.situations[i], i, states);
+  return result;
+}
+
+std::vector<Settings> settings_of_root(const Statement& statement, const Settings& settings, const Solution& solution) {
+  std::vector<Settings> all(statement.situations.size(), settings);
+  for (const SolvedUnknown& unknown : solution.unknowns)
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!unknown.formula && unknown.is_of(i)) all[i][unknown.own_name] = unknown.value;
+  return all;
+}
+
+SolvedStatement solve_contact_states(const Statement& statement, const Settings& settings,
+                                     const std::function<SolvedStatement(const Statement&)>& solve) {
+  refuse_beside_friction(statement);
+  // Up to which value contacts stick is sought from rest, whatever they do at the values stated.
+  Statement limits = statement, others = statement;
+  std::erase_if(limits.asks, [](const Ask& ask) { return !is_limit_of_sticking(ask); });
+  std::erase_if(others.asks, is_limit_of_sticking);
+  if (limits.asks.empty()) return ContactStates(statement, settings, solve).solve();
+  const States sticking = states_of_limits(limits, settings);
+  const Statement at_rest = in_contact_states(limits, sticking);
+  refuse_open_limits(at_rest, settings);
+  SolvedStatement found = solve(at_rest);
+  for (Solution& solution : found.solutions) solution.contact_states = sticking;
+  if (others.asks.empty() || found.solutions.empty()) return found;
+  SolvedStatement result = ContactStates(others, settings, solve).solve();
+  const Solution& of_limits = found.solutions.front();
+  for (Solution& solution : result.solutions) {
+    for (std::size_t i = 0, next = 0; i < statement.asks.size(); ++i)
+      if (is_limit_of_sticking(statement.asks[i]))
+        solution.asks.insert(solution.asks.begin() + static_cast<std::ptrdiff_t>(i), of_limits.asks[next++]);
+    solution.notes.insert(solution.notes.end(), of_limits.notes.begin(), of_limits.notes.end());
+    for (const auto& [name, value] : of_limits.checks) {
+      double& check = solution.checks[name];
+      check = std::max(check, value);
+    }
+  }
+  return result;
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,135 @@
+// Contacts with dry friction along a motion: in which states they are from one of its events to the next.
+//
+// Between events a contact that sticks is held as a constraint, and one that slides has the friction of its slip, along
+// a line that stays. The states change where a slip vanishes, where the friction of a contact at rest comes to its
+// limit, and where loads jump; they are then found as at an instant, for all contacts together.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "problem/course/course.h"
+#include "problem/instant/contact_state_search.h"
+#include "problem/instant/contact_state_words.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
+
+namespace poinsot::problem {
+namespace {
+
+// A slip that vanishes leaves across its line what the check of lines lets pass (piece_friction.cpp), above the part of
+// the speed that is none in an instant.
+constexpr double none_slips = 20;
+
+const Mark& mark_of_friction(const Situation& situation) {
+  return std::ranges::find_if(situation.contacts, [](const Contact& contact) { return contact.friction.has_value(); })
+      ->friction->mark;
+}
+
+}  // namespace
+
+SolvedInstant& Course::probe_in(std::size_t states, const MotionState& state) {
+  if (probes_.size() < in_states_.size()) probes_.resize(in_states_.size());
+  if (!probes_[states])
+    probes_[states] = std::make_unique<SolvedInstant>(*in_states_[states], settings_, state, choice_);
+  return *probes_[states];
+}
+
+void Course::move_probe(const MotionState& state) {
+  probe_ = &probe_in(states_of(state), state);
+  probe_->move_to(state);
+}
+
+// The first piece that contains its time, as in at().
+std::size_t Course::states_of(const MotionState& state) const {
+  const StageRun& run = stages_[state.stage];
+  for (std::size_t i = 0; i < run.pieces.size(); ++i) {
+    const Trajectory& piece = run.pieces[i];
+    if (!piece.empty() && state.time >= piece.start_time() && state.time <= piece.end_time()) return run.states[i];
+  }
+  return run.states_now;
+}
+
+// time: at which the loads are taken. leaving: the contact that can stick no longer; empty if there is none.
+void Course::find_contact_states(std::size_t stage, double time, const std::string& leaving) {
+  StageRun& now = stages_[stage];
+  // What has come to rest has no velocity left, whose sense would be that of rounding.
+  constexpr double rounding = 1e-11;  // of the natural pace
+  const std::vector<double> sizes = natural_sizes().of_v;
+  for (std::size_t k = 0; k < now.v.size(); ++k)
+    if (std::abs(now.v[k]) < rounding * sizes[k] / pace_time_) now.v[k] = 0;
+  const std::vector<bool> acting = now.acting.empty() ? std::vector<bool>() : now.acting.back();
+  const HeldStates held =
+      states_that_hold(*in_states_[now.states_now], 0, settings_,
+                       {{time, stage, now.q, now.v, acting}, none_slips * natural_speed(), leaving});
+  const std::string when = " at " + with_digits(now.time, 6) + " s";
+  const Mark& mark = mark_of_friction(situation_);
+  if (!held.doubts.empty())
+    stops(stage, mark,
+          "which states of the contacts with friction hold" + when + " is not known: " + held.doubts.front());
+  if (held.all.empty())
+    stops(stage, mark,
+          "no state of the contacts with friction " +
+              std::string(held.directions_sought ? "was found that holds" : "holds") + when +
+              (held.directions_sought ? ""
+                                      : ": rigid bodies with dry friction may have no solution (Painleve's paradox)"));
+  if (held.all.size() > 1) {
+    std::string words;
+    for (const std::vector<ContactState>& states : held.all) {
+      words += words.empty() ? ": " : "; or ";
+      for (const ContactState& state : states)
+        words += (&state == &states.front() ? "" : ", ") + problem::words_of(state, situation_, settings_);
+    }
+    stops(stage, mark, "the motion may go on in more than one way" + when + words);
+  }
+  if (held.directions_sought)
+    happenings_.push_back("the directions in which several contacts begin to slide" + when +
+                          " were sought from some starts: there may be other motions");
+  put_in_contact_states(stage, held.all.front());
+}
+
+// Contacts that come to their limits begin to slide. Where friction then falls, others may change with them.
+void Course::let_slide(std::size_t stage, const std::vector<ContactState>& starting) {
+  const bool falls = std::ranges::any_of(starting, [&](const ContactState& state) {
+    return std::ranges::find(situation_.contacts, state.contact, &Contact::name)->friction->falls();
+  });
+  if (!falls) return put_in_contact_states(stage, starting);
+  if (starting.size() > 1)
+    stops(stage, mark_of_friction(situation_),
+          "several contacts begin to slide at once at " + with_digits(stages_[stage].time, 6) +
+              " s with less friction than at rest, which is not followed");
+  find_contact_states(stage, stages_[stage].time, starting.front().contact);
+}
+
+// Those that are not named stay as they are.
+void Course::put_in_contact_states(std::size_t stage, const std::vector<ContactState>& states) {
+  StageRun& now = stages_[stage];
+  auto next = std::make_unique<Situation>(*in_states_[now.states_now]);
+  bool any = false;
+  for (const ContactState& state : states) {
+    const auto before = std::ranges::find(next->contacts, state.contact, &Contact::name);
+    const auto direction = [&](const Expression& slip) {
+      return DataScope<double>(situation_, settings_, 0).direction(slip);
+    };
+    constexpr double one_direction = 1e-6;
+    if (before->grip == state.grip &&
+        (state.grip != Grip::slides || norm(direction(*before->slip) - direction(*state.slip)) < one_direction))
+      continue;
+    any = true;
+    if (state.grip == Grip::parts)
+      stops(stage, before->friction->mark,
+            "contact '" + state.contact + "' parts at " + with_digits(now.time, 6) +
+                " s: motions in which contacts with friction part are not followed");
+    changes_.push_back({now.time, problem::words_of(state, situation_, settings_)});
+    happenings_.push_back(changes_.back().words + " from " + with_digits(now.time, 6) + " s on");
+    before->grip = state.grip;
+    before->slip = state.slip;
+    before->from_rest = state.from_rest;
+  }
+  now.states_fresh = true;
+  if (!any) return;
+  now.states_now = in_states_.size();
+  in_states_.push_back(next.get());
+  changed_states_.push_back(std::move(next));
+}
+
+}  // namespace poinsot::problem

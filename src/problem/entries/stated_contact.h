@@ -1,0 +1,42 @@
+// A contact as a statement says it, with the state that is found for one with dry friction.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problem/language/diagnostic.h"
+#include "problem/language/expression.h"
+
+namespace poinsot::problem {
+
+// How a contact with friction holds at an instant. The file does not say it: it is found for all of them together
+// (answers/contact_states.h).
+enum class Grip { unknown, sticks, slides, parts };
+
+// The coefficients of dry friction of a contact at rest and of one that slides.
+struct Friction {
+  Expression resting, sliding;
+  Mark mark;
+
+  // Whether it may be less while it slides.
+  bool falls() const { return to_string(resting) != to_string(sliding); }
+};
+
+struct Contact {
+  std::string name, of, against;
+  Mark of_mark, against_mark;
+  Expression at, normal;
+  bool no_slip = false;
+  std::optional<Friction> friction{};
+  Grip grip = Grip::unknown;
+  std::optional<Expression> slip{};                // if it slides: the direction in which `of` slides over `against`
+  bool from_rest = false;                          // if it slides: whether it only begins to
+  std::optional<std::vector<Expression>> carries;  // directions, or the word "push" for the normal
+  Mark mark;
+
+  // Whether it begins to slide with less friction than at rest, so that it must have left its limit at rest.
+  bool leaves_limit() const { return from_rest && friction && friction->falls(); }
+};
+
+}  // namespace poinsot::problem

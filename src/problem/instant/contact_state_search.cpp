@@ -1,0 +1,439 @@
+#include "problem/instant/contact_state_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "engine/solve/linear/decompositions.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/expression.h"
+#include "problem/language/words.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr std::size_t most_combinations = 20000;  // a few seconds of solving, for statements of the usual size
+// A slip below this part of what moves beside it is none; and so far from a line is on it.
+constexpr double none_beside = 1e-9;
+// Directions that differ by less are one: what Newton's method leaves of a direction that was sought.
+constexpr double one_direction = 1e-7;
+
+template <class Content>
+Expression expression_of(Content content) {
+  return {std::make_shared<const Node>(Node{std::move(content), {}, 3})};
+}
+
+Expression number_expression(double value) { return expression_of(Number{value, {}, false, with_digits(value, 17)}); }
+
+class StateSearch {
+ public:
+  // reached: the state of a motion; null for what is stated of the start.
+  StateSearch(const Situation& situation, std::size_t number, const Settings& settings, bool lines_only,
+              const ReachedState* reached = nullptr)
+      : situation_(situation), number_(number), settings_(settings), lines_only_(lines_only), reached_(reached) {
+    for (const Contact& contact : situation.contacts)
+      if (contact.friction) contacts_.push_back(&contact);
+  }
+
+  HeldStates run() {
+    find_slips();
+    std::size_t combinations = 1;
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      combinations *= grips_of(k).size();
+      if (combinations > most_combinations)
+        fail(situation_.file, contacts_.front()->friction->mark,
+             fmt::format("{} contacts with friction have too many states together to try them all", contacts_.size()),
+             "leave out the friction where it does not matter");
+    }
+    std::vector<std::size_t> choice(contacts_.size(), 0);
+    do try_grips(choice);
+    while (next(choice));
+    // Where a combination leaves all other contacts pressing and cords taut, those that do not are none.
+    if (std::ranges::any_of(whole_, [](bool whole) { return whole; })) {
+      std::size_t i = 0;
+      std::erase_if(held_.all, [&](const auto&) { return !whole_[i++]; });
+    }
+    const std::vector<States> all = held_.all;
+    std::erase_if(held_.all, [&](const States& states) {
+      return std::ranges::any_of(all, [&](const States& other) { return rests_instead(other, states); });
+    });
+    return std::move(held_);
+  }
+
+  // What each contact does whose state is that of its slip at the start, if those at rest stay so.
+  std::vector<ContactState> at_start() {
+    find_slips();
+    States states;
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      states.push_back(state(k, norm(slips_[k]) > 0 ? Grip::slides : Grip::sticks, slips_[k]));
+    return states;
+  }
+
+ private:
+  using States = std::vector<ContactState>;
+  struct Slips {
+    std::vector<Vector3<double>> slip;  // of each contact; zero where it is rounding
+    bool holds = false;
+  };
+
+  // Whether in other states a contact stays at rest, with more friction than while it slides, that begins to slide in
+  // these, and none begins to that does not in these.
+  bool rests_instead(const States& other, const States& states) const {
+    bool rests = false;
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      if (other[k].from_rest && !states[k].from_rest) return false;
+      rests = rests || (states[k].from_rest && other[k].grip == Grip::sticks && contacts_[k]->friction->falls());
+    }
+    return rests;
+  }
+
+  std::vector<Grip> grips_of(std::size_t k) const {
+    const bool sticks = !(norm(slips_[k]) > 0) && !(reached_ && reached_->leaving == contacts_[k]->name);
+    std::vector<Grip> grips{Grip::slides};
+    if (sticks) grips.insert(grips.begin(), Grip::sticks);
+    // Where a round body touches that has turned since it was drawn is known only while it touches.
+    if (!(reached_ && rolls_[k])) grips.push_back(Grip::parts);
+    return grips;
+  }
+  bool next(std::vector<std::size_t>& choice) const {
+    for (std::size_t k = choice.size(); k-- > 0;) {
+      if (++choice[k] < grips_of(k).size()) return true;
+      choice[k] = 0;
+    }
+    return false;
+  }
+
+  SolvedInstant instant_of(const Situation& tried, const OpenChoice& choice) const {
+    return reached_ ? SolvedInstant(tried, settings_, reached_->state, choice)
+                    : SolvedInstant(tried, settings_, When{}, choice);
+  }
+
+  // How the contacts slip at the start. Throws StatementError where that is not determined.
+  void find_slips() {
+    const auto slips_at = [&](const OpenChoice& choice) {
+      const SolvedInstant instant = instant_of(situation_, choice);
+      std::vector<Vector3<double>> slips;
+      const double size = std::max(instant.natural_size(dimensions::velocity), reached_ ? reached_->speed : 0);
+      for (std::size_t k = 0; k < contacts_.size(); ++k) {
+        const Vector3<double> v = instant.rough_motion_as_drawn(k, false).slip;
+        slips.push_back(norm(v) > none_beside * size ? v : Vector3<double>{});
+        normals_.resize(contacts_.size());
+        normals_[k] = instant.rough_normal(k);
+        rolls_.resize(contacts_.size());
+        rolls_[k] = instant.machine().rough_contacts[k].motions.front().kind == VelocityConstraintKind::rolling;
+      }
+      return slips;
+    };
+    OpenChoice varied;
+    varied.seed = 21;
+    varied.any = varied.velocities = true;
+    varied.direction = OpenChoice::every;
+    slips_ = slips_at({});
+    if (reached_) return;  // A motion is in one state.
+    const std::vector<Vector3<double>> others = slips_at(varied);
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      if (norm(slips_[k] - others[k]) > none_beside * (norm(slips_[k]) + norm(others[k])))
+        fail(situation_.file, contacts_[k]->friction->mark,
+             "how contact '" + contacts_[k]->name + "' slips is not known: the statement leaves velocities open",
+             "state them, such as instants: {now: rest}");
+  }
+
+  ContactState state(std::size_t k, Grip grip, const Vector3<double>& d) const {
+    ContactState state{contacts_[k]->name, number_, grip, {}, grip == Grip::slides && !(norm(slips_[k]) > 0)};
+    if (grip == Grip::slides) state.slip = direction_expression(normalized(d));
+    return state;
+  }
+
+  void try_grips(const std::vector<std::size_t>& choice) {
+    States states;
+    std::vector<std::size_t> starting;  // those that are at rest and slide
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const Grip grip = grips_of(k)[choice[k]];
+      states.push_back(state(k, grip, norm(slips_[k]) > 0 ? slips_[k] : across(k)));
+      if (states.back().from_rest) starting.push_back(k);
+    }
+    try {
+      if (starting.empty())
+        keep_if_held(states);
+      else
+        begin_to_slide(states, starting);
+    } catch (const ContradictionError&) {
+      // What is stated does not go with these states.
+    } catch (const StatementError& error) {
+      std::string doubt;
+      for (const ContactState& one : states)
+        doubt += (doubt.empty() ? "where '" : ", '") + one.contact +
+                 (one.grip == Grip::sticks   ? "' sticks"
+                  : one.grip == Grip::slides ? "' slides"
+                                             : "' parts");
+      doubt += ": " + error.diagnostics().front().message;
+      if (std::ranges::find(held_.doubts, doubt) == held_.doubts.end()) held_.doubts.push_back(doubt);
+    }
+  }
+
+  Vector3<double> across(std::size_t k) const {
+    const Vector3<double>& n = normals_[k];
+    return normalized(cross(n, std::abs(n.x) < 0.9 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0}));
+  }
+
+  // Solves for a combination. smooth: whether those that begin to slide have no friction.
+  Slips solve(const States& states, bool smooth = false) {
+    Situation tried = situation_;
+    put_in_states(tried, number_, states);
+    for (Contact& contact : tried.contacts)
+      if (smooth && contact.from_rest) contact.friction->sliding = number_expression(0);
+    bool open = false;
+    const Slips slips = slips_of(tried, {}, open);
+    if (!open) return slips;
+    // What is open must decide nothing here.
+    OpenChoice varied;
+    varied.seed = 22;
+    varied.any = varied.forces = true;
+    varied.direction = OpenChoice::every;
+    const bool whole = whole_now_;
+    const Slips others = slips_of(tried, varied, open);
+    whole_now_ = whole;
+    bool same = slips.holds == others.holds;
+    constexpr double as_open = 1e-6;  // what is open is varied by the size of the motion
+    for (std::size_t k = 0; k < slips.slip.size(); ++k)
+      same = same && norm(slips.slip[k] - others.slip[k]) <= as_open * (norm(slips.slip[k]) + norm(others.slip[k]));
+    if (!same)
+      fail(situation_.file, contacts_.front()->friction->mark,
+           "the statement leaves open what decides whether contacts stick or slide");
+    return slips;
+  }
+
+  Slips slips_of(const Situation& tried, const OpenChoice& choice, bool& open) {
+    SolvedInstant instant = instant_of(tried, choice);
+    instant.solve_forces();
+    open = instant.uses_any() || !instant.motion().open.empty();
+    Slips slips;
+    slips.holds = true;
+    whole_now_ = true;
+    for (const SolvedInstant::OneSidedFault& fault : instant.one_sided_faults()) {
+      const std::string& name = instant.machine().mechanism.actions[fault.action].name;
+      const bool rough = std::ranges::any_of(contacts_, [&](const Contact* contact) { return contact->name == name; });
+      (rough ? slips.holds : whole_now_) = false;
+    }
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const RoughMotion<double> then = instant.rough_motion_as_drawn(k, true);
+      // Where nothing moves the terms are rounding themselves.
+      const double size = std::max(then.size, instant.natural_size(dimensions::acceleration));
+      slips.slip.push_back(norm(then.slip) > none_beside * size ? then.slip : Vector3<double>{});
+    }
+    return slips;
+  }
+
+  bool keep_if_held(const States& states) {
+    if (!solve(states).holds) return false;
+    if (std::ranges::none_of(held_.all, [&](const States& known) { return same(known, states); })) {
+      held_.all.push_back(states);
+      whole_.push_back(whole_now_);
+    }
+    return true;
+  }
+
+  bool same(const States& a, const States& b) const {
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      if (a[k].grip != b[k].grip) return false;
+      if (a[k].grip == Grip::slides && norm(direction_of(a[k]) - direction_of(b[k])) > one_direction) return false;
+    }
+    return true;
+  }
+  Vector3<double> direction_of(const ContactState& state) const {
+    return DataScope<double>(situation_, settings_, 0).direction(*state.slip);
+  }
+
+  // Contacts at rest that slide: first along the lines on which they would begin without friction.
+  void begin_to_slide(States states, const std::vector<std::size_t>& starting) {
+    const std::vector<Vector3<double>> free = solve(states, true).slip;
+    std::vector<Vector3<double>> lines;
+    for (const std::size_t k : starting) lines.push_back(norm(free[k]) > 0 ? normalized(free[k]) : across(k));
+    bool on_lines = true;
+    const auto put = [&](std::size_t i, const Vector3<double>& d) {
+      states[starting[i]] = state(starting[i], Grip::slides, d);
+    };
+    const std::size_t senses = std::size_t{1} << starting.size();
+    for (std::size_t sense = 0; sense < senses; ++sense) {
+      for (std::size_t i = 0; i < starting.size(); ++i) put(i, (sense >> i & 1 ? -1.0 : 1.0) * lines[i]);
+      const std::vector<Vector3<double>> slip = solve(states).slip;
+      for (std::size_t i = 0; i < starting.size(); ++i)
+        on_lines = on_lines && norm(cross(slip[starting[i]], lines[i])) <= 1e-8 * norm(slip[starting[i]]);
+      keep_if_held(states);
+    }
+    if (on_lines && !(norm(free[starting.front()]) > 0 && starting.size() == 1 && !lines_only_)) return;
+    if (lines_only_) {
+      held_.directions_sought = held_.directions_sought || !on_lines;
+      return;
+    }
+    held_.directions_sought = held_.directions_sought || (!on_lines && starting.size() > 1);
+    if (starting.size() == 1)
+      turn_around(std::move(states), starting.front());
+    else
+      seek_from_lines(std::move(states), starting, lines);
+  }
+
+  // By how much each slip turns away from the direction that was taken, as a sine; and whether it goes backwards.
+  std::vector<double> turned(const States& states, const std::vector<std::size_t>& starting) {
+    const std::vector<Vector3<double>> slip = solve(states).slip;
+    std::vector<double> sines;
+    for (const std::size_t k : starting) {
+      const Vector3<double> d = direction_of(states[k]);
+      const double size = norm(slip[k]);
+      forward_ = dot(d, slip[k]) > 0;
+      sines.push_back(size > 0 ? dot(cross(d, slip[k]), normals_[k]) / size : 0);
+    }
+    return sines;
+  }
+  Vector3<double> at_angle(std::size_t k, double angle) const {
+    const Vector3<double> u = across(k);
+    return std::cos(angle) * u + std::sin(angle) * cross(normals_[k], u);
+  }
+
+  // A single contact: all directions around, and where the sine changes its sign.
+  void turn_around(States states, std::size_t k) {
+    constexpr int steps = 36, most_refinements = 60;
+    const auto sine = [&](double angle) {
+      states[k] = state(k, Grip::slides, at_angle(k, angle));
+      return turned(states, {k}).front();
+    };
+    const double step = 2 * std::numbers::pi / steps, first = 0.123456789 * step;
+    double before = sine(first);
+    for (int i = 1; i <= steps; ++i) {
+      double low = first + (i - 1) * step, high = low + step, at_low = before, at_high = sine(high);
+      before = at_high;
+      if ((at_low > 0) == (at_high > 0) || !forward_) continue;
+      // Regula falsi, with the half of a value that stays (the Illinois method).
+      for (int n = 0; n < most_refinements && high - low > 1e-15 && at_high != 0; ++n) {
+        const double between = low + (high - low) * at_low / (at_low - at_high), here = sine(between);
+        if (!(between > low && between < high)) break;
+        if ((here > 0) == (at_low > 0)) {
+          low = between, at_low = here, at_high /= 2;
+        } else {
+          high = between, at_high = here, at_low /= 2;
+        }
+        if (std::abs(here) < 1e-15) break;
+      }
+      sine(high);
+      keep_if_held(states);
+    }
+  }
+
+  // Several contacts: Newton's method for their directions, from both senses of each line.
+  void seek_from_lines(States states, const std::vector<std::size_t>& starting,
+                       const std::vector<Vector3<double>>& lines) {
+    const std::size_t count = starting.size();
+    const auto take = [&](const std::vector<double>& angles) {
+      for (std::size_t i = 0; i < count; ++i)
+        states[starting[i]] = state(starting[i], Grip::slides, at_angle(starting[i], angles[i]));
+      return turned(states, starting);
+    };
+    // All with the sense of the slip without friction, and each of them turned round.
+    for (std::size_t turned_round = 0; turned_round <= count; ++turned_round) {
+      std::vector<double> angles;
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t k = starting[i];
+        const Vector3<double> d = (i == turned_round ? -1.0 : 1.0) * lines[i], u = across(k);
+        angles.push_back(std::atan2(dot(d, cross(normals_[k], u)), dot(d, u)));
+      }
+      constexpr int most_steps = 12;  // by then it has come near or wanders
+      for (int iteration = 0; iteration < most_steps; ++iteration) {
+        const std::vector<double> here = take(angles);
+        const auto n = static_cast<Eigen::Index>(count);
+        Eigen::VectorXd off(n);
+        Eigen::MatrixXd J(n, n);
+        for (Eigen::Index i = 0; i < n; ++i) off[i] = here[static_cast<std::size_t>(i)];
+        if (off.cwiseAbs().maxCoeff() < 1e-13) break;
+        constexpr double aside = 1e-6;
+        for (Eigen::Index j = 0; j < n; ++j) {
+          std::vector<double> moved = angles;
+          moved[static_cast<std::size_t>(j)] += aside;
+          const std::vector<double> there = take(moved);
+          for (Eigen::Index i = 0; i < n; ++i)
+            J(i, j) = (there[static_cast<std::size_t>(i)] - here[static_cast<std::size_t>(i)]) / aside;
+        }
+        Eigen::VectorXd change = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(J).solve(off);
+        constexpr double longest = 0.5;  // radians
+        if (const double largest = change.cwiseAbs().maxCoeff(); largest > longest) change *= longest / largest;
+        for (std::size_t i = 0; i < count; ++i) angles[i] -= change[static_cast<Eigen::Index>(i)];
+      }
+      take(angles);
+      keep_if_held(states);
+    }
+  }
+
+  const Situation& situation_;
+  const std::size_t number_;
+  const Settings& settings_;
+  const bool lines_only_;
+  const ReachedState* const reached_;
+  std::vector<const Contact*> contacts_;
+  std::vector<Vector3<double>> slips_, normals_;  // as drawn
+  std::vector<bool> rolls_;                       // of each contact, whether it is that of a round surface
+  HeldStates held_;
+  std::vector<bool> whole_;  // of each combination that holds: whether no smooth contact pulls and no cord pushes
+  bool whole_now_ = true;    // the same of the one that was solved last
+  bool forward_ = true;      // whether the last contact of those that turned() looked at slips forwards
+};
+
+}  // namespace
+
+Expression direction_expression(const Vector3<double>& d) {
+  return expression_of(List{{number_expression(d.x), number_expression(d.y), number_expression(d.z)}});
+}
+
+Expression named_direction(const std::string& name, bool opposite) {
+  const Expression named = expression_of(Name{name});
+  return opposite ? expression_of(Unary{'-', named}) : named;
+}
+
+void put_in_states(Situation& situation, std::size_t number, const std::vector<ContactState>& states) {
+  for (const ContactState& state : states)
+    for (Contact& contact : situation.contacts)
+      if (state.situation == number && contact.name == state.contact) {
+        contact.grip = state.grip;
+        contact.slip = state.slip;
+        contact.from_rest = state.from_rest;
+      }
+}
+
+HeldStates states_that_hold(const Situation& situation, std::size_t number, const Settings& settings, bool lines_only) {
+  return StateSearch(situation, number, settings, lines_only).run();
+}
+
+HeldStates states_that_hold(const Situation& situation, std::size_t number, const Settings& settings,
+                            const ReachedState& reached) {
+  const Situation open = with_states_open(situation);
+  return StateSearch(open, number, settings, false, &reached).run();
+}
+
+std::vector<ContactState> states_at_start(const Situation& situation, std::size_t number, const Settings& settings) {
+  return StateSearch(situation, number, settings, true).at_start();
+}
+
+Situation with_states_open(const Situation& situation) {
+  Situation open = situation;
+  for (Contact& contact : open.contacts) {
+    contact.grip = Grip::unknown;
+    contact.slip.reset();
+    contact.from_rest = false;
+  }
+  return open;
+}
+
+bool leaves_limits(const Situation& situation, const Settings& settings) {
+  if (std::ranges::none_of(situation.contacts, &Contact::leaves_limit)) return true;
+  const HeldStates held = states_that_hold(with_states_open(situation), 0, settings, true);
+  return std::ranges::any_of(held.all, [&](const std::vector<ContactState>& states) {
+    return std::ranges::all_of(states, [&](const ContactState& state) {
+      return std::ranges::find(situation.contacts, state.contact, &Contact::name)->grip == state.grip;
+    });
+  });
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,50 @@
+#include "problem/instant/contact_state_words.h"
+
+#include <algorithm>
+
+#include "problem/instant/contact_state_search.h"
+#include "problem/language/words.h"
+
+namespace poinsot::problem {
+
+std::string words_of(const ContactState& state, const std::optional<Vector3<double>>& along) {
+  const std::string contact = "contact '" + state.contact + "'";
+  if (state.grip == Grip::sticks) return contact + " sticks";
+  if (state.grip == Grip::parts) return contact + " parts";
+  std::string words = to_string(*state.slip);
+  constexpr int digits = 6;
+  if (along)
+    words = "[" + with_digits(along->x, digits) + ", " + with_digits(along->y, digits) + ", " +
+            with_digits(along->z, digits) + "]";
+  return contact + (state.from_rest ? " begins to slide along " : " slides along ") + words;
+}
+
+std::string words_of(const ContactState& state, const Situation& situation, const Settings& settings) {
+  if (!state.slip || !state.slip->as<List>()) return words_of(state);
+  return words_of(state, DataScope<double>(situation, settings, 0).direction(*state.slip));
+}
+
+bool name_direction(ContactState& state, const Situation& situation, const Settings& settings) {
+  DataScope<double> data(situation, settings, 0);
+  const Vector3<double> d = data.direction(*state.slip);
+  constexpr double one_direction = 1e-12;
+  std::vector<std::string> names(situation.axes.begin(), situation.axes.end());
+  for (const NamedExpression& direction : situation.directions) names.push_back(direction.name);
+  for (const std::string& text : names)
+    for (const bool opposite : {false, true}) {
+      const Expression named = named_direction(text, opposite);
+      if (norm(data.direction(named) - d) > one_direction) continue;
+      state.slip = named;
+      return true;
+    }
+  return false;
+}
+
+bool are_same(const std::vector<ContactState>& a, const std::vector<ContactState>& b) {
+  return std::ranges::equal(a, b, [](const ContactState& x, const ContactState& y) {
+    return x.grip == y.grip && x.from_rest == y.from_rest &&
+           (x.slip ? to_string(*x.slip) : "") == (y.slip ? to_string(*y.slip) : "");
+  });
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,65 @@
+#include "problem/instant/friction_conditions.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "poinsot/engine/math/algebra/plain.h"
+#include "poinsot/engine/math/formula/formula_sign.h"
+#include "problem/language/exact_numbers.h"
+
+namespace poinsot::problem {
+
+std::vector<StateCondition> state_conditions(const solve::MechanismStateOf<Formula>& state,
+                                             const std::vector<Formula>& unknowns,
+                                             const std::vector<RoughContactOf<Formula>>& contacts) {
+  std::vector<StateCondition> conditions;
+  for (const RoughContactOf<Formula>& contact : contacts) {
+    const auto add = [&](Holding holding, const Formula& positive) {
+      if (seen_sign(positive).sign <= 0) conditions.push_back({contact.name, holding, positive});
+    };
+    if (const Formula less = contact.resting - contact.sliding; !less.is_zero()) add(Holding::sticks, less);
+    const RoughMotion<Formula> now = rough_motion(state, contact, false), then = rough_motion(state, contact, true);
+    if (contact.grip == Grip::parts) {
+      add(Holding::parts, then.apart);
+      continue;
+    }
+    const RoughForce<Formula> force = rough_force(state, unknowns, contact);
+    add(Holding::presses, force.push);
+    if (contact.grip == Grip::sticks) {
+      std::vector<Formula> parts;
+      for (std::size_t k = 1; k < 3; ++k)
+        if (const Formula part = dot(force.friction, state.direction(contact.motions[k].along)); !part.is_zero())
+          parts.push_back(part);
+      const Formula limit = contact.resting * force.push;
+      if (parts.size() == 1) {
+        for (const int sign : {1, -1})
+          if (seen_sign(Formula(sign) * parts.front()).sign <= 0)
+            add(Holding::sticks, limit + Formula(sign) * parts.front());
+      } else if (parts.size() == 2) {
+        add(Holding::sticks, limit * limit - parts[0] * parts[0] - parts[1] * parts[1]);
+      }
+      continue;
+    }
+    const bool slips = std::ranges::any_of(std::initializer_list<Formula>{now.slip.x, now.slip.y, now.slip.z},
+                                           [](const Formula& part) { return !part.is_zero(); });
+    const Vector3<Formula> slip = slips ? now.slip : then.slip, along = state.direction(*contact.slip);
+    const Vector3<Formula> off = cross(slip, along);
+    for (const Formula& part : {off.x, off.y, off.z})
+      if (!part.is_zero())
+        throw NoFormula("the direction in which contact '" + contact.name + "' slides changes with the letters");
+    add(Holding::slides, dot(slip, along));
+  }
+  return conditions;
+}
+
+StateCondition leaving_condition(const solve::MechanismStateOf<Formula>& resting, const std::vector<Formula>& unknowns,
+                                 const RoughContactOf<Formula>& contact, const Vector3<Formula>& along) {
+  const RoughForce<Formula> force = rough_force(resting, unknowns, contact);
+  const Formula limit = contact.resting * force.push, against = dot(force.friction, along);
+  const Vector3<Formula> across = force.friction - against * along;
+  const bool on_line = across.x.is_zero() && across.y.is_zero() && across.z.is_zero();
+  return {contact.name, Holding::slides,
+          on_line ? -against - limit : dot(force.friction, force.friction) - limit * limit};
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,236 @@
+#include "problem/instant/friction_shares.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "engine/solve/linear/decompositions.h"
+#include "engine/solve/linear/linear_program.h"
+
+namespace poinsot::problem {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Of the largest force: what sums of a few dozen terms leave of zero.
+constexpr double cone_rounding = 1e-10;
+constexpr int most_planes = 200;  // that meet one cone; each halves what is left of the last one's error
+
+// Combinations of the open directions that move none of the first `fixed` unknowns, as columns: what else is open, such
+// as how a thin rod turns about itself, shares nothing.
+MatrixXd share_directions(const solve::LinearSolution& solution, std::size_t fixed) {
+  const auto unknowns = static_cast<Index>(solution.value.size()), count = static_cast<Index>(solution.open.size());
+  MatrixXd Z(unknowns, count);
+  for (Index d = 0; d < count; ++d)
+    for (Index k = 0; k < unknowns; ++k)
+      Z(k, d) = solution.open[static_cast<std::size_t>(d)][static_cast<std::size_t>(k)];
+  const MatrixXd moved = Z.topRows(static_cast<Index>(fixed)).transpose();
+  if (!(moved.size() > 0 && moved.cwiseAbs().maxCoeff() > cone_rounding * Z.cwiseAbs().maxCoeff())) return Z;
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(moved);
+  qr.setThreshold(cone_rounding);
+  const MatrixXd Q = qr.householderQ();
+  return Z * Q.rightCols(count - qr.rank());
+}
+
+// The largest change of a force between bodies in each of the directions, which come in whatever unit their solution
+// has. One that changes such forces by no more than rounding has its own size.
+VectorXd sizes_of(const MatrixXd& shares, const std::vector<std::size_t>& one_sided,
+                  const std::vector<FrictionCone>& cones) {
+  VectorXd sizes = VectorXd::Zero(shares.cols());
+  const auto look_at = [&](std::size_t k) {
+    sizes = sizes.cwiseMax(shares.row(static_cast<Index>(k)).cwiseAbs().transpose());
+  };
+  for (const std::size_t k : one_sided) look_at(k);
+  for (const FrictionCone& cone : cones)
+    for (const std::size_t k : {cone.push, cone.first, cone.second}) look_at(k);
+  for (Index d = 0; d < sizes.size(); ++d) {
+    const double whole = shares.col(d).cwiseAbs().maxCoeff();
+    if (!(sizes[d] > cone_rounding * whole)) sizes[d] = whole > 0 ? whole : 1;
+  }
+  return sizes;
+}
+
+// All shares, with forces in units of the largest: unknown t, one for each direction, and the margin by which no force
+// pulls and no contact leaves its cone.
+class ConeProgram {
+ public:
+  ConeProgram(const solve::LinearSolution& solution, const std::vector<std::size_t>& one_sided,
+              const std::vector<FrictionCone>& cones, const MatrixXd& shares)
+      : solution_(solution),
+        sizes_(sizes_of(shares, one_sided, cones)),
+        shares_(shares * sizes_.cwiseInverse().asDiagonal()),
+        directions_(shares_.cols()) {
+    for (const std::size_t k : one_sided) {
+      size_ = std::max(size_, std::abs(solution.value[k]));
+      if (moves(k)) add(slopes_of(k), solution.value[k], true);
+    }
+    for (const FrictionCone& cone : cones) {
+      for (const std::size_t k : {cone.push, cone.first, cone.second})
+        size_ = std::max(size_, std::abs(solution.value[k]));
+      if (!moves(cone.push) && !moves(cone.first) && !moves(cone.second)) continue;
+      cones_.push_back(cone);
+      constexpr int first_planes = 8;
+      for (int k = 0; k < first_planes; ++k) add_plane(cone, 2 * std::numbers::pi * k / first_planes);
+    }
+  }
+
+  bool has_cones() const { return !cones_.empty() && size_ > 0; }
+  double size() const { return size_; }
+
+  // The place of the largest margin, up to one, as multiples of the directions.
+  std::optional<VectorXd> middle() {
+    VectorXd objective = VectorXd::Zero(directions_ + 1);
+    objective[directions_] = 1;
+    const std::optional<solve::LinearOptimum> found = climb(objective, true);
+    if (!found) return std::nullopt;
+    return VectorXd(size_ * found->x.head(directions_).cwiseQuotient(sizes_));
+  }
+
+  // The largest value of slopes . t without a margin; infinite if nothing bounds it.
+  std::optional<double> largest(const std::vector<double>& slopes) {
+    VectorXd objective = VectorXd::Zero(directions_ + 1);
+    for (Index d = 0; d < directions_; ++d) objective[d] = slopes[static_cast<std::size_t>(d)] / sizes_[d];
+    const double scale = objective.cwiseAbs().maxCoeff();
+    if (!(scale > 0)) return 0;
+    objective /= scale;
+    const std::optional<solve::LinearOptimum> found = climb(objective, false);
+    if (!found) return std::nullopt;
+    if (!found->bounded) return std::numeric_limits<double>::infinity();
+    return size_ * scale * found->value;
+  }
+
+ private:
+  struct Row {
+    VectorXd slopes;
+    double constant = 0;  // in units of force
+    bool margin = false;
+  };
+
+  bool moves(std::size_t k) const { return slopes_of(k).cwiseAbs().maxCoeff() > cone_rounding; }
+  VectorXd slopes_of(std::size_t k) const { return shares_.row(static_cast<Index>(k)).transpose(); }
+  void add(const VectorXd& slopes, double constant, bool margin) { rows_.push_back({slopes, constant, margin}); }
+  void add_plane(const FrictionCone& cone, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle), m = cone.coefficient;
+    add(m * slopes_of(cone.push) - c * slopes_of(cone.first) - s * slopes_of(cone.second),
+        m * solution_.value[cone.push] - c * solution_.value[cone.first] - s * solution_.value[cone.second], true);
+  }
+
+  // Meets the cones more and more closely where the optimum lies.
+  std::optional<solve::LinearOptimum> climb(const VectorXd& objective, bool with_margin) {
+    VectorXd last;
+    for (int planes = 0;; ++planes) {
+      std::optional<solve::LinearOptimum> found = solve_program(objective, with_margin);
+      if (!found || !found->bounded || planes == most_planes) return found;
+      // Planes that do not move the optimum are lost in the rounding of the program.
+      constexpr double unmoved = 1e-3 * cone_rounding;
+      if (planes > 0 && (found->x - last).cwiseAbs().maxCoeff() <= unmoved) return found;
+      last = found->x;
+      const VectorXd t = found->x.head(directions_);
+      bool outside = false;
+      double worst = std::numeric_limits<double>::infinity();
+      for (const FrictionCone& cone : cones_) {
+        const auto force = [&](std::size_t k) { return solution_.value[k] / size_ + slopes_of(k).dot(t); };
+        const double first = force(cone.first), second = force(cone.second);
+        const double margin = cone.coefficient * force(cone.push) - std::hypot(first, second);
+        worst = std::min(worst, margin);
+        if (margin >= (with_margin ? found->x[directions_] : 0) - 0.01 * cone_rounding) continue;
+        add_plane(cone, std::atan2(second, first));
+        outside = true;
+      }
+      // Well inside all cones, or outside whatever else is tried, more planes decide nothing.
+      constexpr double well_inside = 1e-6;
+      const double bound = found->x[directions_];
+      const bool decided = with_margin && (worst > well_inside || bound < -well_inside);
+      if (!outside || decided) return found;
+    }
+  }
+
+  // Each unknown is the difference of two that are not negative, and each row leaves one.
+  std::optional<solve::LinearOptimum> solve_program(const VectorXd& objective, bool with_margin) const {
+    const Index n = directions_ + 1, rows = static_cast<Index>(rows_.size()) + 1;
+    MatrixXd A = MatrixXd::Zero(rows, 2 * n + rows);
+    VectorXd b(rows);
+    for (Index i = 0; i < rows; ++i) {
+      VectorXd slopes = VectorXd::Zero(n);
+      double constant = 1;
+      if (i + 1 < rows) {
+        const Row& row = rows_[static_cast<std::size_t>(i)];
+        slopes.head(directions_) = row.slopes;
+        constant = row.constant / size_;
+        if (row.margin && with_margin) slopes[directions_] = -1;
+      } else {
+        slopes[directions_] = -1;  // the margin is at most one
+      }
+      A.row(i).head(n) = slopes;
+      A.row(i).segment(n, n) = -slopes;
+      A(i, 2 * n + i) = -1;
+      b[i] = -constant;
+    }
+    VectorXd c = VectorXd::Zero(2 * n + rows);
+    c.head(n) = objective;
+    c.segment(n, n) = -objective;
+    std::optional<solve::LinearOptimum> found = solve::maximise(A, b, c);
+    if (!found) return std::nullopt;
+    const VectorXd x = found->x.head(n) - found->x.segment(n, n);
+    found->x = x;
+    return found;
+  }
+
+  const solve::LinearSolution& solution_;
+  const VectorXd sizes_;   // of the directions
+  const MatrixXd shares_;  // in units of these
+  const Index directions_;
+  std::vector<FrictionCone> cones_;  // that open directions move
+  std::vector<Row> rows_;
+  double size_ = 0;
+};
+
+}  // namespace
+
+void share_within_cones(solve::LinearSolution& solution, const std::vector<std::size_t>& one_sided,
+                        const std::vector<FrictionCone>& cones, std::size_t fixed) {
+  if (solution.open.empty() || !solution.conflict.empty()) return;
+  const MatrixXd shares = share_directions(solution, fixed);
+  if (shares.cols() == 0) return;
+  ConeProgram program(solution, one_sided, cones, shares);
+  if (!program.has_cones()) return;
+  const std::optional<VectorXd> t = program.middle();
+  if (!t) return;
+  const VectorXd change = shares * *t;
+  for (std::size_t k = 0; k < solution.value.size(); ++k) solution.value[k] += change[static_cast<Index>(k)];
+}
+
+std::optional<double> largest_within_cones(const solve::LinearSolution& solution,
+                                           const std::vector<std::size_t>& one_sided,
+                                           const std::vector<FrictionCone>& cones, std::size_t fixed,
+                                           const std::vector<double>& slopes) {
+  if (solution.open.empty() || !solution.conflict.empty()) return std::nullopt;
+  const MatrixXd shares = share_directions(solution, fixed);
+  if (shares.cols() != static_cast<Index>(solution.open.size())) return std::nullopt;
+  ConeProgram program(solution, one_sided, cones, shares);
+  if (!program.has_cones()) return std::nullopt;
+  return program.largest(slopes);
+}
+
+void keep_sticking(const std::vector<double>& from, const std::vector<FrictionCone>& cones, std::vector<double>& to) {
+  const auto margin = [&](const FrictionCone& cone, double part) {
+    const auto force = [&](std::size_t k) { return from[k] + part * (to[k] - from[k]); };
+    return cone.coefficient * force(cone.push) - std::hypot(force(cone.first), force(cone.second));
+  };
+  double part = 1;
+  for (const FrictionCone& cone : cones) {
+    if (margin(cone, 1) >= 0 || margin(cone, 0) < 0) continue;
+    // The margin is concave on the way, so it vanishes once.
+    double inside = 0, outside = 1;
+    while (outside - inside > 1e-3 * outside && outside > 1e-12)
+      (margin(cone, (inside + outside) / 2) >= 0 ? inside : outside) = (inside + outside) / 2;
+    part = std::min(part, inside / 2);
+  }
+  for (std::size_t k = 0; k < to.size(); ++k) to[k] = from[k] + part * (to[k] - from[k]);
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,131 @@
+// What was solved of an instant against the bodies as particles, its constraints by geometry, and the motion near it.
+#include <algorithm>
+#include <cmath>
+
+#include "poinsot/engine/solve/instant/constraint_check.h"
+#include "poinsot/engine/solve/stability/spectrum_check.h"
+#include "problem/instant/instant.h"
+
+namespace poinsot::problem {
+namespace {
+
+// What the equations of a body leave over at a solution that does not meet them, about the ground's origin. They are
+// its forces and its moments about a point.
+SpatialForce<double> left_over(const solve::LinearSystem& system, const solve::LinearSolution& solution, int body,
+                               const Vector3<double>& point) {
+  const std::vector<std::vector<double>> coefficients = system.coefficients();
+  const std::vector<double> right_sides = system.right_sides();
+  std::vector<double> left;
+  for (std::size_t i = 0; i < right_sides.size(); ++i) {
+    const solve::EquationSource& source = system.source(i);
+    if (source.kind != solve::EquationKind::balance || source.index != static_cast<std::size_t>(body)) continue;
+    left.push_back(right_sides[i]);
+    for (std::size_t k = 0; k < solution.value.size(); ++k) left.back() -= coefficients[i][k] * solution.value[k];
+  }
+  if (left.size() != 6) return SpatialForce<double>::zero();
+  const Vector3<double> force{left[0], left[1], left[2]}, moment{left[3], left[4], left[5]};
+  return {moment + cross(point, force), force};
+}
+
+}  // namespace
+
+SolvedInstant::Residuals SolvedInstant::check() const {
+  Residuals residuals;
+  if (linearisation_) {
+    Mechanism<double> near;
+    residuals.stability = solve::spectrum_misfit(steady_motion({1, 1}, near), *linearisation_);
+  }
+  std::vector<solve::CheckBody> bodies;
+  double impulse_size = 0, impulse_moment_size = 0, impulse_misfit = 0, impulse_moment_misfit = 0;
+  const Mechanism<double>& mechanism = machine_.mechanism;
+  std::vector<double> a(v_.size(), 0.0);
+  if (motion_) a = mechanism_state_->accelerations();
+  for (const auto& [index, mass] : machine_.masses) {
+    solve::CheckBody body;
+    body.link = index;
+    body.particles = mass.particles;
+    const Momentum<double> momentum =
+        body_momentum(mechanism.tree, mechanism_state_->workspace(), index, Vector3<double>::zero());
+    body.momentum = momentum.linear;
+    body.angular_momentum = momentum.angular;
+    body.kinetic_energy = body_kinetic_energy(mechanism.tree, mechanism_state_->workspace(), index);
+    body.forces_known = motion_.has_value();
+    if (motion_) {
+      const double m = mechanism.tree.body(index).inertia.mass;
+      body.wrench = SpatialForce<double>::zero();
+      if (m > 0) {
+        const Vector3<double> weight = m * mechanism.tree.gravity();
+        body.wrench = {cross(body_mass_center(mechanism.tree, mechanism_state_->workspace(), index), weight), weight};
+        body.force_size = norm(weight);
+      }
+      for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
+        const Action& action = mechanism.actions[i];
+        if (action.on != index && action.from != index) continue;
+        const SpatialForce<double> wrench = solve::action_wrench(*mechanism_state_, unknowns_, i);
+        body.force_size += norm(wrench.force);
+        body.moment_size += norm(wrench.moment);
+        if (action.on == index) body.wrench += wrench;
+        if (action.from == index) body.wrench += -1.0 * wrench;
+      }
+    }
+    // What trial values leave of the equations is known: the particles must need just that besides.
+    if (motion_ && choice_.trial) {
+      const SpatialForce<double> left =
+          left_over(motion_equations_, *motion_, index,
+                    mechanism_state_->workspace().motion[static_cast<std::size_t>(index + 1)].p);
+      body.wrench = body.wrench - left;
+      body.force_size += norm(left.force);
+      body.moment_size += norm(left.moment);
+    }
+    if (before_) {
+      const Momentum<double> earlier =
+          body_momentum(mechanism.tree, before_->workspace(), index, Vector3<double>::zero());
+      SpatialForce<double> given = SpatialForce<double>::zero();
+      for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
+        const Action& action = mechanism.actions[i];
+        if (action.on != index && action.from != index) continue;
+        const SpatialForce<double> wrench = solve::action_impulse(*before_, blow_, impulses_, i);
+        impulse_size = std::max(impulse_size, norm(wrench.force));
+        impulse_moment_size = std::max(impulse_moment_size, norm(wrench.moment));
+        given += (action.on == index ? 1.0 : -1.0) * wrench;
+      }
+      if (choice_.trial) {
+        const SpatialForce<double> left = left_over(blow_equations_, blow_solution_, index,
+                                                    body_mass_center(mechanism.tree, before_->workspace(), index));
+        given = given - left;
+        impulse_size = std::max(impulse_size, norm(left.force));
+        impulse_moment_size = std::max(impulse_moment_size, norm(left.moment));
+      }
+      impulse_size = std::max({impulse_size, norm(momentum.linear), norm(earlier.linear)});
+      impulse_moment_size = std::max({impulse_moment_size, norm(momentum.angular), norm(earlier.angular)});
+      impulse_misfit = std::max(impulse_misfit, norm(momentum.linear - earlier.linear - given.force));
+      impulse_moment_misfit = std::max(impulse_moment_misfit, norm(momentum.angular - earlier.angular - given.moment));
+    }
+    bodies.push_back(std::move(body));
+  }
+  // Where all is drawn at one point no arm gives moments a size: theirs is rounding of the equations, which have it in
+  // the unit of the length that they were set up with.
+  const bool has_arms = std::ranges::any_of(bodies, [](const solve::CheckBody& body) {
+    return std::ranges::any_of(body.particles, [](const auto& one) { return norm(one.position) > 0; });
+  });
+  for (solve::CheckBody& body : bodies)
+    if (!has_arms) body.moment_size += scales_.length * body.force_size;
+  // A couple alone leaves nothing but rounding of momenta, and a push towards the origin of moments.
+  const double impulse_scale = std::max(impulse_size, impulse_moment_size / scales_.length);
+  if (impulse_scale > 0)
+    residuals.impulse = std::max(impulse_misfit, impulse_moment_misfit / scales_.length) / impulse_scale;
+  residuals.particles = solve::check_with_particles(machine_.links, bodies, machine_.q, v_, a);
+  if (!mechanism.constraints.empty()) {
+    solve::ConstraintClaim claim{scales_.length, pace(), motion_.has_value(), {}};
+    if (before_) {
+      // What gives way in the blow may part.
+      for (const bool acts : blow_acting_) claim.lets_go.push_back(!acts);
+    }
+    residuals.constraints = solve::check_constraints(machine_.links, mechanism.constraints, claim, machine_.q, v_, a);
+  }
+  if (motion_ && !machine_.rough_contacts.empty()) residuals.friction = friction_misfit();
+  if (motion_) residuals.laws = law_misfit();
+  return residuals;
+}
+
+}  // namespace poinsot::problem

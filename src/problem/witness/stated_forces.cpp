@@ -1,0 +1,199 @@
+// With x the extent of a spring, x_0 its free one, and the effort M of a motor,
+//
+//   between two points, or about an axis:  -(k (x - x_0) + c dx/dt) along the way in which x grows,
+//   in the freedom of a joint:             M - k (x - x_0) - c dx/dt.
+#include "problem/witness/stated_forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "problem/instant/instant.h"
+#include "problem/language/diagnostic.h"
+#include "problem/witness/stated_motion.h"
+#include "problem/witness/stated_springs.h"
+
+namespace poinsot::problem {
+namespace {
+
+using Real = StatedForce::Real;
+using Vector = StatedForce::Vector;
+
+class StatedForces {
+ public:
+  StatedForces(const solve::ParticlePaths& paths, const Machine& machine, DataScope<double>& data,
+               const std::vector<double>& v, const std::optional<std::vector<std::string>>& loads)
+      : paths_(paths), machine_(machine), data_(data), v_(v), loads_(loads), springs_(paths, machine, data, v) {}
+
+  std::vector<StatedForce> all() {
+    const Situation& situation = data_.situation();
+    for (const Load& load : situation.loads) take([&] { return of(load); });
+    for (const Spring& spring : situation.springs) take([&] { return of(spring); });
+    for (const Joint& joint : situation.joints)
+      for (const Freedom& freedom : joint.freedoms)
+        if (freedom.effort || freedom.stiffness || freedom.damping) take([&] { return of(joint, freedom); });
+    return std::move(found_);
+  }
+
+ private:
+  template <class Of>
+  void take(const Of& of) {
+    try {
+      if (std::optional<StatedForce> force = of()) found_.push_back(std::move(*force));
+    } catch (const StatementError&) {
+      // Where a load has no value, such as at a speed of zero, the road ends.
+    }
+  }
+
+  std::optional<std::size_t> action(ActionKind kind, const std::string& name) const {
+    const std::vector<Action>& actions = machine_.mechanism.actions;
+    const auto found =
+        std::ranges::find_if(actions, [&](const Action& one) { return one.kind == kind && one.name == name; });
+    if (found == actions.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - actions.begin());
+  }
+
+  // The size of a load with its direction, on ground axes; nothing where its direction is rounding.
+  std::optional<Vector> vector_of(const Load& load) {
+    const int axes = machine_.index.at(load.axes);
+    StatedMotion scope(paths_, machine_, data_, v_, axes);
+    const Evaluator<double> evaluator(scope, data_.situation().file);
+    const Expression& size = load.couple ? *load.couple : *load.force;
+    const Dimension dimension = load.couple ? dimensions::moment : dimensions::force;
+    if (!load.direction) return paths_.turn(axes) * widened(evaluator.vector(size, dimension));
+    const Value<double> direction = evaluator(*load.direction);
+    const Vector along = widened(direction.vector);
+    constexpr Real none = 1e-9L;
+    const Real beside = direction.dimension.time != 0 ? paths_.pace() * paths_.length() : 0;
+    if (!direction.is_vector() || !(norm(along) > none * beside)) return std::nullopt;
+    return paths_.turn(axes) * (Real(evaluator.number(size, dimension)) * normalized(along));
+  }
+
+  std::optional<StatedForce> of(const Load& load) {
+    const std::optional<std::size_t> place = action(ActionKind::load, load.name);
+    if (!place) return std::nullopt;
+    StatedForce found{*place};
+    if (loads_ && std::ranges::find(*loads_, load.name) == loads_->end()) return found;
+    const std::optional<Vector> vector = vector_of(load);
+    if (!vector) return std::nullopt;
+    (load.couple ? found.couple : found.force) = *vector;
+    const int body = machine_.index.at(load.body);
+    if (load.at)
+      found.at = paths_.place(body, widened(data_.place(*load.at)));
+    else if (!load.couple)
+      found.at = paths_.place(body, StatedMotion(paths_, machine_, data_, v_, body).drawn_center(body));
+    return found;
+  }
+
+  std::optional<StatedForce> of(const Spring& spring) {
+    const std::optional<std::size_t> place = action(ActionKind::spring, spring.name);
+    const std::optional<DrawnSpring> drawn = springs_.drawn(spring);
+    if (!place || !drawn) return std::nullopt;
+    const Real k = springs_.stiffness(spring), c = springs_.damping(spring);
+    StatedForce found{*place};
+    (spring.about ? found.couple : found.force) = -(k * drawn->out + c * drawn->rate) * drawn->along;
+    found.at = drawn->end;
+    found.size = k * drawn->size + c * std::max(std::abs(drawn->rate), paths_.pace() * drawn->size);
+    return found;
+  }
+
+  std::optional<StatedForce> of(const Joint& joint, const Freedom& freedom) {
+    const std::optional<std::size_t> place =
+        action(ActionKind::drive, joint.name + (freedom.name.empty() ? "" : "." + freedom.name));
+    const std::vector<Drive<double>>& drives = machine_.mechanism.drives;
+    const auto drive = std::ranges::find_if(
+        drives, [&](const Drive<double>& one) { return place && one.action == static_cast<int>(*place); });
+    const std::optional<DrawnSpring> drawn = springs_.drawn(joint, freedom);
+    if (drive == drives.end() || !drawn) return std::nullopt;
+    const Real k = springs_.stiffness(freedom), c = springs_.damping(freedom);
+    Real effort = -k * drawn->out - c * drawn->rate;
+    StatedMotion scope(paths_, machine_, data_, v_, ground);
+    if (freedom.effort)
+      effort += Evaluator<double>(scope, data_.situation().file)
+                    .number(*freedom.effort, freedom.turning ? dimensions::moment : dimensions::force);
+    // The link of the freedom turns or slides along its axis as drawn, seen from its parent; the effort is that on
+    // `to`.
+    const int link = link_of(drive->coordinate), to = machine_.index.at(joint.to);
+    const solve::CheckLink& moved = machine_.links[static_cast<std::size_t>(link)];
+    const Vector axis = paths_.turn(link) * normalized(widened(moved.axis));
+    const Real sign = hangs_on(to, link) ? 1 : -1;
+    StatedForce found{*place};
+    (freedom.turning ? found.couple : found.force) = sign * effort * axis;
+    found.at = paths_.place(to, widened(moved.anchor));
+    if (!drive->others.empty()) found.only_about = axis;
+    found.size = k * drawn->size + c * std::max(std::abs(drawn->rate), paths_.pace() * drawn->size);
+    return found;
+  }
+
+  int link_of(int coordinate) const {
+    const auto moves = [&](const solve::CheckLink& link) {
+      return link.velocity == coordinate &&
+             (link.type == JointType::revolute || link.type == JointType::prismatic || link.type == JointType::screw);
+    };
+    const auto link = std::ranges::find_if(machine_.links, moves);
+    return static_cast<int>(link - machine_.links.begin());
+  }
+  bool hangs_on(int body, int link) const {
+    for (int i = body; i >= 0; i = machine_.links[static_cast<std::size_t>(i)].parent)
+      if (i == link) return true;
+    return false;
+  }
+
+  const solve::ParticlePaths& paths_;
+  const Machine& machine_;
+  DataScope<double>& data_;
+  const std::vector<double>& v_;
+  const std::optional<std::vector<std::string>>& loads_;
+  const StatedSprings springs_;
+  std::vector<StatedForce> found_;
+};
+
+}  // namespace
+
+std::vector<StatedForce> stated_forces(const solve::ParticlePaths& paths, const Machine& machine,
+                                       DataScope<double>& data, const std::vector<double>& v,
+                                       const std::optional<std::vector<std::string>>& loads) {
+  return StatedForces(paths, machine, data, v, loads).all();
+}
+
+// The check with particles takes the forces as the laws tell them: it sees no load that was read with the wrong sign.
+std::optional<double> SolvedInstant::law_misfit() const {
+  using solve::ParticlePaths;
+  const Mechanism<double>& mechanism = machine_.mechanism;
+  const bool any_law = !mechanism.forces.empty() || !mechanism.springs.empty() || !mechanism.torsions.empty();
+  const auto stated = [](const Freedom& freedom) { return freedom.effort || freedom.stiffness || freedom.damping; };
+  if (!any_law && std::ranges::none_of(situation_.joints,
+                                       [&](const Joint& joint) { return std::ranges::any_of(joint.freedoms, stated); }))
+    return std::nullopt;
+  std::vector<ParticlePaths::Body> bodies;
+  for (const auto& [link, mass] : machine_.masses) bodies.push_back({link, &mass.particles});
+  const ParticlePaths paths(machine_.links, bodies, machine_.q, v_, mechanism_state_->accelerations());
+  const std::size_t stage = built_stage_.value_or(0);
+  const auto acting = stage < situation_.stages.size() ? situation_.stages[stage].loads : std::nullopt;
+  // What cancels leaves rounding of its terms, of which other forces and those that turn the motion round in its own
+  // time give the size: less of them than this is not seen.
+  constexpr Real unseen = 1e-4L;
+  const Real length = std::max(Real(scales_.length), paths.length());
+  Real beside = largest_force(*mechanism_state_, unknowns_);
+  for (int i = 0; i < mechanism.tree.body_count(); ++i)
+    beside = std::max(beside, mechanism.tree.body(i).inertia.mass *
+                                  (norm(widened(mechanism.tree.gravity())) + length * paths.pace() * paths.pace()));
+  double worst = 0;
+  const auto compare = [&](const Vector& off, Real size) {
+    if (const Real misfit = norm(off); misfit != 0) worst = std::max(worst, static_cast<double>(misfit / size));
+  };
+  for (const StatedForce& force : stated_forces(paths, machine_, *data_, v_, acting)) {
+    const SpatialForce<double> known = mechanism_state_->known_wrench(static_cast<int>(force.action));
+    const Vector moment = widened(known.moment) - cross(force.at, widened(known.force));
+    const Real force_size = norm(widened(known.force)) + norm(force.force) + force.size + unseen * beside,
+               moment_size = norm(widened(known.moment)) + norm(force.couple) + force.size + length * force_size;
+    if (force.only_about) {
+      compare(dot(moment - force.couple, *force.only_about) * *force.only_about, moment_size);
+      continue;
+    }
+    compare(widened(known.force) - force.force, force_size);
+    compare(moment - force.couple, moment_size);
+  }
+  return worst;
+}
+
+}  // namespace poinsot::problem

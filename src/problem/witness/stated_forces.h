@@ -1,0 +1,32 @@
+// What loads, springs, dampers and motors exert as they are stated, by the places and velocities of the bodies on their
+// way from the figure: a second road to the laws of force (engine/dynamics/force_law.h) and to how they were read.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/solve/instant/particle_paths.h"
+#include "problem/machine/machine.h"
+
+namespace poinsot::problem {
+
+struct StatedForce {
+  using Real = solve::ParticlePaths::Real;
+  using Vector = solve::ParticlePaths::Vector;
+
+  std::size_t action = 0;  // its place among those of the mechanism
+  Vector force = Vector::zero(), couple = Vector::zero();
+  Vector at = Vector::zero();  // where the force acts
+  // Of a motor within gimbals: only the couple about its own axis is stated.
+  std::optional<Vector> only_about{};
+  Real size = 0;  // of the terms of either
+};
+
+// Of each load, spring and motor that is known and to which this road leads. loads: those that act; all of them if left
+// out. v: the rates of the coordinates.
+std::vector<StatedForce> stated_forces(const solve::ParticlePaths& paths, const Machine& machine,
+                                       DataScope<double>& data, const std::vector<double>& v,
+                                       const std::optional<std::vector<std::string>>& loads);
+
+}  // namespace poinsot::problem

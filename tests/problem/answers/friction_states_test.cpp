@@ -1,0 +1,233 @@
+// Which states of contacts with friction hold for bodies that move and for those that leave rest, held against closed
+// forms and against the enumeration of states by hand.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "problem/answers/solve_statement.h"
+#include "problem/language/diagnostic.h"
+
+namespace poinsot::problem {
+namespace friction_states_test {
+
+constexpr double g = 9.80665;
+
+SolvedStatement solved(const std::string& text) { return solve_statement(read_statement(text, "test.yaml"), {}); }
+
+double number(const Solution& solution, std::size_t ask) {
+  EXPECT_EQ(solution.asks.at(ask).state, AskState::found) << solution.asks.at(ask).reason;
+  return solution.asks.at(ask).value.number;
+}
+
+// A ball moves up a slope with the speed v and turns forward with w.
+TEST(FrictionStates, of_a_ball_that_rolls_or_slips_are_one) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> speed(-4, 4), angle(0, 1.2), coefficient(0.05, 0.9), rate(-80, 80);
+  constexpr double r = 0.1;
+  int rolls = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const double b = angle(random), mu = coefficient(random), v = speed(random);
+    const bool starts_rolling = trial % 3 == 0;
+    const double w = starts_rolling ? v / r : rate(random), u = v - w * r;
+    const SolvedStatement found = solved(
+        fmt::format("given: {{b: {} rad, r: {} m, v: {} m/s, w: {} rad/s}}\n"
+                    "directions: {{up: [cos(b), sin(b), 0], out: [-sin(b), cos(b), 0]}}\npoints: {{C: [0, 0, 0]}}\n"
+                    "bodies: {{ball: {{sphere: {{center: r*out, radius: r}}, mass: 2 kg}}}}\n"
+                    "contacts: {{slope: {{of: ball, at: C, normal: out, friction: {}}}}}\ngravity: -y\n"
+                    "facts: {{velocity(ball): v*up, angular_velocity(ball): [0, 0, {}]}}\n"
+                    "ask: {{a: component(acceleration(ball) along up), al: angular_acceleration(ball).z, N: "
+                    "normal_force(slope)}}\n",
+                    b, r, v, w, mu, starts_rolling ? "-v/r" : "-w"));
+    ASSERT_EQ(found.solutions.size(), 1U) << b << " " << mu << " " << v << " " << w;
+    const double N = 2 * g * std::cos(b), needed = 2.0 / 7 * 2 * g * std::sin(b);
+    const bool sticks = starts_rolling && needed <= mu * N;
+    // What rolls would slip down the slope.
+    const double F = sticks ? needed : -std::copysign(mu * N, starts_rolling ? -1.0 : u);
+    rolls += sticks;
+    EXPECT_NEAR(number(found.solutions[0], 0), F / 2 - g * std::sin(b), 1e-8 * g);
+    EXPECT_NEAR(number(found.solutions[0], 1), F * r / (0.4 * 2 * r * r), 1e-8 * g / r);
+    EXPECT_NEAR(number(found.solutions[0], 2), N, 1e-9 * N);
+  }
+  EXPECT_GT(rolls, 5);
+}
+
+TEST(FrictionStates, of_a_turning_disk_in_letters_never_part) {
+  const SolvedStatement found = solved(
+      "letters: {m: kg, r: m, w: rad/s, mu: 1}\npoints: {C: [0, 0, 0], G: [0, r, 0]}\n"
+      "bodies: {disk: {disk: {center: G, normal: z, radius: r}, mass: m}}\n"
+      "contacts: {floor: {of: disk, at: C, normal: y, friction: mu}}\ngravity: -y\n"
+      "facts: {velocity(disk): [0, 0, 0], angular_velocity(disk): [0, 0, -w]}\n"
+      "ask: {a: acceleration(disk).x, N: normal_force(floor)}\n");
+  ASSERT_EQ(found.solutions.size(), 1U);
+  EXPECT_EQ(found.solutions[0].contact_states[0].grip, Grip::slides);
+  const LetterValues letters{{"m", 3}, {"r", 0.2}, {"w", 70}, {"mu", 0.3}};
+  ASSERT_TRUE(found.solutions[0].asks[0].formula);
+  EXPECT_NEAR(value_at(found.solutions[0].asks[0].formula->number, letters), 0.3 * g, 1e-12);
+  EXPECT_NEAR(value_at(found.solutions[0].asks[1].formula->number, letters), 3 * g, 1e-12);
+  EXPECT_TRUE(found.warnings.empty()) << found.warnings.front();
+}
+
+// A rod slides on its lower end and turns: its end parts if it would rise when free, and it presses if what a push of
+// one newton does to the end lifts it.
+TEST(FrictionStates, of_a_rod_that_turns_are_as_by_hand) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> angle(0.2, 1.4), coefficient(0.1, 3), rate(-8, 8), speed(0.5, 3);
+  int several = 0, none = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const double b = angle(random), mu = coefficient(random), w = rate(random),
+                 v = trial % 2 ? speed(random) : -speed(random);
+    const double l = 1, I = 4 * l * l / 12, sense = v > 0 ? 1 : -1;
+    const double lift = 1 + l * l * std::cos(b) * (std::cos(b) + sense * mu * std::sin(b)) / I;
+    const double free = -g + w * w * l * std::sin(b);
+    std::vector<double> pushes;
+    if (-free / lift > 0) pushes.push_back(-free / lift);
+    if (free > 0) pushes.push_back(0);
+    const std::string text = fmt::format(
+        "given: {{b: {} rad}}\npoints: {{A: [0, 0, 0], B: ['(2 m)*cos(b)', '(2 m)*sin(b)', 0]}}\n"
+        "bodies: {{rod: {{rod: [A, B], mass: 1 kg}}}}\n"
+        "contacts: {{floor: {{of: rod, at: A, normal: y, friction: {}}}}}\ngravity: -y\n"
+        "facts: {{velocity(A of rod): ['{} m/s', 0, 0], angular_velocity(rod): [0, 0, '{} rad/s']}}\n"
+        "ask: {{N: normal_force(floor)}}\n",
+        b, mu, v, w);
+    if (pushes.empty()) {
+      ++none;
+      EXPECT_THROW(solved(text), StatementError) << text;
+      continue;
+    }
+    several += pushes.size() > 1;
+    const SolvedStatement found = solved(text);
+    ASSERT_EQ(found.solutions.size(), pushes.size()) << text;
+    for (std::size_t i = 0; i < pushes.size(); ++i)
+      EXPECT_NEAR(number(found.solutions[i], 0), pushes[i], 1e-8 * (g + pushes[i])) << text;
+  }
+  EXPECT_GT(several, 2);
+  EXPECT_GT(none, 2);
+}
+
+// The lower block is kept from turning: what its equations leave of a turning is rounding, and no tilting of its side.
+TEST(FrictionStates, of_stacked_blocks_that_are_braked_together) {
+  for (const double u : {0.5, 0.3}) {
+    const double w = 0.4, m = 2, M = 5;
+    const SolvedStatement found = solved(fmt::format(
+        "points: {{C: [0, 0.5 m, 0], D: [0, 0, 0], T: [0, 0.25 m, 0]}}\nbodies:\n  top: {{particle: C, mass: "
+        "2 kg}}\n  low: {{box: {{center: T, sides: [[1 m, 0, 0], [0, 0.5 m, 0], [0, 0, 0.5 m]]}}, mass: 5 "
+        "kg}}\njoints: {{rail: {{planar: z, at: T, to: low, freedoms: {{turn: {{rate: 0, accel: 0}}}}}}}}\n"
+        "contacts:\n  mid: {{of: top, against: low, at: C, normal: y, friction: {}}}\n"
+        "  floor: {{of: low, at: D, normal: y, friction: 0.4}}\ngravity: -y\n"
+        "facts: {{velocity(low): ['2 m/s', 0, 0], velocity(top): ['2 m/s', 0, 0]}}\n"
+        "ask: {{a: acceleration(top).x, A: acceleration(low).x}}\n",
+        u));
+    ASSERT_EQ(found.solutions.size(), 1U);
+    EXPECT_TRUE(found.warnings.empty()) << found.warnings.front();
+    EXPECT_NEAR(number(found.solutions[0], 0), -std::min(u, w) * g, 1e-9 * g);
+    EXPECT_NEAR(number(found.solutions[0], 1), u > w ? -w * g : (u * m - w * (m + M)) * g / M, 1e-9 * g);
+  }
+}
+
+// A crate on two corners, pulled at the height h: by hand with the coefficients s at rest and k while it slides.
+struct Planar {
+  double a = 0, w = 0;
+};
+std::vector<Planar> crate_by_hand(double P, double h, double s, double k) {
+  const double m = 50, c = 0.4, H = 1, W = m * g, I = m * (4 * c * c + 4 * H * H) / 12;
+  if (P <= s * W && P * h <= W * c) return {{}};
+  {
+    const double w = (W * c - P * h) / (I + m * (c * c + H * H)), ax = -w * H, N = W - m * w * c;
+    if (w < 0 && N >= 0 && std::abs(m * ax - P) <= s * N) return {{ax, w}};
+  }
+  std::vector<Planar> found;
+  if (P > k * W && std::abs(P * (h - H) + k * W * H) <= W * c) found.push_back({(P - k * W) / m, 0});
+  const double N = (W - m * c * P * (H - h) / I) / (1 + m * c * (c - k * H) / I);
+  const double w = (N * (c - k * H) - P * (h - H)) / I, ax = (P - k * N) / m;
+  if (w < 0 && N >= 0 && ax + w * H > 0) found.push_back({ax, w});
+  return found;
+}
+
+TEST(FrictionStates, of_a_crate_that_is_harder_to_start_than_to_keep_going_are_as_by_hand) {
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> pull(20, 500), height(0.1, 1.9), coefficient(0.2, 0.9), part(0.3, 1);
+  int between = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const double P = std::round(pull(random)), h = std::round(100 * height(random)) / 100,
+                 s = std::round(100 * coefficient(random)) / 100, k = std::round(100 * part(random) * s) / 100;
+    const std::vector<Planar> right = crate_by_hand(P, h, s, k);
+    between += P > k * 50 * g && P < s * 50 * g;
+    const std::string text = fmt::format(
+        "given: {{c: 0.4 m, h: {} m}}\npoints: {{A: [-c, 0, 0], B: [c, 0, 0], G: [0, 1 m, 0], K: [c, h, 0]}}\n"
+        "bodies: {{crate: {{box: {{center: G, sides: [[2*c, 0, 0], [0, 2 m, 0], [0, 0, 1 m]]}}, mass: 50 kg}}}}\n"
+        "contacts:\n  left: {{of: crate, at: A, normal: y, friction: {{static: {}, kinetic: {}}}}}\n"
+        "  right: {{of: crate, at: B, normal: y, friction: {{static: {}, kinetic: {}}}}}\n"
+        "loads: {{pull: {{force: ['{} N', 0, 0], at: K, body: crate}}}}\ngravity: -y\ninstants: {{now: rest}}\n"
+        "ask: {{a: acceleration(crate).x, w: angular_acceleration(crate).z}}\n",
+        h, s, k, s, k, P);
+    ASSERT_FALSE(right.empty()) << text;
+    const SolvedStatement found = solved(text);
+    ASSERT_EQ(found.solutions.size(), right.size()) << text;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+      EXPECT_NEAR(number(found.solutions[i], 0), right[i].a, 1e-8 * g) << text;
+      EXPECT_NEAR(number(found.solutions[i], 1), right[i].w, 1e-8 * g) << text;
+    }
+  }
+  EXPECT_GT(between, 5);
+}
+
+// Pulled at an angle: it rests while P cos t <= s (m g - P sin t), and slides beyond.
+TEST(FrictionStates, in_letters_that_leave_rest_tell_the_limit_at_rest) {
+  for (const char* friction : {"{static: 0.5, kinetic: 0.3}", "{static: s, kinetic: k}", "{static: 0.5, kinetic: k}"}) {
+    const std::string own = std::string(friction).find("static: s") != std::string::npos    ? ", s: 1, k: 1"
+                            : std::string(friction).find("kinetic: k") != std::string::npos ? ", k: 1"
+                                                                                            : "";
+    const SolvedStatement found =
+        solved("letters: {m: kg, P: N" + own +
+               "}\ngiven: {t: 30 deg}\npoints: {C: [0, 0, 0]}\n"
+               "bodies: {block: {particle: C, mass: m}}\ncontacts: {floor: {of: block, at: C, normal: y, friction: " +
+               friction +
+               "}}\nloads: {pull: {force: [P*cos(t), P*sin(t), 0], at: C, body: block}}\ngravity: -y\n"
+               "instants: {now: rest}\nask: {a: acceleration(block).x}\n");
+    std::mt19937 random(14);
+    std::uniform_real_distribution<double> pull(1, 60), unit(0.05, 1);
+    const double c = std::cos(M_PI / 6);
+    for (int trial = 0; trial < 60; ++trial) {
+      const double m = 3, P = pull(random);
+      const double s = own.find("s:") == std::string::npos ? 0.5 : unit(random),
+                   k = own.empty() ? 0.3 : s * unit(random);
+      const LetterValues letters{{"m", m}, {"P", P}, {"s", s}, {"k", k}};
+      const double N = m * g - P / 2, a = P / 2 > m * g ? P * c / m : P * c <= s * N ? 0 : (P * c - k * N) / m;
+      int told = 0;
+      for (const Solution& solution : found.solutions) {
+        if (!std::ranges::all_of(solution.grounds, [&](const FormulaCondition& ground) {
+              return value_at(ground.positive, letters) > 0;
+            }))
+          continue;
+        ++told;
+        ASSERT_TRUE(solution.asks[0].formula) << friction << ": " << solution.asks[0].no_formula;
+        EXPECT_NEAR(value_at(solution.asks[0].formula->number, letters), a, 1e-10 * g) << friction << " " << P;
+      }
+      EXPECT_EQ(told, 1) << friction << " P = " << P << ", s = " << s << ", k = " << k;
+    }
+  }
+}
+
+TEST(FrictionStates, that_letters_may_reach_are_said) {
+  const SolvedStatement found = solved(
+      "letters: {m: kg, b: rad, mu: 1}\npoints: {C: [0, 0, 0]}\n"
+      "directions: {down: [cos(b), -sin(b), 0], out: [sin(b), cos(b), 0]}\n"
+      "bodies: {block: {particle: C, mass: m}}\n"
+      "contacts: {slope: {of: block, at: C, normal: out, friction: mu}}\ngravity: -y\n"
+      "instants: {now: rest}\nask: {a: component(acceleration(block) along down)}\n");
+  const auto said = [&](const char* words) {
+    return std::ranges::any_of(found.warnings,
+                               [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
+  };
+  EXPECT_EQ(found.solutions.size(), 2U);
+  EXPECT_TRUE(said("contact 'slope' begins to slide along -down"));
+  EXPECT_TRUE(said("contact 'slope' parts"));
+}
+
+}  // namespace friction_states_test
+}  // namespace poinsot::problem
