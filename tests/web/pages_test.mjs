@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import test, { after, before } from "node:test";
-import { dataOf, folder, open, openBrowser, poinsot, root, violations } from "./support.mjs";
+import { dataOf, folder, open, openBrowser, patience, poinsot, root, violations } from "./support.mjs";
 
 let browser;
 before(async () => {
@@ -281,6 +281,7 @@ test("arrows go with the motion, and can be switched off", async () => {
 test("a page with ten thousand frames takes less than a second to be there", async () => {
   const path = pageWithMotion("frames", 10_000);
   const context = await browser.newContext();
+  context.setDefaultTimeout(patience);
   const page = await context.newPage();
   // The time in which the page's thread works: what else the machine does is not counted.
   const session = await context.newCDPSession(page);

@@ -10,6 +10,8 @@ import { fileURLToPath } from "node:url";
 export const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 export const packages = createRequire(join(root, "web/package.json"));
 export const program = process.env.POINSOT ?? join(root, "build/poinsot");
+// Milliseconds that a page may take where nothing is timed: the machine may be busy with other tests.
+export const patience = 180_000;
 export const folder = mkdtempSync(join(tmpdir(), "poinsot-web-"));
 process.on("exit", () => {
   rmSync(folder, { recursive: true, force: true });
@@ -72,6 +74,7 @@ export async function open(browser, path, options = {}) {
     viewport: { width, height: 800 },
     colorScheme: scheme,
   });
+  context.setDefaultTimeout(patience);
   const page = await context.newPage();
   const wrong = [];
   page.on("console", (message) => wrong.push(`console: ${message.text()}`));
