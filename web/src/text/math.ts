@@ -1,6 +1,7 @@
 // Typeset formulas. KaTeX makes MathML beside what is seen, which screen readers read.
 import katex from "katex";
-import { element } from "../element";
+import { type Child, element } from "../element";
+import { nameTex } from "./tex";
 
 // Mechanics writes its angle as a round letter; a name that asks for the other form gets it.
 const roundPhi = (tex: string): string =>
@@ -14,4 +15,13 @@ export function math(tex: string, display = false): HTMLElement {
     place.replaceChildren(element("code", {}, tex));
   }
   return place;
+}
+
+// Names with their values, "L = 600 mm" or "mu_s = 0.5, mu_k = 0.4": the names typeset, angles with their sign.
+export function equations(text: string): Child[] {
+  return text.split(", ").flatMap((one, k): Child[] => {
+    const [name = "", ...value] = one.split(" = ");
+    const rest = value.length > 0 ? ` = ${value.join(" = ").replace(/ deg$/, "°")}` : "";
+    return [k > 0 && ", ", math(nameTex(name)), rest];
+  });
 }

@@ -19,7 +19,7 @@ import {
 } from "three";
 import { element } from "../element";
 import type { Arrow, Place, Scene } from "../scene";
-import { math } from "../text/math";
+import { equations, math } from "../text/math";
 import { nameTex } from "../text/tex";
 import { arrowLengths, arrowNode, tipOf } from "./arrows";
 import { mainAxis, Viewpoint } from "./camera";
@@ -256,7 +256,7 @@ export class Stage {
     const dimensions = this.scene.dimensions
       .filter((one) => !one.angle)
       .map((one): Label => ({
-        node: element("span", { class: "label faint" }, one.text),
+        node: element("span", { class: "label faint" }, ...equations(one.text)),
         rank: 3,
         place: () => this.whereIs(one.from).add(this.whereIs(one.to)).multiplyScalar(0.5),
         shown: () => names() && this.time === null,
