@@ -7,6 +7,7 @@
 #include <cctype>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "poinsot/problem.h"
 #include "problem/keys/keys.h"
@@ -59,6 +60,19 @@ std::string help_on_keys(std::string_view word) {
   return text;
 }
 
+// Of links the words: "[blow](#sudden-motion)" is "blow".
+std::string without_links(std::string text) {
+  for (std::size_t open = text.find('['); open != std::string::npos; open = text.find('[', open + 1)) {
+    const std::size_t middle = text.find("](#", open);
+    const std::size_t close = middle == std::string::npos ? middle : text.find(')', middle);
+    // Lists have brackets too: those of a link hold no other.
+    if (close == std::string::npos || text.find('[', open + 1) < middle) continue;
+    text.erase(middle, close + 1 - middle);
+    text.erase(open, 1);
+  }
+  return text;
+}
+
 // The rows of the manual's tables that begin with a call of the function.
 std::string table_rows_on(std::string_view function) {
   std::string text;
@@ -75,7 +89,7 @@ std::string table_rows_on(std::string_view function) {
     std::string row =
         fmt::format("{}: {}", line.substr(2, divide - 2), line.substr(divide + 3, line.size() - divide - 5));
     std::erase(row, '`');
-    text += "    " + row + "\n";
+    text += "    " + without_links(std::move(row)) + "\n";
   }
   return text;
 }

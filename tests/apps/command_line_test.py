@@ -282,6 +282,8 @@ class Words(unittest.TestCase):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         for word in words:
             self.assertRegex(result.stdout, rf"(?m)^{re.escape(word)}: ")
+        # Links of the manual are words here.
+        self.assertNotIn("](", result.stdout)
 
     def test_an_unknown_word_gets_the_nearest(self):
         result = run("help", "momentun")
