@@ -214,5 +214,44 @@ TEST(ExplainedEquations, AForceAcrossThePlaneKeepsAllEquations) {
   EXPECT_NE(text.find("O_{z}"), std::string::npos) << text;
 }
 
+// A free body whose motion stays in a plane has the three equations of it, and no word of the others.
+TEST(ExplainedEquations, AFreeBodyThatStaysInAPlaneHasThreeEquations) {
+  const std::string text = explained(R"(
+given: {m: 50 kg, P: 300 N, c: 0.4 m, H: 1 m, mu: 0.8, h: 0.8 m}
+points: {A: [-c, 0, 0], B: [c, 0, 0], G: [0, H, 0], K: [c, h, 0]}
+bodies: {crate: {box: {center: G, sides: [2*c*x, 2*H*y, 1 m*z]}, mass: m}}
+contacts:
+  left: {of: crate, at: A, normal: y, friction: mu}
+  right: {of: crate, at: B, normal: y, friction: mu}
+loads: {pull: {force: [P, 0, 0], at: K, body: crate}}
+gravity: -y
+instants: {now: rest}
+ask: {turns: angular_acceleration(crate).z}
+)");
+  EXPECT_NE(text.find("moves in the $xy$ plane"), std::string::npos) << text;
+  for (const char* piece : {"I_{z}", "\\dot{\\omega}_{z}", "sticking at contact *right* along x"})
+    EXPECT_NE(text.find(piece), std::string::npos) << piece << text;
+  // What rests has no velocities to be found.
+  for (const char* piece :
+       {"I_{x}", "\\dot{\\omega}_{x}", "\\dot{v}_{z}", "along z", "F_{\\mathrm{right},z}", "says of the velocities"})
+    EXPECT_EQ(text.find(piece), std::string::npos) << piece << text;
+}
+
+TEST(ExplainedEquations, FrictionThatIsAskedForFollowsFromTheEquations) {
+  const std::string rest =
+      "mu: 0.4, k: 0.3}\npoints: {C: [0, 0, 0]}\nbodies: {book: {particle: C, mass: m}}\n"
+      "contacts: {wall: {of: book, at: C, normal: x, friction: {static: mu, kinetic: k}}}\n"
+      "loads: {hand: {force: [-P, 0, 0], at: C, body: book}}\ngravity: -y\n";
+  const std::string held = explained("\ngiven: {m: 1.2 kg, P: 40 N, " + rest +
+                                     "instants: {now: rest}\nask: {F: friction(wall on book).y}\n");
+  for (const char* piece : {"\\Sigma F_{y}", "F_{\\mathrm{wall},y} &= m g = 11.768"})
+    EXPECT_NE(held.find(piece), std::string::npos) << piece << held;
+  const std::string sliding =
+      explained("\ngiven: {m: 1.2 kg, P: 4 N, " + rest + "instants: {now: rest}\nask: {F: friction(wall on book).y}\n");
+  EXPECT_NE(sliding.find("along the normal, and the friction $k\\,N$ against the sliding"), std::string::npos)
+      << sliding;
+  EXPECT_NE(sliding.find("N &= P = 4\\ \\mathrm{N}"), std::string::npos) << sliding;
+}
+
 }  // namespace explanation_equations_test
 }  // namespace poinsot::document

@@ -183,7 +183,9 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
     const bool said = std::find(vanishing.begin(), vanishing.end(), "$" + symbol.tex + "$") != vanishing.end();
     if (!known && !said) symbols.push_back(symbol);
   };
-  for (const Symbol& symbol : system.open) list(symbol);
+  for (const Symbol& symbol : system.open)
+    if (!across.contains(symbol.tex)) list(symbol);
+  across_.insert(across.begin(), across.end());
   for (std::size_t i = 0; i < system.unknown.size(); ++i)
     if ((!meet.moments_only || !meet.meets[i]) && !across.contains(system.unknown[i].tex)) list(system.unknown[i]);
 }

@@ -26,7 +26,8 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
       const Shown factor = coefficient(k);
       if (is_rounding(factor.number, solved_.scales().length)) continue;
       const Symbol symbol = symbol_of_coordinate(k, sudden());
-      if (std::none_of(listed.begin(), listed.end(), [&](const Symbol& known) { return known.tex == symbol.tex; }))
+      if (!across_.contains(symbol.tex) &&
+          std::none_of(listed.begin(), listed.end(), [&](const Symbol& known) { return known.tex == symbol.tex; }))
         listed.push_back(symbol);
       terms.push_back({factor, symbol.tex, symbol.value, symbol.dimension});
     }
@@ -79,6 +80,8 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
                               "*, nothing begins to move there: $" + symbol_of_coordinate(k, false).tex + " = 0$.");
       continue;
     }
+    // What holds across the plane of the motion says nothing of what moves in it.
+    if (std::ranges::all_of(left, [&](const ShownTerm& term) { return across_.contains(term.symbol); })) continue;
     // The terms of coordinates with given motion go to the right side.
     const Shown right = shown([&](const auto& figures) {
       using Scalar = ScalarOf<decltype(figures)>;
@@ -101,6 +104,8 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
 // Shows what joints, cords and contacts beyond the tree of joints require of velocities that are not stated.
 void InstantExplainer::velocity_conditions() {
   if (situation_.steady || sudden() || mechanism().constraints.empty() || solved_.velocities().value.empty()) return;
+  // Where everything rests, nothing is to be found of velocities.
+  if (std::ranges::all_of(figures_.numbers.now.state().v, [](double one) { return one == 0; })) return;
   const auto& rates = figures_.numbers.machine->rates;
   const auto stated = [&](std::size_t k) {
     return std::any_of(rates.begin(), rates.end(),

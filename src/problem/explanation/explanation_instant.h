@@ -178,6 +178,7 @@ class InstantExplainer {
   Meeting meeting(const System& system, const MotionBalance<double>& numbers, bool held) const;
   void rate_step(ExplainedSection& section, int body, const ExplainedPoint& about, bool fixed);
   void force_list(ExplainedSection& section, const System& system, const std::set<std::string>& across) const;
+  std::string sliding_coefficient(std::size_t action) const;
   void extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed, ExplainedSection& section);
   void list_unknowns(const std::vector<Symbol>& listed);
   std::vector<std::size_t> open_coordinates() const;
@@ -203,6 +204,7 @@ class InstantExplainer {
   std::vector<Formula> conditions_;  // what rows without unknown forces say of the data
   std::set<std::string> motion_said_;
   bool any_said_ = false;
+  std::set<std::string> across_;  // unknowns across the planes of motions, of which nothing is said
   std::vector<Formula> factors_;  // that terms of a condition may share
 };
 

@@ -76,7 +76,9 @@ class Collector {
     if (is({"angular_momentum", "momentum", "kinetic_energy"})) return of_momentum(call);
     const QuantityFunction* quantity = find_quantity(call.function);
     const auto is_kind = [&](QuantityKind kind) { return quantity && quantity->kind == kind; };
-    if (is_kind(QuantityKind::force) || is_kind(QuantityKind::holding)) return of_force(call);
+    if (is_kind(QuantityKind::force) || is_kind(QuantityKind::holding) ||
+        (is_kind(QuantityKind::friction) && f != "slip_velocity"))
+      return of_force(call);
     if (is({"velocity", "angular_velocity", "acceleration", "angular_acceleration"})) {
       for (const int body : bodies_in(call.arguments.front().value)) {
         here().moving.insert(body);

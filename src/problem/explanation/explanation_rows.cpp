@@ -76,9 +76,11 @@ InstantExplainer::Plane InstantExplainer::plane_of(const std::set<int>& bodies, 
           if (!crosses) {
             anything = true;
             if (!term.symbol.empty()) within.insert(term.symbol);
-          } else if (term.symbol.empty() || side == &rows[row].right) {
+          } else if (term.symbol.empty() ||
+                     (side == &rows[row].right && !is_rounding(term.value, noise_size(term.dimension)))) {
             plane = false;
           } else {
+            // Forces that are open, and motions of which nothing is left.
             across.insert(term.symbol);
           }
         }
@@ -93,9 +95,10 @@ std::set<std::string> InstantExplainer::symbols_across(const std::vector<Row>& r
   std::set<std::string> across;
   if (!plane) return across;
   for (std::size_t row = 0; row < rows.size(); ++row)
-    for (const ShownTerm& term : rows[row].left)
-      if ((row < 3 ? row == *plane : row - 3 != *plane) && !term.symbol.empty() && acts_in(term, row))
-        across.insert(term.symbol);
+    for (const auto* side : {&rows[row].left, &rows[row].right})
+      for (const ShownTerm& term : *side)
+        if ((row < 3 ? row == *plane : row - 3 != *plane) && !term.symbol.empty() && acts_in(term, row))
+          across.insert(term.symbol);
   return across;
 }
 

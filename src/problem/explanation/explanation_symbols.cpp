@@ -115,6 +115,18 @@ InstantExplainer::Symbol InstantExplainer::symbol_of_coordinate(std::size_t k, b
   return symbol;
 }
 
+// The coefficient of friction of a contact that slides; "" for what else exerts a force.
+std::string InstantExplainer::sliding_coefficient(std::size_t action) const {
+  const auto& rough = figures_.numbers.machine->rough_contacts;
+  const auto sliding = std::ranges::find_if(
+      rough, [&](const auto& one) { return one.action == static_cast<int>(action) && one.grip == Grip::slides; });
+  if (sliding == rough.end()) return "";
+  const auto stated = std::ranges::find(situation_.contacts, sliding->name, &Contact::name);
+  const Name* name =
+      stated != situation_.contacts.end() && stated->friction ? stated->friction->sliding.as<Name>() : nullptr;
+  return name ? ExplanationTex::symbol(name->name) : tex_.number(sliding->sliding, dimensions::none);
+}
+
 // Lists the external forces one by one, but for those across the plane of a problem.
 void InstantExplainer::force_list(ExplainedSection& here, const System& system,
                                   const std::set<std::string>& across) const {
@@ -164,7 +176,11 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
           const auto one = figures.now.component_wrench(figures.mechanism().components[force.index]);
           return component.couple ? one.moment : one.force;
         });
-        if (tex_.can_show(direction)) symbol += " along " + tex_.inline_vector(direction, dimensions::none);
+        if (const std::string coefficient = sliding_coefficient(action); !coefficient.empty())
+          symbol += " along the normal, and the friction $" + coefficient + "\\," + system.unknown[i].tex +
+                    "$ against the sliding";
+        else if (tex_.can_show(direction))
+          symbol += " along " + tex_.inline_vector(direction, dimensions::none);
       }
     }
     if (held.empty() || held.back().first != action) held.push_back({action, {}});
