@@ -79,6 +79,13 @@ class Setter {
     label_.accents.push_back({kind, {from + 0.12 * size_, y}, {x_ + 0.02 * size_, y}});
     label_.box.include(Point2{x_, y - 2});
   }
+  // The bar of a root over what stands from a place on.
+  void root(double from) {
+    const double y = y_ - (height_of_capitals + 0.12) * size_;
+    label_.accents.push_back({Accent::Kind::bar, {from, y}, {x_, y}});
+    label_.box.include(Point2{x_, y - 1});
+    x_ += 0.06 * size_;
+  }
   bool full() const { return x_ > longest_label; }
   Label take() {
     if (full()) put("…", Face::upright);
@@ -344,14 +351,35 @@ Label words_label(std::string_view words, double size) {
   return setter.take();
 }
 
-Label formula_label(std::string_view formula, double size) {
-  const std::string text = clean(formula);
-  Setter setter(size);
+namespace {
+
+// Where the bracket that opens at a place is closed; npos if it is not.
+std::size_t end_of_brackets(std::string_view text, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    if (depth == 0) return i;
+  }
+  return std::string_view::npos;
+}
+
+void put_formula(Setter& setter, std::string_view text, int depth = 0) {
   for (std::size_t i = 0; i < text.size() && !setter.full();) {
     std::size_t end = i;
     while (end < text.size() && is_of_name(text[end])) ++end;
     const std::string_view word = std::string_view(text).substr(i, end - i);
     if (end > i && is_letter(text[i])) {
+      const std::size_t close =
+          word == "sqrt" && end < text.size() && depth < deepest ? end_of_brackets(text, end) : std::string_view::npos;
+      if (close != std::string_view::npos && text[end] == '(') {
+        // A root has a bar over what is in its brackets.
+        setter.put("√", Face::upright);
+        const double from = setter.x();
+        put_formula(setter, text.substr(end + 1, close - end - 1), depth + 1);
+        setter.root(from);
+        i = close + 1;
+        continue;
+      }
       if (end < text.size() && text[end] == '(')
         setter.put(word, Face::upright);
       else
@@ -371,6 +399,14 @@ Label formula_label(std::string_view formula, double size) {
       i += put_sign(setter, text, i);
     }
   }
+}
+
+}  // namespace
+
+Label formula_label(std::string_view formula, double size) {
+  const std::string text = clean(formula);
+  Setter setter(size);
+  put_formula(setter, text);
   return setter.take();
 }
 

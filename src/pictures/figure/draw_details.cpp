@@ -45,9 +45,9 @@ void draw_detail(Panel& panel, const Detail& detail) {
     panel.labels.push_back({std::move(label), {{placed(one.at), {-0.5, -0.8}, 4, 0}}, 2});
   }
   const Point2 below{middle.x, placed({0, own.bottom}).y};
-  panel.labels.push_back({words_label(fmt::format("{}, {} times as large", detail.words, std::lround(factor)), 12),
-                          {{below, {0, 1}, 22, 0}},
-                          3});
+  panel.labels.push_back({words_label(detail.words + ",", 12), {{below, {0, 1}, 22, 0}}, 3});
+  panel.labels.push_back(
+      {words_label(fmt::format("{} times as large", std::lround(factor)), 12), {{below, {0, 1}, 38, 0}}, 2.9});
 }
 
 }  // namespace poinsot::pictures

@@ -1,5 +1,6 @@
 // Lengths and angles that data name.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -15,12 +16,24 @@ namespace {
 constexpr std::size_t most_dimensions = 8;
 
 // The symbol sloped, its value upright.
-Label label_of(const scene::Dimension& dimension) {
-  const std::size_t sign = dimension.text.find(" = ");
-  if (sign == std::string::npos) return name_label(dimension.text.empty() ? dimension.name : dimension.text, 12);
-  std::string value = dimension.text.substr(sign + 1);
+Label equation_label(std::string_view text) {
+  const std::size_t sign = text.find(" = ");
+  if (sign == std::string_view::npos) return name_label(text, 12);
+  std::string value(text.substr(sign + 1));
   if (value.ends_with(" deg")) value.replace(value.size() - 4, 4, "°");
-  return joined(name_label(std::string_view(dimension.text).substr(0, sign), 12), words_label(value, 12), 3);
+  // What stands for a value is a number with its unit, or a formula.
+  const bool number = value.size() > 2 && (std::isdigit(static_cast<unsigned char>(value[2])) != 0 || value[2] == '-');
+  Label right = number ? words_label(value, 12) : formula_label(value, 12);
+  return joined(name_label(text.substr(0, sign), 12), right, 3);
+}
+
+// One equation, or several with a comma between them.
+Label label_of(const scene::Dimension& dimension) {
+  const std::string& text = dimension.text.empty() ? dimension.name : dimension.text;
+  const std::size_t comma = text.find(", ");
+  if (comma == std::string::npos) return equation_label(text);
+  const Label first = joined(equation_label(std::string_view(text).substr(0, comma)), words_label(",", 12), 0);
+  return joined(first, equation_label(std::string_view(text).substr(comma + 2)), 5);
 }
 
 // The strokes drawn so far, piece by piece, but for those of bodies that are only areas.

@@ -87,6 +87,7 @@ void name_centers(Panel& panel, const std::vector<scene::Arrow>& arrows, std::ve
                            arrow.quantity == scene::Quantity::rate_of_angular_momentum;
     const std::size_t index = arrow.symbol.rfind("_{");
     if (!of_center || index == std::string::npos || !arrow.symbol.ends_with('}')) continue;
+    if (!panel.draws(arrow.at.body)) continue;
     const Vector at = panel.ground(arrow.at);
     if (std::ranges::any_of(named, [&](const Vector& other) { return norm(other - at) < near; })) continue;
     named.push_back(at);
@@ -118,7 +119,8 @@ void draw_axes(Panel& panel, bool at_origin) {
   for (std::size_t i = 0; i < 3; ++i) draw_axis(panel, place, Vector::unit(i), corner_axis, panel.scene.axes[i], false);
 }
 
-void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut_free) {
+void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut_free,
+                 const std::vector<scene::Arrow>& momenta) {
   // Points that something drawn stands at come first; others are left out where there are too many.
   std::vector<Vector> places;
   // What is cut free has left behind where the rest is held.
@@ -135,13 +137,17 @@ void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut
   const auto matters = [&](const Vector& at) {
     return std::ranges::any_of(places, [&](const Vector& place) { return norm(place - at) < near; });
   };
+  // A point that only defines an axis may lie far from the body.
+  const Box box = content(panel);
+  constexpr double beside = 0.15;
+  const Box near_content = box.empty() ? box : box.grown(beside * std::max(box.width(), box.height()) + corner_axis);
   std::vector<std::pair<Vector, std::string>> drawn;
   for (const bool first : {true, false})
     for (const scene::Point& point : panel.scene.points) {
       if (!panel.draws(point.place.body)) continue;
       const Vector at = panel.ground(point.place);
       if (matters(at) != first || (!first && panel.scene.points.size() > most_points)) continue;
-      if (cut_free && !first && point.place.body < 0) continue;
+      if (cut_free && !first && (point.place.body < 0 || !near_content.contains(panel.projection(at)))) continue;
       const auto same = std::ranges::find_if(drawn, [&](const auto& other) { return norm(other.first - at) < near; });
       if (same == drawn.end())
         drawn.emplace_back(at, point.name);
@@ -156,7 +162,7 @@ void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut
   }
   std::vector<Vector> named;
   for (const auto& [at, name] : drawn) named.push_back(at);
-  name_centers(panel, arrows, std::move(named));
+  name_centers(panel, momenta.empty() ? arrows : momenta, std::move(named));
 }
 
 void draw_body_names(Panel& panel) {

@@ -11,11 +11,15 @@ struct Reach {
   double out = 0, back = 0, before = 0;
 };
 
+bool has_area(const Solid& solid) {
+  return solid.extent == scene::Extent::volume || solid.extent == scene::Extent::surface;
+}
+
 Reach reach_of(const Panel& panel, int body, Point2 at, Point2 side) {
   Reach reach;
   const Point2 along = turned_left(side);
   for (const Solid& solid : panel.solids)
-    if (solid.body == body && solid.extent == scene::Extent::volume && !solid.hole)
+    if (solid.body == body && has_area(solid) && !solid.hole)
       for (const Vector& vertex : solid.vertices) {
         const Point2 d = panel.projection(vertex) - at;
         reach.out = std::max(reach.out, dot(d, side));
@@ -32,13 +36,14 @@ void rails(Panel& panel, const scene::Symbol& symbol, Point2 at, const Vector& a
   const Point2 along = direction(panel.projection.direction_of(axis));
   Point2 side = turned_left(along);
   if (side.y < 0) side = -side;
-  const bool has_volume = reach_of(panel, symbol.to, at, side).out > gauge;
-  const bool lies = on_ground && has_volume && panel.scene.gravity && symbol.kind == scene::SymbolKind::prismatic &&
+  const bool wide =
+      std::max(reach_of(panel, symbol.to, at, side).out, reach_of(panel, symbol.to, at, -side).out) > gauge;
+  const bool lies = on_ground && wide && panel.scene.gravity && symbol.kind == scene::SymbolKind::prismatic &&
                     std::abs(dot(axis, panel.scene.up)) < level;
   for (const double s : {-1.0, 1.0}) {
     if (lies && s < 0) continue;
     const Reach reach = reach_of(panel, symbol.to, at, s * side);
-    const double aside = on_ground ? std::max(gauge, reach.out + 0.7) : gauge;
+    const double beside = reach.out + 0.7, aside = !on_ground ? gauge : lies ? beside : std::max(gauge, beside);
     // A rail is a little longer than what slides on it.
     constexpr double overhang = 14;
     const double first = lies ? reach.back + overhang : half, last = lies ? reach.before + overhang : half;
@@ -55,8 +60,6 @@ void rails(Panel& panel, const scene::Symbol& symbol, Point2 at, const Vector& a
 
 void draw_slide(Panel& panel, const scene::Symbol& symbol, Point2 at, const Vector& axis, bool end_on) {
   if (!end_on) return rails(panel, symbol, at, axis);
-  // A plane that is the paper needs no line.
-  if (symbol.kind == scene::SymbolKind::planar) return;
   constexpr double half = 6;
   panel.loop({at + Point2{-half, -half}, at + Point2{half, -half}, at + Point2{half, half}, at + Point2{-half, half}},
              Role::symbol, 1.1);

@@ -241,6 +241,27 @@ void contact(Panel& panel, const Sketch& sketch, int body, const Vector& normal,
   cross(end - begin, into) > 0 ? hatch(panel, begin + front, end + front) : hatch(panel, end + front, begin + front);
 }
 
+// The plane in which a body moves: as a piece of ground around the place, below it if the normal is upright.
+void plane_of_motion(Panel& panel, const Sketch& sketch, const Vector& normal, bool on_ground) {
+  constexpr double half = 26, from_the_side = 0.1;
+  const Vector& viewer = panel.projection.view().viewer;
+  const Vector outward = dot(normal, panel.scene.up) < 0 ? -normal : normal;
+  const Vector along = unit_or(cross(outward, viewer), across(outward)), depth = cross(along, outward);
+  const Point2 side = half * direction(panel.projection.direction_of(along), {1, 0}),
+               back = half * panel.projection.direction_of(depth);
+  const Point2 at = sketch.at(), into = panel.projection.direction_of(-outward);
+  const auto ground = [&](Point2 from, Point2 to) {
+    cross(to - from, into) > 0 ? hatch(panel, from, to, 4) : hatch(panel, to, from, 4);
+  };
+  if (std::abs(dot(outward, viewer)) > from_the_side) {
+    panel.loop({at - side - back, at + side - back, at + side + back, at - side + back}, Role::symbol, 0.9, Ink::grey);
+    const Point2 front = dot(back, into) > 0 ? back : -back;
+    if (on_ground) ground(at - side + front, at + side + front);
+  } else {
+    on_ground ? ground(at - side, at + side) : panel.line({at - side, at + side}, Role::symbol, 1.1);
+  }
+}
+
 bool is_seen_end_on(const Panel& panel, const Vector& axis) {
   return std::abs(dot(axis, panel.projection.view().viewer)) > 0.85;
 }
@@ -314,8 +335,11 @@ void draw(Panel& panel, const scene::Symbol& symbol, const Vector& at) {
       return sketch.tube(along, 11, 6);
     case SymbolKind::prismatic:
     case SymbolKind::slot:
-    case SymbolKind::planar:
       return draw_slide(panel, symbol, sketch.at(), along, end_on);
+    case SymbolKind::planar:
+      // A plane that is the paper needs no line.
+      if (!end_on) plane_of_motion(panel, sketch, along, on_ground);
+      return;
     case SymbolKind::screw:
       return screw(panel, sketch, along);
     case SymbolKind::universal:

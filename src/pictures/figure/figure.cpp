@@ -36,7 +36,8 @@ struct PanelKind {
   bool body_names = true;
 };
 
-Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest, const PanelKind& kind) {
+Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest, const PanelKind& kind,
+                   const std::vector<scene::Arrow>& momenta = {}) {
   // The cones are what is shown; the body tells how it is turned.
   constexpr double beside_cones = 0.4;
   if (kind.symbols) draw_symbols(panel, Layer::behind_bodies);
@@ -51,7 +52,7 @@ Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest,
   }
   if (kind.axes && kind.axes_at_origin) draw_axes(panel, true);
   if (kind.symbols) draw_dimensions(panel);
-  if (!kind.cones) draw_points(panel, diagram.arrows, !kind.symbols);
+  if (!kind.cones) draw_points(panel, diagram.arrows, !kind.symbols, momenta);
   draw_arrows(panel, diagram.arrows, largest);
   if (kind.axes && !kind.axes_at_origin) draw_axes(panel, false);
   if (kind.body_names) draw_body_names(panel);
@@ -104,7 +105,7 @@ Drawing equation(const Scene& scene, const std::vector<const Diagram*>& diagrams
     Panel panel(scene, diagram->bodies, poses, projection);
     panel.values = looks.values;
     const PanelKind kind{.symbols = false, .axes = parts.empty(), .axes_at_origin = false};
-    Drawing part = draw_panel(panel, *diagram, largest, kind);
+    Drawing part = draw_panel(panel, *diagram, largest, kind, arrows);
     marked = marked || panel.not_to_scale;
     captions.push_back(diagram->title);
     if (!parts.empty()) signs.push_back(sign_before(diagram->kind));
@@ -122,7 +123,7 @@ Drawing single(const Scene& scene, const Diagram& diagram, const PanelKind& kind
                     : kind.cones ? chosen_view_of_cones(scene, bodies, poses)
                                  : chosen_view(scene, bodies, diagram.arrows, poses);
   std::vector<Vector> places = places_of(scene, bodies, poses, diagram.arrows, kind.symbols);
-  Panel panel(scene, bodies, poses, fitted(view, places, size_of_panels(1)));
+  Panel panel(scene, bodies, poses, fitted(view, places, size_of_model(bodies.size())));
   panel.values = looks.values;
   Drawing drawing = draw_panel(panel, diagram, largest, kind);
   marked = panel.not_to_scale;

@@ -11,6 +11,13 @@ Size size_of_panels(std::size_t count) {
   return count <= 1 ? Size{400, 300} : count == 2 ? Size{300, 260} : Size{260, 250};
 }
 
+Size size_of_model(std::size_t bodies) {
+  constexpr double usual = 12, most = 3;
+  const double factor = std::clamp(std::sqrt(static_cast<double>(bodies) / usual), 1.0, most);
+  const Size one = size_of_panels(1);
+  return {factor * one.width, factor * one.height};
+}
+
 std::vector<int> all_bodies(const scene::Scene& scene) {
   std::vector<int> bodies;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) bodies.push_back(static_cast<int>(i));

@@ -13,6 +13,8 @@ struct Size {
 };
 // The more panels stand side by side, the smaller each is.
 Size size_of_panels(std::size_t count);
+// That of the statement's figure, which has more room where many bodies are to be told apart.
+Size size_of_model(std::size_t bodies);
 
 std::vector<int> all_bodies(const scene::Scene& scene);
 // The places that a drawing must hold.

@@ -31,6 +31,19 @@ std::vector<std::string> wrapped(const std::string& words, double width, double 
   return lines;
 }
 
+// As few lines as that takes, and these of like length: no word stands alone below a full line.
+std::vector<std::string> balanced(const std::string& words, double width, double size) {
+  std::vector<std::string> best = wrapped(words, width, size);
+  constexpr double step = 0.97;
+  if (best.size() < 2) return best;
+  for (double narrow = step * width; narrow > width / 2; narrow *= step) {
+    std::vector<std::string> lines = wrapped(words, narrow, size);
+    if (lines.size() > best.size()) break;
+    best = std::move(lines);
+  }
+  return best;
+}
+
 }  // namespace
 
 std::string unbroken(const std::string& words) {
@@ -44,7 +57,7 @@ void caption(Drawing& drawing, const std::string& words, double least_width) {
   const double width = std::clamp(drawing.paper.width(), least_width, longest_label);
   double y = drawing.paper.bottom + 20;
   const double middle = drawing.paper.center().x;
-  for (const std::string& line : wrapped(words, width, caption_size)) {
+  for (const std::string& line : balanced(words, width, caption_size)) {
     Label label = words_label(line, caption_size);
     label.at = {middle - label.box.center().x, y};
     drawing.paper.include(label.placed());

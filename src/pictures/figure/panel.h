@@ -74,7 +74,9 @@ void draw_links(Panel& panel);
 // The axes of the ground, from its origin where that is near, else in a corner.
 void draw_axes(Panel& panel, bool at_origin);
 // cut_free: of the ground's points only those at which something acts.
-void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut_free = false);
+// momenta: those of all diagrams of an equation, which name mass centers.
+void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut_free = false,
+                 const std::vector<scene::Arrow>& momenta = {});
 void draw_body_names(Panel& panel);
 void draw_dimensions(Panel& panel);
 // Those of points, and of the axes of tops.

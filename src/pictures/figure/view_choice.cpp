@@ -41,6 +41,8 @@ struct Matter {
   std::vector<std::array<Vector, 3>> facets;
   std::vector<Vector> joint_axes;
   std::vector<Vector> slides;       // ways of sliding
+  std::vector<Vector> ways;         // of springs and cords, and of what moves
+  bool turns = false;               // whether a joint lets a body turn
   std::vector<Vector> normals;      // of contacts
   Vector gravity{};                 // upward, or zero
   bool touches = false;             // whether something stands on the ground or on another body
@@ -131,6 +133,7 @@ Matter matter_of(const scene::Scene& scene, const std::vector<int>& bodies, cons
     if (drawn(symbol.to)) {
       named.push_back(on_ground(symbol.place, poses));
       matter.held.push_back(named.back());
+      matter.turns = matter.turns || (!touches(symbol) && !slides(symbol) && symbol.kind != scene::SymbolKind::weld);
       if (norm(symbol.axis) > 0)
         (touches(symbol)  ? matter.normals
          : slides(symbol) ? matter.slides
@@ -150,9 +153,13 @@ Matter matter_of(const scene::Scene& scene, const std::vector<int>& bodies, cons
     constexpr double noticeable = 0.02;
     if (norm(face) > noticeable) matter.angle_faces.push_back(normalized(face));
   }
-  for (const scene::Link& link : scene.links)
+  for (const scene::Link& link : scene.links) {
     for (const scene::Place& place : {link.from, link.to})
       if (drawn(place.body)) named.push_back(on_ground(place, poses));
+    if (link.kind == scene::LinkKind::torsion || !drawn(link.from.body) || !drawn(link.to.body)) continue;
+    const Vector way = on_ground(link.to, poses) - on_ground(link.from, poses);
+    if (norm(way) > 0) matter.ways.push_back(normalized(way));
+  }
   for (const scene::Arrow& arrow : arrows) named.push_back(on_ground(arrow.at, poses));
   all.insert(all.end(), named.begin(), named.end());
   if (all.empty()) all.emplace_back();
@@ -258,24 +265,45 @@ bool stands_across(const Matter& matter, const Vector& normal) {
   });
 }
 
+// The axes that a reader expects to come towards him and to run to the right: those after the upward one.
+struct Expected {
+  Vector up, front, right;
+};
+Expected expected_axes(const scene::Scene& scene) {
+  Expected axes;
+  axes.up = unit_or(scene.up, {0, 0, 1});
+  const std::size_t upward = std::abs(axes.up.x) > 0.9 ? 0 : std::abs(axes.up.y) > 0.9 ? 1 : 2;
+  const Vector next = Vector::unit((upward + 1) % 3);
+  axes.front = unit_or(next - dot(next, axes.up) * axes.up, across(axes.up));
+  axes.right = cross(axes.up, axes.front);
+  return axes;
+}
+
+// The direction across the plane in which all of some directions lie; across the upward one if they are all one line.
+Vector across_all(const std::vector<Vector>& directions, const Expected& axes) {
+  if (directions.empty()) return axes.front;
+  for (const Vector& v : directions)
+    if (const Vector normal = cross(directions.front(), v); norm(normal) > 0.1) return normalized(normal);
+  const Vector normal = cross(directions.front(), axes.up);
+  return norm(normal) > 0.1 ? normalized(normal) : axes.front;
+}
+
 // The direction across the plane of the problem, if all lies and acts in one: then it is looked at face-on.
-std::optional<Vector> planar_normal(const Matter& matter) {
+std::optional<Vector> planar_normal(const Matter& matter, const Expected& axes) {
   std::vector<Vector> across_plane = matter.joint_axes, in_plane;
   for (const Directed& arrow : matter.arrows) (arrow.turning ? across_plane : in_plane).push_back(arrow.direction);
   for (const Plate& plate : matter.plates) across_plane.push_back(plate.normal);
   for (const auto& [rod, weight] : matter.rods) in_plane.push_back(rod);
+  const bool straight = !matter.turns && (matter.touches || !matter.slides.empty());
   // A turning alone lies in no plane.
   const bool something_lies =
-      !in_plane.empty() || !matter.facets.empty() || matter.points.size() >= 2 || matter.touches;
+      !in_plane.empty() || !matter.facets.empty() || matter.points.size() >= 2 || matter.touches || straight;
   in_plane.insert(in_plane.end(), matter.slides.begin(), matter.slides.end());
-  if (across_plane.empty() && matter.touches) {
+  in_plane.insert(in_plane.end(), matter.ways.begin(), matter.ways.end());
+  if (across_plane.empty() && (matter.touches || straight)) {
     if (norm(matter.gravity) > 0) in_plane.push_back(matter.gravity);
     in_plane.insert(in_plane.end(), matter.normals.begin(), matter.normals.end());
-    for (const Vector& v : in_plane)
-      if (const Vector normal = cross(in_plane.front(), v); norm(normal) > 0.1) {
-        across_plane.push_back(normalized(normal));
-        break;
-      }
+    across_plane.push_back(across_all(in_plane, axes));
   }
   if (across_plane.empty() || !something_lies) return std::nullopt;
   const Vector normal = across_plane.front();
@@ -292,7 +320,7 @@ std::optional<Vector> planar_normal(const Matter& matter) {
     high = std::max(high, dot(p - matter.center, normal));
   }
   if (high - low > 0.02 * matter.size) return std::nullopt;
-  if (matter.touches && stands_across(matter, normal)) return normal;
+  if ((matter.touches || straight) && stands_across(matter, normal)) return normal;
   for (const auto& facet : matter.facets)
     for (const Vector& p : facet)
       if (std::abs(dot(p - matter.center, normal)) > 0.12 * matter.size) return std::nullopt;
@@ -300,17 +328,13 @@ std::optional<Vector> planar_normal(const Matter& matter) {
 }
 
 View best_view(const scene::Scene& scene, const Matter& matter) {
-  if (const std::optional<Vector> normal = planar_normal(matter); normal && matter.cone_axes.empty()) {
+  const auto [up, front, right] = expected_axes(scene);
+  if (const std::optional<Vector> normal = planar_normal(matter, {up, front, right});
+      normal && matter.cone_axes.empty()) {
     // From the side on which the axis of the plane points to the viewer.
     const Vector to = normal->x + normal->y + normal->z < 0 ? -*normal : *normal;
     return view_from(to, scene.up);
   }
-  const Vector up = unit_or(scene.up, {0, 0, 1});
-  // The axes that a reader expects to come towards him and to run to the right: those after the upward one.
-  const std::size_t upward = std::abs(up.x) > 0.9 ? 0 : std::abs(up.y) > 0.9 ? 1 : 2;
-  const Vector front =
-      unit_or(Vector::unit((upward + 1) % 3) - dot(Vector::unit((upward + 1) % 3), up) * up, across(up));
-  const Vector right = cross(up, front);
   View best = view_from(front, up);
   double least = 1e300;
   for (const double elevation : {20.0, 33.0, 50.0})
@@ -367,6 +391,11 @@ View chosen_view_of_motion(const scene::Scene& scene, const std::vector<int>& bo
       return norm(p - points.front());
     }) - points.front();
     matter.leanings.push_back(way / std::max(norm(way), matter.size));
+    constexpr std::size_t compared = 20;
+    const std::size_t stride = points.size() / compared + 1;
+    for (std::size_t i = stride; i < points.size(); i += stride)
+      if (const Vector gone = points[i] - points.front(); norm(gone) > near_part * matter.size)
+        matter.ways.push_back(normalized(gone));
   }
   return best_view(scene, matter);
 }

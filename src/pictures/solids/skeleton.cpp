@@ -73,9 +73,13 @@ std::optional<Vector> along_axis(const scene::Scene& scene, int body, const std:
                                  const Vector& place, const std::vector<scene::Pose>& poses, double near) {
   for (const scene::Symbol& symbol : scene.symbols) {
     if (symbol.to != body && symbol.from != body) continue;
-    const bool touches = symbol.kind == scene::SymbolKind::contact || symbol.kind == scene::SymbolKind::rolling_contact;
+    // Along a normal or a way of sliding runs no shaft.
+    using scene::SymbolKind;
+    const bool along_shaft = symbol.kind != SymbolKind::contact && symbol.kind != SymbolKind::rolling_contact &&
+                             symbol.kind != SymbolKind::prismatic && symbol.kind != SymbolKind::slot &&
+                             symbol.kind != SymbolKind::planar;
     const Vector axis = turned_to_ground(symbol.to, symbol.axis, poses);
-    if (touches || !(norm(axis) > 0) || norm(on_ground(symbol.place, poses) - place) > near) continue;
+    if (!along_shaft || !(norm(axis) > 0) || norm(on_ground(symbol.place, poses) - place) > near) continue;
     const Vector direction = normalized(axis);
     for (const Solid& solid : solids) {
       if (solid.hole || solid.vertices.empty()) continue;
@@ -192,8 +196,13 @@ Vector axis_at(const scene::Scene& scene, int body, const Vector& place, const s
   for (const scene::Symbol& symbol : scene.symbols) {
     if (symbol.to != body && symbol.from != body) continue;
     if (norm(on_ground(symbol.place, poses) - place) > 1e-3 * scene.length) continue;
-    if (norm(found) > 0 || !turns_about_axis(symbol)) return {};
-    found = normalized(turned_to_ground(symbol.to, symbol.axis, poses));
+    const Vector axis = turned_to_ground(symbol.to, symbol.axis, poses);
+    // A support of listed components stands at the axis of its joint.
+    const bool turning =
+        turns_about_axis(symbol) || (symbol.kind == scene::SymbolKind::listed_support && norm(axis) > 0);
+    constexpr double askew = 1e-3;
+    if (!turning || (norm(found) > 0 && norm(cross(found, axis)) > askew * norm(axis))) return {};
+    found = normalized(axis);
   }
   return found;
 }

@@ -56,24 +56,31 @@ class Dimensions {
       text_.clear();
       for (const Expression* coefficient : {&contact.friction->resting, &contact.friction->sliding}) {
         if (coefficient == &contact.friction->sliding && !contact.friction->falls()) continue;
+        const std::string symbol = !contact.friction->falls()                  ? "mu"
+                                   : coefficient == &contact.friction->resting ? "mu_s"
+                                                                               : "mu_k";
         name += (name.empty() ? "" : ", ") + to_string(*coefficient);
-        text_ += (text_.empty() ? "" : ", ") + coefficient_text(*coefficient);
+        text_ += (text_.empty() ? "" : ", ") + coefficient_text(*coefficient, symbol);
       }
       put(name, symbol->place, symbol->place);
     }
   }
-  // The name of a datum with its value; of what is to be found, of letters and of formulas as the file has it.
-  std::string coefficient_text(const Expression& coefficient) {
+  // Its value behind the letter that everybody writes for it; of what is to be found, of letters and of formulas what
+  // the file has.
+  std::string coefficient_text(const Expression& coefficient, const std::string& symbol) {
     const std::string written = to_string(coefficient);
     const auto& find = figure_.situation().find;
-    if (coefficient.as<Name>() == nullptr || is_open(written) ||
-        std::ranges::any_of(find, [&](const Unknown& unknown) { return unknown.name == written; }))
-      return written;
+    const bool as_written = coefficient.as<Name>() == nullptr || is_open(written) ||
+                            std::ranges::any_of(find, [&](const Unknown& unknown) { return unknown.name == written; });
+    // A datum that is called so keeps its own index.
+    const bool is_mu = coefficient.as<Name>() && written.starts_with("mu") && (symbol == "mu" || written.size() > 2);
+    if (as_written) return is_mu || written == symbol ? written : symbol + " = " + written;
     try {
       constexpr int digits = 5;
-      return written + " = " + with_digits(figure_.data().number(coefficient, dimensions::none), digits);
+      return (is_mu ? written : symbol) + " = " +
+             with_digits(figure_.data().number(coefficient, dimensions::none), digits);
     } catch (const StatementError&) {
-      return written;
+      return symbol + " = " + written;
     }
   }
 

@@ -231,7 +231,9 @@ class SceneMotion {
   }
   void add_plot(const std::string& name, const std::string& words, const Expression& expression,
                 const std::optional<Expression>& axes) {
-    if (motion_.plots.size() >= most_plots) return;
+    // What is asked at several times is one line over time.
+    const bool is_new = plotted_.insert(words + (axes ? " on " + to_string(*axes) : "")).second;
+    if (motion_.plots.size() >= most_plots || !is_new) return;
     scene::Plot plot;
     plot.name = name;
     plot.words = words;
@@ -305,6 +307,7 @@ class SceneMotion {
   const Solution& solution_;
   Course& course_;
   std::set<double> asked_;
+  std::set<std::string> plotted_;
   std::vector<const Ask*> tables_, asks_;
   double until_ = 0;
   std::vector<std::vector<double>> positions_;

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "pictures/drawing/font_metrics.h"
 
@@ -49,6 +51,19 @@ TEST(LabelText, reads_the_tex_of_worked_solutions) {
   EXPECT_EQ(with_greek_letters("times"), "times");
   EXPECT_EQ(told(formula_label("-m*b*omega1^2*sin(2*beta)/12")), "u:− i:m i:b i:ω u_1 u^2 u:sin(2 i:β u:)/12");
   EXPECT_EQ(told(words_label("R = 5 N")), "u:R = 5 N");
+}
+
+TEST(LabelText, a_root_has_a_bar_over_all_of_it) {
+  EXPECT_EQ(told(formula_label("-sqrt(2)*m*a/96")), "u:−√2 i:m i:a u:/96 bar");
+  EXPECT_EQ(told(formula_label("sqrt(a + sqrt(b))*c")), "u:√ i:a u: + √ i:b i:c bar bar");
+  EXPECT_EQ(told(formula_label("sqrt(a")), "u:sqrt( i:a");
+  const Label label = formula_label("2*sqrt(g + h)*t");
+  ASSERT_EQ(label.accents.size(), 1U);
+  const auto run = [&](std::string_view text) { return *std::ranges::find(label.runs, text, &pictures::Run::text); };
+  EXPECT_NEAR(label.accents[0].from.x, run("g").offset.x, 1e-9);
+  EXPECT_NEAR(label.accents[0].to.x, run("h").offset.x + run("h").width, 1e-9);
+  EXPECT_GT(run("t").offset.x, label.accents[0].to.x);
+  EXPECT_LT(label.accents[0].from.y, 0);
 }
 
 TEST(LabelText, a_prime_stands_clear_of_a_bar) {

@@ -128,8 +128,38 @@ TEST(ClearFigures, a_mass_center_without_name_has_the_one_of_its_momentum) {
   EXPECT_NE(label_of(figure(scene, cut, "", {}), "G"), nullptr);
   scene.diagrams[0].arrows[0].symbol = "\\mathbf{H}'_{G}";
   EXPECT_NE(label_of(figure(scene, cut, "", {}), "G"), nullptr);
+  // It has it in all diagrams of the equation.
+  scene.diagrams.insert(scene.diagrams.begin(),
+                        {.kind = scene::DiagramKind::free_body,
+                         .title = "Free-body diagram",
+                         .group = 1,
+                         .bodies = {0},
+                         .arrows = {arrow(scene::Quantity::weight, 0, {0.5, 0, 0}, {0, -5, 0}, "W")}});
+  const Drawing both = figure(scene, cut, "", {});
+  EXPECT_EQ(std::ranges::count_if(both.marks,
+                                  [](const Mark& mark) {
+                                    const auto* label = std::get_if<Label>(&mark);
+                                    return label != nullptr && label->runs.size() == 1 && label->runs[0].text == "G";
+                                  }),
+            2);
   scene.points = {{"S", {0, {0.5, 0, 0}}}};
   EXPECT_EQ(label_of(figure(scene, cut, "", {}), "G"), nullptr);
+}
+
+TEST(ClearFigures, a_far_point_of_an_axis_is_not_drawn_beside_what_is_cut_free) {
+  scene::Scene scene = rod_scene({}, {1, 0, 0});
+  scene.points = {{"A", {0, {0.3, 0, 0}}}, {"Far", {0, {0, 8, 0}}}};
+  scene.diagrams = {{.kind = scene::DiagramKind::free_body,
+                     .title = "Free-body diagram",
+                     .bodies = {0},
+                     .arrows = {arrow(scene::Quantity::force, 0, {}, {0, 5, 0}, "T")}}};
+  const FigureName cut{FigureKind::free_body, "free-body", "", scene::ground};
+  const Drawing drawing = figure(scene, cut, "", {});
+  EXPECT_NE(label_of(drawing, "A"), nullptr);
+  EXPECT_EQ(label_of(drawing, "Far"), nullptr);
+  // Where something acts there, it is.
+  scene.diagrams[0].arrows.push_back(arrow(scene::Quantity::force, 0, {0, 8, 0}, {5, 0, 0}, "P"));
+  EXPECT_NE(label_of(figure(scene, cut, "", {}), "Far"), nullptr);
 }
 
 TEST(ClearFigures, a_weight_over_a_floor_comes_from_above) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pictures/figure/figure.h"
+#include "pictures/figure/layout.h"
 #include "pictures/figure/scenes.h"
 #include "pictures/figure/strokes.h"
 #include "poinsot/engine/math/algebra/rotation.h"
@@ -85,6 +86,27 @@ TEST(MotionFigures, poses_on_a_path_stay_on_it) {
       if (stroke == nullptr || !stroke->closed || stroke->ink != Ink::motion) return false;
       return std::ranges::all_of(stroke->points, [&](const Point2& p) { return std::abs(norm(p - begin) - 3) < 1e-9; });
     })) << step;
+  }
+}
+
+TEST(MotionFigures, no_word_of_a_caption_stands_alone_below_the_others) {
+  const std::string words = "From t = 0 to 0.3341 s, 6 poses; paths begin at small circles";
+  for (double width = 120; width < 260; width += 7) {
+    Drawing drawing;
+    drawing.paper = {0, 0, width, 50};
+    caption(drawing, words, width);
+    double least = 1e300, most = 0;
+    std::size_t letters = 0;
+    for (const Mark& mark : drawing.marks) {
+      const Label& label = std::get<Label>(mark);
+      least = std::min(least, label.box.width());
+      most = std::max(most, label.box.width());
+      for (const pictures::Run& run : label.runs) letters += run.text.size();
+    }
+    EXPECT_LE(most, width + 1e-9);
+    EXPECT_GT(least, 0.6 * most) << width;
+    // All of the words, but for the blanks at the ends of lines.
+    EXPECT_EQ(letters + drawing.marks.size() - 1, words.size());
   }
 }
 

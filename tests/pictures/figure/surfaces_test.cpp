@@ -140,6 +140,85 @@ TEST(Surfaces, what_weight_presses_on_a_level_slide_lies_on_one_rail_below_it) {
     }
 }
 
+TEST(Surfaces, a_plate_that_slides_on_its_edge_lies_on_a_rail_and_has_no_shaft) {
+  scene::Scene scene;
+  scene.up = {0, 1, 0};
+  scene.gravity = true;
+  scene.bodies = {{.name = "wedge", .mass = 1, .shapes = {pictures_test::plate_shape(2, 1)}}};
+  scene.symbols = {{.kind = scene::SymbolKind::prismatic,
+                    .name = "rails",
+                    .to = 0,
+                    .place = {0, {-0.7, -0.5, 0}},
+                    .axis = {1, 0, 0}}};
+  const Drawing drawing = figure(scene, model, "", {.view = view_from({0, 0, 1}, scene.up)});
+  EXPECT_TRUE(points_of(drawing, Role::rod).empty());
+  Box body;
+  for (const Point2& p : points_of(drawing, Role::outline)) body.include(p);
+  std::size_t rails = 0;
+  for (const Mark& mark : drawing.marks)
+    if (const auto* stroke = std::get_if<Stroke>(&mark);
+        stroke != nullptr && stroke->role == Role::symbol && stroke->width > 1.3) {
+      ++rails;
+      EXPECT_NEAR(stroke->points.front().y, body.bottom, 2);
+      const auto [left, right] = std::minmax(stroke->points.front().x, stroke->points.back().x);
+      EXPECT_LT(left, body.left);
+      EXPECT_GT(right, body.right);
+    }
+  EXPECT_EQ(rails, 1U);
+}
+
+TEST(Surfaces, a_plane_of_motion_that_is_seen_askew_is_a_piece_of_ground_below_what_moves_in_it) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> part(-1, 1);
+  for (int round = 0; round < 20; ++round) {
+    scene::Scene scene;
+    scene.up = {0, 1, 0};
+    scene.bodies = {{.name = "sleigh", .mass = 1, .shapes = {pictures_test::box_shape({-1, 0, -1}, {1, 0.5, 1})}}};
+    scene.symbols = {
+        {.kind = scene::SymbolKind::planar, .name = "floor", .to = 0, .place = {0, {}}, .axis = {0, 1, 0}}};
+    const Drawing drawing =
+        figure(scene, model, "", {.view = view_from({part(random), 0.4 + 0.3 * part(random), 1}, scene.up)});
+    Box body;
+    for (const Point2& p : points_of(drawing, Role::outline)) body.include(p);
+    const double middle = body.center().y;
+    const std::vector<Point2> ground = points_of(drawing, Role::symbol);
+    EXPECT_FALSE(ground.empty());
+    // Level lines and short strokes of hatching, and no wall beside the body.
+    for (const Mark& mark : drawing.marks)
+      if (const auto* stroke = std::get_if<Stroke>(&mark);
+          stroke != nullptr && stroke->role == Role::symbol && stroke->width > 1.3) {
+        EXPECT_NEAR(stroke->points.front().y, stroke->points.back().y, 1e-9);
+        EXPECT_GT(stroke->points.front().y, middle);
+      }
+  }
+}
+
+TEST(Surfaces, particles_that_slide_along_a_line_are_seen_from_the_side) {
+  for (const bool on_floor : {true, false})
+    for (const double lean : {0.0, 0.5}) {
+      scene::Scene scene;
+      scene.up = {0, 1, 0};
+      scene.gravity = on_floor;
+      const Vector way{std::cos(lean), std::sin(lean), 0}, out{-std::sin(lean), std::cos(lean), 0};
+      scene.bodies = {{.name = "block", .mass = 1, .shapes = {particle_shape()}}};
+      scene.symbols = {{.kind = on_floor ? scene::SymbolKind::contact : scene::SymbolKind::prismatic,
+                        .name = "floor",
+                        .to = 0,
+                        .place = {0, {}},
+                        .axis = on_floor ? out : way}};
+      const auto seen = [&] { return chosen_view(scene, {0}, {}, shown_poses(scene)).viewer; };
+      EXPECT_LT(norm(cross(seen(), Vector{0, 0, 1})), 1e-9);
+      scene.links = {
+          {.kind = scene::LinkKind::spring, .name = "spring", .from = {scene::ground, -2 * way}, .to = {0, {}}}};
+      EXPECT_LT(norm(cross(seen(), Vector{0, 0, 1})), 1e-9);
+      // A spring that pulls across makes it no problem of a plane, nor does a joint that turns.
+      scene.links[0].from.at = {-1, 0.3, 1};
+      scene.links.push_back(
+          {.kind = scene::LinkKind::spring, .name = "other", .from = {scene::ground, {2, 0, 0.1}}, .to = {0, {}}});
+      EXPECT_GT(norm(cross(seen(), Vector{0, 0, 1})), 0.1);
+    }
+}
+
 TEST(Surfaces, a_plane_that_is_the_paper_has_no_rails_and_a_slide_seen_along_its_way_is_a_square) {
   scene::Scene scene;
   scene.up = {0, 1, 0};

@@ -70,5 +70,26 @@ TEST(Arms, what_stands_for_a_shape_reaches_to_points_that_are_well_outside_and_a
     }
 }
 
+// A massless arm that is held by a support with listed forces is bent as one in a bearing.
+TEST(Arms, from_a_listed_support_an_arm_runs_along_the_axis_first) {
+  for (const auto kind : {scene::SymbolKind::listed_support, scene::SymbolKind::revolute, scene::SymbolKind::ball}) {
+    scene::Scene scene;
+    scene.length = 3;
+    scene.bodies = {{.name = "arm", .massless = true},
+                    {.name = "disk", .mass = 1, .shapes = {cylinder_shape(0.5, -0.1, 0.1)}}};
+    scene.bodies[1].pose.p = {2, 1, 0};
+    scene.symbols = {
+        {.kind = kind, .name = "A", .to = 0, .place = {0, {}}, .axis = {0, 1, 0}},
+        {.kind = scene::SymbolKind::revolute, .name = "spin", .from = 0, .to = 1, .place = {1, {}}, .axis = {0, 0, 1}}};
+    const auto arms = arms_of(scene, 0);
+    if (kind == scene::SymbolKind::ball) {
+      EXPECT_EQ(arms.size(), 1U);
+      continue;
+    }
+    ASSERT_EQ(arms.size(), 2U);
+    EXPECT_LT(norm(arms[0][1] - Vector{0, 1, 0}), 1e-12);
+  }
+}
+
 }  // namespace arms_test
 }  // namespace poinsot::pictures

@@ -111,8 +111,13 @@ std::vector<std::string> coefficients(const std::string& friction, const std::st
 
 TEST(SceneHolds, coefficients_of_friction_stand_at_what_is_touched) {
   EXPECT_EQ(coefficients("mu"), (std::vector<std::string>{"mu = 0.5"}));
-  EXPECT_EQ(coefficients("{static: mu, kinetic: k}"), (std::vector<std::string>{"mu = 0.5, k = 0.4"}));
-  EXPECT_EQ(coefficients("0.3"), (std::vector<std::string>{"0.3"}));
+  EXPECT_EQ(coefficients("{static: mu, kinetic: k}"), (std::vector<std::string>{"mu_s = 0.5, mu_k = 0.4"}));
+  EXPECT_EQ(coefficients("k"), (std::vector<std::string>{"mu = 0.4"}));
+  EXPECT_EQ(coefficients("mu1", ", mu1: 0.2"), (std::vector<std::string>{"mu1 = 0.2"}));
+  EXPECT_EQ(coefficients("{static: mu1, kinetic: mu2}", ", mu1: 0.2, mu2: 0.1"),
+            (std::vector<std::string>{"mu1 = 0.2, mu2 = 0.1"}));
+  EXPECT_EQ(coefficients("0.3"), (std::vector<std::string>{"mu = 0.3"}));
+  EXPECT_EQ(coefficients("mu*k"), (std::vector<std::string>{"mu = mu*k"}));
 }
 
 TEST(SceneHolds, an_impulse_that_has_no_symbol_of_its_own_is_a_force_with_its_time) {

@@ -211,6 +211,22 @@ TEST(Scene, motions_go_through_the_shown_positions_and_keep_bodies_rigid) {
   EXPECT_GT(motions, 20U);
 }
 
+TEST(Scene, what_is_asked_at_several_times_is_plotted_once) {
+  const Document document = illustrated(R"(
+given: {m: 2 kg}
+points: {O: [0, 0, 0]}
+bodies: {ball: {particle: O, mass: m}}
+gravity: -y
+instants: {start: rest}
+ask: {v1: velocity(ball).y @ 1 s, v2: velocity(ball).y @ 2 s, y2: center(ball).y @ 2 s}
+)");
+  const auto& plots = scene_of(document).motion->plots;
+  ASSERT_EQ(plots.size(), 2U);
+  EXPECT_EQ(plots[0].name, "v1");
+  EXPECT_EQ(plots[1].name, "y2");
+  EXPECT_NEAR(plots[0].values[0].back(), -2 * 9.80665, 1e-9);
+}
+
 TEST(Scene, poses_at_a_time_are_those_of_the_answers) {
   const Document document = illustrated(R"(
 given: {m: 2 kg, L: 0.5 m}
