@@ -23,6 +23,7 @@
 
 #include "poinsot/cases.h"
 #include "poinsot/document.h"
+#include "poinsot/engine/model/state.h"
 #include "poinsot/engine/work/budget.h"
 
 namespace poinsot {
@@ -170,12 +171,23 @@ struct MotionValues {
   std::vector<std::string> notes;        // on events during the motion
 };
 
+// The tree of bodies of a problem as the engine's algorithms take it, where its motion begins.
+struct MotionStart {
+  Model<double> tree;  // what the file moves as stated, such as frames, has prescribed coordinates
+  State<double> state;
+  std::vector<std::string> coordinates;  // of each velocity coordinate, in words
+  std::vector<Vector3<double>> origins;  // of each body's frame, whose axes are the ground's in the figure as drawn
+  std::vector<std::string> others;       // what acts beside weights: the names of springs, motors, dampers, loads
+};
+
 // The motion of a problem, which is followed as far as it is asked for, once, and kept. Like a Problem it is a value
 // that copies share, and several threads may ask one: they wait for each other.
 class Motion {
  public:
   // The coordinates that have names. They can be asked for, and so can their rates: theta'.
   std::vector<std::string> coordinates(const Budget& budget = {}) const;
+  // Throws NoMotion if constraints hold the bodies beside the joints of a tree: loops, rolling, cords, contacts.
+  MotionStart start(const Budget& budget = {}) const;
   // Quantities, each as a file would ask for it, at times in any order, s. Each call also asks them at a few of the
   // times as questions of the file, with what tells whether they are determined and with all checks. axes: those of
   // vectors, "" for those of the file. Throws StatementError if a quantity or a time is wrong, NoMotion if there is no

@@ -23,7 +23,7 @@ from .errors import (
 )
 from .motion import Motion, MotionValues
 from .notebook import Page, Picture
-from .problem import Problem
+from .problem import Problem, Recording
 from .quantities import si_unit
 from .studies import Study, StudyError, normal, span, study, tolerance, uniform
 
@@ -42,6 +42,7 @@ __all__ = [
     "Picture",
     "PoinsotError",
     "Problem",
+    "Recording",
     "RecordingError",
     "Result",
     "Solution",

@@ -7,6 +7,7 @@ doubles in that order are read in place. The numbers of a case are the same what
 from __future__ import annotations
 
 import importlib
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -16,6 +17,8 @@ from . import _core
 
 if TYPE_CHECKING:
     from . import _engine
+    from .problem import Problem
+    from .quantities import Value
 else:
     # Compiled for the largest set of instructions that this processor has.
     _set = _core.instruction_set()
@@ -90,6 +93,7 @@ class Model:
         self.parents: list[int] = list(core.parents)  # -1 is the ground
         self.nq, self.nv = core.nq, core.nv
         self.gravity = np.array(core.gravity)
+        self.prescribed: list[bool] = list(core.prescribed)  # of each row of v: whether hybrid_dynamics knows its acceleration
 
     def body(self, name: str) -> int:
         """The number of a body."""
@@ -115,6 +119,37 @@ class Model:
 
     def __repr__(self) -> str:
         return f"<poinsot.engine.Model of {len(self.names)} bodies, nq = {self.nq}, nv = {self.nv}>"
+
+
+class Start(NamedTuple):
+    """The bodies of a problem where its motion begins."""
+
+    model: Model
+    q: Array
+    v: Array
+    coordinates: list[str]  # of each row of v, in words
+    origins: dict[str, Array]  # of each body's frame, m, on the ground's axes in the figure as drawn, which are its axes then
+    others: list[str]  # what acts beside the weights and is not in the model: springs, motors, dampers, loads
+
+
+def from_problem(
+    problem: Problem,
+    sets: Mapping[str, Value] | None = None,
+    /,
+    *,
+    timeout: float | None = None,
+    **values: Value,
+) -> Start:
+    """The tree of bodies of a problem, with its state where the motion begins. Values are given as those of Problem.solve().
+
+    A point p of the figure as drawn is p - origins[body] on the axes of a body. What the file moves as stated, such as frames, is
+    "prescribed". Loops, rolling, cords and contacts are no joints of a tree: NoAnswer tells where there are some.
+    """
+    motion = problem.motion(sets, timeout=timeout, **values)
+    start = motion._problem._called(motion._core.start, timeout, False)
+    model = Model(_engine.model_of_tree(start.names, start.bodies, start.prescribed, start.gravity))
+    origins = {name: np.array(origin) for name, origin in zip(start.names, start.origins, strict=True)}
+    return Start(model, np.array(start.q), np.array(start.v), list(start.coordinates), origins, list(start.others))
 
 
 def inverse_dynamics(
@@ -202,6 +237,24 @@ def mass_matrix(model: Model, q: npt.ArrayLike, *, threads: int = 1) -> Array:
 def integrate(model: Model, q: npt.ArrayLike, v: npt.ArrayLike, dt: float = 1.0, *, threads: int = 1) -> Array:
     """The positions after the velocities have held for the time dt."""
     return _engine.integrate(model._core, q, v, dt, threads)
+
+
+class State(NamedTuple):
+    """Positions and velocities."""
+
+    q: Array
+    v: Array
+
+
+def advance(
+    model: Model, q: npt.ArrayLike, v: npt.ArrayLike, tau: npt.ArrayLike, dt: float, *, steps: int = 1, threads: int = 1
+) -> State:
+    """The states after a number of steps of dt seconds, in which the joint forces tau stay as they are (of a "prescribed" joint
+    the acceleration). By the classical method of Runge and Kutta: half of dt leaves a sixteenth of the error."""
+    if steps < 0:
+        raise ValueError(f"there are no {steps} steps")
+    found = _engine.advance(model._core, q, v, tau, dt, steps, threads)
+    return State(found[: model.nq], found[model.nq :])
 
 
 def rotation(model: Model, q: npt.ArrayLike, body: int | str, *, threads: int = 1) -> Array:

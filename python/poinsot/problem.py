@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 from . import _core, calls, quantities
@@ -14,6 +14,19 @@ from .motion import Motion
 from .notebook import Page, Picture
 
 _Kind = TypeVar("_Kind", bound=Result)
+
+
+@dataclass(frozen=True)
+class Recording:
+    """What Problem.record() wrote."""
+
+    path: str
+    rows: int
+    columns: int
+    end: float  # time of the last row, s
+    complete: bool
+    resumed_at: int  # the number of rows that were there before
+    notes: tuple[str, ...]  # events during the motion
 
 
 class Problem:
@@ -157,6 +170,30 @@ class Problem:
             return self._core.motion(given, *ends)
 
         return Motion(self._called(call, timeout, progress), self)
+
+    def record(
+        self,
+        path: str | os.PathLike[str],
+        sets: Mapping[str, quantities.Value] | None = None,
+        /,
+        *,
+        replace: bool = False,
+        timeout: float | None = None,
+        progress: calls.Progress = None,
+        **values: quantities.Value,
+    ) -> Recording:
+        """Records the motion as the file says under `record:`, to a file that ends in .csv, .h5 or .hdf5.
+
+        A recording that was stopped, by Ctrl-C, the timeout or a kill, goes on when it is called again, from the journal beside
+        the file. replace: whether a file that is there without a journal is replaced; else that is a RecordingError.
+        """
+        given = quantities.settings(self, {**(sets or {}), **values})
+
+        def call(*ends: Any) -> Any:
+            return self._core.record(os.fspath(path), given, replace, *ends)
+
+        core = self._called(call, timeout, progress)
+        return Recording(core.data, core.rows, core.columns, core.end, core.complete, core.resumed_at, tuple(core.notes))
 
     def figures(self, sets: Mapping[str, quantities.Value] | None = None, /, **values: quantities.Value) -> dict[str, str]:
         """The names of the figures that figure() draws, and what they show."""

@@ -90,6 +90,16 @@ void bind_problem(nb::module_& module) {
       .def_ro("letters", &StatedSituation::letters)
       .def_ro("unknowns", &StatedSituation::unknowns);
 
+  nb::class_<Recording>(module, "Recording")
+      .def_ro("data", &Recording::data)
+      .def_ro("journal", &Recording::journal)
+      .def_ro("rows", &Recording::rows)
+      .def_ro("columns", &Recording::columns)
+      .def_ro("end", &Recording::end)
+      .def_ro("complete", &Recording::complete)
+      .def_ro("resumed_at", &Recording::resumed_at)
+      .def_ro("notes", &Recording::notes);
+
   nb::class_<Problem>(module, "Problem")
       .def_static(
           "from_text",
@@ -119,6 +129,15 @@ void bind_problem(nb::module_& module) {
                                   [&](const Budget& budget) { return problem.motion(sets, budget); });
           },
           "sets"_a, "timeout"_a.none(), "listener"_a.none())
+      .def(
+          "record",
+          [](const Problem& problem, const std::string& output, const Settings& sets, bool replace, Timeout timeout,
+             nb::object listener) {
+            return all_or_nothing(timeout, std::move(listener), [&](const Budget& budget) {
+              return problem.record(output, {.sets = sets, .replace = replace}, budget);
+            });
+          },
+          "output"_a, "sets"_a, "replace"_a, "timeout"_a.none(), "listener"_a.none())
       .def(
           "cases",
           [](const Problem& problem, const CaseQuestions& questions, Timeout timeout, nb::object listener) {

@@ -270,6 +270,14 @@ std::vector<std::string> Motion::coordinates(const Budget& budget) const {
   return with_motion_errors([&] { return parts_->asked.coordinate_names(); });
 }
 
+MotionStart Motion::start(const Budget& budget) const {
+  const std::lock_guard lock(parts_->mutex);
+  const BudgetScope scope(budget);
+  problem::TreeAtStart start = with_motion_errors([&] { return parts_->asked.start(); });
+  return {std::move(start.tree), std::move(start.state), std::move(start.coordinates), std::move(start.origins),
+          std::move(start.others)};
+}
+
 MotionValues Motion::values(const std::vector<double>& times, const std::vector<std::string>& quantities,
                             const std::string& axes, const Budget& budget) const {
   const std::lock_guard lock(parts_->mutex);

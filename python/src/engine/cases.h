@@ -40,6 +40,7 @@ struct Case {
   State<Scalar> state;
   std::vector<Scalar> given;
   std::vector<Scalar> found;
+  std::vector<Scalar> between;  // for what is found on the way, made by who needs it first
   std::optional<DerivativesWorkspace<Scalar>> derivatives;
 
   // Made by who asks for it first.

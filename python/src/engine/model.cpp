@@ -57,6 +57,53 @@ void add_body(ModelBuilder<double>& builder, const std::string& name, const std:
                    {mass, vector(center), tensor(name, inertia)}, mode_of(mode));
 }
 
+// The numbers of a body one after the other, as poinsot._core puts them down (motion.cpp).
+struct BodyNumbers {
+  const std::vector<double>& numbers;
+  std::size_t at = 0;
+
+  double next() { return numbers.at(at++); }
+  Vector3<double> vector() {
+    const double x = next(), y = next();
+    return {x, y, next()};
+  }
+  Matrix3<double> matrix() {
+    const Vector3<double> x = vector(), y = vector();
+    return {x, y, vector()};
+  }
+  SymmetricMatrix3<double> symmetric() {
+    const Vector3<double> on = vector(), off = vector();
+    return {on.x, on.y, on.z, off.x, off.y, off.z};
+  }
+};
+
+EngineModel* model_of_tree(const std::vector<std::string>& names, const std::vector<std::vector<double>>& stated,
+                           const std::vector<bool>& prescribed, const Three& gravity) {
+  std::vector<Body<double>> bodies;
+  int q = 0, v = 0;
+  for (const std::vector<double>& one : stated) {
+    BodyNumbers numbers{one};
+    Body<double>& body = bodies.emplace_back();
+    body.joint = static_cast<JointType>(static_cast<int>(numbers.next()));
+    body.parent = static_cast<int>(numbers.next());
+    body.pitch = numbers.next();
+    body.placement.R = numbers.matrix();
+    body.placement.p = numbers.vector();
+    body.inertia.mass = numbers.next();
+    body.inertia.first_moment = numbers.vector();
+    body.inertia.inertia = numbers.symmetric();
+    body.second_moment = numbers.symmetric();
+    body.R_WB = numbers.matrix();
+    body.q = q;
+    body.v = v;
+    q += position_size(body.joint);
+    v += velocity_size(body.joint);
+  }
+  std::vector<CoordinateMode> modes;
+  for (const bool is : prescribed) modes.push_back(is ? CoordinateMode::prescribed : CoordinateMode::free);
+  return new EngineModel(Model<double>(std::move(bodies), names, std::move(modes), vector(gravity)));
+}
+
 }  // namespace
 
 void bind_model(nb::module_& module) {
@@ -70,6 +117,8 @@ void bind_model(nb::module_& module) {
       .def(
           "build", [](const ModelBuilder<double>& builder) { return new EngineModel(builder.build()); },
           nb::rv_policy::take_ownership);
+  module.def("model_of_tree", &model_of_tree, "names"_a, "bodies"_a, "prescribed"_a, "gravity"_a,
+             nb::rv_policy::take_ownership);
   nb::class_<EngineModel>(module, "EngineModel")
       .def_prop_ro("names", [](const EngineModel& model) { return model.numbers.names(); })
       .def_prop_ro("parents",
@@ -89,6 +138,13 @@ void bind_model(nb::module_& module) {
                      std::vector<int> places;
                      for (const Body<double>& body : model.numbers.bodies()) places.push_back(body.v);
                      return places;
+                   })
+      .def_prop_ro("prescribed",
+                   [](const EngineModel& model) {
+                     std::vector<bool> prescribed;
+                     for (const CoordinateMode mode : model.numbers.modes())
+                       prescribed.push_back(mode != CoordinateMode::free);
+                     return prescribed;
                    })
       .def_prop_ro("nq", [](const EngineModel& model) { return model.numbers.position_size(); })
       .def_prop_ro("nv", [](const EngineModel& model) { return model.numbers.velocity_size(); })

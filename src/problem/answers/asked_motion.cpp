@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
 #include "poinsot/engine/work/budget.h"
 #include "problem/course/course.h"
 #include "problem/language/diagnostic.h"
@@ -41,6 +42,20 @@ std::vector<std::string> coordinates_of(Course& course) {
   for (const NamedCoordinate& coordinate : course.instant_at(0).machine().coordinates)
     if (!coordinate.name.empty()) names.push_back(coordinate.name);
   return names;
+}
+
+// The names of what acts beside weights and what joints carry.
+std::vector<std::string> others_of(const Mechanism<double>& mechanism) {
+  std::vector<std::string> others;
+  const auto add = [&others](const Action& action) {
+    if (std::ranges::find(others, action.name) == others.end()) others.push_back(action.name);
+  };
+  for (const Action& action : mechanism.actions)
+    if (has_law(action.kind)) add(action);
+  for (const Drive<double>& drive : mechanism.drives)
+    if (drive.feeds() || drive.drains() || drive.stores())
+      add(mechanism.actions[static_cast<std::size_t>(drive.action)]);
+  return others;
 }
 
 }  // namespace
@@ -152,6 +167,23 @@ AskedMotion::~AskedMotion() = default;
 
 std::vector<std::string> AskedMotion::coordinate_names() {
   return answered([&] { return coordinates_of(parts_->followed(0)); });
+}
+
+TreeAtStart AskedMotion::start() {
+  return answered([&] {
+    const SolvedInstant& instant = parts_->followed(0).instant_at(0);
+    const Machine& machine = instant.machine();
+    if (!machine.mechanism.constraints.empty())
+      throw UnansweredRecord(parts_->statement.file + ": the bodies are no tree of joints alone, there is " +
+                             machine.mechanism.constraints.front().words);
+    // Whose coordinates are held is known to the equations of motion.
+    const MechanismDynamics dynamics(machine.mechanism);
+    const MotionState state = instant.state();
+    TreeAtStart start{dynamics.mechanism().tree, {state.q, state.v}, machine.mechanism.coordinate_names, {}, {}};
+    for (int body = 0; body < start.tree.body_count(); ++body) start.origins.push_back(machine.drawn_origin.at(body));
+    start.others = others_of(machine.mechanism);
+    return start;
+  });
 }
 
 AskedValues AskedMotion::values(const std::vector<double>& times, const std::vector<std::string>& texts,

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "poinsot/engine/model/state.h"
 #include "problem/answers/motion_columns.h"
 #include "problem/entries/statement.h"
 
@@ -30,6 +31,15 @@ struct AskedValues {
   std::vector<std::string> notes;
 };
 
+// The bodies where the motion begins; what each part is says MotionStart (poinsot/problem.h).
+struct TreeAtStart {
+  Model<double> tree;
+  State<double> state;
+  std::vector<std::string> coordinates;
+  std::vector<Vector3<double>> origins;
+  std::vector<std::string> others;
+};
+
 class AskedMotion {
  public:
   // Finds the unknowns. `sets` are those of solve_statement. Throws StatementError if the file or a setting is wrong,
@@ -38,6 +48,8 @@ class AskedMotion {
   ~AskedMotion();
 
   std::vector<std::string> coordinate_names();
+  // Throws UnansweredRecord if more than the joints of a tree hold the bodies.
+  TreeAtStart start();
   // The values of quantities, as a file would ask for them, at times in any order (s). Throws StatementError if a
   // quantity or a time is wrong, UnansweredRecord if it has no answer or fails a check. Afterwards, and after the end
   // of a budget, the motion can be asked again.
