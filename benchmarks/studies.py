@@ -5,7 +5,6 @@ Of items with an unknown that has no formula the equations of the instant are ev
 Times are those of the processor, for one thread, the least of three runs; the scaling is by the clock.
 """
 
-import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -35,7 +34,8 @@ def least(run: Callable[[], object], times: int = 3) -> float:
 
 def compiled(problem: poinsot.Problem, names: list[str], formulas: bool) -> _core.Cases:
     first = [problem._core.value_in_si(name, problem.data[name]) for name in names]
-    cases: _core.Cases = problem._core.cases(_core.CaseQuestions(names, [], [], first, formulas), None, None)[0]
+    cases = problem._core.cases(_core.CaseQuestions(names, [], [], first, formulas), None, None)[0]
+    assert cases is not None
     return cases
 
 
@@ -114,4 +114,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

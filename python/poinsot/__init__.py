@@ -5,6 +5,9 @@
     result["T"].value, result["T"].unit
 """
 
+from typing import TYPE_CHECKING as _TYPE_CHECKING
+from typing import Any as _Any
+
 from ._core import answer_schema, language_help, language_words, problem_schema
 from ._core import version as __version__
 
@@ -24,8 +27,21 @@ from .errors import (
 from .motion import Motion, MotionValues
 from .notebook import Page, Picture
 from .problem import Problem, Recording
-from .quantities import si_unit
+from .quantities import in_unit, si_unit
 from .studies import Study, StudyError, normal, span, study, tolerance, uniform
+
+if _TYPE_CHECKING:
+    from . import engine as engine
+
+
+def __getattr__(name: str) -> _Any:
+    # Loaded when it is wanted first.
+    if name == "engine":
+        import importlib
+
+        return importlib.import_module(".engine", __name__)
+    raise AttributeError(f"module 'poinsot' has no attribute '{name}'")
+
 
 __all__ = [
     "Answer",
@@ -53,6 +69,7 @@ __all__ = [
     "Unknown",
     "__version__",
     "answer_schema",
+    "in_unit",
     "language_help",
     "language_words",
     "normal",

@@ -29,6 +29,10 @@ def _plain(value: Any) -> Any:
         return value
 
 
+def _written(formula: Any) -> str:
+    return f"({', '.join(map(_written, formula))})" if isinstance(formula, list) else str(formula)
+
+
 def _each(function: Any, formula: Any) -> Any:
     return [_each(function, one) for one in formula] if isinstance(formula, list) else function(formula)
 
@@ -73,7 +77,9 @@ class Found:
         return _plain(value)
 
     def _why(self) -> str:
-        return f" while letters are open: it is {self.formula}" if self.formula is not None else ""
+        if self.formula is None:
+            return ""
+        return f" while letters are open: it is {_written(self.formula)}; give them values, as solve(m='2 kg'), or take .formula"
 
     @property
     def value(self) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import sys
 from collections.abc import Callable
 from typing import Any, TypeAlias
@@ -43,7 +44,11 @@ def listener(progress: Progress) -> Any:
     if progress is False or (progress is None and not (_in_notebook() or sys.stderr.isatty())):
         return None
     try:
-        from tqdm.auto import tqdm
+        # The bar of notebooks is one of ipywidgets; without these tqdm would warn at each first call.
+        if _in_notebook() and importlib.util.find_spec("ipywidgets"):
+            from tqdm.notebook import tqdm
+        else:
+            from tqdm import tqdm
     except ImportError:
         if progress:
             raise ImportError("progress=True shows a bar of tqdm, which is not installed: pip install tqdm") from None

@@ -32,20 +32,29 @@ class Recording:
 class Problem:
     """A problem file that was read and checked. It does not change, and threads may share it."""
 
-    def __init__(self, core: _core.Problem, text: str) -> None:
+    def __init__(self, core: _core.Problem, text: str = "") -> None:
+        if not isinstance(core, _core.Problem):
+            raise TypeError("a problem is read by Problem.from_file(path) or Problem.from_text(text)")
         self._core = core
         self.text = text
         # The SI units of what can be given; None where the file does not tell.
         self._units: dict[str, str | None] = {}
+        # What is known to be a single number.
+        self._numbers: set[str] = set()
         for situation in core.situations:
             for datum in situation.data:
                 # A datum that is stated as a formula or a vector has no unit of its own.
                 known = datum.unit or _is_number(datum.text)
                 self._units[datum.name] = quantities.si_unit(datum.unit) if known else None
+                if known:
+                    self._numbers.add(datum.name)
             for letter in situation.letters:
                 self._units[letter.name] = quantities.si_unit(letter.unit)
+                self._numbers.add(letter.name)
             for unknown in situation.unknowns:
                 self._units[unknown.name] = quantities.si_unit(unknown.unit)
+                if not unknown.vector:
+                    self._numbers.add(unknown.name)
 
     @classmethod
     def from_text(cls, text: str, name: str = "problem") -> Problem:

@@ -6,6 +6,9 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+import numpy as np
+import numpy.typing as npt
+
 from . import _core
 
 if TYPE_CHECKING:
@@ -34,6 +37,11 @@ def _of_pint(quantity: Any, name: str) -> str:
             raise ValueError(f"{name}: the unit {quantity.units} has a broken power of '{part}'")
         unit += ("*" if unit else "") + _SYMBOLS[part] + (f"^{int(exponent)}" if exponent != 1 else "")
     return f"{_number(base.magnitude, name)} {unit}".strip()
+
+
+def _is_several(value: Value) -> bool:
+    magnitude = getattr(value, "magnitude", value)
+    return not isinstance(magnitude, str) and hasattr(magnitude, "__len__") and getattr(magnitude, "ndim", 1) > 0
 
 
 def text_of(value: Value, unit: str | None, name: str) -> str:
@@ -68,8 +76,20 @@ def settings(problem: Problem, values: Mapping[str, Value]) -> list[tuple[str, s
         # A vector's components may stand alone: w.x has the unit of w.
         # Of a name that the problem does not know it says itself what is wrong.
         unit = problem._units.get(name, problem._units.get(name.split(".")[0], ""))
+        if name in problem._numbers and _is_several(value):
+            raise ValueError(
+                f"{name}: a call takes one value, and these are {len(value)}: "
+                f"ask for all of them at once by poinsot.study(problem, over={{'{name}': values}})"
+            )
         sets.append((name, text_of(value, unit, name)))
     return sets
+
+
+def in_unit(si: npt.ArrayLike, unit: str) -> Any:
+    """Numbers in SI units as numbers of another unit of problem files: in_unit(study["n"], "rpm")."""
+    si_unit(unit)  # says what is wrong with it
+    letter: Any = _core.Problem.from_text(f"letters: {{x: {unit or 1}}}", unit)
+    return np.asarray(si, dtype=float) / letter.value_in_si("x", f"1 {unit}".strip())
 
 
 def si_unit(unit: str) -> str:

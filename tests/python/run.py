@@ -1,15 +1,31 @@
 """run.py tests|notebooks|types PACKAGE: the tests of the Python package that lies below the folder PACKAGE."""
 
+import json
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 subject, package = sys.argv[1:]
 environment = os.environ | {"PYTHONPATH": package, "MYPYPATH": package, "PYTHONDONTWRITEBYTECODE": "1"}
 scratch = os.path.join(package, "scratch")
+
+
+def notebook_code() -> list[str]:
+    """The code of the notebooks, each as a file."""
+    folder = Path(scratch, "notebooks")
+    folder.mkdir(parents=True, exist_ok=True)
+    for notebook in Path("examples/notebooks").glob("*.ipynb"):
+        cells = json.loads(notebook.read_text())["cells"]
+        code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+        (folder / f"{notebook.stem}.py").write_text("\n\n".join(code) + "\n")
+    return [str(path) for path in sorted(folder.glob("*.py"))]
+
+
+benchmarks = ["benchmarks/studies.py", "benchmarks/python_engine.py"]
 calls = {
     "tests": ["pytest", "-q", "-p", "no:cacheprovider", "tests/python", "--ignore=tests/python/test_notebooks.py"],
     "notebooks": ["pytest", "-q", "-p", "no:cacheprovider", "tests/python/test_notebooks.py"],
-    "types": ["mypy", "--cache-dir", os.path.join(scratch, "mypy"), "python/poinsot", "tests/python"],
+    "types": ["mypy", "--cache-dir", os.path.join(scratch, "mypy"), "python/poinsot", "tests/python", *benchmarks, *notebook_code()],
 }
 raise SystemExit(subprocess.run([sys.executable, "-m", *calls[subject]], env=environment, check=False).returncode)

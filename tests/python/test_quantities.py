@@ -61,3 +61,23 @@ ask: {m: mass(b)}
     with pytest.raises(ValueError, match="I: .*text with unit"):
         problem.solve(I=3)
     assert problem.solve(I="3 kg*m^2")["m"].value == 2
+
+
+def test_many_values_for_a_number_are_a_study(askew: poinsot.Problem) -> None:
+    for many in ([1.0, 2.0], np.linspace(1, 2, 3), ("1 rpm", "2 rpm", "3 rpm")):
+        with pytest.raises(ValueError, match=r"n: a call takes one value.*poinsot.study\(problem, over="):
+            askew.solve(n=many)
+    assert askew.solve(n=np.float64(100.0)).solution is not None
+
+
+def test_problems_are_read_by_their_own_functions() -> None:
+    with pytest.raises(TypeError, match="from_file"):
+        poinsot.Problem("askew.yaml")  # type: ignore[arg-type]
+
+
+def test_numbers_in_other_units() -> None:
+    np.testing.assert_allclose(poinsot.in_unit([0.0, 2 * np.pi], "rpm"), [0, 60], rtol=1e-15)
+    assert poinsot.in_unit(4.4482216152605, "lb") == pytest.approx(1, rel=1e-12)
+    assert poinsot.in_unit(3.0, "") == 3
+    with pytest.raises(ValueError, match="furlong"):
+        poinsot.in_unit(1.0, "furlong/s")

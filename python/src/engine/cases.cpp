@@ -1,34 +1,40 @@
 #include "engine/cases.h"
 
-#include <cstring>
+#include <array>
+
+#include "engine/bindings.h"
+
+// Only this file speaks to NumPy, with what all its versions from 1.24 on understand.
+#define NPY_NO_DEPRECATED_API NPY_1_24_API_VERSION
+#define NPY_TARGET_VERSION NPY_1_24_API_VERSION
+#include <numpy/arrayobject.h>
 
 namespace nb = nanobind;
 
 namespace poinsot::python {
 namespace {
 
-// A function of NumPy. It is never let go: it would outlive the interpreter.
-nb::handle numpy_function(const char* name) { return nb::object(nb::module_::import_("numpy").attr(name)).release(); }
+PyArrayObject* as_array(nb::handle object) { return reinterpret_cast<PyArrayObject*>(object.ptr()); }
+
+bool is_of_doubles(nb::handle object) {
+  return PyArray_Check(object.ptr()) && PyArray_TYPE(as_array(object)) == NPY_DOUBLE &&
+         PyArray_ISCARRAY_RO(as_array(object));
+}
 
 }  // namespace
 
-CaseArray::CaseArray(nb::handle array) {
-  if (read(array)) return;
-  static const nb::handle ascontiguousarray = numpy_function("ascontiguousarray");
-  const nb::object doubles = ascontiguousarray(array, nb::str("f8"));
-  if (!read(doubles)) throw nb::type_error("expected an array of numbers");
+void load_numpy() {
+  if (_import_array() < 0) throw nb::python_error();
 }
 
-// Whether it is an array of doubles in C's order; then the view holds it.
-bool CaseArray::read(nb::handle array) {
-  if (PyObject_GetBuffer(array.ptr(), &view_, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT) != 0) {
-    PyErr_Clear();
-    view_.obj = nullptr;
-    return false;
+CaseArray::CaseArray(nb::handle array) : array_(nb::borrow(array)) {
+  if (!is_of_doubles(array)) {
+    array_ = nb::steal(PyArray_FROM_OTF(array.ptr(), NPY_DOUBLE, NPY_ARRAY_CARRAY_RO));
+    if (!array_.is_valid()) throw nb::python_error();
   }
-  if (view_.format != nullptr && std::strcmp(view_.format, "d") == 0) return true;
-  PyBuffer_Release(&view_);
-  return false;
+  ndim_ = static_cast<std::size_t>(PyArray_NDIM(as_array(array_)));
+  shape_ = PyArray_DIMS(as_array(array_));
+  data_ = static_cast<const double*>(PyArray_DATA(as_array(array_)));
 }
 
 CaseShape case_shape(CaseInputs inputs) {
@@ -55,17 +61,13 @@ CaseShape case_shape(CaseInputs inputs) {
 }
 
 ResultArray new_result(const std::vector<std::size_t>& shape, const CaseShape& cases) {
-  static const nb::handle empty = numpy_function("empty");
-  nb::list sizes;
-  for (const std::size_t size : shape) sizes.append(size);
-  if (!cases.single) sizes.append(cases.count);
-  ResultArray result{{nb::object(empty(nb::tuple(sizes)))}, nullptr};
-  Py_buffer view;
-  if (PyObject_GetBuffer(result.array.object.ptr(), &view, PyBUF_WRITABLE | PyBUF_C_CONTIGUOUS) != 0)
-    throw nb::python_error();
-  // The array holds its memory as long as it lives, whoever looks at it.
-  result.data = static_cast<double*>(view.buf);
-  PyBuffer_Release(&view);
+  std::array<npy_intp, 4> sizes{};
+  std::size_t count = 0;
+  for (const std::size_t size : shape) sizes.at(count++) = static_cast<npy_intp>(size);
+  if (!cases.single) sizes.at(count++) = static_cast<npy_intp>(cases.count);
+  ResultArray result{{nb::steal(PyArray_SimpleNew(static_cast<int>(count), sizes.data(), NPY_DOUBLE))}, nullptr};
+  if (!result.array.object.is_valid()) throw nb::python_error();
+  result.data = static_cast<double*>(PyArray_DATA(as_array(result.array.object)));
   return result;
 }
 

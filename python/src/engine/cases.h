@@ -72,18 +72,16 @@ struct NumpyArray {
 class CaseArray {
  public:
   explicit CaseArray(nanobind::handle array);
-  CaseArray(const CaseArray&) = delete;
-  CaseArray& operator=(const CaseArray&) = delete;
-  ~CaseArray() { PyBuffer_Release(&view_); }
 
-  std::size_t ndim() const { return static_cast<std::size_t>(view_.ndim); }
-  std::size_t shape(std::size_t i) const { return static_cast<std::size_t>(view_.shape[i]); }
-  const double* data() const { return static_cast<const double*>(view_.buf); }
+  std::size_t ndim() const { return ndim_; }
+  std::size_t shape(std::size_t i) const { return static_cast<std::size_t>(shape_[i]); }
+  const double* data() const { return data_; }
 
  private:
-  bool read(nanobind::handle array);
-
-  Py_buffer view_{};
+  nanobind::object array_;
+  std::size_t ndim_ = 0;
+  const Py_ssize_t* shape_ = nullptr;
+  const double* data_ = nullptr;
 };
 
 struct CaseInput {
