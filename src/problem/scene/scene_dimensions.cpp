@@ -56,11 +56,11 @@ class Dimensions {
       text_.clear();
       for (const Expression* coefficient : {&contact.friction->resting, &contact.friction->sliding}) {
         if (coefficient == &contact.friction->sliding && !contact.friction->falls()) continue;
-        const std::string symbol = !contact.friction->falls()                  ? "mu"
+        const std::string letter = !contact.friction->falls()                  ? "mu"
                                    : coefficient == &contact.friction->resting ? "mu_s"
                                                                                : "mu_k";
         name += (name.empty() ? "" : ", ") + to_string(*coefficient);
-        text_ += (text_.empty() ? "" : ", ") + coefficient_text(*coefficient, symbol);
+        text_ += (text_.empty() ? "" : ", ") + coefficient_text(*coefficient, letter);
       }
       put(name, symbol->place, symbol->place);
     }

@@ -209,7 +209,7 @@ TEST(Surfaces, particles_that_slide_along_a_line_are_seen_from_the_side) {
       const auto seen = [&] { return chosen_view(scene, {0}, {}, shown_poses(scene)).viewer; };
       EXPECT_LT(norm(cross(seen(), Vector{0, 0, 1})), 1e-9);
       scene.links = {
-          {.kind = scene::LinkKind::spring, .name = "spring", .from = {scene::ground, -2 * way}, .to = {0, {}}}};
+          {.kind = scene::LinkKind::spring, .name = "spring", .from = {scene::ground, -2.0 * way}, .to = {0, {}}}};
       EXPECT_LT(norm(cross(seen(), Vector{0, 0, 1})), 1e-9);
       // A spring that pulls across makes it no problem of a plane, nor does a joint that turns.
       scene.links[0].from.at = {-1, 0.3, 1};
