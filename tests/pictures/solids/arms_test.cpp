@@ -76,7 +76,7 @@ TEST(Arms, from_a_listed_support_an_arm_runs_along_the_axis_first) {
     scene::Scene scene;
     scene.length = 3;
     scene.bodies = {{.name = "arm", .massless = true},
-                    {.name = "disk", .mass = 1, .shapes = {cylinder_shape(0.5, -0.1, 0.1)}}};
+                    {.name = "disk", .mass = 1, .shapes = {cylinder_shape(0.5, -0.01, 0.01)}}};
     scene.bodies[1].pose.p = {2, 1, 0};
     scene.symbols = {
         {.kind = kind, .name = "A", .to = 0, .place = {0, {}}, .axis = {0, 1, 0}},
