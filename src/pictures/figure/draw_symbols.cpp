@@ -272,22 +272,10 @@ std::optional<double> sleeve_on_ground(const Panel& panel, const scene::Symbol& 
   if (symbol.from >= 0) return std::nullopt;
   const bool has_axis = norm(axis) > 0;
   const bool end_on = is_seen_end_on(panel, has_axis ? axis : panel.scene.up);
-  switch (symbol.kind) {
-    case SymbolKind::revolute:
-    case SymbolKind::hinge:
-    case SymbolKind::clevis:
-    case SymbolKind::fork:
-    case SymbolKind::journal:
-    case SymbolKind::thrust:
-    case SymbolKind::listed_support:
-      return has_axis && !end_on ? std::optional(5.0) : std::nullopt;
-    case SymbolKind::cylindrical:
-      return 6;
-    case SymbolKind::screw:
-      return 5;
-    default:
-      return std::nullopt;
-  }
+  if (symbol.kind == SymbolKind::cylindrical) return 6;
+  if (symbol.kind == SymbolKind::screw) return 5;
+  const bool has_sleeve = turns_about_axis(symbol) || symbol.kind == SymbolKind::listed_support;
+  return has_sleeve && has_axis && !end_on ? std::optional(5.0) : std::nullopt;
 }
 
 // Its bracket, where it belongs to a layer: what stands before a body may be held behind it.

@@ -111,18 +111,9 @@ const Gimbal* ring_of_bearings(const scene::Scene& scene, const scene::Symbol& s
 }  // namespace
 
 bool turns_about_axis(const scene::Symbol& symbol) {
-  using scene::SymbolKind;
-  switch (symbol.kind) {
-    case SymbolKind::revolute:
-    case SymbolKind::hinge:
-    case SymbolKind::clevis:
-    case SymbolKind::fork:
-    case SymbolKind::journal:
-    case SymbolKind::thrust:
-      return norm(symbol.axis) > 0;
-    default:
-      return false;
-  }
+  using enum scene::SymbolKind;
+  const auto bearings = {revolute, hinge, clevis, fork, journal, thrust};
+  return norm(symbol.axis) > 0 && std::ranges::find(bearings, symbol.kind) != bearings.end();
 }
 
 std::vector<std::optional<Gimbal>> gimbals_of(const scene::Scene& scene, const std::vector<scene::Pose>& poses) {

@@ -7,11 +7,11 @@
 #include "problem/answers/friction_refusals.h"
 #include "problem/answers/letter_draws.h"
 #include "problem/answers/untold_states.h"
+#include "problem/instant/contact_state_search.h"
+#include "problem/instant/contact_state_words.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression.h"
 #include "problem/language/words.h"
-#include "problem/instant/contact_state_search.h"
-#include "problem/instant/contact_state_words.h"
 #include "problem/unknowns/extremum.h"
 #include "problem/unknowns/sample.h"
 

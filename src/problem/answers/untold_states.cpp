@@ -6,10 +6,10 @@
 
 #include "problem/answers/letter_draws.h"
 #include "problem/entries/drawn_letters.h"
-#include "problem/language/diagnostic.h"
-#include "problem/language/words.h"
 #include "problem/instant/contact_state_search.h"
 #include "problem/instant/contact_state_words.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {

@@ -23,7 +23,9 @@ class NoFormula : public std::runtime_error {
 // A scalar that records what is computed on motions whose values are not known; its constants have a scalar of their
 // own.
 template <class Scalar>
-concept Recording = requires { typename Scalar::Constant; };
+concept Recording = requires {
+  typename Scalar::Constant;
+};
 
 // Whether a scalar is exact: formulas and duals of them.
 template <class Scalar>

@@ -52,7 +52,8 @@ template <class Scalar>
 std::vector<BodyMassOf<Scalar>> body_masses(const Situation& situation, DataScope<Scalar>& data, const AnyValue& any,
                                             const MachineOptions& options) {
   std::vector<BodyMassOf<Scalar>> masses;
-  for (const Body& body : situation.bodies) masses.push_back(body_mass(body, data, any, options.lenient, options.particles));
+  for (const Body& body : situation.bodies)
+    masses.push_back(body_mass(body, data, any, options.lenient, options.particles));
   return masses;
 }
 

@@ -74,31 +74,22 @@ void SceneFigure::add_symbols() {
       scene_.symbols.push_back(symbol);
     }
   }
-  for (const Contact& contact : situation_.contacts) {
+  // Where bodies touch. The normal is on the axes of what they touch.
+  const auto add_touching = [&](SymbolKind kind, const auto& touching, const auto& normal) {
     scene::Symbol symbol;
-    symbol.kind = contact.no_slip || contact.grip == Grip::sticks ? SymbolKind::rolling_contact : SymbolKind::contact;
-    symbol.name = contact.name;
-    const int of = machine_.index.at(contact.of), against = machine_.index.at(contact.against);
+    symbol.kind = kind;
+    symbol.name = touching.name;
+    const int of = machine_.index.at(touching.of), against = machine_.index.at(touching.against);
     symbol.from = scene_body(against);
     symbol.to = scene_body(of);
-    symbol.place = scene_place(machine_.place(of, data_.place(contact.at)));
-    const Vector3<double> normal = state_.on_ground_axes(against, data_.direction(contact.normal));
-    symbol.axis = transpose_times(pose_of(of, state_).R, normal);
+    symbol.place = scene_place(machine_.place(of, data_.place(touching.at)));
+    symbol.axis = transpose_times(pose_of(of, state_).R, state_.on_ground_axes(against, data_.direction(normal)));
     scene_.symbols.push_back(symbol);
-  }
-  // What a body hits.
-  for (const Impact& impact : situation_.impacts) {
-    scene::Symbol symbol;
-    symbol.kind = SymbolKind::contact;
-    symbol.name = impact.name;
-    const int of = machine_.index.at(impact.of), against = machine_.index.at(impact.against);
-    symbol.from = scene_body(against);
-    symbol.to = scene_body(of);
-    symbol.place = scene_place(machine_.place(of, data_.place(impact.at)));
-    const Vector3<double> normal = state_.on_ground_axes(against, data_.direction(impact.pushes));
-    symbol.axis = transpose_times(pose_of(of, state_).R, normal);
-    scene_.symbols.push_back(symbol);
-  }
+  };
+  for (const Contact& contact : situation_.contacts)
+    add_touching(contact.no_slip || contact.grip == Grip::sticks ? SymbolKind::rolling_contact : SymbolKind::contact,
+                 contact, contact.normal);
+  for (const Impact& impact : situation_.impacts) add_touching(SymbolKind::contact, impact, impact.pushes);
 }
 
 void SceneFigure::stand_hinges_at_bodies() {

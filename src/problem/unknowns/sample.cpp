@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <set>
 
+#include "problem/instant/contact_state_search.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/quantities/asks_model.h"
-#include "problem/instant/contact_state_search.h"
 
 namespace poinsot::problem {
 
