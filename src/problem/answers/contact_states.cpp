@@ -184,7 +184,8 @@ class ContactStates {
         } catch (const StatementError&) {
           continue;  // It depends on an unknown.
         }
-        constexpr double rounding = 1e-9;
+        constexpr double rounding =
+            1e-9;  // of directions that data tell: which lie across the normal, and which are one
         if (std::abs(dot(d, n)) > rounding ||
             std::ranges::any_of(known, [&](const Vector3<double>& other) { return norm(other - d) < rounding; }))
           continue;

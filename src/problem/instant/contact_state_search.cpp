@@ -18,8 +18,11 @@ namespace poinsot::problem {
 namespace {
 
 constexpr std::size_t most_combinations = 20000;  // a few seconds of solving, for statements of the usual size
-// A slip below this part of what moves beside it is none; and so far from a line is on it.
+// A slip below this part of what moves beside it is none: equations of a few dozen terms leave less.
 constexpr double none_beside = 1e-9;
+// The sine between a slip and its line: more than the rounding of the two beside each other, far less than a force
+// across the line would turn it by.
+constexpr double on_line = 1e-8;
 // Directions that differ by less are one: what Newton's method leaves of a direction that was sought.
 constexpr double one_direction = 1e-7;
 
@@ -263,7 +266,7 @@ class StateSearch {
       for (std::size_t i = 0; i < starting.size(); ++i) put(i, (sense >> i & 1 ? -1.0 : 1.0) * lines[i]);
       const std::vector<Vector3<double>> slip = solve(states).slip;
       for (std::size_t i = 0; i < starting.size(); ++i)
-        on_lines = on_lines && norm(cross(slip[starting[i]], lines[i])) <= 1e-8 * norm(slip[starting[i]]);
+        on_lines = on_lines && norm(cross(slip[starting[i]], lines[i])) <= on_line * norm(slip[starting[i]]);
       keep_if_held(states);
     }
     if (on_lines && !(norm(free[starting.front()]) > 0 && starting.size() == 1 && !lines_only_)) return;
@@ -298,10 +301,12 @@ class StateSearch {
   // A single contact: all directions around, and where the sine changes its sign.
   void turn_around(States states, std::size_t k) {
     constexpr int steps = 36, most_refinements = 60;
+    constexpr double exactly = 1e-15;  // of an angle and of a sine: their last place
     const auto sine = [&](double angle) {
       states[k] = state(k, Grip::slides, at_angle(k, angle));
       return turned(states, {k}).front();
     };
+    // The first is no multiple of a step, so that no direction along an axis is hit by chance.
     const double step = 2 * std::numbers::pi / steps, first = 0.123456789 * step;
     double before = sine(first);
     for (int i = 1; i <= steps; ++i) {
@@ -309,7 +314,7 @@ class StateSearch {
       before = at_high;
       if ((at_low > 0) == (at_high > 0) || !forward_) continue;
       // Regula falsi, with the half of a value that stays (the Illinois method).
-      for (int n = 0; n < most_refinements && high - low > 1e-15 && at_high != 0; ++n) {
+      for (int n = 0; n < most_refinements && high - low > exactly && at_high != 0; ++n) {
         const double between = low + (high - low) * at_low / (at_low - at_high), here = sine(between);
         if (!(between > low && between < high)) break;
         if ((here > 0) == (at_low > 0)) {
@@ -317,7 +322,7 @@ class StateSearch {
         } else {
           high = between, at_high = here, at_low /= 2;
         }
-        if (std::abs(here) < 1e-15) break;
+        if (std::abs(here) < exactly) break;
       }
       sine(high);
       keep_if_held(states);
@@ -341,15 +346,17 @@ class StateSearch {
         const Vector3<double> d = (i == turned_round ? -1.0 : 1.0) * lines[i], u = across(k);
         angles.push_back(std::atan2(dot(d, cross(normals_[k], u)), dot(d, u)));
       }
-      constexpr int most_steps = 12;  // by then it has come near or wanders
+      constexpr int most_steps = 12;   // by then it has come near or wanders
+      constexpr double close = 1e-13;  // of a sine: what is left of it when a step no longer makes it smaller
+      constexpr double aside = 1e-6;   // radians, for slopes good to six digits
+      constexpr double longest = 0.5;  // radians: farther than that slopes say little
       for (int iteration = 0; iteration < most_steps; ++iteration) {
         const std::vector<double> here = take(angles);
         const auto n = static_cast<Eigen::Index>(count);
         Eigen::VectorXd off(n);
         Eigen::MatrixXd J(n, n);
         for (Eigen::Index i = 0; i < n; ++i) off[i] = here[static_cast<std::size_t>(i)];
-        if (off.cwiseAbs().maxCoeff() < 1e-13) break;
-        constexpr double aside = 1e-6;
+        if (off.cwiseAbs().maxCoeff() < close) break;
         for (Eigen::Index j = 0; j < n; ++j) {
           std::vector<double> moved = angles;
           moved[static_cast<std::size_t>(j)] += aside;
@@ -358,7 +365,6 @@ class StateSearch {
             J(i, j) = (there[static_cast<std::size_t>(i)] - here[static_cast<std::size_t>(i)]) / aside;
         }
         Eigen::VectorXd change = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(J).solve(off);
-        constexpr double longest = 0.5;  // radians
         if (const double largest = change.cwiseAbs().maxCoeff(); largest > longest) change *= longest / largest;
         for (std::size_t i = 0; i < count; ++i) angles[i] -= change[static_cast<Eigen::Index>(i)];
       }

@@ -224,7 +224,8 @@ void keep_sticking(const std::vector<double>& from, const std::vector<FrictionCo
   double part = 1;
   for (const FrictionCone& cone : cones) {
     if (margin(cone, 1) >= 0 || margin(cone, 0) < 0) continue;
-    // The margin is concave on the way, so it vanishes once.
+    // The margin is concave on the way, so it vanishes once. Half the way to there is gone, clear of the limit: where
+    // exactly it lies does not matter.
     double inside = 0, outside = 1;
     while (outside - inside > 1e-3 * outside && outside > 1e-12)
       (margin(cone, (inside + outside) / 2) >= 0 ? inside : outside) = (inside + outside) / 2;

@@ -172,11 +172,10 @@ class MotionScope : public Scope<Recorded<Scalar>> {
                    hint.empty() ? "known: " + joined(known) : hint);
   }
   const BodyMassOf<Scalar>& mass_properties(const Expression& expression, const Evaluator<Number>& evaluator) const {
-    const int body = body_of(expression, evaluator);
+    body_of(expression, evaluator);  // which refuses what is no body
     const std::string name = to_string(expression);
     if (std::ranges::none_of(situation_.bodies, [&](const Body& one) { return one.name == name; }))
       evaluator.fail(expression.mark(), "'" + name + "' has no mass center", "say which point is meant: A of " + name);
-    (void)body;
     const BodyMassOf<Scalar>& mass = draft_.masses[draft_.body_number(name)];
     if (!(plain(mass.properties.mass) > 0))
       evaluator.fail(expression.mark(), "'" + name + "' is massless: it has no mass center",
