@@ -2,14 +2,17 @@
 
 Of items with an unknown that has no formula the equations of the instant are evaluated, with Newton's method.
 
-Times are those of the processor, for one thread, the least of three runs; the scaling is by the clock.
+Times are those of the processor, for one thread, the least of three runs; the scaling, over threads and over workers of Dask,
+is by the clock.
 """
 
+import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import distributed
 import numpy as np
 import sympy
 
@@ -21,6 +24,8 @@ ITEMS = ("18.005", "18.011", "18.024", "18.045", "18.062")
 # With an unknown.
 SOUGHT = ("18.011", "18.088", "18.113", "18.155", "18.157")
 ROWS = 1_000_000
+# For scaling.
+SCALED = 2_000_000
 
 
 def least(run: Callable[[], object], times: int = 3) -> float:
@@ -109,8 +114,34 @@ def main() -> None:
     over = {"W": poinsot.normal("10 lb", "0.1 lb"), "r": poinsot.uniform("5 in", "7 in")}
     for threads in (1, 2, 4):
         begin = time.perf_counter()
-        study = poinsot.study(problem, over, rows=2_000_000, formulas=False, shard_rows=50_000, threads=threads)
-        print(f"{threads} threads: {study.counts.rows / (time.perf_counter() - begin):9.2e} rows a second by instants")
+        study = poinsot.study(problem, over, rows=SCALED, formulas=False, shard_rows=50_000, threads=threads)
+        print(f"{threads} threads: {study.counts.rows / (time.perf_counter() - begin):9.2e} rows a second by instants", flush=True)
+
+    # Their rows go to files, which threads of this process did not write above.
+    for workers in (0, 1, 2):
+        with tempfile.TemporaryDirectory() as folder:
+            spent = on_workers(problem, over, Path(folder) / "rows", workers)
+        who = f"{workers} workers of Dask" if workers else "1 thread, with files"
+        print(f"{who}: {SCALED / spent:9.2e} rows a second by instants", flush=True)
+
+
+def on_workers(problem: poinsot.Problem, over: dict[str, Any], folder: Path, workers: int) -> float:
+    """The time by the clock, s."""
+
+    def run(where: Path, rows: int, client: Any) -> float:
+        begin = time.perf_counter()
+        poinsot.study(problem, over, rows=rows, formulas=False, shard_rows=50_000, threads=1, out=where, client=client)
+        return time.perf_counter() - begin
+
+    if workers == 0:
+        return run(folder, SCALED, None)
+    with (
+        distributed.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        # A first study lets each worker load the package.
+        run(folder.with_name("first"), 50_000 * workers, client)
+        return run(folder, SCALED, client)
 
 
 if __name__ == "__main__":

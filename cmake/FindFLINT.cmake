@@ -8,7 +8,8 @@ mark_as_advanced(FLINT_INCLUDE_DIR FLINT_ARB_INCLUDE_DIR FLINT_LIBRARY FLINT_ARB
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(FLINT REQUIRED_VARS FLINT_LIBRARY FLINT_ARB_LIBRARY GMP_LIBRARY FLINT_INCLUDE_DIR
-                                                      FLINT_ARB_INCLUDE_DIR)
+                                                      FLINT_ARB_INCLUDE_DIR
+                                  REASON_FAILURE_MESSAGE "Debian's packages are libflint-dev and libflint-arb-dev")
 if(FLINT_FOUND AND NOT TARGET FLINT::FLINT)
   add_library(FLINT::FLINT INTERFACE IMPORTED)
   set_target_properties(FLINT::FLINT PROPERTIES

@@ -160,6 +160,20 @@ class Answer(Found):
         frame.attrs["units"] = {one.name: _core.si_unit_of(one.unit) if si else one.unit for one in columns}
         return frame
 
+    def __getitem__(self, component: str | int) -> Any:
+        """A component of the value, by the name of its axis or by its number."""
+        value = self.value
+        if not isinstance(value, np.ndarray):
+            raise TypeError(f"{self.name} has no components")
+        if isinstance(component, str):
+            if component not in self.axes:
+                raise KeyError(f"{self.name} has no component '{component}': expected {', '.join(self.axes)}")
+            component = self.axes.index(component)
+        return value[component]
+
+    # An index alone does not make a sequence of it.
+    __iter__ = None
+
     @property
     def holds(self) -> bool | None:
         """Whether a claim holds; None for other answers."""

@@ -58,6 +58,8 @@ class Motion:
         texts = [*quantities, *named.values()]
         if not texts:
             names = texts = self.coordinates
+            if not names:
+                raise ValueError("no coordinate of the problem has a name: say which quantities are asked, as 'kinetic_energy(disk)'")
 
         def call(*ends: Any) -> Any:
             return self._core.values(at.tolist(), texts, axes, *ends)

@@ -160,3 +160,8 @@ def test_a_motion_can_be_asked_after_a_deadline(pendulum: poinsot.Problem) -> No
     with pytest.raises(poinsot.TimedOut):
         motion(np.linspace(0, 1000, 100_000), "reaction(pin)", timeout=0.2)
     assert motion(0.0)["theta"] == pytest.approx([np.radians(60)])
+
+
+def test_without_names_of_coordinates_it_is_said_what_to_ask(askew: poinsot.Problem) -> None:
+    with pytest.raises(ValueError, match="say which quantities"):
+        askew.motion()([0, 1])

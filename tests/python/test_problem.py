@@ -152,3 +152,16 @@ def test_schema_and_help() -> None:
     assert poinsot.si_unit("lb*ft") == poinsot.si_unit("N*m")
     with pytest.raises(ValueError, match="rpn"):
         poinsot.si_unit("rpn")
+
+
+def test_components_by_axis_and_number(askew: poinsot.Problem) -> None:
+    answers = askew.solve()
+    B, T = answers["B"], answers["T"]
+    assert B["y"] == B[1] == B.value[1] > 0
+    assert list(np.array(B)) == list(B.value)
+    with pytest.raises(KeyError, match="no component 'q': expected x, y, z"):
+        B["q"]
+    with pytest.raises(TypeError, match="T has no components"):
+        T["x"]
+    with pytest.raises(TypeError, match="not iterable"):
+        list(B)  # type: ignore[call-overload]

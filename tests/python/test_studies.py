@@ -257,3 +257,13 @@ def test_sensitivities_are_differences_of_rows(askew: poinsot.Problem) -> None:
         assert study.units["B.y by n"] == "kg*m/rad/s"
         assert study.counts.refuted == 0
         assert "B.y by b" in study.frame().columns
+
+
+def test_a_vector_is_its_components_side_by_side(askew: poinsot.Problem) -> None:
+    study = poinsot.study(askew, {"n": [1.0, 2.0, 3.0]}, "B", sensitivities=["n"])
+    assert study["B"].shape == (3, 3)
+    np.testing.assert_array_equal(study["B"][:, 1], study["B.y"])
+    with pytest.raises(KeyError, match="no column of the study 'A'"):
+        study["A"]
+    with pytest.raises(TypeError, match="from_file"):
+        poinsot.study("askew.yaml", {"n": [1.0]})  # type: ignore[arg-type]

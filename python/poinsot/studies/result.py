@@ -56,6 +56,10 @@ class Study(Mapping[str, Array]):
         return cls(plan, counts, at, {})
 
     def __getitem__(self, name: str) -> Array:
+        """A column; under the name of a vector alone all of its components, a row of them for each row of the study."""
+        components = [one for one in self.units if one.startswith(f"{name}.") and " by " not in one]
+        if name not in self.units and components:
+            return np.stack([self[one] for one in components], axis=1)
         if name not in self.units:
             ByName(self.units, "column of the study")[name]  # raises, with what there is
         if name not in self._columns:

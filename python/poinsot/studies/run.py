@@ -92,6 +92,10 @@ def _plan(
     sensitivities: Sequence[str],
     shard_rows: int | None,
 ) -> Plan:
+    # The caller may not have the types checked.
+    if not isinstance(problem, Problem):
+        raise TypeError(f"a study asks a Problem, not {problem!r}: Problem.from_file(path) reads one")
+    asks = [asks] if isinstance(asks, str) else list(asks)
     if not over:
         raise ValueError("nothing differs from row to row: name what does by over")
     if both := set(over) & set(sets):
@@ -122,7 +126,7 @@ def _plan(
         problem.text,
         problem.name,
         axes,
-        list(asks),
+        asks,
         [list(one) for one in given],
         rows or 1,
         seed,
