@@ -1,5 +1,7 @@
 """Models of the engine from problem files, and their motion, against what the problems answer and published numbers."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -104,9 +106,38 @@ def test_what_moves_as_stated_is_prescribed() -> None:
     assert kept[1] == pytest.approx(kept[0], rel=1e-9) and abs(v[1]) > 0.1
 
 
+def test_examples_begin_and_go_on_as_they_answer() -> None:
+    """Energies and momenta of every example that is a tree, at the start and, where nothing else acts, a little later."""
+    begun, gone_on, step = 0, 0, 1e-3
+    for path in sorted(Path(__file__).parents[2].glob("examples/[mpt][eu]*/*.yaml")):
+        problem = poinsot.Problem.from_file(path)
+        try:
+            start = engine.from_problem(problem, timeout=5)
+            told = problem.motion(timeout=5)([0, step], T="kinetic_energy(system)", p="momentum(system)", timeout=5)
+        except (poinsot.NoAnswer, poinsot.TimedOut):
+            continue
+        model, state = start.model, engine.State(start.q, start.v)
+        # Accelerations that are stated and are not zero would have to be given, and so would forces.
+        follows = not start.others and "time" not in problem.text and "accel" not in problem.text.replace("accel: 0", "")
+        for instant in (0, 1) if follows else (0,):
+            if instant == 1:
+                state = engine.advance(model, *state, np.zeros(model.nv), step / 20, steps=20)
+                gone_on += 1
+            energy = float(engine.kinetic_energy(model, *state))
+            momentum = engine.momentum(model, *state)[:3]
+            assert energy == pytest.approx(told["T"][instant], rel=1e-8, abs=1e-8), path
+            np.testing.assert_allclose(momentum, told["p"][instant], rtol=1e-8, atol=1e-8 * (1 + np.abs(momentum).max()))
+        begun += 1
+    assert begun > 60 and gone_on > 30
+
+
 def test_what_acts_beside_weights_is_named() -> None:
     damped = RODS.replace("angle: psi}", "angle: psi, damping: c}")
     assert engine.from_problem(poinsot.Problem.from_text(damped)).others == ["lower"]
+    pushed = RODS.replace("angle: psi}", "angle: psi, couple: c*psi'/s}").replace("{m: 2 kg,", "{s: 1 s, m: 2 kg,").replace("N*m*s", "N*m*s^2")
+    assert engine.from_problem(poinsot.Problem.from_text(pushed)).others == ["lower"]
+    loaded = RODS + "loads:\n  pull: {body: second, at: Q, force: [0, 1 N, 0]}\n"
+    assert engine.from_problem(poinsot.Problem.from_text(loaded)).others == ["pull"]
 
 
 ROLLING = """\

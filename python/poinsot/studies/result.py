@@ -56,8 +56,9 @@ class Study(Mapping[str, Array]):
         return cls(plan, counts, at, {})
 
     def __getitem__(self, name: str) -> Array:
-        """A column; under the name of a vector alone all of its components, a row of them for each row of the study."""
-        components = [one for one in self.units if one.startswith(f"{name}.") and " by " not in one]
+        """A column; under the name of an answer that is a vector all of its components, a row of them for each row."""
+        answers = [one for one in self.units if one not in self.plan.over and " by " not in one]
+        components = [one for one in answers if one.startswith(f"{name}.")]
         if name not in self.units and components:
             return np.stack([self[one] for one in components], axis=1)
         if name not in self.units:

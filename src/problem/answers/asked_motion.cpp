@@ -47,14 +47,13 @@ std::vector<std::string> coordinates_of(Course& course) {
 // The names of what acts beside weights and what joints carry.
 std::vector<std::string> others_of(const Mechanism<double>& mechanism) {
   std::vector<std::string> others;
-  const auto add = [&others](const Action& action) {
-    if (std::ranges::find(others, action.name) == others.end()) others.push_back(action.name);
+  const auto add = [&](int action) {
+    const std::string& name = mechanism.actions[static_cast<std::size_t>(action)].name;
+    if (std::ranges::find(others, name) == others.end()) others.push_back(name);
   };
-  for (const Action& action : mechanism.actions)
-    if (has_law(action.kind)) add(action);
+  for_each_law(mechanism, [&](const auto& law) { add(law.action); });
   for (const Drive<double>& drive : mechanism.drives)
-    if (drive.feeds() || drive.drains() || drive.stores())
-      add(mechanism.actions[static_cast<std::size_t>(drive.action)]);
+    if (drive.feeds() || drive.drains() || drive.stores()) add(drive.action);
   return others;
 }
 
