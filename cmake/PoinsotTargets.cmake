@@ -6,6 +6,9 @@ function(poinsot_compile_options target)
     target_compile_options(${target} PRIVATE -Wshadow=local -Wno-subobject-linkage)
     # g++ 12 sees overlapping copies in std::string operator+ where there are none (GCC bug 105329).
     target_compile_options(${target} PRIVATE -Wno-restrict)
+    # From 128 MB on it would look again and again for memory that it no longer needs: seven parts in a hundred of its
+    # time, for a fifth of the memory, of which the largest source then takes 2 GB.
+    target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:--param=ggc-min-heapsize=1000000>")
   endif()
   if(POINSOT_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)

@@ -25,6 +25,7 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/tree.h"
 #include "problem/language/units.h"
+#include "problem/plane/planar_statement.h"
 #include "problem/scene/scene.h"
 
 namespace poinsot {
@@ -179,7 +180,11 @@ Problem Problem::read(std::string_view text, const std::string& name, const File
       }
     };
   auto parts = std::make_shared<Parts>();
-  parts->statement = with_public_errors([&] { return problem::read_statement(text, name, read); });
+  parts->statement = with_public_errors([&] {
+    problem::Statement statement = problem::read_statement(text, name, read);
+    problem::restrict_to_plane(statement);
+    return statement;
+  });
   parts->text = text;
   for (const problem::Situation& one : parts->statement.situations) parts->situations.push_back(stated_situation(one));
   for (const problem::Ask& ask : parts->statement.asks) parts->questions.push_back({ask.name, ask.text});

@@ -16,6 +16,7 @@ import time
 import unittest
 
 import jsonschema
+import yaml
 
 PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
 GOLDEN = SOURCE / "tests" / "document" / "golden"
@@ -265,6 +266,33 @@ class Documents(unittest.TestCase):
         result = run("solve", str(EXAMPLES[0]), env={**os.environ, "TERM": "xterm"})
         self.assertNotIn("\x1b", result.stdout)
         self.assertTrue(result.stdout)
+
+
+class ProblemFiles(unittest.TestCase):
+    """poinsot schema: what editors are told of problem files."""
+
+    class Loader(yaml.SafeLoader):
+        """YAML 1.2, which knows true and false alone as truths: `angle: no` is a name."""
+
+    Loader.yaml_implicit_resolvers = {
+        letter: [one for one in resolvers if one[0] != "tag:yaml.org,2002:bool" or letter in "tf"]
+        for letter, resolvers in yaml.SafeLoader.yaml_implicit_resolvers.items()}
+
+    def setUp(self):
+        schema = json.loads(run("schema").stdout)
+        jsonschema.Draft202012Validator.check_schema(schema)
+        self.validator = jsonschema.Draft202012Validator(schema)
+
+    def test_every_example_keeps_the_schema(self):
+        files = sorted((SOURCE / "examples").glob("*/*.yaml"))
+        self.assertGreater(len(files), 200)
+        for file in files:
+            problem = yaml.load(file.read_text(encoding="utf-8"), self.Loader)
+            self.assertEqual([error.message for error in self.validator.iter_errors(problem)], [], file)
+
+    def test_what_no_file_may_have_breaks_the_schema(self):
+        for problem in ({"bodys": {}}, {"ask": {"a": {"off": "x"}}}, {"instants": {"now": 3.5, "then": True}}):
+            self.assertFalse(self.validator.is_valid(problem), problem)
 
 
 class Words(unittest.TestCase):

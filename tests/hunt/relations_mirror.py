@@ -32,6 +32,8 @@ class Mirrored(Relation):
 
     def vary(self, statement, random):
         tree = statement.copy().tree
+        if "plane" in tree:
+            raise NotApplicable
         tree["points"] = {name: negated(place) for name, place in tree.get("points", {}).items()}
         tree["bodies"] = {name: self.body(body) for name, body in tree.get("bodies", {}).items()}
         reversed_coordinates = set()

@@ -92,7 +92,7 @@ class MovingFrame(Relation):
     def vary(self, statement, random):
         tree = statement.copy().tree
         others = ("frames", "contacts", "cords", "springs", "impacts", "strikes", "steady", "situations", "stages")
-        if any(key in tree for key in others) or not tree.get("joints"):
+        if "plane" in tree or any(key in tree for key in others) or not tree.get("joints"):
             raise NotApplicable
         # What rests does so on the ground, and stability is asked of that.
         if has_word(tree.get("instants", {}), "rest") or has_word(tree.get("ask", {}), *STABILITY):

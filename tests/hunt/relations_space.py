@@ -50,7 +50,7 @@ class Turned(Relation):
     @staticmethod
     def require(tree):
         """Says nothing of what is drawn along the axes by its nature, or given on a body's axes."""
-        if has_word(tree, "planar", "box_shell", "direction_angles", "rows", "vector", "mesh", "record", "principal_axes"):
+        if has_word(tree, "plane", "planar", "box_shell", "direction_angles", "rows", "vector", "mesh", "record", "principal_axes"):
             raise NotApplicable
         for situation in situations_of(tree):
             for kind in ("loads", "impulses"):
@@ -180,6 +180,8 @@ class Shifted(Relation):
 
     def vary(self, statement, random):
         tree = statement.copy().tree
+        if "plane" in tree:
+            raise NotApplicable  # which what is shifted out of it leaves
         if "claim" in tree or has_word(tree, "mesh", "potential_energy") and has_word(tree.get("define", {}), "potential_energy"):
             raise NotApplicable
         if any(has_word(tree.get(key, {}), "position", "center", "potential_energy") for key in ("instants", "facts", "define", "where", "loads")):

@@ -171,6 +171,7 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
     if (instant.after_blow()) keep("impulse", residuals.impulse);
     if (residuals.constraints) keep("constraints", *residuals.constraints);
     if (residuals.stability) keep(stability_check, *residuals.stability);
+    if (residuals.blow) keep("blow", *residuals.blow);
     if (residuals.friction) keep("friction", *residuals.friction);
     if (residuals.laws) keep("laws", *residuals.laws);
   };
@@ -194,6 +195,7 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
     // Gauss's rule leaves 1e-6 beside the pole of Eulerian angles; a wrong term of the equations is far more.
     if (residual <= (of_motion || name == "course" ? motion_tolerance
                      : name == "facts"             ? fact_tolerance
+                     : name == "blow"              ? blow_tolerance
                      : of_stability                ? solve::spectrum_tolerance
                                                    : check_tolerance))
       continue;
@@ -220,6 +222,7 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
       ask.reason =
           name == "constraints"
               ? "what joints, contacts and cords hold together comes apart in it, by " + size + " of its size"
+          : name == "blow"     ? "small steps along the blow do not confirm it (off by " + size + ")"
           : name == "friction" ? "the laws of friction are not fulfilled in it (off by " + size + ")"
           : name == "laws" ? "loads, springs and motors act otherwise in it than they are stated (off by " + size + ")"
           : name == "quantities"
@@ -236,6 +239,9 @@ void add_notes(const Statement& statement, const Sample& sample, Solution& resul
   const bool asks_modes = asks_function(statement, "modes") || asks_function(statement, "eigenvalues");
   for (const auto& [home, instant] : sample.instants()) {
     const Situation& situation = statement.situations[home.situation];
+    if (instant->rough_blow() && !home.time)
+      result.notes.push_back(words_of_blow(*instant->rough_blow(), instant->struck().impacts.front()) +
+                             (situation.name.empty() ? "" : " @ " + situation.name));
     if (home.time || home.instant > 0) continue;
     // Nothing is said of what a check refuses.
     const auto misfit = result.checks.find(stability_check);

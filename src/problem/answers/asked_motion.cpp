@@ -160,6 +160,7 @@ AskedMotion::AskedMotion(Statement statement, SettingTexts sets)
   Record record;
   record.columns.push_back({"time", quantity_expression("time"), Mark{}});
   parts.settings = settled(parts.statement, parts.sets, {record, asked_words});
+  parts.statement = in_states_at_start(parts.statement, parts.sets, {record, asked_words});
 }
 
 AskedMotion::~AskedMotion() = default;

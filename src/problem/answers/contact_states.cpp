@@ -1,14 +1,17 @@
 #include "problem/answers/contact_states.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
 #include "problem/answers/friction_refusals.h"
 #include "problem/answers/letter_draws.h"
 #include "problem/answers/untold_states.h"
+#include "problem/instant/blow_as_loads.h"
 #include "problem/instant/contact_state_search.h"
 #include "problem/instant/contact_state_words.h"
+#include "problem/instant/massless_turning.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression.h"
 #include "problem/language/words.h"
@@ -85,12 +88,26 @@ class ContactStates {
   }
 
   std::vector<States> held_at_numbers(std::size_t i) {
-    HeldStates held = states_that_hold(statement_.situations[i], i, settings_, false);
+    const Situation& stated = statement_.situations[i];
+    if (stated.has_blow()) require_rest(stated);
+    HeldStates held = states_that_hold(stated.has_blow() ? blow_as_loads(stated) : stated, i, settings_, false);
     note(held);
     for (States& states : held.all)
       for (ContactState& state : states)
-        if (state.slip) name_direction(state, statement_.situations[i], settings_);
+        if (state.slip && !state.in_joint) name_direction(state, statement_.situations[i], settings_);
     return std::move(held.all);
+  }
+
+  // What a blow leaves is found for bodies at rest before it (instant/blow_as_loads.h).
+  void require_rest(const Situation& situation) const {
+    const SolvedInstant before(situation, settings_, When{0, false}, OpenChoice{});
+    // A particle has no turning that could be stated.
+    std::vector<std::vector<double>> open = before.velocities().open;
+    take_massless(before.machine(), open);
+    if (!open.empty() || std::ranges::any_of(before.state().v, [](double rate) { return std::abs(rate) > 0; }))
+      fail(situation.file, first_rough().friction->mark,
+           "blows on bodies with rough contacts are solved where everything is at rest before",
+           "write instants: {before: rest}, or leave out the friction");
   }
 
   void note(const HeldStates& held) {
@@ -119,7 +136,8 @@ class ContactStates {
       note(held);
       for (States& states : held.all) {
         for (ContactState& state : states)
-          if (state.slip && !name_direction(state, situation, settings)) direction_changes(situation, state);
+          if (state.slip && !state.in_joint && !name_direction(state, situation, settings))
+            direction_changes(situation, state);
         if (std::ranges::none_of(all, [&](const States& known) { return are_same(known, states); }))
           all.push_back(std::move(states));
       }
@@ -169,7 +187,12 @@ class ContactStates {
 
   States possible_states(std::size_t i, const Contact& contact) const {
     const Situation& situation = statement_.situations[i];
-    States states{{contact.name, i, Grip::sticks, {}, false}};
+    States states{{contact.name, i, Grip::sticks, {}, false, contact.in_joint}};
+    if (contact.in_joint) {
+      for (const bool opposite : {false, true})
+        states.push_back({contact.name, i, Grip::slides, joint_direction(contact, opposite), false, true});
+      return states;
+    }
     DataScope<double> data(situation, settings_, 0);
     const Vector3<double> n = data.direction(contact.normal);
     std::vector<std::string> names(situation.axes.begin(), situation.axes.end());
@@ -190,9 +213,9 @@ class ContactStates {
             std::ranges::any_of(known, [&](const Vector3<double>& other) { return norm(other - d) < rounding; }))
           continue;
         known.push_back(d);
-        states.push_back({contact.name, i, Grip::slides, named, false});
+        states.push_back({contact.name, i, Grip::slides, named, false, false});
       }
-    states.push_back({contact.name, i, Grip::parts, {}, false});
+    states.push_back({contact.name, i, Grip::parts, {}, false, false});
     return states;
   }
 
@@ -230,7 +253,7 @@ class ContactStates {
       any = true;
       for (const ContactState& state : found) {
         const Situation& situation = statement_.situations[state.situation];
-        solution.notes.push_back(words_of(state, situation, settings_) +
+        solution.notes.push_back((situation.has_blow() ? "in the blow, " : "") + words_of(state, situation, settings_) +
                                  (situation.name.empty() ? "" : " @ " + situation.name));
       }
       solution.contact_states = std::move(found);
@@ -280,12 +303,12 @@ States states_of_limits(const Statement& statement, const Settings& settings) {
     if (!situation.has_friction()) continue;
     try {
       for (ContactState& state : states_at_start(situation, i, drawn)) {
-        if (state.slip) name_direction(state, situation, drawn);
+        if (state.slip && !state.in_joint) name_direction(state, situation, drawn);
         states.push_back(std::move(state));
       }
     } catch (const StatementError&) {
       for (const Contact& contact : situation.contacts)
-        if (contact.friction) states.push_back({contact.name, i, Grip::sticks, {}, false});
+        if (contact.friction) states.push_back({contact.name, i, Grip::sticks, {}, false, contact.in_joint});
     }
   }
   return states;
@@ -336,7 +359,7 @@ std::vector<Settings> settings_of_root(const Statement& statement, const Setting
 
 SolvedStatement solve_contact_states(const Statement& statement, const Settings& settings,
                                      const std::function<SolvedStatement(const Statement&)>& solve) {
-  refuse_beside_friction(statement);
+  refuse_beside_friction(statement, settings);
   // Up to which value contacts stick is sought from rest, whatever they do at the values stated.
   Statement limits = statement, others = statement;
   std::erase_if(limits.asks, [](const Ask& ask) { return !is_limit_of_sticking(ask); });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "problem/answers/letter_draws.h"
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression_walk.h"
@@ -19,32 +20,29 @@ void refuse_situation(const Situation& situation) {
   const auto refuse = [&](const std::string& message, const std::string& hint) {
     fail(situation.file, rough->friction->mark, message, hint);
   };
-  if (situation.has_blow())
-    refuse("a blow with friction is not solved: how far contact '" + rough->name + "' slips meanwhile is not sought",
-           "leave out the friction, or state no_slip: true where nothing slips");
+  if (situation.has_blow() && !situation.find.empty())
+    refuse("unknowns are not found from blows on what " + rough->words() + " holds with friction", "give them values");
+  const auto rubbing = std::ranges::find_if(situation.contacts, &Contact::in_joint);
+  if (situation.has_blow() && rubbing != situation.contacts.end())
+    fail(
+        situation.file, rubbing->friction->mark,
+        "a blow with friction in a joint is not solved: how far " + rubbing->words() + " moves meanwhile is not sought",
+        "leave out the friction of the joint");
   if (situation.steady)
-    refuse("steady motions with friction are not sought: whether contact '" + rough->name +
-               "' sticks or slides in one is not tried",
+    refuse("steady motions with friction are not sought: whether " + rough->words() +
+               " sticks or slides in one is not tried",
            "state no_slip: true where it rolls, or leave out the friction");
   if (std::ranges::any_of(situation.instants, [&](const Instant& instant) {
         return is_later(situation, instant) && (instant.rest || !instant.facts.empty());
       }))
-    refuse("where contact '" + rough->name + "' has friction, nothing is found from what is stated of later instants",
+    refuse("where " + rough->words() + " has friction, nothing is found from what is stated of later instants",
            "state the start only, and ask of later instants");
   if (!situation.choose.empty())
     refuse("what is to be chosen is not sought where contacts have friction",
            "give it a value, or list it under find:");
   if (!situation.gravity)
-    refuse("nothing is said of gravity, which decides how contact '" + rough->name + "' is pressed",
+    refuse("nothing is said of gravity, which decides how " + rough->words() + " is loaded",
            "write gravity: -y or gravity: none");
-}
-
-const Mark& first_mark(const Statement& statement) {
-  for (const Situation& situation : statement.situations)
-    for (const Contact& contact : situation.contacts)
-      if (contact.friction) return contact.friction->mark;
-  static const Mark none{1, 1};
-  return none;
 }
 
 }  // namespace
@@ -57,20 +55,58 @@ bool is_limit_of_sticking(const Ask& ask) {
   });
 }
 
-void refuse_beside_friction(const Statement& statement) {
-  for (const Situation& situation : statement.situations) refuse_situation(situation);
+void refuse_beside_rough_blows(const Statement& statement, const Settings& settings) {
+  for (const Situation& situation : statement.situations)
+    for (const Contact& contact : situation.contacts)
+      if (statement.record && contact.strikes_later())
+        fail(situation.file, contact.mark, "motions with blows that come later are not recorded",
+             "ask for tables over the time");
+  for (const Situation& situation : statement.situations) {
+    const auto rough =
+        std::ranges::find_if(situation.impacts, [](const Impact& impact) { return impact.friction.has_value(); });
+    if (rough == situation.impacts.end()) continue;
+    const auto refuse = [&](const std::string& message, const std::string& hint) {
+      fail(situation.file, rough->friction->mark(), message, hint);
+    };
+    if (const std::vector<Letter> open = open_letters(statement, settings); !open.empty())
+      refuse("with friction, blows are solved for numbers: how long impact '" + rough->name + "' slips depends on '" +
+                 open.front().name + "', which has no value",
+             "give the letters values by --set or under given:");
+    if (!statement.claims.empty())
+      refuse("claims are not decided where blows have friction: slipping and sticking would have to be told apart",
+             "ask for the quantity, or leave out the friction");
+    if (!situation.choose.empty())
+      refuse("what is to be chosen is not sought where blows have friction", "list it under find:");
+  }
+}
+
+void refuse_beside_friction(const Statement& statement, const Settings& settings) {
+  for (const Situation& situation : statement.situations) {
+    refuse_situation(situation);
+    if (!situation.has_blow() || !situation.has_friction()) continue;
+    const std::vector<Letter> open = open_letters(statement, settings);
+    if (!open.empty())
+      fail(statement.file,
+           std::ranges::find_if(situation.contacts, [](const Contact& contact) { return contact.friction.has_value(); })
+               ->friction->mark,
+           "with friction, blows are solved for numbers, and '" + open.front().name + "' has no value",
+           "give the letters values by --set or under given:");
+    for (const Ask& ask : statement.asks)
+      if (is_limit_of_sticking(ask))
+        fail(statement.file, ask.mark, "up to where contacts stick is not sought in a blow",
+             "ask what they do at single values: a note tells it");
+  }
   if (!statement.claims.empty())
     fail(statement.file, statement.claims.front().mark,
          "claims are not decided where contacts have friction: they would have to hold in every state of the contacts",
          "ask for the quantity, or leave out the friction");
-  if (statement.record)
-    fail(statement.file, first_mark(statement), "motions with friction are not recorded",
-         "ask for tables over the time");
   for (const Ask& ask : statement.asks) {
     const std::vector<std::string> data = settable_names(statement.situations.front());
-    if (ask.table && std::ranges::find(data, ask.table->over) != data.end())
+    if (ask.table && std::ranges::find(data, ask.table->over) != data.end() &&
+        std::ranges::any_of(statement.situations, [](const Situation& situation) { return !situation.find.empty(); }))
       fail(statement.file, ask.mark,
-           "tables over data are not made where contacts have friction: their states may differ from row to row",
+           "in tables over data unknowns are not found anew where contacts have friction: their states may differ "
+           "from row to row",
            "ask for single values, with --set for others");
     if (ask.extremum && !is_limit_of_sticking(ask))
       fail(statement.file, ask.mark,

@@ -2,12 +2,16 @@
 #pragma once
 
 #include "problem/entries/statement.h"
+#include "problem/machine/data.h"
 
 namespace poinsot::problem {
 
-// Throws StatementError, which says which and why: for facts of later instants, blows, steady motions and stability,
-// claims, records, tables over data, and extrema but for the limit of sticking.
-void refuse_beside_friction(const Statement& statement);
+// Throws StatementError, which says which and why: for facts of later instants, steady motions and stability,
+// claims, tables over data beside unknowns, and extrema but for the limit of sticking.
+void refuse_beside_friction(const Statement& statement, const Settings& settings);
+
+// Throws StatementError for what is not solved with blows at rough contacts: letters without value, claims and choices.
+void refuse_beside_rough_blows(const Statement& statement, const Settings& settings);
 
 // Whether the extremum is the limit up to which contacts stick: {smallest: mu, while: sticking(floor)}.
 bool is_limit_of_sticking(const Ask& ask);

@@ -42,6 +42,8 @@ std::map<std::string, std::string> check_motions(Sample& sample, const std::func
     if (home.time) latest[home.situation] = std::max(latest[home.situation], *home.time);
   for (const auto& [situation, motion] : sample.motions()) {
     if (const auto drift = motion->energy_drift()) keep("energy_drift", *drift);
+    if (const auto misfit = motion->blow_misfit()) keep("impulse", *misfit);
+    if (const auto misfit = motion->rough_blow_misfit()) keep("blow", *misfit);
     doubt("course", motion->course_misfit(look));
     doubt("scan", motion->scan_misfit());
     const double at_times = std::max(motion->values_until(), latest[situation]);

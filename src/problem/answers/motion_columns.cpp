@@ -1,6 +1,7 @@
 #include "problem/answers/motion_columns.h"
 
 #include "poinsot/engine/work/budget.h"
+#include "problem/answers/contact_states.h"
 #include "problem/answers/read_settings.h"
 #include "problem/answers/solve_statement.h"
 #include "problem/language/expression_walk.h"
@@ -60,6 +61,11 @@ Settings settled(const Statement& statement, const SettingTexts& sets, const Mot
       settings.insert_or_assign(unknown.name, unknown.value);
   }
   return settings;
+}
+
+Statement in_states_at_start(const Statement& statement, const SettingTexts& sets, const MotionColumns& columns) {
+  if (!has_open_contact_states(statement)) return statement;
+  return in_contact_states(statement, solve_columns(statement, sets, columns, {0}).solutions.front().contact_states);
 }
 
 }  // namespace poinsot::problem

@@ -37,6 +37,9 @@ Settings settled(const Statement& statement, const SettingTexts& sets, const Mot
 SolvedStatement solve_columns(const Statement& statement, const SettingTexts& sets, const MotionColumns& columns,
                               const std::vector<double>& times);
 
+// The statement with its contacts with friction in the states in which the motion begins. Throws as solve_columns.
+Statement in_states_at_start(const Statement& statement, const SettingTexts& sets, const MotionColumns& columns);
+
 // The text of a time.
 std::string in_seconds(double time);
 

@@ -92,6 +92,7 @@ RecordedMotion::RecordedMotion(Statement statement, const std::vector<std::pair<
   const Statement& stated = parts.statement;
   record_of(stated);
   parts.settings = settled(stated, sets, columns_of(stated));
+  parts.statement = in_states_at_start(stated, sets, columns_of(stated));
   parts.read_times();
 
   // Whether a column is determined may show only after the motion has changed noticeably.
@@ -141,7 +142,7 @@ RecordedChecks RecordedMotion::Parts::check(double time) {
   const solve::CheckResult& residual = checked.particles;
   const RecordedChecks checks{residual.momentum, residual.energy, residual.newton_euler,
                               motion->energy_drift().value_or(0)};
-  const double apart = checked.constraints.value_or(0);
+  const double apart = std::max(checked.constraints.value_or(0), checked.friction.value_or(0));
   const double largest = std::max({checks.momentum, checks.energy, checks.newton_euler, checks.energy_drift, apart});
   if (!(largest <= recording_tolerance))
     throw UnansweredRecord(statement.file + ": the independent check does not confirm the motion at " +

@@ -15,6 +15,7 @@
 #include "problem/answers/contact_states.h"
 #include "problem/answers/determinacy.h"
 #include "problem/answers/finished_ask.h"
+#include "problem/answers/friction_refusals.h"
 #include "problem/answers/letter_draws.h"
 #include "problem/answers/read_settings.h"
 #include "problem/answers/rounded_values.h"
@@ -383,6 +384,7 @@ SolvedStatement solve_statement(const Statement& statement,
   if (statement.asks.empty() && statement.claims.empty())
     fail(statement.file, Mark{1, 1}, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
   const Settings settings = read_settings(statement, sets);
+  refuse_beside_rough_blows(statement, settings);
   if (has_open_contact_states(statement))
     return solve_contact_states(statement, settings,
                                 [&](const Statement& tried) { return solve_statement(tried, sets, tell_claims); });

@@ -64,6 +64,12 @@ CompiledCases::CompiledCases(const Statement& statement, CasesAsked asked)
         fail(situation.file, contact.friction->mark,
              "cases with friction are not solved: the states of the contacts may differ from case to case",
              "solve each case by itself, with --set");
+  for (const Situation& situation : statement.situations)
+    for (const Impact& impact : situation.impacts)
+      if (impact.friction)
+        fail(situation.file, impact.friction->mark(),
+             "cases with friction in a blow are not solved: it may slip in one case and stick in another",
+             "solve each case by itself, with --set");
   if (asked.with_formulas)
     find_formulas();
   else

@@ -27,6 +27,10 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
       settings_(settings),
       choice_(choice),
       timed_(follows_time(situation)) {
+  if (const Freedom* sought = situation.sought_effort())
+    throw UnansweredError(situation.file, sought->effort->mark(),
+                          "what drives the bodies is to be found at an instant, and is not known along the motion",
+                          "state it in place of any");
   for (const Contact& contact : situation.contacts) {
     if (contact.friction && contact.grip == Grip::unknown)
       throw UnansweredError(situation.file, contact.friction->mark,
@@ -52,12 +56,22 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
     std::vector<std::string>& names = open_turnings_.emplace_back();
     for (const std::size_t k : share) names.emplace_back(start_->velocity_equations().name(k));
   }
+  if (start_->rough_blow())
+    happenings_.push_back(words_of_blow(*start_->rough_blow(), start_->struck().impacts.front()));
   if (start_->after_blow()) open_impulses_ = start_->blow().open.size();
   stages_.resize(std::max<std::size_t>(1, situation.stages.size()));
   StageRun& first = stages_.front();
   MotionState state = start_->state();
   if (!choice.velocities) remove_components(moving_nothing, state.v);
   if (start_->after_blow()) state.acting = start_->blow_acting();
+  has_later_contacts_ = std::ranges::any_of(situation_.contacts, &Contact::strikes_later);
+  for (const Contact& contact : situation_.contacts) {
+    if (!contact.open) continue;
+    const auto& actions = start_->machine().mechanism.actions;
+    if (state.acting.empty()) state.acting.assign(actions.size(), true);
+    for (std::size_t i = 0; i < actions.size(); ++i)
+      if (actions[i].kind == ActionKind::contact && actions[i].name == contact.name) state.acting[i] = false;
+  }
   if (changed_) start_ = std::make_unique<SolvedInstant>(situation_, settings, state, choice);
   if (!state.acting.empty()) state.acting.resize(start_->machine().mechanism.actions.size());
   // An unstable equilibrium is left by a small push at the stated coordinate.
@@ -83,6 +97,11 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
   in_states_.push_back(&situation_);
   probe_ = &probe_in(0, state);
   set_pace(state);
+  // What sticks and slides after a blow is found anew.
+  if (situation.has_blow() && situation.has_friction()) {
+    find_contact_states(0, 0, "");
+    first.states_fresh = true;
+  }
 }
 
 // If the motion starts from rest, loads determine how fast it changes.
@@ -167,6 +186,12 @@ void Course::begin(std::size_t stage) {
     now.q = before.q;
     now.v = before.v;
     now.states_now = before.states_now;
+    // What has gone slack or has parted is so at first in the next stage, too.
+    if (!before.acting.empty() && std::ranges::find(before.acting.back(), false) != before.acting.back().end()) {
+      now.pieces.emplace_back();
+      now.acting.push_back(before.acting.back());
+      now.states.push_back(now.states_now);
+    }
   }
   if (stage < situation_.stages.size()) {
     const Stage& stated = situation_.stages[stage];
@@ -297,12 +322,15 @@ void Course::continue_from(const MotionCheckpoint& checkpoint) {
     now.acting.push_back(state.acting);
     now.states.push_back(now.states_now);
   }
-  happenings_.clear();
-  changes_.clear();
   energy_drift_.reset();
   // A new probe is made, as the old one keeps rounding from earlier places of the contacts.
   probes_.clear();
+  in_states_.resize(1);
+  changed_states_.clear();
+  if (situation_.has_friction()) find_contact_states(state.stage, state.time, "");
   probe_ = &probe_in(now.states_now, state);
+  happenings_.clear();
+  changes_.clear();
 }
 
 }  // namespace poinsot::problem

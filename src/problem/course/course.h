@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -146,6 +147,10 @@ class Course : public FollowedMotion {
   const std::vector<Change>& changes() const { return changes_; }
   // The drift of the energy relative to its size, if the energy is conserved.
   std::optional<double> energy_drift() const { return energy_drift_; }
+  // How far the blows along the motion are from momenta of particles and from their restitution, and those with
+  // friction from a second road; nothing if there were none.
+  std::optional<double> blow_misfit() const { return blow_misfit_; }
+  std::optional<double> rough_blow_misfit() const { return rough_blow_misfit_; }
   // How the motion was found, in words: "closed form: symmetric top".
   const std::set<std::string>& methods() const { return methods_; }
   // The latest time on which the values and times asked so far depend, and the same for extremes, s.
@@ -179,6 +184,7 @@ class Course : public FollowedMotion {
     std::vector<double> q, v;               // at the end of the last piece
     double time = 0;                        // of that end
     bool begun = false, done = false;
+    double flight = 0;          // s, from a blow to the next one there as it began; none if zero
     std::optional<Slip> slips;  // if a contact slips at that end, so that the motion ends
   };
   struct StateEntry {
@@ -202,11 +208,21 @@ class Course : public FollowedMotion {
   void run(std::size_t stage, double until);
   Driving::Span smooth_span(std::size_t stage, double until);
   void keep(std::size_t stage, Piece& piece, IntegrationResult& result);
+  void refuse_slack(std::size_t stage, std::size_t action, const Piece& piece);
   void change_holds(std::size_t stage, std::size_t action, Piece& piece);
+  // Contacts that meet later (later_blows.cpp).
+  const Contact* later_contact(std::size_t action) const;
+  SolvedInstant::Met met(std::size_t action);
+  std::vector<std::size_t> struck_together(const std::vector<std::size_t>& meeting, const MotionState& state,
+                                           Piece& piece);
+  void strike(std::size_t stage, const std::vector<std::size_t>& meeting, Piece& piece);
+  double end_of_bouncing(const Expression& of);
   // Contacts with friction (motion_friction.cpp).
   void find_contact_states(std::size_t stage, double time, const std::string& leaving);
   void let_slide(std::size_t stage, const std::vector<ContactState>& starting);
   void put_in_contact_states(std::size_t stage, const std::vector<ContactState>& states);
+  std::vector<double> times_of_state(const Call& call, double from, std::optional<double> to);
+  void let_turn(std::size_t stage, const std::vector<std::string>& contacts);
   std::size_t states_of(const MotionState& state) const;
   void move_probe(const MotionState& state);
   SolvedInstant& probe_in(std::size_t states, const MotionState& state);
@@ -247,6 +263,12 @@ class Course : public FollowedMotion {
   std::vector<std::string> happenings_;
   std::vector<Change> changes_;
   std::optional<double> energy_drift_;
+  bool has_later_contacts_ = false, open_checked_ = false;
+  std::map<std::size_t, double> approaches_;  // the largest speed of approach of contacts that met, m/s
+  std::map<std::size_t, int> blows_told_;     // of each contact
+  std::map<std::string, double> settled_;     // when contacts ceased to bounce, s
+  std::optional<double> blow_misfit_, rough_blow_misfit_;
+  std::optional<Machine> whole_machine_;  // with contacts that are open at the start
   struct AskedExtreme {
     Call call;
     std::optional<Expression> axes;

@@ -23,13 +23,16 @@ std::vector<Course::SmoothPart> Course::windows(std::size_t count) const {
   struct Span {
     const Trajectory* piece;
     double before;  // the steps of earlier pieces
+    bool turns;     // whether the direction of a slip turns in it
   };
   std::vector<Span> spans;
   double steps = 0;
   for (const StageRun& stage : stages_)
-    for (const Trajectory& piece : stage.pieces) {
+    for (std::size_t i = 0; i < stage.pieces.size(); ++i) {
+      const Trajectory& piece = stage.pieces[i];
       if (piece.empty() || !(piece.end_time() > piece.start_time())) continue;
-      spans.push_back({&piece, steps});
+      spans.push_back(
+          {&piece, steps, std::ranges::any_of(in_states_[stage.states[i]]->contacts, &Contact::slip_turns)});
       steps += static_cast<double>(piece.step_count());
     }
   std::vector<SmoothPart> found;
@@ -44,9 +47,23 @@ std::vector<Course::SmoothPart> Course::windows(std::size_t count) const {
     // The steps of a closed form may be as long as the motion.
     const double natural = step.flow ? std::min(step.flow->natural_time(), pace_time_) : INFINITY;
     const double length = std::min({step.end - step.start, natural, span.piece->end_time() - span.piece->start_time()});
+    // Where a slip that turns comes to rest the steps shrink with it, and what changes in them is lost beside the
+    // tolerance of the motion.
+    constexpr double too_short = 1e-5;
+    if (span.turns && length < too_short * std::min(pace_time_, span.piece->end_time() - span.piece->start_time()))
+      continue;
     const double from = std::min(step.start + (in_piece - std::floor(in_piece)) * (step.end - step.start),
                                  span.piece->end_time() - length);
-    if (length > 0) found.push_back({from, from + length, length});
+    if (!(length > 0)) continue;
+    if (!has_later_contacts_) {
+      found.push_back({from, from + length, length});
+      continue;
+    }
+    // At a blow two pieces meet with different velocities: the ends of a part are inside its own. Flights so short that
+    // times have only a few digits left are passed over.
+    constexpr double inside = 1e-3, short_flight = 1e-4;
+    if (length > short_flight * pace_time_)
+      found.push_back({from + inside * length, from + (1 - inside) * length, (1 - 2 * inside) * length});
   }
   return found;
 }
@@ -102,7 +119,8 @@ MotionDoubt Course::contact_doubt(double time) {
   if (const std::vector<std::string> faults = probe_->unphysical(); !faults.empty()) return {1, faults.front() + when};
   const MotionState now = at(time);
   if (now.acting.empty()) return {};
-  const Machine& machine = start_->machine();
+  if (has_later_contacts_ && !whole_machine_) whole_machine_ = probe_->machine_at(time, std::nullopt);
+  const Machine& machine = whole_machine_ ? *whole_machine_ : start_->machine();
   const double overlap = solve::largest_overlap(machine.links, machine.mechanism.constraints,
                                                 start_->natural_size(dimensions::length), now.acting, now.q);
   return {overlap, "what has parted overlaps or is stretched" + when};

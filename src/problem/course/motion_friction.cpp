@@ -1,8 +1,9 @@
 // Contacts with dry friction along a motion: in which states they are from one of its events to the next.
 //
-// Between events a contact that sticks is held as a constraint, and one that slides has the friction of its slip, along
-// a line that stays. The states change where a slip vanishes, where the friction of a contact at rest comes to its
-// limit, and where loads jump; they are then found as at an instant, for all contacts together.
+// Between events a contact that sticks is held as a constraint, and one that slides has the friction of its slip: along
+// a line as long as the slip stays on it, else against the slip of each instant. The states change where a slip
+// vanishes, where the friction of a contact at rest comes to its limit, and where loads jump; they are then found as at
+// an instant, for all contacts together.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -52,8 +53,10 @@ std::size_t Course::states_of(const MotionState& state) const {
 // time: at which the loads are taken. leaving: the contact that can stick no longer; empty if there is none.
 void Course::find_contact_states(std::size_t stage, double time, const std::string& leaving) {
   StageRun& now = stages_[stage];
-  // What has come to rest has no velocity left, whose sense would be that of rounding.
-  constexpr double rounding = 1e-11;  // of the natural pace
+  // What has come to rest has no velocity left, whose sense would be that of rounding; after a slip that turned what
+  // was left of it (piece_friction.cpp), ten times for its levers.
+  const bool turned = std::ranges::any_of(in_states_[now.states_now]->contacts, &Contact::slip_turns);
+  const double rounding = turned ? 1e3 * tolerance_ : 1e-11;  // of the natural pace
   const std::vector<double> sizes = natural_sizes().of_v;
   for (std::size_t k = 0; k < now.v.size(); ++k)
     if (std::abs(now.v[k]) < rounding * sizes[k] / pace_time_) now.v[k] = 0;
@@ -111,8 +114,8 @@ void Course::put_in_contact_states(std::size_t stage, const std::vector<ContactS
       return DataScope<double>(situation_, settings_, 0).direction(slip);
     };
     constexpr double one_direction = 1e-6;
-    if (before->grip == state.grip &&
-        (state.grip != Grip::slides || norm(direction(*before->slip) - direction(*state.slip)) < one_direction))
+    if (before->grip == state.grip && (state.grip != Grip::slides || (before->slip_turns && !state.from_rest) ||
+                                       norm(direction(*before->slip) - direction(*state.slip)) < one_direction))
       continue;
     any = true;
     if (state.grip == Grip::parts)
@@ -124,9 +127,59 @@ void Course::put_in_contact_states(std::size_t stage, const std::vector<ContactS
     before->grip = state.grip;
     before->slip = state.slip;
     before->from_rest = state.from_rest;
+    before->slip_turns = false;
   }
   now.states_fresh = true;
   if (!any) return;
+  now.states_now = in_states_.size();
+  in_states_.push_back(next.get());
+  changed_states_.push_back(std::move(next));
+}
+
+// The times at which a contact comes into a state, the first included if it is in it from the start. Without `to` only
+// the first one is sought.
+std::vector<double> Course::times_of_state(const Call& call, double from, std::optional<double> to) {
+  const Name* name = call.arguments.front().value.as<Name>();
+  const auto contact = std::ranges::find_if(
+      situation_.contacts, [&](const Contact& one) { return one.friction && name && one.name == name->name; });
+  if (contact == situation_.contacts.end())
+    fail(situation_.file, call.arguments.front().value.mark(),
+         "there is no contact '" + to_string(call.arguments.front().value) + "' with friction");
+  const Grip asked = call.function == "sticking"  ? Grip::sticks
+                     : call.function == "sliding" ? Grip::slides
+                                                  : Grip::parts;
+  std::vector<double> found;
+  double span = pace_time_;
+  for (double until = to ? *to : from + span;; until = from + (span *= 2)) {
+    const double reached = follow(until);
+    found.clear();
+    bool before = false;
+    for (const StageRun& stage : stages_)
+      for (std::size_t i = 0; i < stage.pieces.size(); ++i) {
+        const Trajectory& piece = stage.pieces[i];
+        if (piece.empty() || piece.end_time() <= from || piece.start_time() >= until) continue;
+        const auto& contacts = in_states_[stage.states[i]]->contacts;
+        const bool now = std::ranges::find(contacts, contact->name, &Contact::name)->grip == asked;
+        if (now && !before) found.push_back(std::max(from, piece.start_time()));
+        before = now;
+      }
+    values_until_ = std::max(values_until_, found.empty() ? reached : found.back());
+    if (to || !found.empty()) return found;
+    if (is_over() || followed_enough(until))
+      throw UnansweredError(
+          situation_.file, call.arguments.front().value.mark(),
+          call.function + "(" + contact->name + ") does not happen up to " + with_digits(reached, 4) + " s",
+          "check the condition, or say until when it is sought: to: 4 s");
+  }
+}
+
+// Contacts whose slip leaves its line: it is followed again from where the line began to be taken.
+void Course::let_turn(std::size_t stage, const std::vector<std::string>& contacts) {
+  StageRun& now = stages_[stage];
+  auto next = std::make_unique<Situation>(*in_states_[now.states_now]);
+  for (Contact& contact : next->contacts)
+    if (std::ranges::find(contacts, contact.name) != contacts.end()) contact.slip_turns = true;
+  now.states_fresh = true;
   now.states_now = in_states_.size();
   in_states_.push_back(next.get());
   changed_states_.push_back(std::move(next));

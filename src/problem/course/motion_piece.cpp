@@ -42,11 +42,11 @@ Course::Piece::Piece(Course& motion, std::size_t stage, const Driving::Span& spa
     constraint.carried_by.reset();
     if (constraint.shape_unknown)
       fail(motion_.situation_.file, motion_.mark_of(stage),
-           "how a contact moves is not known (" + constraint.words +
-               "): the surfaces there are no circle, sphere or corner on a plane",
-           "give the body a round shape");
+           "how a contact moves is not known (" + constraint.words + "): the surface of a body there is not known",
+           "give the body a shape that touches there");
   }
   if (acting_.empty()) acting_.assign(machine_.mechanism.actions.size(), true);
+  slips_turn_ = std::ranges::any_of(machine_.rough_contacts, [](const auto& contact) { return contact.turns; });
   set_up_dynamics();
   set_up_equations();
 }
@@ -125,7 +125,7 @@ void Course::Piece::set_up_equations() {
   equations_.accelerations = [this](double time, std::span<const double> q, std::span<const double> v,
                                     std::span<double> a) {
     refresh(time);
-    dynamics_->accelerations(q, v, a);
+    accelerate(q, v, a);
     for (const MasslessSpin& spin : spins_) take_out(spin, a);
   };
   if (!machine_.mechanism.constraints.empty())
@@ -187,7 +187,7 @@ Event Course::Piece::slack(std::size_t component) {
   event.size = motion_.start_->natural_size(dimensions::force);
   event.value = [this, component](double time, std::span<const double> q, std::span<const double> v) {
     refresh(time);
-    dynamics_->accelerations(q, v, acceleration_);
+    accelerate(q, v, acceleration_);
     return dynamics_->component_force(component);
   };
   return event;
@@ -197,15 +197,23 @@ std::optional<Event> Course::Piece::taut(const Component<double>& component) {
   const auto& constraints = machine_.mechanism.constraints;
   const auto constraint =
       std::find_if(constraints.begin(), constraints.end(), [&](const VelocityConstraint<double>& c) {
-        return c.action == component.action && (c.normal || c.kind == VelocityConstraintKind::cord_length);
+        return c.action == component.action && (c.normal || is_cord_length(c));
       });
   if (constraint == constraints.end()) return std::nullopt;
   Event event;
   event.name = "taut";
-  event.crossing = constraint->kind == VelocityConstraintKind::cord_length ? Crossing::rising : Crossing::falling;
+  event.crossing = is_cord_length(*constraint) ? Crossing::rising : Crossing::falling;
   event.size = motion_.start_->natural_size(dimensions::length);
   event.value = [this, index = static_cast<std::size_t>(constraint - constraints.begin())](
                     double, std::span<const double> q, std::span<const double>) { return dynamics_->gap(index, q); };
+  // Bodies that touch and are not pressed stay open: rounding is no blow.
+  if (motion_.has_later_contacts_ && motion_.later_contact(static_cast<std::size_t>(component.action))) {
+    constexpr double rounding = 1e-13;  // of the natural length
+    event.value = [gap = event.value, none = rounding * event.size](double time, std::span<const double> q,
+                                                                    std::span<const double> v) {
+      return gap(time, q, v) + none;
+    };
+  }
   return event;
 }
 
@@ -232,7 +240,7 @@ std::optional<std::size_t> Course::Piece::add_holds() {
 // A contact acts only as long as it is on its surface.
 void Course::Piece::add_ends_of_surfaces() {
   for (const ContactLimit& limit : machine_.contact_limits) {
-    if (!acting_[static_cast<std::size_t>(limit.action)] || norm(limit.middle) == 0) continue;
+    if (!acting_[static_cast<std::size_t>(limit.action)] || !limit.ends()) continue;
     Event event;
     event.name = "end of surface";
     event.crossing = Crossing::falling;
@@ -327,9 +335,12 @@ IntegrationResult Course::Piece::follow(double end, Work most) {
   options.most_steps = most_steps;
   options.work = std::max<Work>(most, 1);
   options.largest_step = span_.largest_step;
+  // A short flight after a blow must not be stepped over.
+  if (now_.flight > 0)
+    options.largest_step = options.largest_step > 0 ? std::min(options.largest_step, now_.flight / 4) : now_.flight / 4;
   if (lone_) {
     IntegrationOptions fine = options;
-    fine.largest_step = motion_.pace_time_;
+    fine.largest_step = now_.flight > 0 ? std::min(motion_.pace_time_, now_.flight / 4) : motion_.pace_time_;
     if (auto by_itself = lone_->follow(equations_, now_.time, now_.q, now_.v, end, fine, events_)) return *by_itself;
   }
   return integrate(equations_, now_.time, now_.q, now_.v, end, options, events_);

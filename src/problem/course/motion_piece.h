@@ -50,8 +50,10 @@ class Course::Piece {
   // contacts that do then, with the directions in which they begin to slide.
   bool is_of_friction(std::size_t event) const { return event_contact_.contains(event); }
   std::vector<ContactState> at_their_limits(std::size_t event);
-  // Throws UnansweredError if a contact slides otherwise than along its line on the way.
-  void check_slips(const Trajectory& way);
+  // Whether a slip vanishes where the piece begins: the motion was followed so far before, and no further.
+  bool slip_has_ended();
+  // The contacts that slide otherwise than along the line that was taken for them on the way.
+  std::vector<std::string> off_their_lines(const Trajectory& way);
   // Whether contacts slide with friction, and the power that they take.
   bool rubs() const;
   double rubbing_power(const State<double>& state);
@@ -59,6 +61,15 @@ class Course::Piece {
   void check_sides(const Trajectory* way) const;
   // Throws UnansweredError if a torsional spring is wound by more than half a turn on the way.
   void check_winding(const Trajectory& way) const;
+
+  // Contacts that meet later (later_blows.cpp): those that do here; the rate of the gap of one, the acceleration with
+  // which it opens and the kinetic energy, with these velocities. Throws StatementError if one that is open at the
+  // start is none.
+  std::vector<std::size_t> meeting(std::optional<std::size_t> at_event);
+  double gap_rate(std::size_t action, std::span<const double> v);
+  double opening(std::size_t action, std::span<const double> v);
+  double kinetic_energy(std::span<const double> v);
+  void check_open();
 
   bool would_press_in(std::size_t action) {
     return problem::would_press_in(*dynamics_, action, now_.q, now_.v, motion_.pace_time_);
@@ -69,6 +80,7 @@ class Course::Piece {
   const Machine& machine() const { return machine_; }
 
  private:
+  std::optional<std::size_t> normal_of(std::size_t action) const;
   void set_up_dynamics();
   void set_given_motion();
   void set_up_equations();
@@ -78,6 +90,7 @@ class Course::Piece {
   Event slack(std::size_t component);
   Vector3<double> slip(const RoughContactOf<double>& contact, std::span<const double> q, std::span<const double> v);
   std::size_t push_of(const RoughContactOf<double>& contact) const;
+  void accelerate(std::span<const double> q, std::span<const double> v, std::span<double> a);
   bool stays_at_rest();
   bool moves_anything(const VelocityConstraint<double>& way);
   std::optional<Event> taut(const Component<double>& component);
@@ -99,6 +112,7 @@ class Course::Piece {
   std::vector<const ContactLimit*> event_limit_;
   std::map<std::size_t, const RoughContactOf<double>*> event_contact_;
   std::vector<double> acceleration_;
+  bool slips_turn_ = false;
   double compared_size_ = 0;  // of the numbers that the ending event compares
 };
 

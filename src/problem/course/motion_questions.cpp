@@ -125,6 +125,7 @@ std::vector<double> Course::nodes(double from, double to) {
 Value<double> Course::feature(const Call& call, const std::optional<Expression>& axes, const Mark& mark) {
   const WorkCounted counted(*this);
   const Expression& of = call.arguments.front().value;
+  if (call.function == "end_of_bouncing") return Value<double>::of_number(end_of_bouncing(of), dimensions::time);
   const std::string words = call.function + "(" + to_string(of) + ")" + (axes ? " on " + to_string(*axes) : "");
   const Dimension kind = dimension(of, axes);
   const MotionFeatures features(*this, with_rate(of, axes), to_string(of), situation_.file, mark);
@@ -171,6 +172,16 @@ void Course::tell_how(const ExtremeFound& found, const Call& call) {
 std::vector<double> Course::times(const Expression& condition, const std::optional<Expression>& axes, double from,
                                   std::optional<double> to) {
   const WorkCounted counted(*this);
+  if (const Call* call = condition.as<Call>(); call && call->arguments.size() == 1) {
+    std::vector<double> found = times_of_state(*call, from, to);
+    tell({to_string(condition),
+          [this, condition](double time) {
+            move_probe(at(time));
+            return probe_->raw(condition, std::nullopt, nullptr).truth ? 1.0 : -1.0;
+          },
+          from, to ? *to : found.front(), [found](const MotionScan& scan) { return scan.of_zeros(found, 1); }});
+    return found;
+  }
   const Comparison* comparison = condition.as<Comparison>();
   if (!comparison || comparison->operands.size() != 2)
     fail(situation_.file, condition.mark(), "when something happens is told by one comparison",

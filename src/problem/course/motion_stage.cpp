@@ -4,6 +4,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "poinsot/engine/work/work.h"
@@ -14,6 +15,7 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/machine/gimbal_lock.h"
+#include "problem/results/solution.h"
 
 namespace poinsot::problem {
 namespace {
@@ -71,14 +73,24 @@ void Course::run(std::size_t stage, double until) {
     // Loads may jump between the spans in which they are smooth: just inside they have their new values.
     if (timed_ && situation_.has_friction() && !now.states_fresh)
       find_contact_states(stage, now.time + 1e-12 * (smooth.end - smooth.begin), "");
-    now.states_fresh = false;
+    const bool fresh = std::exchange(now.states_fresh, false);
     Piece piece(*this, stage, smooth);
+    if (!fresh && piece.rubs() && now.time > now.start && piece.slip_has_ended()) {
+      find_contact_states(stage, now.time, "");
+      continue;
+    }
     if (ending && !piece.add_ending(*ending)) {
       now.end = now.time;
       now.done = true;
       return;
     }
-    const std::optional<std::size_t> released = piece.add_holds();
+    if (has_later_contacts_ && !open_checked_) {
+      piece.check_open();
+      open_checked_ = true;
+    }
+    const std::vector<std::size_t> meeting = piece.meeting(std::nullopt);
+    if (!meeting.empty()) strike(stage, meeting, piece);
+    const std::optional<std::size_t> released = meeting.empty() ? piece.add_holds() : std::nullopt;
     if (released) {
       change_holds(stage, *released, piece);
     }
@@ -86,14 +98,17 @@ void Course::run(std::size_t stage, double until) {
       throw UnansweredError(situation_.file, mark_of(stage),
                             "cords and contacts give way and catch again without end in " + words_of(stage),
                             "ask for earlier times");
-    if (released) continue;
+    if (released || !meeting.empty()) continue;
     if (const ContactLimit* limit = piece.beyond_surface()) comes_to_end(stage, *limit);
     piece.check_sides(nullptr);
     piece.add_friction();
     IntegrationResult result = piece.follow(std::min(smooth.end, now.end.value_or(target)), work.left());
+    if (const std::vector<std::string> turning = piece.off_their_lines(result.trajectory); !turning.empty()) {
+      let_turn(stage, turning);
+      continue;
+    }
     piece.check_sides(&result.trajectory);
     piece.check_winding(result.trajectory);
-    piece.check_slips(result.trajectory);
     keep(stage, piece, result);
     if (result.ending == Ending::terminal_event) {
       if (piece.is_of_friction(result.hits.back().event)) {
@@ -103,7 +118,10 @@ void Course::run(std::size_t stage, double until) {
         else
           find_contact_states(stage, now.time, "");
       } else if (const std::optional<std::size_t> action = piece.action_of(result.hits.back().event)) {
-        change_holds(stage, *action, piece);
+        if (!piece.acting()[*action] && later_contact(*action))
+          strike(stage, piece.meeting(action), piece);
+        else
+          change_holds(stage, *action, piece);
       } else if (const ContactLimit* limit = piece.end_of_surface(result.hits.back().event)) {
         comes_to_end(stage, *limit);
       } else {
@@ -183,6 +201,22 @@ void Course::keep(std::size_t stage, Piece& piece, IntegrationResult& result) {
   now.q = result.q;
   now.v = result.v;
   now.time = result.time;
+  now.flight = 0;
+}
+
+// A cord that has gone slack slips over the wheels that it turned, and one that winds on a wheel is of no one length
+// again.
+void Course::refuse_slack(std::size_t stage, std::size_t action, const Piece& piece) {
+  const Mechanism<double>& mechanism = piece.machine().mechanism;
+  const Action& cord = mechanism.actions[action];
+  const auto turns_wheels = [&](const VelocityConstraint<double>& c) {
+    return c.kind == VelocityConstraintKind::led_cord && !c.keeps_length &&
+           act_together(mechanism.actions[static_cast<std::size_t>(c.action)], cord);
+  };
+  if (std::ranges::none_of(mechanism.constraints, turns_wheels)) return;
+  stops(stage, std::ranges::find(situation_.cords, cord.name, &Cord::name)->mark,
+        "the cord '" + cord.name + "' goes slack at " + with_digits(stages_[stage].time, 6) +
+            " s: then it slips over the wheels that it turns, which is not followed");
 }
 
 // A cord or contact gives way or catches: velocities change as in a blow without rebound, and the next piece begins
@@ -207,7 +241,11 @@ void Course::change_holds(std::size_t stage, std::size_t action, Piece& piece) {
   const Action& named = probe_->machine().mechanism.actions[action];
   const bool cord = named.kind == ActionKind::cord;
   const std::string time = " at " + with_digits(now.time, 6) + " s";
-  acting[action] = !acting[action];
+  refuse_slack(stage, action, piece);
+  const bool acts = !acting[action];
+  const std::vector<Action>& actions = probe_->machine().mechanism.actions;
+  for (std::size_t i = 0; i < actions.size(); ++i)
+    if (i == action || act_together(actions[i], named)) acting[i] = acts;
   const std::string change =
       acting[action] ? (cord ? "goes taut" : "touches again") : (cord ? "goes slack" : "is lost");
   changes_.push_back({now.time, (cord ? "the cord '" : "the contact '") + named.name + "' " + change});

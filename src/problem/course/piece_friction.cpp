@@ -1,6 +1,8 @@
 // The events of contacts with dry friction within a piece of a motion: with the push N and the friction F on the body,
-// a contact that slides along d ceases to where its slip comes to u . d = 0, and one at rest begins to where
-// m0^2 N^2 - F^2 comes to zero.
+// a contact that slides along a line d ceases to where its slip comes to u . d = 0, and one at rest begins to where
+// m0^2 N^2 - F^2 comes to zero. Where the slip turns, d = u/|u| in every instant, which has no value where it ceases:
+// as |u| falls the steps become shorter in the same measure, and where |u| is rounding beside the motion it is taken
+// for none.
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,31 @@
 #include "problem/quantities/rough_contact.h"
 
 namespace poinsot::problem {
+namespace {
+
+// In tolerances of the motion, of the natural speed: a slip that turns is none below. A step that ended beyond its end
+// would be seen only if it were far above one; what it would still do is as much as the motion's error.
+constexpr double slip_ends = 100;
+// Of the natural speed: a slip along a line is where it vanishes, but for rounding.
+constexpr double slip_is_none = 1e-11;
+
+// One behind the last component of an action that begins at a place: that of a contact at rest is the push and two
+// across it, or in a planar problem one.
+std::size_t end_of_components(const Mechanism<double>& mechanism, std::size_t first) {
+  std::size_t end = first;
+  while (end < mechanism.components.size() && mechanism.components[end].action == mechanism.components[first].action)
+    ++end;
+  return end;
+}
+
+// The motion of a contact along the direction of one of its forces.
+const VelocityConstraint<double>& way_along(const RoughContactOf<double>& contact, const Component<double>& force) {
+  return *std::ranges::max_element(contact.motions, {}, [&](const VelocityConstraint<double>& way) {
+    return std::abs(dot(way.along.vector, force.along.vector));
+  });
+}
+
+}  // namespace
 
 Vector3<double> Course::Piece::slip(const RoughContactOf<double>& contact, std::span<const double> q,
                                     std::span<const double> v) {
@@ -28,12 +55,31 @@ std::size_t Course::Piece::push_of(const RoughContactOf<double>& contact) const 
                                   components.begin());
 }
 
+// The accelerations, with the friction of slips that turn against the slip of this state.
+void Course::Piece::accelerate(std::span<const double> q, std::span<const double> v, std::span<double> a) {
+  if (slips_turn_)
+    for (RoughContactOf<double>& contact : machine_.rough_contacts) {
+      if (!contact.turns) continue;
+      const Vector3<double> u = slip(contact, q, v);
+      if (!(norm(u) > 0)) continue;
+      Vector3<double> d{};
+      for (const std::size_t k : {1, 2})
+        d += dot(u, limit_state_.direction(contact.motions[k].along)) * contact.motions[k].along.vector;
+      contact.slip->vector = normalized(d);
+      dynamics_->set_direction(push_of(contact), along_sliding_force(contact));
+    }
+  dynamics_->accelerations(q, v, a);
+}
+
 // Whether nothing moves or would move, and no load changes: then nothing will.
 bool Course::Piece::stays_at_rest() {
-  if (motion_.timed_ || !machine_.accelerations.empty()) return false;
+  const auto stuck = std::ranges::count_if(machine_.rough_contacts, [](const RoughContactOf<double>& contact) {
+    return contact.coordinate >= 0 && contact.grip == Grip::sticks;
+  });
+  if (motion_.timed_ || std::ssize(machine_.accelerations) > stuck) return false;
   std::vector<double> v = now_.v, a(now_.v.size());
   dynamics_->project_velocities(now_.q, v);
-  dynamics_->accelerations(now_.q, v, a);
+  accelerate(now_.q, v, a);
   const std::vector<double> sizes = motion_.natural_sizes().of_v;
   constexpr double rounding = 1e-9;  // of the natural speed and acceleration
   for (std::size_t k = 0; k < v.size(); ++k) {
@@ -62,17 +108,33 @@ void Course::Piece::add_friction() {
     event.crossing = Crossing::falling;
     event.terminal = true;
     const std::size_t first = push_of(contact);
-    if (contact.grip == Grip::slides) {
+    if (contact.turns) {
+      event.name = "slip comes to rest";
+      event.size = motion_.natural_speed();
+      event.value = [this, &contact](double, std::span<const double> q, std::span<const double> v) {
+        return norm(slip(contact, q, v)) - slip_ends * motion_.tolerance_ * motion_.natural_speed();
+      };
+    } else if (contact.grip == Grip::slides) {
       event.name = "slip vanishes";
       event.size = motion_.natural_speed();
       event.value = [this, &contact](double, std::span<const double> q, std::span<const double> v) {
         const Vector3<double> u = slip(contact, q, v);
         return dot(u, limit_state_.direction(*contact.slip));
       };
+    } else if (contact.coordinate >= 0) {
+      event.name = "friction at its limit";
+      event.size = contact.resting > 0 ? std::pow(contact.resting, 2) : 1;
+      event.value = [this, &contact](double time, std::span<const double> q, std::span<const double> v) {
+        refresh(time);
+        accelerate(q, v, acceleration_);
+        return std::pow(contact.resting, 2) - std::pow(dynamics_->held_effort(contact.coordinate), 2);
+      };
     } else {
-      dynamics_->accelerations(now_.q, now_.v, acceleration_);
-      for (std::size_t k = first; k < first + 3; ++k)
-        if (!dynamics_->component_determined(k) && moves_anything(contact.motions[k - first])) {
+      accelerate(now_.q, now_.v, acceleration_);
+      const std::size_t end = end_of_components(machine_.mechanism, first);
+      for (std::size_t k = first; k < end; ++k)
+        if (!dynamics_->component_determined(k) &&
+            moves_anything(way_along(contact, machine_.mechanism.components[k]))) {
           const auto stated = std::ranges::find(motion_.situation_.contacts, contact.name, &Contact::name);
           motion_.stops(stage_, stated->friction->mark,
                         "how contacts at rest share what they carry from " + with_digits(now_.time, 6) +
@@ -80,12 +142,12 @@ void Course::Piece::add_friction() {
         }
       event.name = "friction at its limit";
       event.size = force * force;
-      event.value = [this, &contact, first](double time, std::span<const double> q, std::span<const double> v) {
+      event.value = [this, &contact, first, end](double time, std::span<const double> q, std::span<const double> v) {
         refresh(time);
-        dynamics_->accelerations(q, v, acceleration_);
-        const double N = dynamics_->component_force(first);
-        return std::pow(contact.resting * N, 2) - std::pow(dynamics_->component_force(first + 1), 2) -
-               std::pow(dynamics_->component_force(first + 2), 2);
+        accelerate(q, v, acceleration_);
+        double left = std::pow(contact.resting * dynamics_->component_force(first), 2);
+        for (std::size_t k = first + 1; k < end; ++k) left -= std::pow(dynamics_->component_force(k), 2);
+        return left;
       };
     }
     event_contact_[events_.size()] = &contact;
@@ -100,42 +162,60 @@ std::vector<ContactState> Course::Piece::at_their_limits(std::size_t event) {
   const RoughContactOf<double>* const come = event_contact_.at(event);
   if (come->grip != Grip::sticks) return starting;
   refresh(now_.time);
-  dynamics_->accelerations(now_.q, now_.v, acceleration_);
+  accelerate(now_.q, now_.v, acceleration_);
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
     if (contact.grip != Grip::sticks) continue;
+    constexpr double at_limit = 1e-9;  // of the limit: the time of an event is known to 1e-12 of the pace and better
+    if (contact.coordinate >= 0) {
+      const double effort = dynamics_->held_effort(contact.coordinate);
+      if (&contact != come && std::abs(effort) < (1 - at_limit) * contact.resting) continue;
+      const auto stated = std::ranges::find(motion_.situation_.contacts, contact.name, &Contact::name);
+      starting.push_back({contact.name, 0, Grip::slides, joint_direction(*stated, effort > 0), true, true});
+      continue;
+    }
     const std::size_t first = push_of(contact);
     const double limit = contact.resting * dynamics_->component_force(first);
     Vector3<double> friction{};
-    for (std::size_t k = first + 1; k < first + 3; ++k)
+    for (std::size_t k = first + 1; k < end_of_components(machine_.mechanism, first); ++k)
       friction += dynamics_->component_force(k) * machine_.mechanism.components[k].along.vector;
-    constexpr double at_limit = 1e-9;  // of the limit: the time of an event is known to 1e-12 of the pace and better
     if (&contact != come && norm(friction) < (1 - at_limit) * limit) continue;
-    starting.push_back({contact.name, 0, Grip::slides, direction_expression(-1.0 * normalized(friction)), true});
+    starting.push_back({contact.name, 0, Grip::slides, direction_expression(-1.0 * normalized(friction)), true, false});
   }
   return starting;
 }
 
-void Course::Piece::check_slips(const Trajectory& way) {
-  if (!rubs()) return;
+bool Course::Piece::slip_has_ended() {
+  accelerate(now_.q, now_.v, acceleration_);
+  return std::ranges::any_of(machine_.rough_contacts, [&](const RoughContactOf<double>& contact) {
+    if (contact.grip != Grip::slides) return false;
+    const Vector3<double> u = slip(contact, now_.q, now_.v), d = limit_state_.direction(*contact.slip);
+    limit_state_.set_accelerations(acceleration_);
+    return dot(u, d) <= (contact.turns ? slip_ends * motion_.tolerance_ : slip_is_none) * motion_.natural_speed() &&
+           dot(rough_motion(limit_state_, contact, true).slip, d) < 0;
+  });
+}
+
+std::vector<std::string> Course::Piece::off_their_lines(const Trajectory& way) {
+  std::vector<std::string> names;
+  if (!rubs()) return names;
   constexpr int looks = 4;
   constexpr double rounding = 4e-8;  // of the natural speed
   const double speed = motion_.natural_speed();
-  for (std::size_t i = 0; i < way.step_count(); ++i) {
-    const StepView step = way.step(i);
-    for (int k = 1; k <= looks; ++k) {
-      const double time = step.start + (step.end - step.start) * k / looks;
+  for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
+    if (contact.grip != Grip::slides || contact.turns || contact.coordinate >= 0 || !(contact.sliding > 0)) continue;
+    const auto is_off = [&](double time) {
       const State<double> there = way.state(time);
-      for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
-        if (contact.grip != Grip::slides) continue;
-        const Vector3<double> u = slip(contact, there.q, there.v), d = limit_state_.direction(*contact.slip);
-        if (norm(cross(u, d)) <= rounding * speed && dot(u, d) >= -rounding * speed) continue;
-        const auto stated = std::ranges::find(motion_.situation_.contacts, contact.name, &Contact::name);
-        motion_.stops(stage_, stated->friction->mark,
-                      "the direction in which contact '" + contact.name + "' slides turns from " +
-                          with_digits(now_.time, 6) + " s on, and motions in which it does are not followed");
-      }
+      const Vector3<double> u = slip(contact, there.q, there.v), d = limit_state_.direction(*contact.slip);
+      return norm(cross(u, d)) > rounding * speed || dot(u, d) < -rounding * speed;
+    };
+    bool off = false;
+    for (std::size_t i = 0; i < way.step_count() && !off; ++i) {
+      const StepView step = way.step(i);
+      for (int k = 1; k <= looks && !off; ++k) off = is_off(step.start + (step.end - step.start) * k / looks);
     }
+    if (off) names.push_back(contact.name);
   }
+  return names;
 }
 
 bool Course::Piece::rubs() const {
@@ -144,13 +224,13 @@ bool Course::Piece::rubs() const {
 
 double Course::Piece::rubbing_power(const State<double>& state) {
   if (!rubs()) return 0;
-  dynamics_->accelerations(state.q, state.v, acceleration_);
+  accelerate(state.q, state.v, acceleration_);
   double power = 0;
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
-    if (contact.grip != Grip::slides) continue;
+    // What friction in joints takes is counted with their drives.
+    if (contact.grip != Grip::slides || contact.coordinate >= 0) continue;
     const double N = dynamics_->component_force(push_of(contact));
-    const Vector3<double> u = slip(contact, state.q, state.v);
-    power -= contact.sliding * N * dot(u, limit_state_.direction(*contact.slip));
+    power -= contact.sliding * N * dot(slip(contact, state.q, state.v), limit_state_.direction(*contact.slip));
   }
   return power;
 }

@@ -81,7 +81,10 @@ WhenAsk read_when(const Members& members, const std::string& file) {
   if (when.first && members.find("times"))
     fail(file, members.mark_of("times"), "an ask is for the first time or for all times, not both");
   when.condition = *members.expression(when.first ? "first_time" : "times");
-  if (!when.condition.as<Comparison>())
+  const Call* call = when.condition.as<Call>();
+  const bool of_state =
+      call && (call->function == "sticking" || call->function == "sliding" || call->function == "parting");
+  if (!when.condition.as<Comparison>() && !of_state)
     fail(file, when.condition.mark(), "when something happens is told by a comparison",
          "write first_time: reaction(A).z == 0");
   when.from = members.expression("from");

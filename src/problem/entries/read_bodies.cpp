@@ -149,9 +149,11 @@ StatedInertia read_inertia(const std::string& key, const Entry& entry, const Rea
   if (!rest.empty() && rest != "any")
     fail(context.file, members.mark_of("rest"), "'" + rest + "' is not understood", "write rest: any, or leave it out");
   inertia.rest_any = rest == "any";
+  inertia.flat = context.plane.has_value();
+  const auto needed = [&](int i) { return !context.plane || static_cast<std::size_t>(i) == context.plane->normal(); };
   if (!inertia.axis && !inertia.rest_any)
     for (int i = 0; i < 3; ++i)
-      if (!inertia.moments[i])
+      if (!inertia.moments[i] && needed(i))
         fail(context.file, entry.mark, key + " leaves out " + axes[i],
              key == "inertia" ? "state it, or write rest: any" : "state it");
   return inertia;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "problem/entries/read_actions.h"
 #include "problem/keys/joint_kinds.h"
 #include "problem/keys/keys.h"
 #include "problem/keys/reader.h"
@@ -26,6 +27,13 @@ void read_freedom(const Members& members, const std::string& owner, const std::s
   freedom.accel = members.expression("accel");
   freedom.effort = members.expression(effort);
   freedom.damping = members.expression("damping");
+  if (const Entry* friction = members.find("friction")) {
+    freedom.friction = read_friction(*friction, members.mark_of("friction"), file);
+    if (freedom.rate && freedom.accel)
+      fail(file, freedom.friction->mark,
+           owner + " has rate:, accel: and friction: what drives it has to overcome the friction besides",
+           "leave out the friction and subtract it from drive(...), or state what drives it");
+  }
   if (freedom.rate && freedom.accel && freedom.effort)
     fail(file, members.mark_of(effort),
          owner + " has rate:, accel: and " + effort + ": " + "one too many: with rate and accel the " + effort +
@@ -39,7 +47,7 @@ void read_freedom(const Members& members, const std::string& owner, const std::s
 }
 
 bool states_freedom(const Members& members) {
-  for (const char* key : {"angle", "displacement", "rate", "accel", "couple", "force", "spring", "damping"})
+  for (const char* key : {"angle", "displacement", "rate", "accel", "couple", "force", "spring", "damping", "friction"})
     if (members.find(key)) return true;
   return false;
 }
@@ -137,6 +145,12 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
   }
   if (const Entry* angles = members.find("angles")) read_angles(*angles, owner, file, joint);
 
+  if (const Entry* friction = members.find("friction");
+      friction && (joint.freedoms.size() != 1 || joint.kind->advances))
+    fail(file, members.mark_of("friction"),
+         owner + " is a " + joint.kind->name +
+             ": friction is stated at joints that only turn or only slide, revolute and prismatic",
+         "state it there, or as contacts with friction");
   if (joint.freedoms.size() == 1) {
     read_freedom(members, owner, file, joint.freedoms.front());
   } else if (states_freedom(members)) {
@@ -175,6 +189,26 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
     }
   }
   return joint;
+}
+
+std::vector<Contact> frictions_in(const std::vector<Joint>& joints) {
+  std::vector<Contact> found;
+  for (const Joint& joint : joints)
+    for (const Freedom& freedom : joint.freedoms) {
+      if (!freedom.friction) continue;
+      Contact friction;
+      friction.name = joint.name;
+      friction.of = joint.to;
+      friction.against = joint.from;
+      friction.of_mark = joint.to_mark;
+      friction.against_mark = joint.from_mark;
+      friction.normal = joint.place;
+      friction.friction = freedom.friction;
+      friction.in_joint = true;
+      friction.mark = joint.mark;
+      found.push_back(std::move(friction));
+    }
+  return found;
 }
 
 }  // namespace poinsot::problem

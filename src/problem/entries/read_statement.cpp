@@ -18,6 +18,7 @@
 #include "problem/entries/statement.h"
 #include "problem/entries/viewing_direction.h"
 #include "problem/keys/keys.h"
+#include "problem/keys/planar_vectors.h"
 #include "problem/keys/reader.h"
 
 namespace poinsot::problem {
@@ -46,23 +47,47 @@ void note_units(const Entry& entry, const std::string& file, UnitHabits& habits)
     if (key.text != "title" && key.text != "source" && key.text != "view") note_units(value, file, habits);
 }
 
-Situation read_one(const Entry& root, const std::string& file) {
-  const Members members(root, file, {"problem"});
+// Reads `plane: [x, y]`.
+MotionPlane read_plane(const Entry& entry, const std::array<std::string, 3>& axes, const std::string& file) {
+  MotionPlane plane;
+  plane.mark = entry.mark;
+  const auto refuse = [&](const Mark& mark) {
+    fail(file, mark, "a plane is named by two different axes of the figure",
+         "write plane: [" + axes[0] + ", " + axes[1] + "]");
+  };
+  if (!entry.is_list() || entry.items.size() != 2) refuse(entry.mark);
+  for (const std::size_t i : {0, 1}) {
+    const Entry& item = entry.items[i];
+    const auto axis = std::find(axes.begin(), axes.end(), scalar_text(item, file, "the name of an axis"));
+    if (axis == axes.end()) refuse(item.mark);
+    (i == 0 ? plane.first : plane.second) = static_cast<std::size_t>(axis - axes.begin());
+  }
+  if (plane.first == plane.second) refuse(entry.items[1].mark);
+  return plane;
+}
+
+std::array<std::string, 3> read_axes(const Entry& axes, const std::string& file) {
+  if (axes.kind != Entry::Kind::list || axes.items.size() != 3)
+    fail(file, axes.mark, "axes are three names", "write axes: [X, Y, Z]");
+  std::array<std::string, 3> names;
+  for (int i = 0; i < 3; ++i) {
+    names[i] = scalar_text(axes.items[i], file, "the name of an axis");
+    check_name(names[i], axes.items[i].mark, file);
+    for (int j = 0; j < i; ++j)
+      if (names[i] == names[j]) fail(file, axes.items[i].mark, "two axes have the name '" + names[i] + "'");
+  }
+  return names;
+}
+
+Situation read_one(const Entry& stated, const std::string& file) {
   Situation situation;
   situation.file = file;
+  if (const Entry* axes = stated.find("axes")) situation.axes = read_axes(*axes, file);
+  if (const Entry* plane = stated.find("plane")) situation.plane = read_plane(*plane, situation.axes, file);
+  const Entry root = situation.plane ? with_vectors_of_plane(stated, situation.plane->normal()) : stated;
+  const Members members(root, file, {"problem"});
   situation.title = members.text("title");
-  if (const Entry* axes = members.find("axes")) {
-    if (axes->kind != Entry::Kind::list || axes->items.size() != 3)
-      fail(file, axes->mark, "axes are three names", "write axes: [X, Y, Z]");
-    for (int i = 0; i < 3; ++i) {
-      situation.axes[i] = scalar_text(axes->items[i], file, "the name of an axis");
-      check_name(situation.axes[i], axes->items[i].mark, file);
-      for (int j = 0; j < i; ++j)
-        if (situation.axes[i] == situation.axes[j])
-          fail(file, axes->items[i].mark, "two axes have the name '" + situation.axes[i] + "'");
-    }
-  }
-  const ReadContext context{file, situation.axes};
+  const ReadContext context{file, situation.axes, situation.plane};
   situation.given = named_expressions(members, "given", file);
   for (const auto& [name, unit] : named(members, "letters", file)) {
     check_name(name.text, name.mark, file);
@@ -125,7 +150,14 @@ Situation read_one(const Entry& root, const std::string& file) {
            [&](const Key& name, const Entry& entry) { return read_joint(name.text, name.mark, entry, file); });
   read_all("contacts", situation.contacts,
            [&](const Key& name, const Entry& entry) { return read_contact(name, entry, file); });
+  for (Contact& friction : frictions_in(situation.joints)) {
+    if (std::ranges::find(situation.contacts, friction.name, &Contact::name) != situation.contacts.end())
+      fail(file, friction.friction->mark, "a contact has the name of the joint '" + friction.name + "' with friction",
+           "rename one of them");
+    situation.contacts.push_back(std::move(friction));
+  }
   read_all("cords", situation.cords, [&](const Key& name, const Entry& entry) { return read_cord(name, entry, file); });
+  read_all("gears", situation.gears, [&](const Key& name, const Entry& entry) { return read_gear(name, entry, file); });
   for_each_law_list(situation, [&]<StatedLaw Law>(std::vector<Law>& laws) {
     read_all(Law::list, laws, [&](const Key& name, const Entry& entry) { return Law::read(name, entry, file); });
   });
@@ -215,7 +247,7 @@ Statement read_statement(std::string_view text, const std::string& file, const R
       if (entry.kind != Entry::Kind::map) fail(file, entry.mark, "a situation is a map of what differs in it");
       for (const auto& [key, value] : entry.members)
         if (key.text == "ask" || key.text == "claim" || key.text == "record" || key.text == "expect" ||
-            key.text == "situations" || key.text == "title")
+            key.text == "situations" || key.text == "title" || key.text == "plane")
           fail(file, key.mark, "'" + key.text + "' cannot stand in a situation", "it belongs at the top of the file");
       add(name.text, laid_over(shared, entry));
       if (const Entry* find = entry.find("find"); find && find->kind == Entry::Kind::map)

@@ -51,6 +51,14 @@ void check_stated_names(const Situation& situation) {
   for (const Cord& cord : situation.cords) {
     holder(cord.from, cord.from_mark);
     body(cord.to, cord.to_mark);
+    std::vector<std::string> leads = holders;
+    for (const NamedExpression& point : situation.points) leads.push_back(point.name);
+    for (const CordWheel& wheel : cord.over) check(wheel.name, wheel.mark, leads, "body or point");
+  }
+  for (const Gear& gear : situation.gears) {
+    body(gear.of, gear.of_mark);
+    holder(gear.against, gear.against_mark);
+    if (gear.of == gear.against) fail(situation.file, gear.mark, "gear '" + gear.of + "' meets itself");
   }
   for_each_stated_law(situation, [&](const auto& law) {
     for (const LawBody& named : law.bodies())

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "poinsot/engine/solve/instant/rough_impact.h"
 #include "problem/entries/named_files.h"
 #include "problem/entries/stated_contact.h"
 #include "problem/entries/stated_load.h"
@@ -83,6 +84,7 @@ struct StatedInertia {
   std::optional<Expression> matrix;                   // a list of three rows with the minus signs of Eq. 18.8
   bool rest_any = false;
   bool radii = false;  // the moments are radii of gyration
+  bool flat = false;   // of a planar problem, where moments about axes in the plane may be left out
   Mark mark;
 };
 
@@ -120,6 +122,7 @@ struct Freedom {
   std::optional<Expression> rate, accel;
   std::optional<Expression> effort;  // couple or force
   std::optional<Expression> stiffness, free_position, damping;
+  std::optional<Friction> friction;  // its largest couple or force at rest, and that while it moves
   Mark mark;
 };
 
@@ -146,11 +149,32 @@ struct Joint {
   Mark mark;
 };
 
+// What a cord is led over: a wheel of a body, or a point of a body or of the figure.
+struct CordWheel {
+  std::string name;  // of the body or point
+  Expression named;  // the same as an expression
+  std::optional<Expression> at, radius, side;
+  bool smooth = false;  // whether the cord slides over it
+  Mark mark;
+};
+
 // A cord between two bodies. If `direction` is given it is so long that its direction does not change.
 struct Cord {
   std::string name, from, to;
   Mark from_mark, to_mark;
   std::optional<Expression> at, end, direction;
+  std::vector<CordWheel> over;               // in the order of the cord
+  std::optional<CordWheel> off_from, on_to;  // where it winds on a wheel of `from` or `to`, instead of at and end
+  Mark mark;
+
+  bool is_led() const { return !over.empty() || off_from || on_to; }
+};
+
+// Two gears whose teeth meet.
+struct Gear {
+  std::string name, of, against;
+  Mark of_mark, against_mark;
+  Expression at;
   Mark mark;
 };
 
@@ -167,7 +191,8 @@ struct Impact {
   std::string name, of, against;
   Mark of_mark, against_mark;
   Expression at, pushes;
-  std::optional<Expression> restitution;
+  std::optional<Expression> restitution, friction;
+  solve::RestitutionLaw hypothesis = solve::RestitutionLaw::energetic;
   Mark mark;
 };
 
@@ -295,6 +320,15 @@ struct ExpectedCase {
   Mark mark;
 };
 
+// The plane of a planar problem: two axes of the figure, from the first of which to the second angles are counted.
+struct MotionPlane {
+  std::size_t first = 0, second = 1;
+  Mark mark;
+  std::size_t normal() const { return 3 - first - second; }
+  // Of the sense in which angles are counted about the normal axis of the figure.
+  int sign() const { return second == (first + 1) % 3 ? 1 : -1; }
+};
+
 // One setting of the machine: what the file says at its top, with the entries of this setting laid over it.
 struct Situation {
   std::string name;  // "" when the file states no situations
@@ -312,13 +346,15 @@ struct Situation {
   std::vector<Expression> assume;    // comparisons under which claims are made
   std::array<std::string, 3> axes{"x", "y", "z"};
   std::optional<Expression> gravity;  // absent: not stated; the name `none`: no gravity
-  std::string view;                   // from where a figure is looked at, as viewing_direction() has it; "" if open
+  std::optional<MotionPlane> plane;
+  std::string view;  // from where a figure is looked at, as viewing_direction() has it; "" if open
   std::vector<NamedExpression> points, directions, define;
   std::vector<Frame> frames;
   std::vector<Body> bodies;
   std::vector<Joint> joints;
   std::vector<Contact> contacts;
   std::vector<Cord> cords;
+  std::vector<Gear> gears;
   std::vector<Spring> springs;
   std::vector<Load> loads;
   std::vector<Impulse> impulses;
@@ -330,6 +366,17 @@ struct Situation {
   // Whether there is a blow, so that velocities before and after it differ.
   bool has_friction() const {
     return std::ranges::any_of(contacts, [](const Contact& contact) { return contact.friction.has_value(); });
+  }
+  // Whether it is one at a rough contact.
+  bool has_rough_blow() const {
+    return std::ranges::any_of(impacts, [](const Impact& impact) { return impact.friction.has_value(); });
+  }
+  // The first freedom whose couple or force is to be found from what is stated elsewhere; null if there is none.
+  const Freedom* sought_effort() const {
+    for (const Joint& joint : joints)
+      for (const Freedom& freedom : joint.freedoms)
+        if (freedom.effort && is_any(*freedom.effort)) return &freedom;
+    return nullptr;
   }
   bool has_blow() const { return !impulses.empty() || !impacts.empty() || !strikes.empty(); }
   UnitHabits habits;  // the units used, from which those of the answers are chosen

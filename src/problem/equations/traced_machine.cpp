@@ -170,10 +170,14 @@ MachineOf<Formula> possible_machine(const Situation& situation, const Names& nam
 // equations of motion.
 void check_actions(Mechanism<Formula>& mechanism, const Situation& situation) {
   for (const Contact& contact : situation.contacts)
+    if (contact.strikes_later())
+      throw NoEquations("contact '" + contact.name +
+                        "' is struck later: a motion with blows is not told by one set of equations");
+  for (const Contact& contact : situation.contacts)
     if (contact.friction)
       throw NoEquations(
-          "contact '" + contact.name +
-          "' has friction: whether it sticks or slides is told at an instant, not by one set of equations");
+          contact.words() +
+          " has friction: whether it sticks or slides is told at an instant, not by one set of equations");
   for (VelocityConstraint<Formula>& c : mechanism.constraints) {
     if (c.shape_unknown)
       throw NoEquations("how the point of contact moves is not known (" + c.words +
@@ -184,9 +188,14 @@ void check_actions(Mechanism<Formula>& mechanism, const Situation& situation) {
   }
   for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
     const Action& action = mechanism.actions[i];
-    if (action.kind != ActionKind::contact && action.kind != ActionKind::cord) continue;
+    if (action.kind != ActionKind::contact && action.kind != ActionKind::cord && action.kind != ActionKind::mesh)
+      continue;
     const int index = static_cast<int>(i);
-    const auto of_action = [index](const auto& item) { return item.action == index; };
+    const auto of_action = [index](const auto& item) {
+      if constexpr (requires { item.follows; })
+        if (item.follows >= 0) return false;
+      return item.action == index;
+    };
     if (std::count_if(mechanism.components.begin(), mechanism.components.end(), of_action) !=
         std::count_if(mechanism.constraints.begin(), mechanism.constraints.end(), of_action))
       throw NoEquations(
@@ -323,6 +332,7 @@ TracedMachine traced_machine(const Situation& situation, const EquationsOptions&
   MachineOf<Formula>& machine = traced_machine.stated;
   if (machine.mechanism.tree.velocity_size() == 0) throw NoEquations("nothing in it can move");
   check_actions(machine.mechanism, situation);
+  if (situation.sought_effort()) throw NoEquations("what drives a joint is to be found: state it in place of any");
   traced_machine.held = find_held(machine.mechanism);
 
   Trace& trace = traced_machine.trace;

@@ -15,6 +15,21 @@ void note_once(ExplainedSection& section, const std::string& text) {
 
 }  // namespace
 
+// What Coulomb's law says of the friction of an impact.
+void InstantExplainer::friction_step(std::size_t i, ExplainedSection& here) {
+  const solve::Impact& impact = figures_.numbers.blow.impacts[i];
+  const std::string coefficient = "$\\mu = " + tex_.number(*impact.friction, dimensions::none) + "$";
+  if (impact.per_push)
+    here.steps.push_back({"At *" + impact.name + "* the points slip in one direction to the end of the blow, and the " +
+                              "impulse of friction is $\\mu$ times that of the push, " + coefficient + ".",
+                          {}});
+  if (impact.given)
+    here.steps.push_back({"The impulse of friction at *" + impact.name +
+                              "* is summed along the blow by Coulomb's law with " + coefficient + ": $" +
+                              tex_.with_unit(*impact.given, dimensions::momentum) + "$.",
+                          {}});
+}
+
 // Shows restitution and the constraints between coordinates.
 void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed,
                                         ExplainedSection& here) {
@@ -34,6 +49,10 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
     return terms;
   };
   for (std::size_t i = 0; sudden() && i < numbers.blow.impacts.size(); ++i) {
+    if (numbers.blow.impacts[i].is_friction) {
+      friction_step(i, here);
+      if (!numbers.blow.impacts[i].leaves) continue;
+    }
     const auto along = [&](const auto& figures, std::size_t k) {
       using Scalar = ScalarOf<decltype(figures)>;
       solve::MechanismStateOf<Scalar> state = *figures.before;
@@ -46,13 +65,16 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
         coordinate_terms([&](std::size_t k) { return shown([&](const auto& figures) { return along(figures, k); }); });
     const Shown right = shown([&](const auto& figures) {
       const auto& impact = figures.blow.impacts[i];
-      return -(impact.restitution * approach_of(*figures.before, impact));
+      return impact.leaves ? *impact.leaves : -(impact.restitution * approach_of(*figures.before, impact));
     });
+    const solve::Impact& impact = numbers.blow.impacts[i];
     ExplainedStep step{
-        "At *" + numbers.blow.impacts[i].name +
-            "* the points part along the push with $e$ times the "
-            "speed of approach, $e = " +
-            tex_.number(numbers.blow.impacts[i].restitution, dimensions::none) + "$:",
+        impact.is_friction ? "The slip at *" + impact.name + "* has vanished after the blow:"
+        : impact.leaves
+            ? "Followed along the blow with friction, with $e = " + tex_.number(impact.restitution, dimensions::none) +
+                  "$, the points at *" + impact.name + "* part along the push with:"
+            : "At *" + impact.name + "* the points part along the push with $e$ times the speed of approach, $e = " +
+                  tex_.number(impact.restitution, dimensions::none) + "$:",
         tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length, natural_coefficient())};
     here.steps.push_back(std::move(step));
   }

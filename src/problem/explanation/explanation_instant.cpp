@@ -28,7 +28,7 @@ InstantExplainer::InstantExplainer(const Situation& situation, SolvedInstant& so
       tex_(tex),
       questions_(questions),
       explanation_(explanation),
-      figures_{figures_of(situation, settings, solved, before), {}},
+      figures_{figures_of(solved, before), {}},
       data_(situation, settings),
       factors_(std::move(factors)) {
   if (formulas) figures_.formulas.emplace(figures_of(*formulas, figures_.numbers.forces));

@@ -179,6 +179,7 @@ class InstantExplainer {
   void rate_step(ExplainedSection& section, int body, const ExplainedPoint& about, bool fixed);
   void force_list(ExplainedSection& section, const System& system, const std::set<std::string>& across) const;
   std::string sliding_coefficient(std::size_t action) const;
+  void friction_step(std::size_t impact, ExplainedSection& section);
   void extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed, ExplainedSection& section);
   void list_unknowns(const std::vector<Symbol>& listed);
   std::vector<std::size_t> open_coordinates() const;

@@ -126,6 +126,11 @@ std::string joint_line(const Joint& joint, const Data& data) {
 
 // What is said of the slipping of a contact.
 std::string slipping_words(const Contact& contact) {
+  if (!contact.no_slip_along.empty()) {
+    std::vector<std::string> edges;
+    for (const Expression& edge : contact.no_slip_along) edges.push_back(code(edge));
+    return ", without slipping along " + listed(edges) + ", which turns with *" + contact.of + "*";
+  }
   if (!contact.friction) return contact.no_slip ? ", without slipping" : ", without friction";
   const std::string resting = code(contact.friction->resting), sliding = code(contact.friction->sliding);
   std::string words = ", with dry friction: the coefficient is " + resting;
@@ -143,14 +148,36 @@ std::string slipping_words(const Contact& contact) {
   return words;
 }
 
+std::string friction_words(const Contact& contact) {
+  std::string words = "the joint *" + contact.name + "* has dry friction of " + code(contact.friction->resting);
+  if (contact.friction->falls()) words += " at rest and " + code(contact.friction->sliding) + " while it moves";
+  if (contact.grip == Grip::sticks) words += "; it is held";
+  if (contact.grip == Grip::slides) words += "; it moves, and the friction is against that";
+  return words;
+}
+
 void add_actions(const Situation& situation, const Data& data, std::vector<std::string>& lines) {
   for (const Contact& contact : situation.contacts)
-    lines.push_back("*" + contact.of + "* touches *" + contact.against + "* at " + code(contact.at) + ", normal " +
-                    code(contact.normal) + slipping_words(contact));
-  for (const Cord& cord : situation.cords)
-    lines.push_back("the cord *" + cord.name + "* holds *" + cord.to + "*" +
+    lines.push_back(
+        contact.in_joint
+            ? friction_words(contact)
+            : "*" + contact.of + (contact.open ? "* may later touch *" : "* touches *") + contact.against + "* at " +
+                  code(contact.at) + ", normal " + code(contact.normal) +
+                  (contact.inside.empty() ? "" : ", inside *" + contact.inside + "*") + slipping_words(contact) +
+                  (contact.surface ? ", through " + code(*contact.surface) : "") +
+                  (contact.restitution ? ", restitution " + data.number(*contact.restitution, dimensions::none) : "") +
+                  (contact.blow_friction
+                       ? ", friction in blows " + data.number(*contact.blow_friction, dimensions::none)
+                       : ""));
+  for (const Cord& cord : situation.cords) {
+    std::string over;
+    for (const CordWheel& wheel : cord.over) over += (over.empty() ? ", led over *" : ", *") + wheel.name + "*";
+    lines.push_back("the cord *" + cord.name + "* " + (cord.on_to ? "winds on *" : "holds *") + cord.to + "*" +
                     (cord.end ? " at " + code(*cord.end) : "") +
-                    (cord.direction ? " along " + code(*cord.direction) : ""));
+                    (cord.direction ? " along " + code(*cord.direction) : "") + over);
+  }
+  for (const Gear& gear : situation.gears)
+    lines.push_back("the teeth of *" + gear.of + "* and *" + gear.against + "* meet at " + code(gear.at));
   const WrittenExpression written = [](const Expression& expression) { return code(expression); };
   for_each_stated_law(situation, [&](const auto& law) { lines.push_back(law.words(written)); });
   for (const Impulse& impulse : situation.impulses) {
@@ -162,7 +189,8 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
   for (const Impact& impact : situation.impacts)
     lines.push_back("*" + impact.of + "* strikes *" + impact.against + "* at " + code(impact.at) + ", pushed along " +
                     code(impact.pushes) +
-                    (impact.restitution ? ", restitution " + data.number(*impact.restitution, dimensions::none) : ""));
+                    (impact.restitution ? ", restitution " + data.number(*impact.restitution, dimensions::none) : "") +
+                    (impact.friction ? ", friction " + data.number(*impact.friction, dimensions::none) : ""));
   for (const Strike& strike : situation.strikes)
     lines.push_back("the particle *" + strike.name + "* of " + data.amount(strike.amount) + " hits *" + strike.hits +
                     "* at " + code(strike.at) + " with the velocity " + code(strike.velocity) +

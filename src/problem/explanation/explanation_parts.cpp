@@ -4,7 +4,7 @@
 
 #include "problem/explanation/explanation_instant.h"
 #include "problem/language/expression_walk.h"
-#include "problem/machine/part_masses.h"
+#include "problem/machine/masses.h"
 
 namespace poinsot::problem {
 namespace {

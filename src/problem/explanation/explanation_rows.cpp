@@ -64,6 +64,7 @@ bool InstantExplainer::moves_in_plane(const std::set<int>& bodies, std::size_t a
 }
 
 InstantExplainer::Plane InstantExplainer::plane_of(const std::set<int>& bodies, const std::vector<Row>& rows) const {
+  if (situation_.plane) return situation_.plane->normal();
   for (const std::size_t axis : {2, 1, 0}) {
     if (!moves_in_plane(bodies, axis)) continue;
     std::set<std::string> within, across;

@@ -36,7 +36,19 @@ InstantExplainer::Symbol InstantExplainer::symbol_of(const UnknownForce& force) 
     couple = component.couple;
     const std::string letter = action_symbol(action);
     if (action.kind == ActionKind::cord) {
-      symbol.tex = situation_.cords.size() > 1 ? ExplanationTex::symbol("T", letter) : "T";
+      // Of the tensions of a cord that turns wheels, the number of this one.
+      std::size_t number = 0, count = 0;
+      const std::size_t own = component.follows < 0 ? force.index : static_cast<std::size_t>(component.follows);
+      for (std::size_t k = 0; k < mechanism().components.size(); ++k) {
+        const Component<double>& other = mechanism().components[k];
+        if (other.follows >= 0 || !act_together(mechanism().actions[static_cast<std::size_t>(other.action)], action))
+          continue;
+        ++count;
+        if (k <= own) ++number;
+      }
+      const std::string cord = situation_.cords.size() > 1 ? letter : "",
+                        which = count > 1 ? (cord.empty() ? "" : ",") + std::to_string(number) : "";
+      symbol.tex = cord.empty() && which.empty() ? "T" : ExplanationTex::symbol("T", cord + which);
     } else if (action.kind == ActionKind::contact && component.one_sided) {
       symbol.tex = situation_.contacts.size() > 1 ? ExplanationTex::symbol("N", letter) : "N";
     } else {
@@ -65,7 +77,8 @@ InstantExplainer::Symbol InstantExplainer::symbol_of(const UnknownForce& force) 
     const std::string& name = mechanism().actions[static_cast<std::size_t>(drive.action)].name;
     symbol.tex = ExplanationTex::symbol(couple ? "M" : "F", name);
   } else {
-    symbol.tex = ExplanationTex::symbol("F", numbers.blow.impacts[force.index].name);
+    const solve::Impact& impact = numbers.blow.impacts[force.index];
+    symbol.tex = ExplanationTex::symbol("F", impact.name + (impact.is_friction ? ",t" : ""));
   }
   if (sudden()) symbol.tex += "\\Delta t";
   symbol.dimension = sudden() ? (couple ? dimensions::angular_momentum : dimensions::momentum)
@@ -189,10 +202,11 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
   for (const auto& [index, symbols] : held) {
     const Action& action = mechanism().actions[index];
     const bool reversed = !system.plan.bodies.contains(action.on);
-    const std::string what = action.kind == ActionKind::drive     ? "the motor at *" + action.joint + "*"
-                             : action.kind == ActionKind::cord    ? "the cord *" + action.name + "*"
-                             : action.kind == ActionKind::contact ? "the contact *" + action.name + "*"
-                             : action.kind == ActionKind::impact  ? "the impact *" + action.name + "*"
+    const std::string what = action.kind == ActionKind::drive      ? "the motor at *" + action.joint + "*"
+                             : action.kind == ActionKind::friction ? "the friction in *" + action.joint + "*"
+                             : action.kind == ActionKind::cord     ? "the cord *" + action.name + "*"
+                             : action.kind == ActionKind::contact  ? "the contact *" + action.name + "*"
+                             : action.kind == ActionKind::impact   ? "the impact *" + action.name + "*"
                              : action.kind == ActionKind::support
                                  ? "the support *" + action.name + "* of *" + action.joint + "*"
                                  : "the joint *" + action.name + "*";

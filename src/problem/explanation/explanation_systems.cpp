@@ -68,8 +68,14 @@ BalancePlan InstantExplainer::plan_for(const std::set<int>& bodies) const {
   const solve::ForceUnknowns order = solve::force_unknowns(m);
   const std::size_t first = static_cast<std::size_t>(m.tree.velocity_size());
   for (std::size_t k = 0; k < m.components.size(); ++k)
-    if (const double s = sign(m.components[k].action); s != 0 && acts(m.components[k].action))
-      plan.unknown.push_back({UnknownForce::Kind::component, k, first + k, s});
+    if (const double s = sign(m.components[k].action);
+        s != 0 && acts(m.components[k].action) &&
+        m.actions[static_cast<std::size_t>(m.components[k].action)].name != hold_of_plane) {
+      // A cord pulls with one tension on both sides of a smooth wheel.
+      const int follows = m.components[k].follows;
+      plan.unknown.push_back(
+          {UnknownForce::Kind::component, k, first + (follows < 0 ? k : static_cast<std::size_t>(follows)), s});
+    }
   std::vector<bool> held(m.actions.size(), false);
   for (std::size_t k = 0; k < order.drive_of_effort.size(); ++k) {
     const Drive<double>& drive = m.drives[order.drive_of_effort[k]];
@@ -87,8 +93,9 @@ BalancePlan InstantExplainer::plan_for(const std::set<int>& bodies) const {
   }
   for (std::size_t a = 0; a < m.actions.size(); ++a) {
     const ActionKind kind = m.actions[a].kind;
-    const bool given =
-        sudden() ? kind == ActionKind::impulse : has_law(kind) || (kind == ActionKind::drive && !held[a]);
+    const bool given = sudden()
+                           ? kind == ActionKind::impulse
+                           : has_law(kind) || ((kind == ActionKind::drive || kind == ActionKind::friction) && !held[a]);
     const double s = sign(static_cast<int>(a));
     if (!given || s == 0) continue;
     plan.known.push_back({a, s});

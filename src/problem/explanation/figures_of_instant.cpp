@@ -3,12 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "problem/instant/instant_conditions.h"
-
 namespace poinsot::problem {
 
-InstantFigures<double> figures_of(const Situation& situation, const Settings& settings, const SolvedInstant& solved,
-                                  const SolvedInstant* before) {
+InstantFigures<double> figures_of(const SolvedInstant& solved, const SolvedInstant* before) {
   InstantFigures<double> figures{&solved.machine(), solve::MechanismState(solved.machine().mechanism)};
   const MotionState state = solved.state();
   figures.now.set_positions(state.q);
@@ -23,9 +20,7 @@ InstantFigures<double> figures_of(const Situation& situation, const Settings& se
     figures.before.emplace(solved.machine().mechanism);
     figures.before->set_positions(state.q);
     figures.before->set_velocities(before->state().v);
-    DataScope<double> data(situation, settings);
-    const InstantView<double> view{situation, data, solved.machine(), *figures.before, solved.scales(), 0.0, nullptr};
-    figures.blow = stated_blow(view);
+    figures.blow = solved.struck();
     figures.impulses = solved.blow().value;
   }
   return figures;

@@ -9,8 +9,7 @@
 namespace poinsot::problem {
 
 // The figures of an instant as numbers. before: the instant before the blow, if there is one.
-InstantFigures<double> figures_of(const Situation& situation, const Settings& settings, const SolvedInstant& solved,
-                                  const SolvedInstant* before);
+InstantFigures<double> figures_of(const SolvedInstant& solved, const SolvedInstant* before);
 
 // The figures of an instant as formulas. forces: whether forces were solved.
 InstantFigures<Formula> figures_of(const FormulaInstant& formulas, bool forces);

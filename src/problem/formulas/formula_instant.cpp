@@ -153,6 +153,7 @@ solve::ExactSolution FormulaInstant::solve_with_unfixed(const solve::LinearSyste
 void FormulaInstant::solve_blow() {
   before_.emplace(*mechanism_state_);
   blow_ = stated_blow(view());
+  if (numbers_.rough_blow()) throw NoFormula("a blow with friction is followed by numbers");
   const StatedConditions<Formula> stated = blow_conditions(view(), blow_);
   solve::ExactSolution solution =
       solve_with_unfixed(solve::impulse_equations(*before_, scales_, blow_, stated.linear, numbers_.blow_acting()));

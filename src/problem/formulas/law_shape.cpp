@@ -1,12 +1,12 @@
 #include "problem/formulas/law_shape.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
 
+#include "engine/solve/linear/decompositions.h"
 #include "problem/language/unit_table.h"
 
 namespace poinsot::problem {

@@ -100,7 +100,7 @@ class StateSearch {
     std::vector<Grip> grips{Grip::slides};
     if (sticks) grips.insert(grips.begin(), Grip::sticks);
     // Where a round body touches that has turned since it was drawn is known only while it touches.
-    if (!(reached_ && rolls_[k])) grips.push_back(Grip::parts);
+    if (!(reached_ && rolls_[k]) && !contacts_[k]->in_joint) grips.push_back(Grip::parts);
     return grips;
   }
   bool next(std::vector<std::size_t>& choice) const {
@@ -128,6 +128,8 @@ class StateSearch {
         normals_.resize(contacts_.size());
         normals_[k] = instant.rough_normal(k);
         rolls_.resize(contacts_.size());
+        axes_.resize(contacts_.size());
+        if (contacts_[k]->in_joint) axes_[k] = instant.machine().rough_contacts[k].motions[1].along.vector;
         rolls_[k] = instant.machine().rough_contacts[k].motions.front().kind == VelocityConstraintKind::rolling;
       }
       return slips;
@@ -142,13 +144,16 @@ class StateSearch {
     for (std::size_t k = 0; k < contacts_.size(); ++k)
       if (norm(slips_[k] - others[k]) > none_beside * (norm(slips_[k]) + norm(others[k])))
         fail(situation_.file, contacts_[k]->friction->mark,
-             "how contact '" + contacts_[k]->name + "' slips is not known: the statement leaves velocities open",
+             "how " + contacts_[k]->words() + " slips is not known: the statement leaves velocities open",
              "state them, such as instants: {now: rest}");
   }
 
   ContactState state(std::size_t k, Grip grip, const Vector3<double>& d) const {
-    ContactState state{contacts_[k]->name, number_, grip, {}, grip == Grip::slides && !(norm(slips_[k]) > 0)};
-    if (grip == Grip::slides) state.slip = direction_expression(normalized(d));
+    ContactState state{contacts_[k]->name,    number_, grip, {}, grip == Grip::slides && !(norm(slips_[k]) > 0),
+                       contacts_[k]->in_joint};
+    if (grip == Grip::slides)
+      state.slip =
+          axes_[k] ? joint_direction(*contacts_[k], dot(d, *axes_[k]) < 0) : direction_expression(normalized(d));
     return state;
   }
 
@@ -180,6 +185,7 @@ class StateSearch {
   }
 
   Vector3<double> across(std::size_t k) const {
+    if (axes_[k]) return *axes_[k];
     const Vector3<double>& n = normals_[k];
     return normalized(cross(n, std::abs(n.x) < 0.9 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0}));
   }
@@ -191,7 +197,7 @@ class StateSearch {
     for (Contact& contact : tried.contacts)
       if (smooth && contact.from_rest) contact.friction->sliding = number_expression(0);
     bool open = false;
-    const Slips slips = slips_of(tried, {}, open);
+    Slips slips = slips_of(tried, {}, open);
     if (!open) return slips;
     // What is open must decide nothing here.
     OpenChoice varied;
@@ -269,7 +275,9 @@ class StateSearch {
         on_lines = on_lines && norm(cross(slip[starting[i]], lines[i])) <= on_line * norm(slip[starting[i]]);
       keep_if_held(states);
     }
-    if (on_lines && !(norm(free[starting.front()]) > 0 && starting.size() == 1 && !lines_only_)) return;
+    if (on_lines &&
+        (axes_[starting.front()] || !(norm(free[starting.front()]) > 0 && starting.size() == 1 && !lines_only_)))
+      return;
     if (lines_only_) {
       held_.directions_sought = held_.directions_sought || !on_lines;
       return;
@@ -379,8 +387,9 @@ class StateSearch {
   const bool lines_only_;
   const ReachedState* const reached_;
   std::vector<const Contact*> contacts_;
-  std::vector<Vector3<double>> slips_, normals_;  // as drawn
-  std::vector<bool> rolls_;                       // of each contact, whether it is that of a round surface
+  std::vector<Vector3<double>> slips_, normals_;      // as drawn
+  std::vector<std::optional<Vector3<double>>> axes_;  // of friction in joints, as drawn
+  std::vector<bool> rolls_;                           // of each contact, whether it is that of a round surface
   HeldStates held_;
   std::vector<bool> whole_;  // of each combination that holds: whether no smooth contact pulls and no cord pushes
   bool whole_now_ = true;    // the same of the one that was solved last
@@ -398,6 +407,10 @@ Expression named_direction(const std::string& name, bool opposite) {
   return opposite ? expression_of(Unary{'-', named}) : named;
 }
 
+Expression joint_direction(const Contact& friction, bool opposite) {
+  return opposite ? expression_of(Unary{'-', friction.normal}) : friction.normal;
+}
+
 void put_in_states(Situation& situation, std::size_t number, const std::vector<ContactState>& states) {
   for (const ContactState& state : states)
     for (Contact& contact : situation.contacts)
@@ -405,6 +418,7 @@ void put_in_states(Situation& situation, std::size_t number, const std::vector<C
         contact.grip = state.grip;
         contact.slip = state.slip;
         contact.from_rest = state.from_rest;
+        contact.slip_turns = false;
       }
 }
 
@@ -427,7 +441,7 @@ Situation with_states_open(const Situation& situation) {
   for (Contact& contact : open.contacts) {
     contact.grip = Grip::unknown;
     contact.slip.reset();
-    contact.from_rest = false;
+    contact.from_rest = contact.slip_turns = false;
   }
   return open;
 }

@@ -26,6 +26,9 @@ struct HeldStates {
 Expression direction_expression(const Vector3<double>& d);
 Expression named_direction(const std::string& name, bool opposite);
 
+// The axis of a joint with friction, in whose sense `to` moves or in the opposite one.
+Expression joint_direction(const Contact& friction, bool opposite);
+
 // The situation with its contacts in these states; those that name another situation are passed over.
 void put_in_states(Situation& situation, std::size_t number, const std::vector<ContactState>& states);
 

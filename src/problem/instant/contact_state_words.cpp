@@ -8,14 +8,16 @@
 namespace poinsot::problem {
 
 std::string words_of(const ContactState& state, const std::optional<Vector3<double>>& along) {
-  const std::string contact = "contact '" + state.contact + "'";
-  if (state.grip == Grip::sticks) return contact + " sticks";
+  const std::string contact = std::string(state.in_joint ? "joint" : "contact") + " '" + state.contact + "'";
+  if (state.grip == Grip::sticks) return contact + (state.in_joint ? " is held by its friction" : " sticks");
   if (state.grip == Grip::parts) return contact + " parts";
   std::string words = to_string(*state.slip);
   constexpr int digits = 6;
   if (along)
     words = "[" + with_digits(along->x, digits) + ", " + with_digits(along->y, digits) + ", " +
             with_digits(along->z, digits) + "]";
+  if (state.in_joint)
+    return contact + (state.from_rest ? " begins to move" : " moves") + " against its friction, along " + words;
   return contact + (state.from_rest ? " begins to slide along " : " slides along ") + words;
 }
 

@@ -36,6 +36,18 @@ MatrixXd share_directions(const solve::LinearSolution& solution, std::size_t fix
   return Z * Q.rightCols(count - qr.rank());
 }
 
+std::vector<std::size_t> unknowns_of(const FrictionCone& cone) {
+  std::vector<std::size_t> unknowns{cone.push, cone.first};
+  if (cone.second) unknowns.push_back(*cone.second);
+  return unknowns;
+}
+
+// The components of the friction by the forces of the unknowns.
+template <class Force>
+std::pair<double, double> friction_in(const FrictionCone& cone, const Force& force) {
+  return {force(cone.first), cone.second ? force(*cone.second) : 0};
+}
+
 // The largest change of a force between bodies in each of the directions, which come in whatever unit their solution
 // has. One that changes such forces by no more than rounding has its own size.
 VectorXd sizes_of(const MatrixXd& shares, const std::vector<std::size_t>& one_sided,
@@ -46,7 +58,7 @@ VectorXd sizes_of(const MatrixXd& shares, const std::vector<std::size_t>& one_si
   };
   for (const std::size_t k : one_sided) look_at(k);
   for (const FrictionCone& cone : cones)
-    for (const std::size_t k : {cone.push, cone.first, cone.second}) look_at(k);
+    for (const std::size_t k : unknowns_of(cone)) look_at(k);
   for (Index d = 0; d < sizes.size(); ++d) {
     const double whole = shares.col(d).cwiseAbs().maxCoeff();
     if (!(sizes[d] > cone_rounding * whole)) sizes[d] = whole > 0 ? whole : 1;
@@ -69,9 +81,9 @@ class ConeProgram {
       if (moves(k)) add(slopes_of(k), solution.value[k], true);
     }
     for (const FrictionCone& cone : cones) {
-      for (const std::size_t k : {cone.push, cone.first, cone.second})
-        size_ = std::max(size_, std::abs(solution.value[k]));
-      if (!moves(cone.push) && !moves(cone.first) && !moves(cone.second)) continue;
+      const std::vector<std::size_t> unknowns = unknowns_of(cone);
+      for (const std::size_t k : unknowns) size_ = std::max(size_, std::abs(solution.value[k]));
+      if (std::ranges::none_of(unknowns, [&](std::size_t k) { return moves(k); })) continue;
       cones_.push_back(cone);
       constexpr int first_planes = 8;
       for (int k = 0; k < first_planes; ++k) add_plane(cone, 2 * std::numbers::pi * k / first_planes);
@@ -115,8 +127,13 @@ class ConeProgram {
   void add(const VectorXd& slopes, double constant, bool margin) { rows_.push_back({slopes, constant, margin}); }
   void add_plane(const FrictionCone& cone, double angle) {
     const double c = std::cos(angle), s = std::sin(angle), m = cone.coefficient;
-    add(m * slopes_of(cone.push) - c * slopes_of(cone.first) - s * slopes_of(cone.second),
-        m * solution_.value[cone.push] - c * solution_.value[cone.first] - s * solution_.value[cone.second], true);
+    VectorXd slopes = m * slopes_of(cone.push) - c * slopes_of(cone.first);
+    double constant = m * solution_.value[cone.push] - c * solution_.value[cone.first];
+    if (cone.second) {
+      slopes -= s * slopes_of(*cone.second);
+      constant -= s * solution_.value[*cone.second];
+    }
+    add(slopes, constant, true);
   }
 
   // Meets the cones more and more closely where the optimum lies.
@@ -134,7 +151,7 @@ class ConeProgram {
       double worst = std::numeric_limits<double>::infinity();
       for (const FrictionCone& cone : cones_) {
         const auto force = [&](std::size_t k) { return solution_.value[k] / size_ + slopes_of(k).dot(t); };
-        const double first = force(cone.first), second = force(cone.second);
+        const auto [first, second] = friction_in(cone, force);
         const double margin = cone.coefficient * force(cone.push) - std::hypot(first, second);
         worst = std::min(worst, margin);
         if (margin >= (with_margin ? found->x[directions_] : 0) - 0.01 * cone_rounding) continue;
@@ -219,7 +236,8 @@ std::optional<double> largest_within_cones(const solve::LinearSolution& solution
 void keep_sticking(const std::vector<double>& from, const std::vector<FrictionCone>& cones, std::vector<double>& to) {
   const auto margin = [&](const FrictionCone& cone, double part) {
     const auto force = [&](std::size_t k) { return from[k] + part * (to[k] - from[k]); };
-    return cone.coefficient * force(cone.push) - std::hypot(force(cone.first), force(cone.second));
+    const auto [first, second] = friction_in(cone, force);
+    return cone.coefficient * force(cone.push) - std::hypot(first, second);
   };
   double part = 1;
   for (const FrictionCone& cone : cones) {

@@ -12,9 +12,10 @@
 
 namespace poinsot::problem {
 
-// The push and the two components of the friction of a contact that sticks, by their places among the unknowns.
+// The push and the components of the friction of a contact that sticks, by their places among the unknowns.
 struct FrictionCone {
-  std::size_t push = 0, first = 0, second = 0;
+  std::size_t push = 0, first = 0;
+  std::optional<std::size_t> second{};  // none in a planar problem
   double coefficient = 0;
 };
 

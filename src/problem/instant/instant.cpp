@@ -41,6 +41,7 @@ MachineOptions SolvedInstant::machine_options(double time, const std::optional<s
   options.lenient = choice_.trial;
   options.particles = choice_.particles;
   options.loads = loads;
+  options.open_contacts = whole_;
   if (choice_.gravity > 0) {
     std::mt19937_64 random(choice_.seed + 1);
     std::uniform_real_distribution<double> size(-choice_.gravity, choice_.gravity);

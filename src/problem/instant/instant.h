@@ -13,6 +13,7 @@
 #include "poinsot/engine/solve/instant/particle_check.h"
 #include "problem/instant/friction_shares.h"
 #include "problem/instant/instant_conditions.h"
+#include "problem/instant/rough_blow.h"
 #include "problem/quantities/quantities.h"
 #include "problem/quantities/rough_contact.h"
 
@@ -79,6 +80,14 @@ class SolvedInstant {
   void move_to(const MotionState& state);
   // The machine at a time with the loads of a stage (with all loads if these are left out).
   Machine machine_at(double time, const std::optional<std::vector<std::string>>& loads);
+  // The blow at contacts that meet along a motion, as instants before and after it; the state must be the one with all
+  // contacts. acting: what holds besides. Restitution is Newton's where several meet and where there is no friction.
+  struct Met {
+    std::size_t action = 0;  // among those of the mechanism
+    double restitution = 0;
+    std::optional<double> friction{};
+  };
+  void strike_later(const std::vector<Met>& met, const std::vector<bool>& acting, const Mark& mark);
   // The velocities just after cords and contacts have caught, without rebound. acting: those that act then.
   std::vector<double> caught(const std::vector<bool>& acting);
   double data_number(const Expression& expression, const Dimension& dimension) {
@@ -115,6 +124,8 @@ class SolvedInstant {
   void strike() { solve_blow(); }
   bool after_blow() const { return before_.has_value(); }
   const solve::LinearSolution& blow() const { return blow_solution_; }
+  const solve::Blow& struck() const { return blow_; }
+  const std::optional<RoughBlow>& rough_blow() const { return rough_blow_; }
   const std::vector<bool>& blow_acting() const { return blow_acting_; }  // of each action, in the blow
   const solve::LinearSystem& blow_equations() const { return blow_equations_; }
   const solve::LinearSolution& velocities() const { return velocities_; }
@@ -188,6 +199,8 @@ class SolvedInstant {
     std::optional<double> stability{};
     // If contacts have friction and forces are solved: how far its laws are from being fulfilled, relative.
     std::optional<double> friction{};
+    // After a blow with friction: how far the impulses are from those of a second road, relative.
+    std::optional<double> blow{};
     // If there are loads, springs or motors and forces are solved: how far these are from what is stated, relative.
     std::optional<double> laws{};
   };
@@ -221,7 +234,11 @@ class SolvedInstant {
   std::vector<std::size_t> one_sided_unknowns(std::size_t first) const;
   // The same for the contacts that stick.
   std::vector<FrictionCone> friction_cones(std::size_t first) const;
+  void turn_slips();
+  double misfit_in_joint(const RoughContactOf<double>& contact) const;
   double friction_misfit() const;
+  double rough_blow_misfit() const;
+  double blow_friction_misfit() const;
   std::optional<double> law_misfit() const;
   void solve_blow();
   std::mt19937_64& random();
@@ -246,6 +263,7 @@ class SolvedInstant {
   std::optional<solve::MechanismState> mechanism_state_;
   double time_ = 0;
   std::optional<bool> timed_;  // whether the machine depends on the time
+  bool whole_ = false;         // whether contacts are there that do not touch at the start
   bool moving_ = false;        // whether it moves along a motion, so that nothing is stated about this instant
   std::optional<std::size_t> built_stage_;  // the stage of a motion for which the machine is built
   std::vector<bool> built_acting_;
@@ -265,7 +283,8 @@ class SolvedInstant {
   // If this is the instant after a blow: the state before it, and the velocities after it with all impulses.
   std::optional<solve::MechanismState> before_;
   solve::Blow blow_;
-  std::vector<bool> blow_acting_;  // for each action
+  std::optional<RoughBlow> rough_blow_;  // if it is one with friction
+  std::vector<bool> blow_acting_;        // for each action
   solve::LinearSystem blow_equations_;
   solve::LinearSolution blow_solution_;
   std::vector<double> impulses_;

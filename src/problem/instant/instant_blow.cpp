@@ -51,15 +51,26 @@ void SolvedInstant::solve_blow() {
            "check the direction under pushes: and the motion before");
     }
   }
-  const StatedConditions<double> stated = blow_conditions(view(), blow_);
+  StatedConditions<double> stated = blow_conditions(view(), blow_);
   sources_[System::blow] = stated.sources;
+  const solve::Blow smooth = blow_;
 
   // Cords and one-sided contacts may act in the blow or give way. The right choice is the one in which no cord that
   // acts pushes, no contact that acts pulls, no cord is stretched and no contact penetrated.
+  if (situation_.has_rough_blow() && machine_.impacts.size() + machine_.impulses.size() > 1)
+    fail(situation_.file, place_of_blow(situation_),
+         "with friction, what strikes at the same time as another thing is not followed: it matters which is first",
+         "state one impact in each situation, or leave out the friction");
   const Mechanism<double>& mechanism = machine_.mechanism;
   std::vector<std::size_t> one_sided;
-  for (const Component<double>& component : mechanism.components)
-    if (component.one_sided) one_sided.push_back(static_cast<std::size_t>(component.action));
+  const auto together = [&](std::size_t one, std::size_t other) {
+    return one == other || act_together(mechanism.actions[one], mechanism.actions[other]);
+  };
+  for (const Component<double>& component : mechanism.components) {
+    const auto action = static_cast<std::size_t>(component.action);
+    const auto same = [&](std::size_t other) { return together(action, other); };
+    if (component.one_sided && std::ranges::none_of(one_sided, same)) one_sided.push_back(action);
+  }
   // Each set of those that act is solved for: four thousand sets take a second.
   if (one_sided.size() > 12)
     fail(situation_.file, place_of_blow(situation_), "more than 12 cords and contacts in one blow are too many");
@@ -84,11 +95,29 @@ void SolvedInstant::solve_blow() {
   const std::size_t choices = std::size_t{1} << one_sided.size();
   for (std::size_t choice = choice_.trial ? choice_.giving_way % choices : 0; choice < choices; ++choice) {
     std::vector<bool> acting(mechanism.actions.size(), true);
-    for (std::size_t k = 0; k < one_sided.size(); ++k) acting[one_sided[k]] = !(choice >> k & 1);
+    for (std::size_t k = 0; k < one_sided.size(); ++k)
+      for (std::size_t i = 0; i < acting.size(); ++i)
+        if (together(one_sided[k], i)) acting[i] = !(choice >> k & 1);
+    const bool last = choice + 1 == choices;
+    if (situation_.has_rough_blow()) {
+      RoughBlowResult along = follow_rough_blow({*before_, scales_, smooth, acting});
+      if (!along.found) {
+        if (along.by_others && !last && !choice_.trial) continue;
+        fail(situation_.file, place_of_blow(situation_), along.words, along.hint);
+      }
+      rough_blow_ = std::move(along.found);
+      blow_ = smooth;
+      put_friction(blow_, *before_, *rough_blow_);
+      stated = blow_conditions(view(), blow_);
+    }
     solve::LinearSystem equations;
     solve::LinearSolution solution = solve::solve_impulse(*before_, scales_, blow_, stated.linear, acting, &equations);
-    const bool last = choice + 1 == choices;
-    if (!choice_.trial) share_without_pull(solution, one_sided_unknowns(n), n);
+    if (!choice_.trial) {
+      const std::vector<std::size_t> pushing = one_sided_unknowns(n);
+      share_without_pull(solution, pushing, n);
+      if (const std::vector<FrictionCone> cones = friction_cones(n); !cones.empty())
+        share_within_cones(solution, pushing, cones, n);
+    }
     bool good = choice_.trial || solution.conflict.empty();
     all_contradict = all_contradict && !good;
     if (!good && choice == 0) {
@@ -110,8 +139,9 @@ void SolvedInstant::solve_blow() {
         size += std::abs(row[k] * solution.value[k]);
       }
       constexpr double of_terms = 1e-9;  // what sums of velocities leave that are solved for, to 1e-11 at worst
-      good =
-          constraint.kind == VelocityConstraintKind::cord_length ? rate <= of_terms * size : rate >= -of_terms * size;
+      // A part of a cord between wheels that it turns says nothing of the whole.
+      if (constraint.kind == VelocityConstraintKind::led_cord && !constraint.keeps_length) continue;
+      good = is_cord_length(constraint) ? rate <= of_terms * size : rate >= -of_terms * size;
     }
     if (!good && !last && !choice_.trial) continue;
     if (!good && !choice_.trial) {
@@ -131,7 +161,8 @@ void SolvedInstant::solve_blow() {
   impulses_ = blow_solution_.value;
   if (choice_.forces) move_along(blow_solution_, impulses_, blow_solution_.size > 0 ? blow_solution_.size : 1);
   for (std::size_t k = 0; k < blow_.impacts.size(); ++k)
-    if (impulses_[impulses_.size() - blow_.impacts.size() + k] < -rounding(impulses_) && !choice_.forces)
+    if (!blow_.impacts[k].is_friction &&
+        impulses_[impulses_.size() - blow_.impacts.size() + k] < -rounding(impulses_) && !choice_.forces)
       fail(situation_.file, impact_named(situation_, blow_.impacts[k].name).mark,
            "the impact '" + blow_.impacts[k].name + "' would have to pull", "check the direction under pushes:");
   v_.assign(impulses_.begin(), impulses_.begin() + static_cast<std::ptrdiff_t>(n));

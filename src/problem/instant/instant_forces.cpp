@@ -9,8 +9,21 @@
 #include "problem/machine/contact_limits.h"
 
 namespace poinsot::problem {
+namespace {
+
+const Mark& place_of_friction(const Situation& situation) {
+  return std::ranges::find_if(situation.contacts, [](const Contact& contact) { return contact.friction.has_value(); })
+      ->friction->mark;
+}
+
+}  // namespace
 
 void SolvedInstant::solve_forces() {
+  if (before_ && !moving_ && !machine_.rough_contacts.empty())
+    throw UnansweredError(situation_.file, place_of_friction(situation_),
+                          "forces just after a blow are not told where contacts have friction: their states after it "
+                          "are others than in it",
+                          "ask at a time, such as 1 ms, or for impulses and velocities");
   if (!motion_) solve_motion_equations(state_motion_equations());
 }
 
@@ -25,12 +38,10 @@ Diagnostic unknown_surface(const Situation& situation, const Machine& machine,
   const std::string& name = machine.mechanism.actions[static_cast<std::size_t>(constraint.action)].name;
   const auto contact = std::find_if(situation.contacts.begin(), situation.contacts.end(),
                                     [&](const Contact& c) { return c.name == name; });
-  return {
-      situation.file, contact->mark,
-      "how the point of contact '" + name +
-          "' moves is not known: the surfaces there are no circle, sphere or corner on a plane",
-      "velocities can be asked; for forces, accelerations and stability give the body a round shape, or its inertia "
-      "by axis:, axial:, transverse:"};
+  return {situation.file, contact->mark,
+          "how the point of contact '" + name + "' moves is not known: the surface of a body there is not known",
+          "velocities can be asked; for forces, accelerations and stability give the body a shape that touches "
+          "there (added: {skin: {ellipsoid: {...}, mass: 0 kg}}), or its inertia by axis:, axial:, transverse:"};
 }
 
 namespace {
@@ -125,12 +136,12 @@ std::vector<FrictionCone> SolvedInstant::friction_cones(std::size_t first) const
   std::vector<FrictionCone> cones;
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
     if (contact.grip != Grip::sticks) continue;
-    // Its components are the push and two across it, in this order.
+    // Its components are the push and two across it, or in a planar problem one, in this order.
+    std::vector<std::size_t> own;
     for (std::size_t k = 0; k < machine_.mechanism.components.size(); ++k)
-      if (machine_.mechanism.components[k].action == contact.action) {
-        cones.push_back({first + k, first + k + 1, first + k + 2, contact.resting});
-        break;
-      }
+      if (machine_.mechanism.components[k].action == contact.action) own.push_back(first + k);
+    if (own.size() < 2) continue;
+    cones.push_back({own[0], own[1], own.size() > 2 ? std::optional(own[2]) : std::nullopt, contact.resting});
   }
   return cones;
 }

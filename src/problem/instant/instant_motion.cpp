@@ -57,7 +57,7 @@ bool turns_nothing(const Machine& machine, int coordinate) {
 
 SolvedInstant::SolvedInstant(const Situation& situation, const Settings& settings, const MotionState& state,
                              const OpenChoice& choice)
-    : situation_(situation), settings_(settings), choice_(choice) {
+    : situation_(situation), settings_(settings), choice_(choice), whole_(true) {
   move_to(state);
 }
 
@@ -76,6 +76,7 @@ void SolvedInstant::move_to(const MotionState& state) {
   }
   moving_ = true;
   before_.reset();
+  rough_blow_.reset();
   linearisation_.reset();
   facts_.clear();
   machine_.q = state.q;
@@ -85,6 +86,20 @@ void SolvedInstant::move_to(const MotionState& state) {
   mechanism_state_->set_positions(machine_.q);
   solve::update_contacts(machine_.mechanism, *mechanism_state_);
   mechanism_state_->set_velocities(v_);
+  turn_slips();
+}
+
+// Where a slip turns, its friction is against the slip of this instant.
+void SolvedInstant::turn_slips() {
+  for (std::size_t k = 0; k < machine_.rough_contacts.size(); ++k) {
+    RoughContactOf<double>& contact = machine_.rough_contacts[k];
+    if (!contact.turns) continue;
+    const Vector3<double> slip = rough_motion_as_drawn(k, false).slip;
+    if (!(norm(slip) > 0)) continue;
+    contact.slip->vector = normalized(slip);
+    for (Component<double>& component : machine_.mechanism.components)
+      if (component.action == contact.action) component.along.vector = along_sliding_force(contact);
+  }
 }
 
 // Actions that do not act impose no constraints and carry no forces.
@@ -97,7 +112,18 @@ void SolvedInstant::release(const std::vector<bool>& acting) {
     mechanism.constraints.erase(mechanism.constraints.begin() + static_cast<std::ptrdiff_t>(i));
     machine_.constraint_joints.erase(machine_.constraint_joints.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  std::erase_if(mechanism.components, [&](const auto& component) { return released(component.action); });
+  std::size_t leader = 0;
+  // The parts of a cord are released together, so that those that follow another still stand behind it.
+  std::vector<Component<double>> kept;
+  for (Component<double>& component : mechanism.components) {
+    if (released(component.action)) continue;
+    if (component.follows >= 0)
+      component.follows = static_cast<int>(leader);
+    else
+      leader = kept.size();
+    kept.push_back(std::move(component));
+  }
+  mechanism.components = std::move(kept);
   mechanism_state_.emplace(mechanism);
 }
 

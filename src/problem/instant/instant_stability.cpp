@@ -6,6 +6,7 @@
 #include "poinsot/engine/mass/principal_axes.h"
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
 #include "poinsot/engine/solve/stability/steady_loads.h"
+#include "problem/instant/accelerated_frame.h"
 #include "problem/instant/instant.h"
 #include "problem/instant/instant_conditions.h"
 #include "problem/instant/massless_turning.h"
@@ -81,6 +82,12 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
   constexpr double no_turning = 1e-12;  // of the pace
   Vector turning = angular_velocity(w, frame);
   if (norm(turning) <= no_turning * pace()) turning = Vector::zero();
+  if (situation_.sought_effort())
+    throw UnansweredError(situation_.file, mark,
+                          "what drives the bodies is to be found here, and would have to be known nearby",
+                          "state it: couple: or force: at the freedom, in place of any");
+  const AcceleratedFrame rides = accelerated_frame(view(), mark, pace());
+  const Vector gravity = tree.gravity() - rides.acceleration;
   solve::SteadyMotion motion;
   motion.turning = turning;
   motion.q = machine_.q;
@@ -89,7 +96,7 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
   // The weight sets the least pace that is looked at; without it that is some 1e-5 of the motion's own, below which a
   // rate is lost in the rounding of the accelerations: their terms are of the size of its square.
   constexpr double slowest = 3e-5;
-  motion.time = 1 / std::max(std::sqrt(norm(tree.gravity()) / scales_.length), slowest * pace());
+  motion.time = 1 / std::max(std::sqrt(norm(gravity) / scales_.length), slowest * pace());
   motion.held.assign(n, false);
   for (const StatedRate& rate : machine_.accelerations) motion.held[static_cast<std::size_t>(rate.velocity)] = true;
   // A frame that moves with a body in free space states nothing about the motion of the mass center.
@@ -97,7 +104,8 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
     if (!situation_.steady || f.name != situation_.steady->frame || f.rides_on.empty()) continue;
     const int ridden = machine_.index.at(f.rides_on);
     const auto touches = [&](const Action& action) {
-      return (action.on == ridden || action.from == ridden) && action.kind != ActionKind::load;
+      return (action.on == ridden || action.from == ridden) && action.kind != ActionKind::load &&
+             action.name != hold_of_plane;
     };
     const auto& body = tree.body(ridden);
     if (body.joint != JointType::free ||
@@ -112,7 +120,16 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
   // Contacts move over round bodies, so that the mechanism is adapted to every pose. Near a steady motion they no
   // longer rest in its frame.
   mechanism = machine_.mechanism;
+  if (!rides.coordinates.empty())
+    mechanism.tree = Model<double>({tree.bodies().begin(), tree.bodies().end()}, tree.names(), tree.modes(), gravity);
+  for (const int k : rides.coordinates) motion.v[static_cast<std::size_t>(k)] = 0;
   for (VelocityConstraint<double>& constraint : mechanism.constraints) {
+    if (constraint.kind == VelocityConstraintKind::led_cord && !constraint.keeps_length && constraint.spans.size() > 1)
+      throw UnansweredError(situation_.file, mark,
+                            "the motion near a steady one is not told where a cord that winds or turns wheels slides "
+                            "over others as well (" +
+                                constraint.words + ")",
+                            "let the cord slip on no wheel: leave out smooth:, and eyelets");
     if (!constraint.carried_by && constraint.shape_unknown)
       throw UnansweredError(unknown_surface(situation_, machine_, constraint));
     if (!constraint.carried_by) continue;
@@ -152,6 +169,7 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
                      });
   for (const StatedRate& rate : machine_.accelerations)
     motion.given[static_cast<std::size_t>(rate.velocity)] = rate.value;
+  for (const int k : rides.coordinates) motion.given[static_cast<std::size_t>(k)] = 0;
 
   // The spin of each body on a ball or free joint, on the body's axes, as a twist about its mass center.
   const auto about = [](const Vector& angular, const Vector& c) { return Twist{angular, cross(c, angular)}; };
@@ -192,7 +210,7 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
         std::any_of(axes.begin(), axes.end(), [&](const Vector& other) { return norm(cross(axis, other)) <= drawn; });
     if (!known) axes.push_back(axis);
   };
-  for (const Vector& along : {turning, tree.gravity()}) {
+  for (const Vector& along : {turning, gravity}) {
     if (!(norm(along) > 0)) continue;
     const Vector axis = normalized(along);
     Vector across = cross(axis, axes[0]);

@@ -4,6 +4,7 @@
 
 #include "poinsot/engine/math/algebra/plain.h"
 #include "problem/instant/instant_conditions.h"
+#include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 
 namespace poinsot::problem {
@@ -14,6 +15,19 @@ bool hangs_on(const Model<Scalar>& tree, int body, int ancestor) {
   for (int i = body; i != ground; i = tree.body(i).parent)
     if (i == ancestor) return true;
   return ancestor == ground;
+}
+
+// The axis of a spin, which may be that of a joint in its pose.
+template <class Scalar>
+Vector3<Scalar> axis_of(const InstantView<Scalar>& view, const Spin& spin) {
+  const Call* call = spin.about.as<Call>();
+  if (!call || call->function != "axis" || call->arguments.size() != 1) return view.data.direction(spin.about);
+  const auto joint = view.machine.joints.find(to_string(call->arguments.front().value));
+  if (joint == view.machine.joints.end() || !joint->second.axis)
+    fail(view.situation.file, spin.about.mark(),
+         "there is no joint '" + to_string(call->arguments.front().value) + "' that has an axis",
+         "name a joint that turns about one axis, or write the axis itself: A->B");
+  return view.mechanism_state.direction(*joint->second.axis);
 }
 
 }  // namespace
@@ -81,7 +95,7 @@ void add_steady(const InstantView<Scalar>& view, bool accelerations, StatedCondi
     // The body has w = W + s u and alpha = dW/dt + W x s u, and its mass center moves with the frame.
     Vector spin_vector = Vector::zero();
     if (spin != steady.spins.end())
-      spin_vector = view.data.number(spin->rate, dimensions::angular_velocity) * view.data.direction(spin->about);
+      spin_vector = view.data.number(spin->rate, dimensions::angular_velocity) * axis_of(view, *spin);
     const bool rides_here = rides != situation.frames.end() && rides->rides_on == name;
     const Vector G =
         plain(body.inertia.mass) > 0 ? body_mass_center(tree, w, i) : w.motion[static_cast<std::size_t>(i + 1)].p;

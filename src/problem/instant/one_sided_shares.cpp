@@ -164,7 +164,7 @@ std::optional<double> largest_over_shares(const solve::LinearSolution& solution,
     return infinite;
   const Index n = y0.size();
   VectorXd c = VectorXd::Zero(n + 1);
-  c.head(n) = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(Z.transpose()).solve(VectorXd(g));
+  c.head(n) = VectorXd(Eigen::CompleteOrthogonalDecomposition<MatrixXd>(Z.transpose()).solve(VectorXd(g)));
   const double scale = c.cwiseAbs().maxCoeff();
   if (!(scale > 0)) return 0;
   // Where nothing bounds the value it grows with the bound on the sum of all.

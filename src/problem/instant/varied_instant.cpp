@@ -87,6 +87,11 @@ void VariedInstant::set_velocities() {
 void VariedInstant::strike() {
   before_.emplace(*mechanism_state_);
   blow_ = stated_blow(view());
+  if (base_.rough_blow_) {
+    if (base_.rough_blow_->form == RoughBlow::Form::numbers)
+      throw std::domain_error("impulses that are followed along a blow have no derivatives");
+    put_friction(blow_, *before_, *base_.rough_blow_);
+  }
   const StatedConditions<Varied> stated = blow_conditions(view(), blow_);
   expect_same(InstantSystem::blow, stated.nonlinear);
   systems_[InstantSystem::blow] =

@@ -60,6 +60,10 @@ std::string problem_schema() {
     for (const auto& [key, property] : definitions["shape"]["properties"].items())
       definitions[owner]["properties"][key] = property;
   definitions.erase("shape");
+  // An instant has no keys of its own, and where there is one only it may be said to be at rest.
+  definitions["instant"]["type"] = "object";
+  Json& facts = definitions["problem"]["properties"]["facts"];
+  facts = {{"anyOf", {facts, {{"const", "rest"}}}}};
   for (auto& [name, object] : definitions.items())
     object["additionalProperties"] =
         name == "inertia" || name == "radii_of_gyration" || name == "instant" || name == "expected";

@@ -17,12 +17,33 @@ const VelocityConstraint<double>* touching(const ContactLimit& limit, const Mech
   return found == mechanism.constraints.end() ? nullptr : &*found;
 }
 
+// How far along its axis a place of contact is on a surface with an end, and how fast it goes there.
+struct OnSurface {
+  double along, rate;
+};
+OnSurface along_surface(const ContactLimit::End& end, const VelocityConstraint<double>& constraint,
+                        const solve::MechanismState& state) {
+  const Model<double>& tree = state.mechanism().tree;
+  const Workspace<double>& w = state.workspace();
+  const int body = end.of_against ? constraint.from : constraint.on;
+  const auto now = detail::touching_as_it_moves(tree, w, constraint);
+  const Vector P = detail::value_of(end.of_against ? now.from : now.on);
+  const Vector own = P - point_position(tree, w, body, end.point), axis = state.direction({body, end.axis});
+  const Vector moves = detail::rate_of(end.of_against ? now.from : now.on) - detail::velocity_at(w, body, P);
+  return {dot(axis, own), dot(axis, moves)};
+}
+
 }  // namespace
 
 std::optional<double> left_of_surface(const ContactLimit& limit, const solve::MechanismState& state) {
   const VelocityConstraint<double>* constraint = touching(limit, state.mechanism());
-  if (!constraint || norm(limit.middle) == 0) return std::nullopt;
+  if (!constraint) return std::nullopt;
   const Model<double>& tree = state.mechanism().tree;
+  if (limit.end) {
+    const double along = along_surface(*limit.end, *constraint, state).along / limit.end->extent;
+    return std::min(along, 1 - along);
+  }
+  if (norm(limit.middle) == 0) return std::nullopt;
   const auto reach = detail::reach_of_rolling(tree, state.workspace(), *constraint);
   if (!reach) return std::nullopt;
   return dot(normalized(*reach), state.direction({constraint->on, limit.middle})) - limit.cosine;
@@ -37,6 +58,11 @@ bool goes_beyond(const ContactLimit& limit, const solve::MechanismState& state) 
   if (!left || *left > nothing) return false;
   const VelocityConstraint<double>& constraint = *touching(limit, state.mechanism());
   const Workspace<double>& now = state.workspace();
+  if (limit.end) {
+    const OnSurface on = along_surface(*limit.end, constraint, state);
+    const double pace = norm(angular_velocity(now, constraint.on) - angular_velocity(now, constraint.from));
+    return (2 * on.along < limit.end->extent ? on.rate : -on.rate) < -nothing * pace * limit.end->extent;
+  }
   const Vector u = normalized(*detail::reach_of_rolling(state.mechanism().tree, now, constraint));
   const Vector w = angular_velocity(now, constraint.on) - angular_velocity(now, constraint.from);
   const Vector middle = state.direction({constraint.on, limit.middle});
@@ -55,7 +81,8 @@ bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& state,
 }
 
 std::string words_of_end(const ContactLimit& limit) {
-  return "contact '" + limit.contact + "' is beyond the end of the round surface of '" + limit.body + "'";
+  return "contact '" + limit.contact + "' is beyond the end of the " + (limit.end ? "" : "round ") + "surface of '" +
+         limit.body + "'";
 }
 
 std::string words_of_side(const ContactLimit& limit) {

@@ -4,7 +4,6 @@
 #include "poinsot/engine/model/fixed_particles.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/machine/machine_draft.h"
-#include "problem/machine/steady_data.h"
 
 namespace poinsot::problem {
 
@@ -25,10 +24,11 @@ std::vector<std::size_t> MachineOf<Scalar>::actions_of(const std::string& name, 
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
     const Action& action = mechanism.actions[i];
-    const bool of_joint =
-        (action.kind == ActionKind::support || action.kind == ActionKind::drive) && action.joint == name;
-    const bool itself =
-        action.kind != ActionKind::drive && action.name == name && (joint.empty() || action.joint == joint);
+    const bool of_joint = (action.kind == ActionKind::support || action.kind == ActionKind::drive ||
+                           action.kind == ActionKind::friction) &&
+                          action.joint == name;
+    const bool itself = action.kind != ActionKind::drive && action.kind != ActionKind::friction &&
+                        action.name == name && (joint.empty() || action.joint == joint);
     if (of_joint || itself) found.push_back(i);
   }
   return found;
@@ -80,9 +80,11 @@ MachineOf<Scalar> build_machine(const Situation& situation, std::vector<BodyMass
   machine.mechanism.takes_part.resize(static_cast<std::size_t>(machine.mechanism.tree.body_count()), false);
   for (const Body& body : situation.bodies)
     machine.mechanism.takes_part[static_cast<std::size_t>(machine.index.at(body.name))] = true;
+  hold_in_plane(draft);
   for (const Joint& joint : situation.joints) add_joint_actions(draft, joint);
   for (const Contact& contact : situation.contacts) add_contact(draft, contact);
   for (const Cord& cord : situation.cords) add_cord(draft, cord);
+  for (const Gear& gear : situation.gears) add_gear(draft, gear);
   for_each_stated_law(situation, [&](const auto& law) { add_law(draft, law); });
   add_efforts_by_motion(draft);
   for (const Impulse& impulse : situation.impulses) add_impulse(draft, impulse);

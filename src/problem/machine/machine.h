@@ -74,7 +74,20 @@ struct ContactLimit {
   double cosine = -1;        // of the angle between the middle and the end
   // The directions in which the body is straight at the contact and lies on a plane.
   std::vector<Vector3<double>> straight;
+  // Of a curved surface (contact kind `touching`): the place must lie between this point and as far along the axis, on
+  // the body's axes from its origin; and whether the body is the one that the contact is against.
+  struct End {
+    Vector3<double> point{}, axis{};
+    double extent = 0;
+    bool of_against = false;
+  };
+  std::optional<End> end{};
+
+  bool ends() const { return end.has_value() || norm(middle) > 0; }
 };
+
+// The name of what holds the bodies of a planar problem in their plane. No file can name it.
+inline constexpr const char* hold_of_plane = "the plane";
 
 // A contact with dry friction, in the state of it that is tried.
 template <class Scalar>
@@ -87,6 +100,11 @@ struct RoughContactOf {
   // How it comes apart along the normal, and how it slips along two directions across it.
   std::array<VelocityConstraint<Scalar>, 3> motions;
   std::optional<Direction<Scalar>> slip;  // of `on` over `from`, if it slides
+  bool turns = false;                     // whether that is found anew from the velocities at each instant
+  // Of friction in a joint: its velocity coordinate, and whether it turns. Its coefficients are couples or forces, as
+  // of a contact that presses with one unit; its axis stands in the second of `motions`.
+  int coordinate = -1;
+  bool turning = false;
 };
 
 template <class Scalar>
@@ -127,6 +145,7 @@ struct MachineOptions {
   double time = 0;                                // s
   Vector3<double> open_gravity{};                 // used if the situation says nothing about gravity
   std::optional<std::vector<std::string>> loads;  // the loads that act; all of them if left out
+  bool open_contacts = false;                     // whether those that do not touch at the start are there
 };
 
 // The mass properties of the bodies, in the order of the file. Throws StatementError.

@@ -44,6 +44,10 @@ void add_impulse(MachineDraft<Scalar>& draft, const Impulse& impulse) {
   stated.vector =
       duration * (impulse.direction ? draft.data.number(size, dimension) * draft.data.direction(*impulse.direction)
                                     : draft.data.vector(size, dimension));
+  if (stated.couple)
+    require_along_normal(draft, stated.vector, impulse.mark, "the couple of impulse '" + impulse.name + "'");
+  else
+    require_in_plane(draft, stated.vector, impulse.mark, "impulse '" + impulse.name + "'");
   if (!stated.couple)
     stated.at = impulse_place(draft, impulse.body, impulse.at, "impulse '" + impulse.name + "'", impulse.mark);
   draft.machine.impulses.push_back(stated);
@@ -58,12 +62,20 @@ void add_impact(MachineDraft<Scalar>& draft, const Impact& impact) {
   struck.action = draft.add_action(ActionKind::impact, impact.name, "", struck.on, struck.from);
   struck.at = draft.machine.place(struck.on, draft.data.place(impact.at));
   struck.push = {struck.from, draft.data.direction(impact.pushes)};
+  require_in_plane(draft, struck.push.vector, impact.pushes.mark(), "the push of impact '" + impact.name + "'");
   if (impact.restitution) struck.restitution = draft.data.number(*impact.restitution, dimensions::none);
   if (!is_part(plain(struck.restitution)))
     fail(draft.situation.file, impact.restitution->mark(),
          "a coefficient of restitution lies between 0 and 1, and that of impact '" + impact.name + "' is " +
              number_in_words(plain(struck.restitution)),
          "correct it, or the velocities from which it follows");
+  if (impact.friction) {
+    struck.friction = draft.data.number(*impact.friction, dimensions::none);
+    struck.hypothesis = impact.hypothesis;
+    if (!(plain(*struck.friction) >= 0) && !draft.options.lenient)
+      fail(draft.situation.file, impact.friction->mark(),
+           "the coefficient of friction of impact '" + impact.name + "' is negative");
+  }
   draft.machine.impacts.push_back(struck);
 }
 
@@ -79,6 +91,7 @@ void add_strike(MachineDraft<Scalar>& draft, const Strike& strike) {
   stated.action = draft.add_action(ActionKind::impulse, strike.name, "", stated.on, ground);
   stated.at = draft.machine.place(stated.on, draft.data.place(strike.at));
   stated.vector = mass * draft.data.vector(strike.velocity, dimensions::velocity);
+  require_in_plane(draft, stated.vector, strike.velocity.mark(), "the velocity of " + owner);
   stated.relative_to = draft.body(strike.relative_to);
   if (strike.loses) {
     const Scalar loss = draft.data.number(*strike.loses, dimensions::none);

@@ -1,16 +1,19 @@
-// The contacts and cords of a machine.
+// The contacts of a machine.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "poinsot/engine/math/algebra/plain.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/language/words.h"
+#include "problem/machine/body_surfaces.h"
 #include "problem/machine/machine_draft.h"
-#include "problem/machine/rolling_surface.h"
-#include "problem/machine/straight_sides.h"
+#include "problem/machine/touching_surfaces.h"
 
 namespace poinsot::problem {
 
@@ -21,20 +24,21 @@ bool is_particle(const Body& body) { return body.parts.size() == 1 && body.parts
 // Refuses a contact whose point is beside a body that is straight everywhere, and one on a particle, which has no
 // surface for another body to touch.
 template <class Scalar>
-void check_sides(MachineDraft<Scalar>& draft, const Contact& contact, const Vector3<double>& C) {
-  const auto refuse_beside = [&](const std::string& name) {
+void check_sides(MachineDraft<Scalar>& draft, const Contact& contact, const Vector3<double>& C,
+                 const Vector3<double>& on_other) {
+  const auto refuse_beside = [&](const std::string& name, const Vector3<double>& point) {
     constexpr double at_surface = 1e-6;  // of the distances in the figure, which the author may have rounded
     const Body& body = draft.situation.bodies[draft.body_number(name)];
-    const std::optional<double> gap = gap_to_sides(body, draft.data, C);
+    const std::optional<double> gap = gap_to_sides(body, draft.data, point);
     if (!gap) return;
-    const double size = norm(C) + norm(plain(draft.masses[draft.body_number(name)].properties.center));
+    const double size = norm(point) + norm(plain(draft.masses[draft.body_number(name)].properties.center));
     if (*gap > at_surface * size)
       fail(draft.situation.file, contact.at.mark(),
            fmt::format("contact '{}' is {:.3g} m off the surface of '{}'", contact.name, *gap, name),
            is_particle(body) ? "a particle touches where it is: correct the point under at:"
                              : "correct the point under at:, or give the body the shape that touches there");
   };
-  refuse_beside(contact.of);
+  refuse_beside(contact.of, C);
   const auto other = std::find_if(draft.situation.bodies.begin(), draft.situation.bodies.end(),
                                   [&](const Body& body) { return body.name == contact.against; });
   if (other == draft.situation.bodies.end()) return;
@@ -43,21 +47,22 @@ void check_sides(MachineDraft<Scalar>& draft, const Contact& contact, const Vect
          "'" + other->name + "' is a particle, which has no surface that '" + contact.of + "' could touch",
          "state the contact from the particle: of: " + other->name + ", against: " + contact.of +
              ", with the normal into it");
-  refuse_beside(contact.against);
+  refuse_beside(contact.against, on_other);
 }
 
-// The coefficients of friction at rest and while it slides.
+// The coefficients of friction at rest and while it slides, or the couples or forces of a joint.
 template <class Scalar>
-std::pair<Scalar, Scalar> friction_of(MachineDraft<Scalar>& draft, const Contact& contact) {
-  const Scalar resting = draft.data.number(contact.friction->resting, dimensions::none),
-               sliding = draft.data.number(contact.friction->sliding, dimensions::none);
+std::pair<Scalar, Scalar> friction_of(MachineDraft<Scalar>& draft, const Contact& contact, const Dimension& dimension) {
+  const Scalar resting = draft.data.number(contact.friction->resting, dimension),
+               sliding = draft.data.number(contact.friction->sliding, dimension);
   const auto refuse = [&](const std::string& message, const std::string& hint) {
-    fail(draft.situation.file, contact.friction->mark, "contact '" + contact.name + "' " + message, hint);
+    fail(draft.situation.file, contact.friction->mark, contact.words() + " " + message, hint);
   };
   if (!draft.options.lenient) {
     if (!(plain(resting) >= 0) || !(plain(sliding) >= 0))
-      refuse("has a negative coefficient of friction",
-             "friction resists: write a coefficient that is zero or positive");
+      refuse(std::string("has a negative ") + (contact.in_joint ? "friction" : "coefficient of friction"),
+             std::string("friction resists: write ") + (contact.in_joint ? "one" : "a coefficient") +
+                 " that is zero or positive");
     if (plain(sliding) > plain(resting))
       refuse("has more friction while it slides than at rest",
              "static: is the larger of the two, or both are the same");
@@ -65,15 +70,106 @@ std::pair<Scalar, Scalar> friction_of(MachineDraft<Scalar>& draft, const Contact
   return {resting, sliding};
 }
 
+// Of data with six digits: what is off a plane or a parallel by less is meant to lie in it.
+constexpr double of_data = 1e-6;
+
+// The directions in which an edge does not slip, which turn with its body.
+template <class Scalar>
+std::vector<Vector3<Scalar>> knife_edges(MachineDraft<Scalar>& draft, const Contact& contact,
+                                         const Vector3<Scalar>& n) {
+  std::vector<Vector3<Scalar>> edges;
+  if (!contact.no_slip_along.empty() && contact.carries)
+    fail(draft.situation.file, contact.no_slip_along.front().mark(),
+         "contact '" + contact.name + "' states what it carries and in which directions it does not slip",
+         "it carries its push and forces along these directions: leave out carries:");
+  if (contact.no_slip_along.size() > 2)
+    fail(draft.situation.file, contact.no_slip_along[2].mark(),
+         "contact '" + contact.name + "' names more directions than a surface has", "write no_slip: true");
+  for (const Expression& stated : contact.no_slip_along) {
+    edges.push_back(draft.data.direction(stated));
+    require_in_plane(draft, edges.back(), stated.mark(), "the edge of contact '" + contact.name + "'");
+    if (std::abs(dot(plain(edges.back()), plain(n))) > of_data)
+      fail(draft.situation.file, stated.mark(),
+           "contact '" + contact.name + "' cannot slip along " + to_string(stated) + ", which is not along the surface",
+           "state directions across the normal");
+  }
+  if (edges.size() == 2 && !(norm(cross(plain(edges[0]), plain(edges[1]))) > of_data))
+    fail(draft.situation.file, contact.no_slip_along[1].mark(),
+         "contact '" + contact.name + "' names one direction twice", "leave out one of them");
+  return edges;
+}
+
+// Whether an edge is a point fixed in its body; else it is the rim of a wheel, which does not slip along its axis.
+template <class Scalar>
+bool is_blade(const MachineDraft<Scalar>& draft, const Contact& contact, const RollingSurface<Scalar>& surface,
+              const std::vector<Vector3<Scalar>>& edges) {
+  if (edges.empty()) return false;
+  if (surface.shape != ContactShape::round) return true;
+  const auto along_axis = [&](const Vector3<Scalar>& d) { return norm(plain(cross(d, surface.axis))) <= of_data; };
+  if (norm(plain(surface.axis)) > 0 && std::ranges::all_of(edges, along_axis)) return false;
+  if (draft.situation.bodies[draft.body_number(contact.of)].parts.empty()) return true;
+  fail(draft.situation.file, contact.no_slip_along.front().mark(),
+       "contact '" + contact.name + "' does not slip along directions that turn with '" + contact.of +
+           "', which is round there",
+       "of a wheel state its axis alone; a blade belongs to a body that is not round where it touches");
+}
+
+// Friction in a joint acts like a motor beside that of the joint: of unknown effort while it holds, else against the
+// rate.
+template <class Scalar>
+void add_friction_in_joint(MachineDraft<Scalar>& draft, const Contact& contact) {
+  std::vector<Drive<Scalar>>& drives = draft.machine.mechanism.drives;
+  const auto motor = std::ranges::find_if(drives, [&](const Drive<Scalar>& drive) {
+    return draft.machine.mechanism.actions[static_cast<std::size_t>(drive.action)].joint == contact.name;
+  });
+  if (motor == drives.end())
+    fail(draft.situation.file, contact.friction->mark,
+         contact.words() + " closes a loop, and friction in such a joint is not solved",
+         "state the joint before those that hold both its bodies, or the friction at another joint of the loop");
+  Drive<Scalar> rubbing = *motor;
+  rubbing.held = contact.grip == Grip::sticks;
+  rubbing.effort = rubbing.stiffness = rubbing.free_position = rubbing.damping = Scalar(0);
+  const auto [resting, sliding] = friction_of(draft, contact, rubbing.turning ? dimensions::moment : dimensions::force);
+  rubbing.action = draft.add_action(ActionKind::friction, contact.name, contact.name, draft.body(contact.of),
+                                    draft.body(contact.against));
+  RoughContactOf<Scalar> rough;
+  rough.name = contact.name;
+  rough.action = rubbing.action;
+  rough.grip = contact.grip;
+  rough.resting = resting;
+  rough.sliding = sliding;
+  rough.coordinate = rubbing.coordinate;
+  rough.turning = rubbing.turning;
+  const auto [one, other] = across(rubbing.along.vector);
+  rough.normal = {rubbing.along.body, one};
+  rough.motions[1].along = rubbing.along;
+  rough.motions[2].along = {rubbing.along.body, other};
+  if (contact.grip == Grip::sticks)
+    draft.machine.accelerations.push_back(
+        {contact.words() + " held by its friction", rubbing.coordinate, Scalar(0), rubbing.turning, contact.mark});
+  if (contact.grip == Grip::slides) {
+    const Vector3<Scalar> d = draft.data.direction(*contact.slip);
+    const bool forward = plain(dot(d, rubbing.along.vector)) > 0;
+    rough.slip = {rubbing.along.body, forward ? rubbing.along.vector : -rubbing.along.vector};
+    rubbing.effort = forward ? -sliding : sliding;
+  }
+  drives.push_back(rubbing);
+  draft.machine.rough_contacts.push_back(std::move(rough));
+}
+
 }  // namespace
 
 template <class Scalar>
 void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
+  if (contact.in_joint) return add_friction_in_joint(draft, contact);
   const int on = draft.body(contact.of), from = draft.body(contact.against);
   const Vector3<Scalar> C = draft.data.place(contact.at), n = draft.data.direction(contact.normal);
   const Place<Scalar> at = draft.machine.place(on, C);
   const int action = draft.add_action(ActionKind::contact, contact.name, "", on, from);
+  if (contact.open && !draft.options.open_contacts) return;
+  const Vector3<Scalar> S = contact.surface ? draft.data.place(*contact.surface) : C;
   const auto [t1, t2] = across(n);
+  require_in_plane(draft, n, contact.normal.mark(), "the normal of contact '" + contact.name + "'");
   // The forces that the contact can carry.
   std::vector<std::pair<std::string, Vector3<Scalar>>> directions;
   if (contact.carries) {
@@ -95,60 +191,91 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
       directions.emplace_back(draft.direction_name(t2), t2);
     }
   }
+  std::erase_if(directions, [&](const auto& direction) { return !lies_in_plane(draft, direction.second); });
   for (const auto& [name, d] : directions) {
     draft.add_component(action, name, false, at, {from, d}).one_sided =
         norm(plain(d - n)) < 1e-9 || contact.grip == Grip::slides;
   }
+  const std::vector<Vector3<Scalar>> edges = knife_edges(draft, contact, n);
+  for (const Vector3<Scalar>& d : edges) draft.add_component(action, draft.direction_name(d), false, at, {on, d});
   // The relative motion that the contact forbids.
   const Body& stated = draft.situation.bodies[draft.body_number(contact.of)];
+  // What touches later meets a plane, and an edge does not move over its body.
+  const std::optional<TouchingSurfaces<Scalar>> curved =
+      contact.open || !edges.empty() ? std::nullopt : touching_surfaces(draft, contact, C, n);
   const RollingSurface<Scalar> surface =
       rolling_surface(stated, draft.data, C, n, draft.masses[draft.body_number(contact.of)].properties.center);
-  if (surface.shape == ContactShape::missed) {
+  // A blade is a point of its body, and stands off the body's own surface.
+  const bool blade = is_blade(draft, contact, surface, edges);
+  if (!curved && surface.shape == ContactShape::missed && !blade) {
     fail(draft.situation.file, contact.at.mark(),
          fmt::format("contact '{}' is {:.3g} m off the surface of '{}'", contact.name, surface.gap, contact.of),
          "correct the point under at:");
   }
-  if (!normal_fits(surface, C, n))
+  if (!curved && !blade && !normal_fits(surface, C, n))
     fail(draft.situation.file, contact.normal.mark(),
          "the normal of contact '" + contact.name + "' does not stand on the surface of '" + contact.of +
              "' at that point",
          norm(plain(surface.axis)) == 0
              ? "there it goes along the radius: correct it, or the point under at:"
              : "there it lies in the plane through the axis: correct it, or the point under at:");
-  check_sides(draft, contact, plain(C));
+  if (!blade) check_sides(draft, contact, plain(C), plain(S));
   // The surface on the other side may be curved as well.
-  bool unknown = surface.shape == ContactShape::unknown;
+  bool unknown = surface.shape == ContactShape::unknown && !blade;
   if (draft.machine.mechanism.takes_part.size() > static_cast<std::size_t>(std::max(from, 0)) && from != ground &&
       draft.machine.mechanism.takes_part[static_cast<std::size_t>(from)]) {
     const std::size_t other = draft.body_number(contact.against);
     const RollingSurface<Scalar> below =
-        rolling_surface(draft.situation.bodies[other], draft.data, C, n, draft.masses[other].properties.center);
+        rolling_surface(draft.situation.bodies[other], draft.data, S, n, draft.masses[other].properties.center);
     // The flat side of a round body has its axis along the normal.
     unknown = unknown || (below.shape == ContactShape::round && norm(plain(cross(below.axis, n))) > 1e-9) ||
               below.shape == ContactShape::unknown ||
               (below.shape == ContactShape::round && norm(plain(below.axis)) == 0);
+    // Within the rim of a flat side its circle is missed, too.
+    const bool flat = norm(plain(below.axis)) > 0 && norm(plain(cross(below.axis, n))) <= 1e-9;
+    if (!curved && !flat && below.shape == ContactShape::missed)
+      fail(draft.situation.file, contact.at.mark(),
+           fmt::format("contact '{}' is {:.3g} m off the surface of '{}'", contact.name, below.gap, contact.against),
+           "correct the point under at:");
   }
-  const bool round = surface.shape == ContactShape::round;
+  const bool round = !curved && surface.shape == ContactShape::round && !blade;
   ContactLimit limit{contact.name, contact.of, contact.against, to_string(contact.at), action, contact.mark, {},
                      -1,           {}};
-  if (round) {
+  if (curved) {
+    unknown = false;
+    for (const auto& end : {curved->end_on, curved->end_from}) {
+      if (!end) continue;
+      ContactLimit one = limit;
+      one.end = end;
+      if (end->of_against) std::swap(one.body, one.against);
+      draft.machine.contact_limits.push_back(std::move(one));
+    }
+  } else if (round) {
     limit.middle = plain(surface.middle);
     limit.cosine = surface.cosine;
-  } else {
+  } else if (!blade) {
     limit.straight = straight_directions(stated, draft.data, plain(C), plain(n));
   }
-  if (norm(limit.middle) > 0 || !limit.straight.empty()) draft.machine.contact_limits.push_back(std::move(limit));
-  const auto forbid = [&](const Vector3<Scalar>& d) {
-    const std::string words = std::string(contact.no_slip                ? "rolling"
+  if (!curved && (norm(limit.middle) > 0 || !limit.straight.empty()))
+    draft.machine.contact_limits.push_back(std::move(limit));
+  const auto kind = curved  ? VelocityConstraintKind::touching
+                    : round ? VelocityConstraintKind::rolling
+                            : VelocityConstraintKind::point;
+  const auto surfaces = curved ? std::make_shared<const CurvedContact<Scalar>>(curved->surfaces) : nullptr;
+  const auto forbid = [&](const Vector3<Scalar>& d, bool edge = false) {
+    const std::string words = std::string(contact.no_slip || edge        ? "rolling"
                                           : contact.grip == Grip::sticks ? "sticking"
                                                                          : "touching") +
                               " at contact '" + contact.name + "' along " + draft.direction_name(d);
-    VelocityConstraint<Scalar>& c = draft.add_constraint(
-        round ? VelocityConstraintKind::rolling : VelocityConstraintKind::point, words, on, from, at, d);
+    VelocityConstraint<Scalar>& c = draft.add_constraint(kind, words, on, from, at, d);
     c.action = action;
+    if (edge) c.along = {on, d};
     c.surface_axis = {from, n};
+    if (contact.surface) c.toward = draft.machine.place(from, S);
     c.shape_unknown = unknown;
-    if (draft.situation.steady) {
+    c.surfaces = surfaces;
+    // Where both surfaces are known, the place follows from the motion.
+    if (draft.situation.steady && !curved) {
       c.carried_by = draft.body(draft.situation.steady->frame);
       for (const Frame& frame : draft.situation.frames)
         if (frame.name == draft.situation.steady->frame && !frame.rides_on.empty())
@@ -162,61 +289,32 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
   std::vector<VelocityConstraint<Scalar>>& constraints = draft.machine.mechanism.constraints;
   forbid(n);
   constraints.back().normal = true;
-  if (contact.no_slip || contact.friction) {
-    forbid(t1);
-    forbid(t2);
-  }
+  if (contact.no_slip || contact.friction)
+    for (const Vector3<Scalar>& t : {t1, t2})
+      if (contact.friction || lies_in_plane(draft, t)) forbid(t);
+  for (const Vector3<Scalar>& d : edges) forbid(d, true);
   if (!contact.friction) return;
   // What holds only while it touches, or while it sticks, is kept apart, to see how it parts and slips.
   const std::size_t first = constraints.size() - 3;
-  const auto [resting, sliding] = friction_of(draft, contact);
-  RoughContactOf<Scalar> rough{contact.name,
-                               action,
-                               contact.grip,
-                               resting,
-                               sliding,
-                               {from, n},
-                               {constraints[first], constraints[first + 1], constraints[first + 2]},
-                               {}};
+  const auto [resting, sliding] = friction_of(draft, contact, dimensions::none);
+  RoughContactOf<Scalar> rough;
+  rough.name = contact.name;
+  rough.action = action;
+  rough.grip = contact.grip;
+  rough.resting = resting;
+  rough.sliding = sliding;
+  rough.normal = {from, n};
+  rough.motions = {constraints[first], constraints[first + 1], constraints[first + 2]};
   if (contact.slip) rough.slip = {from, draft.data.direction(*contact.slip)};
+  rough.turns = contact.slip_turns;
   draft.machine.rough_contacts.push_back(std::move(rough));
   const std::size_t held = contact.grip == Grip::sticks ? 3 : contact.grip == Grip::parts ? 0 : 1;
   constraints.resize(first + held);
   draft.machine.constraint_joints.resize(first + held);
 }
 
-template <class Scalar>
-void add_cord(MachineDraft<Scalar>& draft, const Cord& cord) {
-  const int on = draft.body(cord.to), from = draft.body(cord.from);
-  const int action = draft.add_action(ActionKind::cord, cord.name, "", on, from);
-  const Vector3<Scalar> end = draft.data.place(*cord.end);
-  const Place<Scalar> at = draft.machine.place(on, end);
-  if (cord.direction) {
-    const Vector3<Scalar> d = draft.data.direction(*cord.direction);
-    draft.add_component(action, "", false, at, {ground, d}).one_sided = true;
-    draft.add_constraint(VelocityConstraintKind::point, "cord '" + cord.name + "' taut", on, from, at, d).action =
-        action;
-    return;
-  }
-  const Vector3<Scalar> start = draft.data.place(*cord.at);
-  if (!(norm(plain(end - start)) > 0))
-    fail(draft.situation.file, cord.mark, "cord '" + cord.name + "' has length zero");
-  const Vector3<Scalar> inward = normalized(start - end);
-  Component<Scalar>& pull = draft.add_component(action, "", false, at, {ground, inward});
-  pull.toward = draft.machine.place(from, start);
-  pull.one_sided = true;
-  VelocityConstraint<Scalar>& taut =
-      draft.add_constraint(VelocityConstraintKind::cord_length, "cord '" + cord.name + "' taut", on, from, at, inward);
-  taut.toward = draft.machine.place(from, start);
-  taut.length = norm(end - start);
-  taut.action = action;
-}
-
 template void add_contact(MachineDraft<double>&, const Contact&);
-template void add_cord(MachineDraft<double>&, const Cord&);
 template void add_contact(MachineDraft<Dual<1>>&, const Contact&);
-template void add_cord(MachineDraft<Dual<1>>&, const Cord&);
 template void add_contact(MachineDraft<Formula>&, const Contact&);
-template void add_cord(MachineDraft<Formula>&, const Cord&);
 
 }  // namespace poinsot::problem

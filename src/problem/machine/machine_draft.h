@@ -103,6 +103,23 @@ template <class Scalar>
 void set_gravity(MachineDraft<Scalar>& draft);
 template <class Scalar>
 void add_frame(MachineDraft<Scalar>& draft, const Frame& frame);
+// In a planar problem each body is held in the plane: it can be given a force across it and couples about axes in it,
+// and a body that no joint holds is kept from moving there. After the tree is built.
+template <class Scalar>
+void hold_in_plane(MachineDraft<Scalar>& draft);
+// Whether a direction of the drawing points along the normal of a planar problem, or lies in its plane; both where
+// there is no plane.
+template <class Scalar>
+bool lies_along_normal(const MachineDraft<Scalar>& draft, const Vector3<Scalar>& direction);
+template <class Scalar>
+bool lies_in_plane(const MachineDraft<Scalar>& draft, const Vector3<Scalar>& direction);
+// Throws StatementError for a vector that does not. what: "the force of load 'push'".
+template <class Scalar>
+void require_in_plane(const MachineDraft<Scalar>& draft, const Vector3<Scalar>& vector, const Mark& mark,
+                      const std::string& what);
+template <class Scalar>
+void require_along_normal(const MachineDraft<Scalar>& draft, const Vector3<Scalar>& vector, const Mark& mark,
+                          const std::string& what);
 // Joints that reach new bodies make the tree, beginning with those that state something about their freedoms. All
 // others close loops. Bodies that no joint reaches are free.
 template <class Scalar>
@@ -114,6 +131,8 @@ template <class Scalar>
 void add_contact(MachineDraft<Scalar>& draft, const Contact& contact);
 template <class Scalar>
 void add_cord(MachineDraft<Scalar>& draft, const Cord& cord);
+template <class Scalar>
+void add_gear(MachineDraft<Scalar>& draft, const Gear& gear);
 // The laws of force.
 template <class Scalar>
 void add_law(MachineDraft<Scalar>& draft, const Spring& spring);
@@ -152,6 +171,9 @@ MotionExpression<Scalar> motion_load(MachineDraft<Scalar>& draft, const MotionLo
 template <class Scalar>
 MotionExpression<Scalar> motion_effort(MachineDraft<Scalar>& draft, const MotionLoadWords& words,
                                        const Direction<Scalar>& along);
+
+// Throws StatementError if one of these is stated as a function of time, which the equations of motion would not know.
+void require_steady_data(const Situation& situation);
 
 extern template struct MachineDraft<double>;
 extern template struct MachineDraft<Dual<1>>;

@@ -1,4 +1,4 @@
-// Gravity and the frames of a machine.
+// Gravity, the frames and the plane of a machine.
 #include <cmath>
 
 #include "poinsot/engine/mass/composition.h"
@@ -116,11 +116,102 @@ void add_frame(MachineDraft<Scalar>& draft, const Frame& frame) {
     draft.state_acceleration(owner + ": acceleration", first + 3 + k, a[k], false, frame.mark);
 }
 
+namespace {
+
+// Sine of the angle to a plane within which directions that were stated to nine digits lie in it.
+constexpr double in_the_plane = 1e-9;
+
+// A particle has no axes that could turn out of the plane.
+bool has_no_axes(const Body& body) {
+  return body.parts.size() == 1 && body.parts.front().shape.kind == "particle" && body.added.empty() &&
+         body.absorbed.empty();
+}
+
+}  // namespace
+
+template <class Scalar>
+bool lies_along_normal(const MachineDraft<Scalar>& draft, const Vector3<Scalar>& direction) {
+  if (!draft.situation.plane) return true;
+  const Vector3<double> d = plain(direction), n = Vector3<double>::unit(draft.situation.plane->normal());
+  return norm(cross(d, n)) <= in_the_plane * norm(d);
+}
+
+template <class Scalar>
+bool lies_in_plane(const MachineDraft<Scalar>& draft, const Vector3<Scalar>& direction) {
+  if (!draft.situation.plane) return true;
+  const Vector3<double> d = plain(direction);
+  return std::abs(d[draft.situation.plane->normal()]) <= in_the_plane * norm(d);
+}
+
+template <class Scalar>
+void require_in_plane(const MachineDraft<Scalar>& draft, const Vector3<Scalar>& vector, const Mark& mark,
+                      const std::string& what) {
+  if (!lies_in_plane(draft, vector))
+    fail(draft.situation.file, mark, what + " points out of the plane of the problem",
+         "correct it, or leave plane: out");
+}
+
+template <class Scalar>
+void require_along_normal(const MachineDraft<Scalar>& draft, const Vector3<Scalar>& vector, const Mark& mark,
+                          const std::string& what) {
+  if (!lies_along_normal(draft, vector))
+    fail(draft.situation.file, mark, what + " does not stand across the plane of the problem",
+         "in a plane all turns about " + draft.situation.axes[draft.situation.plane->normal()]);
+}
+
+template <class Scalar>
+void hold_in_plane(MachineDraft<Scalar>& draft) {
+  const Situation& situation = draft.situation;
+  if (!situation.plane) return;
+  for (const NamedExpression& point : situation.points)
+    require_in_plane(draft, draft.data.place(point.value), point.mark, "point '" + point.name + "'");
+  for (const Frame& frame : situation.frames)
+    if (frame.turns)
+      require_along_normal(draft, draft.data.direction(*frame.turns), frame.turns->mark(),
+                           "the axis of frame '" + frame.name + "'");
+  const auto unit = [](std::size_t k) { return Vector3<Scalar>::unit(k); };
+  const MotionPlane& plane = *situation.plane;
+  for (std::size_t i = 0; i < situation.bodies.size(); ++i) {
+    const Body& body = situation.bodies[i];
+    const int on = draft.body(body.name);
+    const Place<Scalar> at =
+        draft.machine.place(on, body.massless ? draft.machine.drawn_origin.at(on) : draft.masses[i].center);
+    const int action = draft.add_action(ActionKind::joint, hold_of_plane, "", on, ground);
+    const bool free = draft.machine.mechanism.tree.body(on).joint == JointType::free;
+    const std::string words = "'" + body.name + "' in the plane";
+    draft.add_component(action, situation.axes[plane.normal()], false, at, {ground, unit(plane.normal())});
+    if (free) draft.add_constraint(VelocityConstraintKind::point, words, on, ground, at, unit(plane.normal()));
+    if (has_no_axes(body)) continue;
+    for (const std::size_t axis : {plane.first, plane.second}) {
+      draft.add_component(action, situation.axes[axis], true, at, {ground, unit(axis)});
+      if (free) draft.add_constraint(VelocityConstraintKind::angular, words, on, ground, at, unit(axis));
+    }
+  }
+}
+
 template void set_gravity(MachineDraft<double>&);
 template void add_frame(MachineDraft<double>&, const Frame&);
+template void hold_in_plane(MachineDraft<double>&);
+template bool lies_along_normal(const MachineDraft<double>&, const Vector3<double>&);
+template bool lies_in_plane(const MachineDraft<double>&, const Vector3<double>&);
+template void require_in_plane(const MachineDraft<double>&, const Vector3<double>&, const Mark&, const std::string&);
+template void require_along_normal(const MachineDraft<double>&, const Vector3<double>&, const Mark&,
+                                   const std::string&);
 template void set_gravity(MachineDraft<Dual<1>>&);
 template void add_frame(MachineDraft<Dual<1>>&, const Frame&);
+template void hold_in_plane(MachineDraft<Dual<1>>&);
+template bool lies_along_normal(const MachineDraft<Dual<1>>&, const Vector3<Dual<1>>&);
+template bool lies_in_plane(const MachineDraft<Dual<1>>&, const Vector3<Dual<1>>&);
+template void require_in_plane(const MachineDraft<Dual<1>>&, const Vector3<Dual<1>>&, const Mark&, const std::string&);
+template void require_along_normal(const MachineDraft<Dual<1>>&, const Vector3<Dual<1>>&, const Mark&,
+                                   const std::string&);
 template void set_gravity(MachineDraft<Formula>&);
 template void add_frame(MachineDraft<Formula>&, const Frame&);
+template void hold_in_plane(MachineDraft<Formula>&);
+template bool lies_along_normal(const MachineDraft<Formula>&, const Vector3<Formula>&);
+template bool lies_in_plane(const MachineDraft<Formula>&, const Vector3<Formula>&);
+template void require_in_plane(const MachineDraft<Formula>&, const Vector3<Formula>&, const Mark&, const std::string&);
+template void require_along_normal(const MachineDraft<Formula>&, const Vector3<Formula>&, const Mark&,
+                                   const std::string&);
 
 }  // namespace poinsot::problem

@@ -50,6 +50,24 @@ Carried<Scalar> carried_by(const Joint& joint, const JointAxes<Scalar>& axes, co
   return carried;
 }
 
+// In a planar problem a joint turns about normals and slides in the plane, and carries nothing across it.
+template <class Scalar>
+void keep_in_plane(const MachineDraft<Scalar>& draft, const Joint& joint, const JointAxes<Scalar>& axes,
+                   Carried<Scalar>& carried) {
+  if (!draft.situation.plane) return;
+  require_in_plane(draft, axes.at, joint.mark, "the place of joint '" + joint.name + "'");
+  for (std::size_t k = 0; k < joint.freedoms.size(); ++k) {
+    const std::string what =
+        "joint '" + joint.name + "'" + (joint.freedoms[k].name.empty() ? "" : ", " + joint.freedoms[k].name + ",");
+    if (joint.freedoms[k].turning)
+      require_along_normal(draft, axes.freedom[k], joint.place.mark(), "the axis of " + what);
+    else
+      require_in_plane(draft, axes.freedom[k], joint.place.mark(), "the direction of " + what);
+  }
+  std::erase_if(carried.forces, [&](const Vector3<Scalar>& d) { return !lies_in_plane(draft, d); });
+  std::erase_if(carried.couples, [&](const Vector3<Scalar>& d) { return !lies_along_normal(draft, d); });
+}
+
 // The link between the two axes about which a joint turns.
 template <class Scalar>
 int cross_link(const MachineDraft<Scalar>& draft, const Joint& joint,
@@ -67,8 +85,14 @@ void add_support(MachineDraft<Scalar>& draft, const Joint& joint, const Support&
   const int action = draft.add_action(ActionKind::support, support.name, joint.name, to, from);
   std::vector<std::pair<std::string, Vector3<Scalar>>> forces, couples;
   if (!support.kind) {
-    for (const Expression& e : support.forces) forces.emplace_back(to_string(e), draft.data.direction(e));
-    for (const Expression& e : support.couples) couples.emplace_back(to_string(e), draft.data.direction(e));
+    for (const Expression& e : support.forces) {
+      forces.emplace_back(to_string(e), draft.data.direction(e));
+      require_in_plane(draft, forces.back().second, e.mark(), "this force of support '" + support.name + "'");
+    }
+    for (const Expression& e : support.couples) {
+      couples.emplace_back(to_string(e), draft.data.direction(e));
+      require_along_normal(draft, couples.back().second, e.mark(), "this couple of support '" + support.name + "'");
+    }
   } else {
     if (!axes.main && !support.kind->needs_no_axis)
       fail(draft.situation.file, support.mark,
@@ -85,6 +109,8 @@ void add_support(MachineDraft<Scalar>& draft, const Joint& joint, const Support&
         for (const Vector3<Scalar>& d : {a, b}) couples.emplace_back(draft.direction_name(d), d);
     }
     for (const Vector3<Scalar>& d : directions) forces.emplace_back(draft.direction_name(d), d);
+    std::erase_if(forces, [&](const auto& force) { return !lies_in_plane(draft, force.second); });
+    std::erase_if(couples, [&](const auto& couple) { return !lies_along_normal(draft, couple.second); });
   }
   const auto add = [&](const std::vector<std::pair<std::string, Vector3<Scalar>>>& list, bool couple) {
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -123,12 +149,21 @@ void add_drives(MachineDraft<Scalar>& draft, const Joint& joint, const JointAxes
     const bool accel_known =
         std::any_of(draft.machine.accelerations.begin(), draft.machine.accelerations.end(),
                     [&](const StatedRateOf<Scalar>& stated) { return stated.velocity == drive.coordinate; });
-    drive.held = accel_known && !freedom.effort && !freedom.stiffness && !freedom.damping;
+    const bool sought = freedom.effort && is_any(*freedom.effort);
+    const bool resisted = freedom.stiffness || freedom.damping || freedom.friction;
+    if (sought && (accel_known || resisted || draft.situation.has_blow()))
+      fail(draft.situation.file, freedom.effort->mark(),
+           accel_known ? "what drives joint '" + joint.name + "' is found from its stated acceleration already"
+           : draft.situation.has_blow()
+               ? "what drives joint '" + joint.name + "' cannot be sought beside a blow"
+               : "what drives joint '" + joint.name + "' is sought together with its spring, damping and friction",
+           draft.situation.has_blow() && !accel_known ? "leave out the blow" : "leave out one of them");
+    drive.held = sought || (accel_known && !freedom.effort && !freedom.stiffness && !freedom.damping);
     const Dimension effort = freedom.turning ? dimensions::moment : dimensions::force;
     const Dimension position = freedom.turning ? dimensions::angle : dimensions::length;
-    if (freedom.effort && depends_on_motion(draft, *freedom.effort))
+    if (freedom.effort && !sought && depends_on_motion(draft, *freedom.effort))
       draft.efforts.push_back({&joint, &freedom, draft.machine.mechanism.drives.size()});
-    else if (freedom.effort)
+    else if (freedom.effort && !sought)
       drive.effort = draft.timed_number(*freedom.effort, effort).value;
     if (freedom.stiffness) drive.stiffness = draft.data.number(*freedom.stiffness, effort / position);
     if (freedom.free_position) drive.free_position = draft.data.number(*freedom.free_position, position);
@@ -255,7 +290,8 @@ void add_joint_actions(MachineDraft<Scalar>& draft, const Joint& joint) {
   if (axes.main) place.axis = Direction<Scalar>{from, *axes.main};
   draft.machine.joints[joint.name] = place;
   const Scalar pitch = joint.kind->advances ? pitch_of(draft, joint) : Scalar(0);
-  const Carried<Scalar> carried = carried_by(joint, axes, pitch);
+  Carried<Scalar> carried = carried_by(joint, axes, pitch);
+  keep_in_plane(draft, joint, axes, carried);
   // The couple across two axes of turning moves with the link between them.
   const int couple_body = axes.two_turnings ? cross_link(draft, joint, *axes.two_turnings) : from;
   if (!joint.supports_stated) {

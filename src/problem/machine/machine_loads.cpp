@@ -28,6 +28,10 @@ void add_law(MachineDraft<Scalar>& draft, const Load& load) {
   } else {
     force.vector = draft.data.vector(size, dimension);
   }
+  if (force.couple)
+    require_along_normal(draft, force.vector, load.mark, "the couple of load '" + load.name + "'");
+  else
+    require_in_plane(draft, force.vector, load.mark, "the force of load '" + load.name + "'");
   if (!force.couple) {
     const Body& stated = draft.situation.bodies[draft.body_number(load.body)];
     if (!load.at && stated.massless)

@@ -39,6 +39,7 @@ void add_torsional_spring(MachineDraft<Scalar>& draft, const Spring& spring) {
   law.action = draft.add_action(ActionKind::spring, spring.name, "", on, from);
   law.on = on;
   law.along = {from, draft.data.direction(*spring.about)};
+  require_along_normal(draft, law.along.vector, spring.about->mark(), "the axis of spring '" + spring.name + "'");
   set_resistance(draft, spring, dimensions::moment, dimensions::angle, law);
   if (spring.free_angle) law.free_angle = draft.data.number(*spring.free_angle, dimensions::angle);
   draft.machine.mechanism.torsions.push_back(law);
@@ -59,6 +60,7 @@ void add_law(MachineDraft<Scalar>& draft, const Spring& spring) {
   if (!(norm(plain(end - start)) > 0))
     fail(draft.situation.file, spring.mark,
          "spring '" + spring.name + "' has length zero as drawn: it has no direction");
+  require_in_plane<Scalar>(draft, end - start, spring.mark, "spring '" + spring.name + "'");
   set_resistance(draft, spring, dimensions::force, dimensions::length, law);
   if (spring.stiffness) {
     law.free_length = spring.free_length

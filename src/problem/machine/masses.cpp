@@ -13,7 +13,6 @@
 #include "poinsot/engine/work/work.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
-#include "problem/machine/part_masses.h"
 #include "problem/machine/shapes.h"
 #include "problem/machine/stated_inertia.h"
 #include "problem/machine/stated_sizes.h"

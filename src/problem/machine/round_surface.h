@@ -2,13 +2,19 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <tuple>
+#include <utility>
 #include <variant>
+#include <vector>
 
+#include "poinsot/engine/dynamics/contact_surface.h"
 #include "poinsot/engine/math/algebra/plain.h"
-#include "problem/machine/rolling_surface.h"
+#include "problem/machine/body_surfaces.h"
+#include "problem/machine/machine.h"
 
 namespace poinsot::problem {
 
@@ -111,8 +117,130 @@ struct ArcSurface {
   }
 };
 
+// Surfaces on which no circle or sphere of the body rolls: they touch as touching_surfaces.h has it.
 template <class Scalar>
-using RoundSurface = std::variant<SphereSurface<Scalar>, HemisphereSurface<Scalar>, CircleSurface<Scalar>,
-                                  FrustumSurface<Scalar>, ArcSurface<Scalar>>;
+struct EllipsoidSurface {
+  Vector3<Scalar> center;
+  std::array<Vector3<Scalar>, 3> semi_axes;
+
+  std::optional<RollingSurface<Scalar>> touched_at(const Vector3<Scalar>&, const Vector3<Scalar>&) const {
+    return std::nullopt;
+  }
+};
+template <class Scalar>
+struct TorusSurface {
+  Vector3<Scalar> center, axis;
+  Scalar radius, tube;
+
+  std::optional<RollingSurface<Scalar>> touched_at(const Vector3<Scalar>&, const Vector3<Scalar>&) const {
+    return std::nullopt;
+  }
+};
+
+template <class Scalar>
+using RoundSurface =
+    std::variant<SphereSurface<Scalar>, HemisphereSurface<Scalar>, CircleSurface<Scalar>, FrustumSurface<Scalar>,
+                 ArcSurface<Scalar>, EllipsoidSurface<Scalar>, TorusSurface<Scalar>>;
+
+// The surfaces and edges of each kind for contacts of curved surfaces.
+//
+// A surface of a body that may be the one at a place of contact (touching_surfaces.h), on the axes of the drawing.
+template <class Scalar>
+struct Candidate {
+  ContactSurface<Scalar> surface;
+  double size = 1;  // m
+  std::optional<ContactLimit::End> end{};
+};
+
+template <class Scalar>
+ContactSurface<Scalar> plane_at(const Vector3<Scalar>& point, const Vector3<Scalar>& out) {
+  ContactSurface<Scalar> s;
+  s.center = point;
+  s.axis = out;
+  return s;
+}
+template <class Scalar>
+ContactSurface<Scalar> sphere_at(const Vector3<Scalar>& center, const Scalar& radius) {
+  ContactSurface<Scalar> s;
+  s.kind = SurfaceKind::sphere;
+  s.center = center;
+  s.radius = radius;
+  return s;
+}
+template <class Scalar>
+ContactSurface<Scalar> cylinder_about(const Vector3<Scalar>& point, const Vector3<Scalar>& axis, const Scalar& radius) {
+  ContactSurface<Scalar> s = sphere_at(point, radius);
+  s.kind = SurfaceKind::cylinder;
+  s.axis = axis;
+  return s;
+}
+template <class Scalar>
+ContactSurface<Scalar> torus_about(const Vector3<Scalar>& center, const Vector3<Scalar>& axis, const Scalar& radius,
+                                   const Scalar& tube) {
+  ContactSurface<Scalar> s = cylinder_about(center, axis, radius);
+  s.kind = SurfaceKind::torus;
+  s.tube = tube;
+  return s;
+}
+
+template <class Scalar>
+std::vector<Candidate<Scalar>> candidates(const SphereSurface<Scalar>& s) {
+  return {{sphere_at(s.center, s.radius), plain(s.radius)}};
+}
+template <class Scalar>
+std::vector<Candidate<Scalar>> candidates(const HemisphereSurface<Scalar>& s) {
+  const double r = plain(s.radius);
+  return {{sphere_at(s.center, s.radius), r, ContactLimit::End{plain(s.center), plain(s.toward), r}},
+          {torus_about(s.center, s.toward, s.radius, Scalar(0)), r}};
+}
+template <class Scalar>
+std::vector<Candidate<Scalar>> candidates(const CircleSurface<Scalar>& s) {
+  return {{torus_about(s.center, s.axis, s.radius, Scalar(0)), plain(s.radius)}};
+}
+template <class Scalar>
+std::vector<Candidate<Scalar>> candidates(const FrustumSurface<Scalar>& s) {
+  using std::sqrt;
+  const Scalar height = norm(s.B - s.A), widens = s.r_B - s.r_A;
+  const Vector3<Scalar> axis = (s.B - s.A) / height;
+  const double size = std::max(plain(s.r_A), plain(s.r_B));
+  Candidate<Scalar> side{cylinder_about(s.A, axis, s.r_A), size,
+                         ContactLimit::End{plain(s.A), plain(axis), plain(height)}};
+  if (!vanishes(widens)) {
+    // From the apex into the cone.
+    side.surface.kind = SurfaceKind::cone;
+    side.surface.center = s.A - (s.r_A * height / widens) * axis;
+    const Scalar slant = sqrt(height * height + widens * widens);
+    const Scalar sign(plain(widens) > 0 ? 1 : -1);
+    side.surface.axis = sign * axis;
+    side.surface.sine = sign * widens / slant;
+    side.surface.cosine = height / slant;
+  }
+  std::vector<Candidate<Scalar>> found{std::move(side)};
+  for (const auto& [center, radius, out] :
+       {std::tuple{s.A, s.r_A, Vector3<Scalar>(-axis)}, std::tuple{s.B, s.r_B, axis}})
+    if (plain(radius) > 0) found.push_back({torus_about(center, out, radius, Scalar(0)), size});
+  return found;
+}
+template <class Scalar>
+std::vector<Candidate<Scalar>> candidates(const ArcSurface<Scalar>& s) {
+  const double r = plain(s.radius), low = r * std::cos(s.half_angle);
+  Candidate<Scalar> found{torus_about(s.center, s.axis, s.radius, Scalar(0)), r};
+  if (s.half_angle < std::numbers::pi)
+    found.end = ContactLimit::End{plain(s.center) + low * plain(s.middle), plain(s.middle), r - low};
+  return {std::move(found)};
+}
+template <class Scalar>
+std::vector<Candidate<Scalar>> candidates(const EllipsoidSurface<Scalar>& s) {
+  ContactSurface<Scalar> surface;
+  surface.kind = SurfaceKind::ellipsoid;
+  surface.center = s.center;
+  surface.semi_axes = s.semi_axes;
+  return {{std::move(surface),
+           std::max({norm(plain(s.semi_axes[0])), norm(plain(s.semi_axes[1])), norm(plain(s.semi_axes[2]))})}};
+}
+template <class Scalar>
+std::vector<Candidate<Scalar>> candidates(const TorusSurface<Scalar>& s) {
+  return {{torus_about(s.center, s.axis, s.radius, s.tube), plain(s.radius)}};
+}
 
 }  // namespace poinsot::problem

@@ -45,6 +45,20 @@ RoundSurface<Scalar> frustum(const ShapeArguments<Scalar>& a) {
   return FrustumSurface<Scalar>{a.place("base"), a.length("base_radius"), a.place("top"), a.length("top_radius")};
 }
 
+template <class Scalar>
+RoundSurface<Scalar> ellipsoid(const ShapeArguments<Scalar>& a) {
+  const auto s = a.lengths("semi_axes", 3);
+  using Vector = Vector3<Scalar>;
+  std::vector<Vector> axes{Vector::unit(0), Vector::unit(1), Vector::unit(2)};
+  if (a.has("axes")) axes = a.directions("axes", 3);
+  return EllipsoidSurface<Scalar>{a.place("center"), {s[0] * axes[0], s[1] * axes[1], s[2] * axes[2]}};
+}
+
+template <class Scalar>
+RoundSurface<Scalar> torus(const ShapeArguments<Scalar>& a) {
+  return TorusSurface<Scalar>{a.place("center"), a.direction("normal"), a.length("radius"), a.length("tube_radius")};
+}
+
 // Of an arc, a semicircle or a sector.
 template <class Scalar>
 RoundSurface<Scalar> arc(const ShapeArguments<Scalar>& a) {

@@ -328,7 +328,9 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
                           [&] { return particles::frustum(plain(A), plain(r_A), plain(B), plain(r_B)); });
         },
         OtherSurface::none, surfaces::frustum<Scalar>}},
-      {"ellipsoid", {"ellipsoid", pictures::ellipsoid<Scalar>, ellipsoid<Scalar>, OtherSurface::curved}},
+      {"ellipsoid",
+       {"ellipsoid", pictures::ellipsoid<Scalar>, ellipsoid<Scalar>, OtherSurface::curved,
+        surfaces::ellipsoid<Scalar>}},
       {"torus",
        {"torus", pictures::torus<Scalar>,
         [](const ShapeArguments<Scalar>& a) {
@@ -338,7 +340,7 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
           return a.values(Extent::volume, shapes::torus(c, n, r, section),
                           [&] { return particles::torus(plain(c), plain(n), plain(r), plain(section)); });
         },
-        OtherSurface::curved}},
+        OtherSurface::curved, surfaces::torus<Scalar>}},
       {"tetrahedron",
        {"tetrahedron", pictures::tetrahedron<Scalar>,
         [](const ShapeArguments<Scalar>& a) {

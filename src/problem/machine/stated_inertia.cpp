@@ -156,7 +156,8 @@ SymmetricMatrix3<Scalar> InertiaReader<Scalar>::of_moments(const StatedInertia& 
   const auto open_moments = std::count(open_moment.begin(), open_moment.end(), true);
   for (int i = 0; i < 3; ++i) {
     if (!open_moment[i]) continue;
-    const double choice = source_.any(dimensions::moment_of_inertia);  // from 0.5 to 2
+    // from 0.5 to 2; in a planar problem nothing feels what is not stated, so that one value serves.
+    const double choice = inertia.flat && !inertia.rest_any ? 1 : source_.any(dimensions::moment_of_inertia);
     const Scalar a = moments[(i + 1) % 3], b = moments[(i + 2) % 3];
     const Scalar difference = magnitude(a - b);
     moments[i] = open_moments == 1

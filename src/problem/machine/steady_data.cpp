@@ -1,9 +1,9 @@
-#include "problem/machine/steady_data.h"
-
+// What a motion holds constant: masses, shapes, the places of joints, springs and dampers.
 #include <string>
 
 #include "problem/language/diagnostic.h"
 #include "problem/machine/data.h"
+#include "problem/machine/machine_draft.h"
 
 namespace poinsot::problem {
 namespace {

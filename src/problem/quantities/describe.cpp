@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "problem/language/expression_walk.h"
 #include "problem/quantities/quantity_functions.h"
 
 namespace poinsot::problem {
@@ -23,6 +27,8 @@ Sides sides_of(const Situation& situation, const std::string& name) {
     if (contact.name == name) return {contact.of, contact.against};
   for (const Cord& cord : situation.cords)
     if (cord.name == name) return {cord.to, cord.from};
+  for (const Gear& gear : situation.gears)
+    if (gear.name == name) return {gear.of, gear.against};
   for (const Load& load : situation.loads)
     if (load.name == name) return {load.body, "outside"};
   return {};
@@ -33,6 +39,7 @@ std::string words_of(const Expression& expression, const Situation& situation);
 // What is asked of the motion: "largest theta", "smallest rate of phi", "period of theta".
 std::string feature_words(const Call& call, const Situation& situation) {
   const std::string of = words_of(call.arguments.front().value, situation);
+  if (call.function == "end_of_bouncing") return "time at which bouncing on " + of + " ends";
   return call.function == "period" ? "period of " + of : (call.function == "max" ? "largest " : "smallest ") + of;
 }
 
@@ -85,7 +92,39 @@ std::string call_words(const Expression& expression, const Situation& situation)
   return noun + " of " + first + rest;
 }
 
+// The axis along which an expression takes a component, also `@` an instant; three if it takes none.
+std::size_t component_axis(const Expression& expression, const Situation& situation) {
+  if (const At* at = expression.as<At>()) return component_axis(at->expression, situation);
+  const Member* member = expression.as<Member>();
+  return member ? static_cast<std::size_t>(std::ranges::find(situation.axes, member->name) - situation.axes.begin())
+                : situation.axes.size();
+}
+// The same without the component.
+Expression whole(const Expression& expression) {
+  if (const At* at = expression.as<At>()) {
+    At of_whole = *at;
+    of_whole.expression = whole(at->expression);
+    return built(std::move(of_whole), expression.mark());
+  }
+  const Member* member = expression.as<Member>();
+  return member ? member->object : expression;
+}
+
+// In a planar problem a number along the normal stands for what turns, and two components for a vector.
+std::optional<std::string> planar_words(const std::vector<Expression>& asked, const Situation& situation) {
+  if (!situation.plane || asked.empty() || asked.size() > 2) return std::nullopt;
+  const MotionPlane& plane = *situation.plane;
+  const auto along = [&](const Expression& one, std::size_t axis) { return component_axis(one, situation) == axis; };
+  const Unary* reversed = asked.front().as<Unary>();
+  const Expression& first = reversed && reversed->sign == '-' && plane.sign() < 0 ? reversed->operand : asked.front();
+  const bool pair = asked.size() == 2 && along(first, plane.first) && along(asked[1], plane.second) &&
+                    same_tree(whole(first), whole(asked[1]));
+  if (!pair && (asked.size() == 2 || !along(first, plane.normal()))) return std::nullopt;
+  return words_of(whole(first), situation);
+}
+
 std::string words_of(const Expression& expression, const Situation& situation) {
+  if (const auto planar = planar_words({expression}, situation)) return *planar;
   if (expression.as<Call>()) return call_words(expression, situation);
   if (const At* at = expression.as<At>(); at && !at->expression.as<Binary>())
     return words_of(at->expression, situation) + " @ " + at->instant;
@@ -131,7 +170,10 @@ std::string describe(const Ask& ask, const Situation& situation, bool is_vector)
   if (ask.when)
     return std::string(ask.when->first ? "first time when " : "times when ") + to_string(ask.when->condition);
   if (ask.table) return "over " + ask.table->over;
-  for (const Expression& expression : ask.of) words += (words.empty() ? "" : "; ") + words_of(expression, situation);
+  if (const auto planar = planar_words(ask.of, situation))
+    words = *planar;
+  else
+    for (const Expression& expression : ask.of) words += (words.empty() ? "" : "; ") + words_of(expression, situation);
   if (is_vector) {
     const std::string axes =
         ask.axes ? (ask.axes->as<List>() ? "the axes " + to_string(*ask.axes) : "the axes of " + to_string(*ask.axes))

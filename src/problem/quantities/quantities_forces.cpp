@@ -37,8 +37,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
   std::vector<std::size_t> actions;
   for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
     const Action& action = mechanism.actions[i];
-    const bool drive = action.kind == ActionKind::drive, support = action.kind == ActionKind::support,
-               load = action.kind == ActionKind::load;
+    const bool motor = action.kind == ActionKind::drive, drive = motor || action.kind == ActionKind::friction,
+               support = action.kind == ActionKind::support, load = action.kind == ActionKind::load;
     const bool of_joint = (support || drive) && action.joint == name;
     const bool itself = !drive && action.name == name && (joint.empty() || action.joint == joint);
     bool wanted = false;
@@ -47,7 +47,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     else if (f == "tension")
       wanted = action.kind == ActionKind::cord && itself;
     else if (f == "drive")
-      wanted = drive && (joint.empty() ? action.joint == name : action.name == joint + "." + name);
+      wanted = motor && (joint.empty() ? action.joint == name : action.name == joint + "." + name);
     else if (sudden)
       wanted = !load && (itself || of_joint);
     else if (f == "reaction" || f == "reaction_couple")
@@ -81,7 +81,27 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
                            "' and '" + mechanism.actions[i].joint + "'",
                        "write reaction(" + name + " of " + mechanism.actions[i].joint + ")");
   }
+  // Of a cord over wheels, what it does to one of the bodies: of its straight parts those that end there, all reversed
+  // where they begin there.
+  const bool led = actions.size() > 1 && act_together(mechanism.actions[actions[0]], mechanism.actions[actions[1]]);
+  std::vector<std::size_t> begin_there;
+  if (const Expression* named = call.argument("on"); named && led) {
+    const int body = body_of(*named, evaluator);
+    std::vector<std::size_t> end_there;
+    for (const std::size_t i : actions) {
+      const Action& part = mechanism.actions[i];
+      if (part.on == part.from) continue;
+      if (part.on == body) end_there.push_back(i);
+      if (part.from == body) begin_there.push_back(i);
+    }
+    if (end_there.empty()) std::swap(end_there, begin_there);
+    if (end_there.empty()) evaluator.fail(named->mark(), "'" + name + "' does not act on '" + to_string(*named) + "'");
+    actions = end_there;
+  }
   SpatialForce<Base> wrench = SpatialForce<Base>::zero();
+  for (std::size_t i : begin_there)
+    wrench += Base(-1) * (sudden ? solve::action_impulse(*before_, *blow_, *impulses_, i)
+                                 : solve::action_wrench(*mechanism_state_, *unknowns_, i));
   for (std::size_t i : actions)
     wrench += sudden ? solve::action_impulse(*before_, *blow_, *impulses_, i)
                      : solve::action_wrench(*mechanism_state_, *unknowns_, i);
@@ -92,7 +112,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     const int body = body_of(*named, evaluator);
     on = body;
     for (std::size_t i : actions)
-      if (mechanism.actions[i].on != first.on || mechanism.actions[i].from != first.from)
+      if (!led && (mechanism.actions[i].on != first.on || mechanism.actions[i].from != first.from))
         evaluator.fail(name_mark, "'" + name + "' means several things between different bodies");
     if (body == first.from && body != first.on)
       sign = Base(-1);
@@ -103,9 +123,9 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     return vector_value(lifted<Scalar>(sign * v), dimension);
   };
   // Where the actions are between different bodies, there is no one body on which they act.
-  const bool one_pair = std::ranges::all_of(actions, [&](std::size_t i) {
-    return mechanism.actions[i].on == first.on && mechanism.actions[i].from == first.from;
-  });
+  const bool one_pair = begin_there.empty() && std::ranges::all_of(actions, [&](std::size_t i) {
+                          return mechanism.actions[i].on == first.on && mechanism.actions[i].from == first.from;
+                        });
   const auto told = [&](ToldQuantity::Kind kind, const Vector3<Base>& place, const Vector3<Base>& value,
                         const Dimension& dimension, const Vector3<Base>& along = Vector3<Base>::zero()) {
     Result result = as_vector(value, dimension);
@@ -131,11 +151,34 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
   };
   using Kind = ToldQuantity::Kind;
   const Vector3<Base> nowhere = Vector3<Base>::zero();
+  const auto leader_of = [&](std::size_t action) {
+    for (std::size_t k = 0; k < mechanism.components.size(); ++k)
+      if (mechanism.components[k].action == static_cast<int>(action))
+        return mechanism.components[k].follows < 0 ? static_cast<int>(k) : mechanism.components[k].follows;
+    return -1;
+  };
+  const auto differ = [&](const std::vector<std::size_t>& some, const std::vector<std::size_t>& others) {
+    return std::ranges::any_of(some, [&](std::size_t i) { return leader_of(i) != leader_of(some.front()); }) ||
+           std::ranges::any_of(others, [&](std::size_t i) { return leader_of(i) != leader_of(some.front()); });
+  };
   if (f == "tension") {
     // The component is along the cord and may be negative, so that a cord that would have to push shows a negative
     // tension.
+    std::vector<int> pulls;
+    for (const Component<Base>& component : mechanism.components)
+      if (component.one_sided &&
+          std::ranges::find(actions, static_cast<std::size_t>(component.action)) != actions.end())
+        pulls.push_back(component.action);
+    if (led && pulls.size() > 1 && !call.argument("on"))
+      evaluator.fail(name_mark, "cord '" + name + "' turns a wheel, so that it has several tensions",
+                     "write tension(" + name + " on BODY), the body that it holds or ends on");
     for (std::size_t k = 0; k < mechanism.components.size(); ++k)
       if (mechanism.components[k].action == static_cast<int>(actions.front())) {
+        if (begin_there.size() + actions.size() > 1 && call.argument("on") && differ(actions, begin_there))
+          evaluator.fail(name_mark,
+                         "on both sides of '" + to_string(*call.argument("on")) + "' cord '" + name +
+                             "' has tensions of their own",
+                         "ask for one at an end of the cord, or for force(" + name + " on BODY)");
         const Base tension = (*unknowns_)[solve::force_unknowns(mechanism).accelerations + k];
         told(Kind::tension, nowhere, {tension, Base(0), Base(0)}, dimensions::force);
         return number_value(lifted<Scalar>(tension), dimensions::force);

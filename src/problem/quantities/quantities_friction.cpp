@@ -22,13 +22,16 @@ Value<Scalar> QuantityScope<Scalar, Base>::friction(const Call& call, const Eval
     for (const RoughContactOf<Base>& contact : rough) known.push_back(contact.name);
     const std::string all = joined(known);
     const std::string hint = did_you_mean(to_string(what), known);
-    evaluator.fail(what.mark(), "there is no contact '" + to_string(what) + "' with friction",
+    evaluator.fail(what.mark(), "there is no contact or joint '" + to_string(what) + "' with friction",
                    !hint.empty() ? hint
-                   : all.empty() ? "state the coefficient at a contact: friction: 0.3"
+                   : all.empty() ? "state it at a contact, friction: 0.3, or at a joint, friction: 2 N*m"
                                  : "known: " + all);
   }
   const RoughContactOf<Base>& contact = *found;
   const Action& action = machine_.mechanism.actions[static_cast<std::size_t>(contact.action)];
+  if (contact.coordinate >= 0 && (call.function == "slip_velocity" || call.function == "normal_force"))
+    evaluator.fail(what.mark(), "'" + contact.name + "' is a joint, whose friction has no " + call.function,
+                   "ask for friction(" + contact.name + " on ...) or for the rate of the joint");
   if (call.function == "slip_velocity") {
     const Place<Base>& at = place_of(machine_.mechanism, contact);
     const Vector P = point_position(model_, workspace_, at.body, lifted<Scalar>(at.point));
@@ -75,6 +78,10 @@ Value<Scalar> QuantityScope<Scalar, Base>::friction(const Call& call, const Eval
         evaluator.fail(on->mark(), "'" + contact.name + "' does not act on '" + to_string(*on) + "'");
     }
     const Base sign(body == action.on ? 1 : -1);
+    if (contact.coordinate >= 0) {
+      const Vector couple = lifted<Scalar>(sign * force.friction);
+      return vector_value(couple, contact.turning ? dimensions::moment : dimensions::force);
+    }
     return told(ToldQuantity::Kind::friction, body,
                 vector_value(lifted<Scalar>(sign * force.friction), dimensions::force));
   }

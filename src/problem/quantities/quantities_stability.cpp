@@ -21,22 +21,23 @@ Value<Scalar> QuantityScope<Scalar, Base>::holding(const Call& call, const Evalu
   const Mechanism<Base>& mechanism = machine_.mechanism;
   std::vector<std::string> known;
   const std::size_t first = solve::force_unknowns(mechanism).accelerations;
-  for (std::size_t i = 0; i < mechanism.actions.size(); ++i) {
-    const Action& action = mechanism.actions[i];
-    if (action.kind != kind) continue;
-    known.push_back(action.name);
-    if (!plain_name(what) || plain_name(what)->name != action.name) continue;
-    double push = 0, largest = 0;
+  for (const Action& named : mechanism.actions) {
+    if (named.kind != kind) continue;
+    known.push_back(named.name);
+    if (!plain_name(what) || plain_name(what)->name != named.name) continue;
+    double least = 0, largest = 0;
     bool acts = false;
     for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
       const Component<Base>& component = mechanism.components[k];
       if (!component.couple) largest = std::max(largest, std::abs(plain((*unknowns_)[first + k])));
-      if (component.action != static_cast<int>(i) || !component.one_sided) continue;
-      push = plain((*unknowns_)[first + k]);
+      const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
+      if (action.kind != kind || action.name != named.name || !component.one_sided) continue;
+      const double push = plain((*unknowns_)[first + k]);
+      least = acts ? std::min(least, push) : push;
       acts = true;
     }
     constexpr double no_pull = 1e-12;  // of the largest force: the rounding of equations of a few dozen terms
-    return Result::of_truth(acts && push >= -no_pull * largest);
+    return Result::of_truth(acts && least >= -no_pull * largest);
   }
   const std::string all = joined(known);
   const std::string hint = did_you_mean(to_string(what), known);

@@ -54,8 +54,8 @@ bool is_extreme_of_list(const Call& call);
 // Whether a call asks for an extreme or the period of a quantity over the motion.
 inline bool is_motion_feature(const Call& call) {
   const std::string_view f = call.function;
-  return (f == "min" || f == "max" || f == "period") && call.pattern().empty() && call.arguments.size() == 1 &&
-         !call.arguments.front().value.as<List>() && !is_extreme_of_list(call);
+  return (f == "min" || f == "max" || f == "period" || f == "end_of_bouncing") && call.pattern().empty() &&
+         call.arguments.size() == 1 && !call.arguments.front().value.as<List>() && !is_extreme_of_list(call);
 }
 bool asks_motion_feature(const Expression& expression);
 // A call of min(), max() or period() over the motion, and where it stands.

@@ -29,6 +29,12 @@ struct RoughMotion {
   double size = 0;
 };
 
+// The direction of the force of a contact that slides, n - m d, of which the size is the push.
+template <class Base>
+Vector3<Base> along_sliding_force(const RoughContactOf<Base>& contact) {
+  return contact.normal.vector - contact.sliding * contact.slip->vector;
+}
+
 // Where the bodies touch in this pose. What rolls touches elsewhere than as drawn; its forces are moved with it.
 template <class Base>
 const Place<Base>& place_of(const Mechanism<Base>& mechanism, const RoughContactOf<Base>& contact) {
@@ -43,6 +49,12 @@ RoughMotion<Base> rough_motion(const solve::MechanismStateOf<Base>& state, const
                                bool accelerations) {
   const std::vector<Base>& values = accelerations ? state.accelerations() : state.state().v;
   RoughMotion<Base> motion{Base(0), {Base(0), Base(0), Base(0)}, 0};
+  if (contact.coordinate >= 0) {
+    const Base& rate = values[static_cast<std::size_t>(contact.coordinate)];
+    motion.size = std::abs(plain(rate));
+    motion.slip = rate * state.direction(contact.motions[1].along);
+    return motion;
+  }
   for (std::size_t i = 0; i < contact.motions.size(); ++i) {
     VelocityConstraint<Base> way = contact.motions[i];
     way.at = place_of(state.mechanism(), contact);
@@ -63,7 +75,8 @@ RoughMotion<Base> rough_motion(const solve::MechanismStateOf<Base>& state, const
   return motion;
 }
 
-// The force of a contact on `on`, in its part along the normal and that across it.
+// The force of a contact on `on`, in its part along the normal and that across it; of friction in a joint its couple or
+// force, beside a push of one.
 template <class Base>
 struct RoughForce {
   Base push{};
@@ -73,8 +86,13 @@ struct RoughForce {
 template <class Base>
 RoughForce<Base> rough_force(const solve::MechanismStateOf<Base>& state, const std::vector<Base>& unknowns,
                              const RoughContactOf<Base>& contact) {
+  const SpatialForce<Base> wrench = solve::action_wrench(state, unknowns, static_cast<std::size_t>(contact.action));
+  if (contact.coordinate >= 0) {
+    const Vector3<Base> axis = state.direction(contact.motions[1].along);
+    return {Base(1), dot(contact.turning ? wrench.moment : wrench.force, axis) * axis};
+  }
   const Vector3<Base> n = state.direction(contact.normal);
-  const Vector3<Base> force = solve::action_wrench(state, unknowns, static_cast<std::size_t>(contact.action)).force;
+  const Vector3<Base>& force = wrench.force;
   const Base push = dot(force, n);
   return {push, force - push * n};
 }
@@ -99,16 +117,17 @@ bool stays_in_state(const solve::MechanismStateOf<Base>& state, const std::vecto
   constexpr double same_direction = 1e-8;
   const RoughForce<Base> force = rough_force(state, unknowns, contact);
   if (contact.grip == Grip::sticks)
-    return norm(plain(force.friction)) <= plain(contact.resting) * plain(force.push) + rounding * force_size;
+    return norm(plain(force.friction)) <=
+           (1 + rounding) * plain(contact.resting) * plain(force.push) + rounding * force_size;
   const RoughMotion<Base> now = rough_motion(state, contact, false), then = rough_motion(state, contact, true);
   if (contact.grip == Grip::parts)
     return std::abs(plain(now.apart)) > rounding * now.size ? plain(now.apart) > 0
                                                             : plain(then.apart) > rounding * then.size;
   if (contact.grip != Grip::slides || !contact.slip) return false;
-  // What is at rest begins to slip where its slip grows.
-  const bool slips = norm(plain(now.slip)) > rounding * now.size;
+  // What is at rest begins to slip where its slip grows. One that turns has a direction as long as there is any of it.
+  const bool slips = norm(plain(now.slip)) > (contact.turns ? 0 : rounding * now.size);
   const Vector3<double> slip = plain(slips ? now.slip : then.slip);
-  if (!(norm(slip) > rounding * (slips ? now.size : then.size))) return false;
+  if (!(norm(slip) > (!slips ? rounding * then.size : contact.turns ? 0 : rounding * now.size))) return false;
   return norm(normalized(slip) - plain(state.direction(*contact.slip))) <= same_direction;
 }
 

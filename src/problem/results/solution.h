@@ -128,6 +128,7 @@ struct ContactState {
   Grip grip = Grip::unknown;
   std::optional<Expression> slip{};  // if it slides: the direction
   bool from_rest = false;            // whether it begins to
+  bool in_joint = false;             // whether it is the friction in the joint of this name
 };
 
 struct Solution {

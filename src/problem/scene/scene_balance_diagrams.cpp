@@ -158,7 +158,7 @@ class BalanceDiagrams {
     const std::vector<RoughContactOf<double>>& rough = figure_.machine().rough_contacts;
     const auto contact = std::ranges::find(rough, action, &RoughContactOf<double>::action);
     if (contact == rough.end() || contact->grip != Grip::slides) return false;
-    const double size = force.sign * numbers().unknowns[force.column];
+    const double size = force.sign * (sudden() ? numbers().impulses : numbers().unknowns)[force.column];
     const Vector3<double> push = size * placed_.direction(contact->normal),
                           friction = (-contact->sliding * size) * placed_.direction(*contact->slip);
     const Action& what = mechanism().actions[static_cast<std::size_t>(action)];

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "poinsot/engine/mass/particle_set.h"
 #include "problem/language/diagnostic.h"
@@ -49,7 +51,7 @@ class Dimensions {
   // The coefficients of friction at the surfaces that are touched.
   void add_friction() {
     for (const Contact& contact : figure_.situation().contacts) {
-      if (!contact.friction) continue;
+      if (!contact.friction || contact.in_joint) continue;
       const auto symbol = std::ranges::find(figure_.scene().symbols, contact.name, &scene::Symbol::name);
       if (symbol == figure_.scene().symbols.end()) continue;
       std::string name;
@@ -73,7 +75,7 @@ class Dimensions {
     const bool as_written = coefficient.as<Name>() == nullptr || is_open(written) ||
                             std::ranges::any_of(find, [&](const Unknown& unknown) { return unknown.name == written; });
     // A datum that is called so keeps its own index.
-    const bool is_mu = coefficient.as<Name>() && written.starts_with("mu") && (symbol == "mu" || written.size() > 2);
+    const bool is_mu = coefficient.as<Name>() && (written == "mu" ? symbol == "mu" : is_indexed_coefficient(written));
     if (as_written) return is_mu || written == symbol ? written : symbol + " = " + written;
     try {
       constexpr int digits = 5;
@@ -84,6 +86,12 @@ class Dimensions {
     }
   }
 
+  // What texts write where there are several coefficients of friction.
+  static bool is_indexed_coefficient(const std::string& name) {
+    static const std::set<std::string> names{"mu0",  "mu1",  "mu2",  "mu3",  "mu4",  "mu_0", "mu_1", "mu_2", "mu_3",
+                                             "mu_4", "mu_s", "mu_k", "mu_A", "mu_B", "mu_C", "mu_D", "mus",  "muk"};
+    return names.contains(name);
+  }
   bool is_open(const std::string& name) const {
     return std::any_of(figure_.scene().drawn_letters.begin(), figure_.scene().drawn_letters.end(),
                        [&](const scene::DrawnLetter& letter) { return letter.name == name; });

@@ -87,8 +87,9 @@ void SceneFigure::add_symbols() {
     scene_.symbols.push_back(symbol);
   };
   for (const Contact& contact : situation_.contacts)
-    add_touching(contact.no_slip || contact.grip == Grip::sticks ? SymbolKind::rolling_contact : SymbolKind::contact,
-                 contact, contact.normal);
+    if (!contact.open && !contact.in_joint)
+      add_touching(contact.no_slip || contact.grip == Grip::sticks ? SymbolKind::rolling_contact : SymbolKind::contact,
+                   contact, contact.normal);
   for (const Impact& impact : situation_.impacts) add_touching(SymbolKind::contact, impact, impact.pushes);
 }
 
@@ -149,6 +150,15 @@ void SceneFigure::add_links() {
     scene::Link link;
     link.kind = scene::LinkKind::cord;
     link.name = cord.name;
+    if (cord.is_led()) {
+      for (const Component<double>& part : machine_.mechanism.components) {
+        if (!part.span || machine_.mechanism.actions[static_cast<std::size_t>(part.action)].name != cord.name) continue;
+        link.from = scene_place(part.at);
+        link.to = scene_place(*part.toward);
+        scene_.links.push_back(link);
+      }
+      continue;
+    }
     const Place<double> end = machine_.place(machine_.index.at(cord.to), data_.place(*cord.end));
     link.from = scene_place(end);
     if (cord.direction) {

@@ -89,7 +89,7 @@ class ModelDiagram {
     const std::string name = joint.name + (freedom.name.empty() ? "" : "." + freedom.name);
     for (const Drive<double>& drive : figure_.mechanism().drives) {
       const Action& action = figure_.mechanism().actions[static_cast<std::size_t>(drive.action)];
-      if (action.name != name) continue;
+      if (action.kind != ActionKind::drive || action.name != name) continue;
       Vector3<double> effort = drive.effort * state().direction(drive.along);
       for (const KnownForce<double>& force : figure_.mechanism().forces)
         if (force.action == drive.action) effort += force.now(figure_.mechanism().tree, state().workspace());
@@ -106,7 +106,7 @@ class ModelDiagram {
         const std::string name = joint.name + (freedom.name.empty() ? "" : "." + freedom.name);
         for (const Drive<double>& drive : figure_.mechanism().drives) {
           const Action& action = figure_.mechanism().actions[static_cast<std::size_t>(drive.action)];
-          if (action.name == name) add_rates(joint, freedom, drive);
+          if (action.kind == ActionKind::drive && action.name == name) add_rates(joint, freedom, drive);
         }
       }
   }

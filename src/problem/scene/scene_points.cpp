@@ -44,7 +44,8 @@ class PointBodies {
         at(joint.at, joint.to);
         for (const Support& support : joint.supports) at(support.at, joint.to);
       }
-      for (const Contact& contact : situation.contacts) at(contact.at, contact.of);
+      for (const Contact& contact : situation.contacts)
+        if (!contact.in_joint) at(contact.at, contact.of);
       for (const Cord& cord : situation.cords) {
         at(cord.end, cord.to);
         at(cord.at, cord.from);

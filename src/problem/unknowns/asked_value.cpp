@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "poinsot/engine/solve/stability/spectrum_check.h"
+#include "problem/instant/contact_state_search.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/unknowns/unknown_search.h"
@@ -137,7 +139,9 @@ class AskedTable {
              "narrow the range, or tell by where: which solution is meant");
       all = found.roots.front();
     }
-    Sample there(statement, std::move(all), sample_.choice());
+    const std::shared_ptr<const Statement> stated = in_states_at(all, row);
+    Sample there =
+        stated ? Sample(stated, std::move(all), sample_.choice()) : Sample(statement, std::move(all), sample_.choice());
     if (confirm) there.write_down_what_is_told();
     for (const NamedExpression& column : table_.columns)
       add(column, there.value_at(there.home(column.value, column.mark), column.value, ask_.axes));
@@ -147,6 +151,29 @@ class AskedTable {
       sample_.note_unphysical_row(ask_.name, "independent checks do not confirm the row " + row_words(row));
     if (std::ranges::any_of(table_.columns, [](const auto& column) { return asks_stability(column.value); }))
       confirm_stability(there, row);
+  }
+
+  // The statement with its contacts with friction in the states in which they are at these values; none if no contact
+  // has friction.
+  std::shared_ptr<const Statement> in_states_at(const AllSettings& all, double row) const {
+    const Statement& statement = sample_.statement();
+    if (std::ranges::none_of(statement.situations, &Situation::has_friction)) return nullptr;
+    auto found = std::make_shared<Statement>(statement);
+    for (std::size_t i = 0; i < found->situations.size(); ++i) {
+      Situation& situation = found->situations[i];
+      if (!situation.has_friction()) continue;
+      const HeldStates held = states_that_hold(with_states_open(situation), i, all[i], false);
+      if (!held.doubts.empty() || held.all.size() != 1)
+        throw UnansweredError(situation.file, ask_.mark,
+                              !held.doubts.empty() ? "which states of the contacts hold in the row " + row_words(row) +
+                                                         " is not known: " + held.doubts.front()
+                              : held.all.empty()
+                                  ? "no state of the contacts with friction holds in the row " + row_words(row)
+                                  : "several states of the contacts with friction hold in the row " + row_words(row),
+                              "narrow the range");
+      put_in_states(situation, i, held.all.front());
+    }
+    return found;
   }
 
   void add(const NamedExpression& column, const Value<double>& value) {

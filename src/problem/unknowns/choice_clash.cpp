@@ -1,10 +1,10 @@
 #include "problem/unknowns/choice_clash.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
+#include "engine/solve/linear/decompositions.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {

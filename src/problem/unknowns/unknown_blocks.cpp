@@ -1,9 +1,9 @@
 #include "problem/unknowns/unknown_blocks.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <set>
 
+#include "engine/solve/linear/decompositions.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {

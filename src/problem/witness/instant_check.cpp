@@ -124,6 +124,8 @@ SolvedInstant::Residuals SolvedInstant::check() const {
     residuals.constraints = solve::check_constraints(machine_.links, mechanism.constraints, claim, machine_.q, v_, a);
   }
   if (motion_ && !machine_.rough_contacts.empty()) residuals.friction = friction_misfit();
+  if (rough_blow_) residuals.blow = rough_blow_misfit();
+  if (before_ && !moving_ && !machine_.rough_contacts.empty()) residuals.friction = blow_friction_misfit();
   if (motion_) residuals.laws = law_misfit();
   return residuals;
 }

@@ -10,6 +10,9 @@ namespace poinsot::problem {
 // scan of what is told of a motion leaves 1e-11.
 inline constexpr double check_tolerance = 1e-8;
 
+// The second road along a blow with friction goes by steps of which ten thousand make a blow.
+inline constexpr double blow_tolerance = 1e-3;
+
 // The largest misfit of the instant and of what was written down of what it told.
 double misfit_by_particles(const SolvedInstant& instant);
 bool confirmed_by_particles(const SolvedInstant& instant);

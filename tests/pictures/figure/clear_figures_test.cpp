@@ -146,6 +146,26 @@ TEST(ClearFigures, a_mass_center_without_name_has_the_one_of_its_momentum) {
   EXPECT_EQ(label_of(figure(scene, cut, "", {}), "G"), nullptr);
 }
 
+TEST(ClearFigures, forces_that_are_open_are_told_below_what_is_cut_free) {
+  scene::Scene scene = rod_scene({}, {1, 0, 0});
+  scene.diagrams = {{.kind = scene::DiagramKind::free_body,
+                     .title = "Free-body diagram",
+                     .bodies = {0},
+                     .arrows = {arrow(scene::Quantity::force, 0, {}, {0, 5, 0}, "T")}}};
+  const FigureName cut{FigureKind::free_body, "free-body", "", scene::ground};
+  const auto tells = [&](const FigureName& name) {
+    const Drawing drawing = figure(scene, name, "", {});
+    return std::ranges::any_of(drawing.marks, [](const Mark& mark) {
+      const auto* label = std::get_if<Label>(&mark);
+      return label != nullptr && !label->runs.empty() && label->runs[0].text.starts_with("Not drawn is");
+    });
+  };
+  EXPECT_FALSE(tells(cut));
+  scene.notes = {"not drawn is what the equations leave open: N_floor and N_wall"};
+  EXPECT_TRUE(tells(cut));
+  EXPECT_FALSE(tells(model));
+}
+
 TEST(ClearFigures, a_far_point_of_an_axis_is_not_drawn_beside_what_is_cut_free) {
   scene::Scene scene = rod_scene({}, {1, 0, 0});
   scene.points = {{"A", {0, {0.3, 0, 0}}}, {"Far", {0, {0, 8, 0}}}};

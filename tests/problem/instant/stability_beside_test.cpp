@@ -102,16 +102,26 @@ TEST(StabilityBesideMassless, RotorInASprungHousing) {
   }
 }
 
-// What touches with a surface that is not known is refused, whatever is asked of it.
-TEST(StabilityBesideMassless, CurvedOnCurvedIsRefused) {
-  const SolvedText solved(
-      "title: t\ngravity: -y\npoints: {O: [0, 0, 0], C: [0, 1 m, 0], G: [0, 1.1 m, 0]}\nbodies: {ball: {sphere: "
-      "{center: G, radius: 0.1 m}, mass: 2 kg}, globe: {sphere: {center: O, radius: 1 m}, mass: 50 kg}}\n"
-      "joints: {base: {weld: O, to: globe}}\ncontacts: {top: {of: ball, against: globe, at: C, normal: y, no_slip: "
-      "true}}\ninstants: {now: rest}\nask: {s: stable(ball), f: frequencies(ball)}\n");
+// What touches with a surface that is not known is refused, whatever is asked of it. Where both surfaces are known a
+// ball falls from another one with sqrt(5 g/(7 (R + r))).
+TEST(StabilityBesideMassless, AnUnknownSurfaceIsRefusedAndABallOnABallFalls) {
+  const auto text = [](const std::string& ball) {
+    return "title: t\ngravity: [0, -9.81 m/s^2, 0]\npoints: {O: [0, 0, 0], C: [0, 1 m, 0], G: [0, 1.1 m, 0]}\nbodies: "
+           "{ball: {" +
+           ball +
+           "mass: 2 kg}, globe: {sphere: {center: O, radius: 1 m}, mass: 50 kg}}\n"
+           "joints: {base: {weld: O, to: globe}}\ncontacts: {top: {of: ball, against: globe, at: C, normal: y, "
+           "no_slip: "
+           "true}}\ninstants: {now: rest}\nask: {s: stable(ball), g: growth_rate(ball), f: frequencies(ball)}\n";
+  };
+  const SolvedText unknown(text("center: G, inertia: {x: 1 kg*m^2, y: 1 kg*m^2, z: 1 kg*m^2}, "));
   for (const char* name : {"s", "f"})
-    EXPECT_TRUE(solved.reason(name).find("how the point of contact 'top' moves is not known") != std::string::npos)
-        << solved.reason(name);
+    EXPECT_TRUE(unknown.reason(name).find("how the point of contact 'top' moves is not known") != std::string::npos)
+        << unknown.reason(name);
+  const std::string known = text("sphere: {center: G, radius: 0.1 m}, ");
+  const Near near = solved_near(known).front();
+  EXPECT_FALSE(near.stable);
+  EXPECT_NEAR(near.growth, std::sqrt(5 * g / (7 * 1.1)), 1e-9);
 }
 
 // Two blocks that know nothing of each other swing at the same rates, each on three springs that stand square.

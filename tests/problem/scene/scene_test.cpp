@@ -220,7 +220,7 @@ gravity: -y
 instants: {start: rest}
 ask: {v1: velocity(ball).y @ 1 s, v2: velocity(ball).y @ 2 s, y2: center(ball).y @ 2 s}
 )");
-  const auto& plots = scene_of(document).motion->plots;
+  const auto& plots = document.solutions.at(0).scene->motion->plots;
   ASSERT_EQ(plots.size(), 2U);
   EXPECT_EQ(plots[0].name, "v1");
   EXPECT_EQ(plots[1].name, "y2");

@@ -13,6 +13,7 @@ namespace poinsot {
 template <class Scalar>
 PlacedForce<Scalar> component_force(const Model<Scalar>& tree, const Workspace<Scalar>& w,
                                     const Component<Scalar>& component) {
+  if (component.span) return reversed(span_force(tree, w, *component.span));
   const Vector3<Scalar> P = point_position(tree, w, component.at.body, component.at.point);
   const Vector3<Scalar> none = Vector3<Scalar>::zero();
   if (component.toward)

@@ -21,9 +21,18 @@ Mechanism<Target> convert_mechanism(const Mechanism<Source>& source, Convert con
   target.coordinate_names = source.coordinate_names;
   target.actions = source.actions;
   for (const Component<Source>& c : source.components) {
-    Component<Target> component{c.action, c.axis,      c.couple, c.one_sided,
-                                to(c.at), to(c.along), {},       to(c.couple_per_force)};
+    Component<Target> component;
+    component.action = c.action;
+    component.axis = c.axis;
+    component.couple = c.couple;
+    component.one_sided = c.one_sided;
+    component.at = to(c.at);
+    component.along = to(c.along);
+    component.couple_per_force = to(c.couple_per_force);
     if (c.toward) component.toward = to(*c.toward);
+    if (c.span) component.span = c.span->template converted<Target>(to);
+    component.follows = c.follows;
+    component.part = to(c.part);
     target.components.push_back(std::move(component));
   }
   for (const VelocityConstraint<Source>& c : source.constraints) {
@@ -45,6 +54,15 @@ Mechanism<Target> convert_mechanism(const Mechanism<Source>& source, Convert con
     constraint.axis = to(c.axis);
     constraint.radius = to(c.radius);
     constraint.surface_axis = to(c.surface_axis);
+    for (const CordSpan<Source>& span : c.spans) constraint.spans.push_back(span.template converted<Target>(to));
+    constraint.keeps_length = c.keeps_length;
+    if (c.surfaces) {
+      const auto surface = [&](const ContactSurface<Source>& s) { return converted_surface<Target>(s, to, to, to); };
+      const CurvedContact<Source>& both = *c.surfaces;
+      constraint.surfaces = std::make_shared<const CurvedContact<Target>>(
+          CurvedContact<Target>{surface(both.on), surface(both.from), surface(both.shape_on), surface(both.shape_from),
+                                both.branch, to(both.normal), to(both.tangent)});
+    }
     target.constraints.push_back(std::move(constraint));
   }
   for (const Drive<Source>& drive : source.drives) target.drives.push_back(drive.template converted<Target>(to));

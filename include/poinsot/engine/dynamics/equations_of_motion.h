@@ -79,18 +79,21 @@ void add_constraint_rows(const Mechanism<Scalar>& mechanism, const Workspace<Sca
     const ConstraintLine<Scalar> line = constraint_line(mechanism.tree, workspace, c);
     std::vector<Scalar> row(static_cast<std::size_t>(mechanism.tree.velocity_size()), Scalar(0));
     std::vector<double> terms(row.size(), 0.0);
-    const auto add = [&](int body, const Vector3<Scalar>& p, int sign) {
+    const auto add = [&](int body, const Vector3<Scalar>& p, int sign, const PlacedForce<Scalar>& unit) {
       for_each_coordinate_motion(mechanism.tree, workspace, body, p, [&](int k, const SpatialMotion<Scalar>& S) {
-        row[static_cast<std::size_t>(k)] +=
-            Scalar(sign) * (dot(line.unit.force, S.linear) + dot(line.unit.couple, S.angular));
+        row[static_cast<std::size_t>(k)] += Scalar(sign) * (dot(unit.force, S.linear) + dot(unit.couple, S.angular));
         terms[static_cast<std::size_t>(k)] +=
-            size_of_terms(line.unit, S, plain(p), plain(workspace.motion[static_cast<std::size_t>(body + 1)].p));
+            size_of_terms(unit, S, plain(p), plain(workspace.motion[static_cast<std::size_t>(body + 1)].p));
       });
     };
     // The two bodies meet at one point, but a cord pulls each of them at its own end.
     const bool cord = c.kind == VelocityConstraintKind::cord_length;
-    add(c.on, line.unit.point, 1);
-    add(c.from, cord ? point_position(mechanism.tree, workspace, c.toward.body, c.toward.point) : line.unit.point, -1);
+    for_each_unit_force(
+        mechanism.tree, workspace, c, line.unit, [&](int on, int from, const PlacedForce<Scalar>& unit) {
+          add(on, unit.point, 1, unit);
+          add(from, cord ? point_position(mechanism.tree, workspace, c.toward.body, c.toward.point) : unit.point, -1,
+              unit);
+        });
     equations.jacobian.push_back(std::move(row));
     equations.bias.push_back(line.bias);
     equations.jacobian_terms.push_back(std::move(terms));

@@ -4,10 +4,14 @@
 // Bodies are indices into the tree, or `ground`. Points and directions that move with a body: see place.h.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "poinsot/engine/dynamics/contact_surface.h"
+#include "poinsot/engine/dynamics/cord_span.h"
 #include "poinsot/engine/dynamics/drive_law.h"
 #include "poinsot/engine/dynamics/force_law.h"
 #include "poinsot/engine/dynamics/load_law.h"
@@ -18,7 +22,7 @@
 
 namespace poinsot {
 
-enum class ActionKind { joint, support, drive, contact, cord, spring, load, impulse, impact };
+enum class ActionKind { joint, support, drive, contact, mesh, cord, spring, load, impulse, impact, friction };
 
 // Whether a law of force (force_law.h) says what it exerts; a drive's law says a part of it.
 constexpr bool has_law(ActionKind kind) { return kind == ActionKind::spring || kind == ActionKind::load; }
@@ -27,10 +31,15 @@ constexpr bool has_law(ActionKind kind) { return kind == ActionKind::spring || k
 struct Action {
   ActionKind kind = ActionKind::load;
   std::string name;   // of the joint, support, contact, cord, spring or load
-  std::string joint;  // for supports and drives: the joint that they belong to
+  std::string joint;  // for supports, drives and friction in joints: the joint that they belong to
   int on = ground;
   int from = ground;
 };
+
+// Whether two actions hold and give way together: the straight parts of one cord.
+inline bool act_together(const Action& a, const Action& b) {
+  return a.kind == ActionKind::cord && b.kind == ActionKind::cord && a.name == b.name;
+}
 
 // A component that an action may have, of unknown size: a force at a place along a direction, or a couple about it.
 template <class Scalar>
@@ -43,16 +52,33 @@ struct Component {
   Direction<Scalar> along;
   std::optional<Place<Scalar>> toward;  // of a cord: the force at `at` is directed towards this place
   Scalar couple_per_force{};            // of a screw: the couple per unit force, m
+  // Of a cord led over wheels: its straight part, which pulls `at` towards `toward` where these lie as drawn.
+  std::optional<CordSpan<Scalar>> span{};
+  // Where its size is a fixed part of another's, as the tension of a cord behind a smooth wheel is the one before it:
+  // the index of that component, which stands before it with none but its like between them, and the part.
+  int follows = -1;
+  Scalar part{1};
 };
+
+// Calls visit with each component that follows a component, and with that itself.
+template <class Scalar, class Visit>
+void for_each_follower(const std::vector<Component<Scalar>>& components, std::size_t index, Visit&& visit) {
+  visit(index);
+  for (std::size_t k = index + 1; k < components.size() && components[k].follows == static_cast<int>(index); ++k)
+    visit(k);
+}
 
 enum class VelocityConstraintKind {
-  angular,     // the relative angular velocity about `along` is zero
-  point,       // the relative velocity along `along` is zero at a point fixed in body `on`
-  rolling,     // the same, where the point of contact moves over a body of revolution
-  cord_length  // the distance between `at` and `toward` is constant
+  angular,      // the relative angular velocity about `along` is zero
+  point,        // the relative velocity along `along` is zero at a point, which moves with a body of its own
+  rolling,      // the same, where the point of contact moves over a body of revolution
+  cord_length,  // the distance between `at` and `toward` is constant
+  led_cord,     // the straight parts of a cord grow by nothing together, measured where it touches what it is led over
+  touching      // as rolling, where the point moves over two curved surfaces, and `along` turns with their normal
 };
 
-// One scalar condition on the motion of `on` relative to `from`; `along` moves with `from`.
+// One scalar condition on the motion of `on` relative to `from`. Of contacts `at` moves with `on` and `along` with
+// `from`; where teeth of gears meet both move with the arm that carries them, and a knife edge keeps its direction.
 template <class Scalar>
 struct VelocityConstraint {
   VelocityConstraintKind kind = VelocityConstraintKind::point;
@@ -66,17 +92,29 @@ struct VelocityConstraint {
   std::string words;                   // "rolling at floor, along y"
   int on = ground;
   int from = ground;
-  Place<Scalar> at;         // moves with `on`
-  Direction<Scalar> along;  // moves with `from`
-  Place<Scalar> toward;     // the same point, or the other end of the cord; moves with `from`
-  Scalar length{};          // of a cord: as drawn, m
-  bool normal = false;      // whether it is along the normal of a contact
+  Place<Scalar> at;
+  Direction<Scalar> along;
+  Place<Scalar> toward;  // the same point, or the other end of the cord; moves with `from`
+  Scalar length{};       // of a cord: as drawn, m
+  bool normal = false;   // whether it is along the normal of a contact
   // For rolling: the circle of `on` (center, unit axis, radius) that touches, or a sphere (zero axis), and the axis
   // of the surface of revolution on `from` (for a plane its normal).
   Vector3<Scalar> center{}, axis{};
   Scalar radius{};
   Direction<Scalar> surface_axis;
+  // Of a cord led over wheels: its straight parts in their order. Where no end of it winds on a wheel, `length` is that
+  // of all its straight parts as drawn, and stays so but for what the wheels take up.
+  std::vector<CordSpan<Scalar>> spans;
+  bool keeps_length = false;
+  // For touching: the two surfaces; `along` belongs to the normal that stands there.
+  std::shared_ptr<const CurvedContact<Scalar>> surfaces;
 };
+
+// Whether it is the length of a cord: what grows where the cord is too short.
+template <class Scalar>
+bool is_cord_length(const VelocityConstraint<Scalar>& c) {
+  return c.kind == VelocityConstraintKind::cord_length || c.keeps_length;
+}
 
 template <class Scalar>
 struct Mechanism {

@@ -30,6 +30,11 @@ struct PlacedForce {
   Vector3<Scalar> couple{};
 };
 
+template <class Scalar>
+PlacedForce<Scalar> reversed(const PlacedForce<Scalar>& f) {
+  return {f.point, -f.force, -f.couple};
+}
+
 // The same about the ground's origin.
 template <class Scalar>
 SpatialForce<Scalar> wrench_of(const PlacedForce<Scalar>& f) {

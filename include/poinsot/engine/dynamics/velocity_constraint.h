@@ -5,6 +5,9 @@
 // velocities taken at one point: the power of the force f at that point and the couple c, exerted on `on` and reversed
 // on `from` (principle of virtual work). Its derivative is J dv/dt + bias.
 //
+// A cord that is led over wheels acts between several pairs of bodies: each straight part of it between the two that it
+// touches, and the rate is the sum of the powers.
+//
 // Decisions look at plain numbers (math/algebra/plain.h).
 #pragma once
 
@@ -13,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+#include "poinsot/engine/dynamics/contact_surface.h"
 #include "poinsot/engine/dynamics/kinematics.h"
 #include "poinsot/engine/dynamics/mechanism.h"
 #include "poinsot/engine/dynamics/place.h"
@@ -29,7 +33,13 @@ struct ConstraintLine {
 // Whether a constraint binds positions as well; those against slipping bind velocities only.
 template <class Scalar>
 bool binds_positions(const VelocityConstraint<Scalar>& c) {
-  return c.action < 0 || c.kind == VelocityConstraintKind::cord_length || c.normal;
+  return c.action < 0 || c.kind == VelocityConstraintKind::cord_length || c.normal || c.keeps_length;
+}
+
+// Whether the point at which it holds moves over the bodies.
+template <class Scalar>
+bool moves_over_surfaces(const VelocityConstraint<Scalar>& c) {
+  return c.kind == VelocityConstraintKind::rolling || c.kind == VelocityConstraintKind::touching;
 }
 
 namespace detail {
@@ -79,6 +89,67 @@ Vector3<Scalar> contact_velocity(const Model<Scalar>& tree, const Workspace<Scal
   return center_velocity + dot(r, direction) * direction_rate;
 }
 
+// A surface of a body on ground axes, and the same with its rate as the body moves. After update_poses, and
+// update_velocities for the rate.
+template <class Scalar>
+ContactSurface<Scalar> placed_surface(const Model<Scalar>& tree, const Workspace<Scalar>& w, int body,
+                                      const ContactSurface<Scalar>& s) {
+  return converted_surface<Scalar>(
+      s, [&](const Vector3<Scalar>& p) { return point_position(tree, w, body, p); },
+      [&](const Vector3<Scalar>& d) { return direction_on_ground(tree, w, body, d); },
+      [](const Scalar& x) { return x; });
+}
+template <class Scalar>
+Vector3<Dual<1, Scalar>> with_rate(const Vector3<Scalar>& a, const Vector3<Scalar>& rate) {
+  return {{a.x, {rate.x}}, {a.y, {rate.y}}, {a.z, {rate.z}}};
+}
+template <class Scalar>
+Vector3<Scalar> rate_of(const Vector3<Dual<1, Scalar>>& a) {
+  return {a.x.partial[0], a.y.partial[0], a.z.partial[0]};
+}
+template <class Scalar>
+Vector3<Scalar> value_of(const Vector3<Dual<1, Scalar>>& a) {
+  return {a.x.value, a.y.value, a.z.value};
+}
+template <class Scalar>
+ContactSurface<Dual<1, Scalar>> moving_surface(const Model<Scalar>& tree, const Workspace<Scalar>& w, int body,
+                                               const ContactSurface<Scalar>& s) {
+  const BodyMotion<Scalar>& motion = w.motion[static_cast<std::size_t>(body + 1)];
+  return converted_surface<Dual<1, Scalar>>(
+      s,
+      [&](const Vector3<Scalar>& p) {
+        const Vector3<Scalar> P = point_position(tree, w, body, p);
+        return with_rate<Scalar>(P, motion.v + cross(motion.w, P - motion.p));
+      },
+      [&](const Vector3<Scalar>& d) {
+        const Vector3<Scalar> D = direction_on_ground(tree, w, body, d);
+        return with_rate<Scalar>(D, cross(motion.w, D));
+      },
+      [](const Scalar& x) { return Dual<1, Scalar>(x); });
+}
+
+// Where the two surfaces touch now, on ground axes.
+template <class Scalar>
+Touching<Scalar> touching_now(const Model<Scalar>& tree, const Workspace<Scalar>& w,
+                              const VelocityConstraint<Scalar>& c) {
+  return nearest_points(placed_surface(tree, w, c.on, c.surfaces->on),
+                        placed_surface(tree, w, c.from, c.surfaces->from), c.surfaces->branch);
+}
+// The same with the rates as the bodies move. After update_velocities.
+template <class Scalar>
+Touching<Dual<1, Scalar>> touching_as_it_moves(const Model<Scalar>& tree, const Workspace<Scalar>& w,
+                                               const VelocityConstraint<Scalar>& c) {
+  return nearest_points(moving_surface(tree, w, c.on, c.surfaces->on),
+                        moving_surface(tree, w, c.from, c.surfaces->from), c.surfaces->branch);
+}
+// A direction of `from` that belongs to the normal as the contact knows it, turned to the present normal.
+template <class Scalar>
+Vector3<Scalar> with_normal(const Model<Scalar>& tree, const Workspace<Scalar>& w, const VelocityConstraint<Scalar>& c,
+                            const Vector3<Scalar>& normal, const Vector3<Scalar>& d) {
+  return turned_with_normal(direction_on_ground(tree, w, c.from, c.surfaces->normal),
+                            direction_on_ground(tree, w, c.from, c.surfaces->tangent), normal, d);
+}
+
 // The velocity and the acceleration of the point of a body that is now at the ground point p.
 template <class Scalar>
 Vector3<Scalar> velocity_at(const Workspace<Scalar>& w, int body, const Vector3<Scalar>& p) {
@@ -113,6 +184,7 @@ Vector3<Scalar> constraint_point(const Model<Scalar>& tree, const Workspace<Scal
   if (c.kind == VelocityConstraintKind::rolling) {
     if (const auto r = detail::reach_of_rolling(tree, w, c)) return point_position(tree, w, c.on, c.center) + *r;
   }
+  if (c.kind == VelocityConstraintKind::touching) return detail::touching_now(tree, w, c).on;
   return point_position(tree, w, c.at.body, c.at.point);
 }
 
@@ -125,9 +197,26 @@ PlacedForce<Scalar> constraint_force(const Model<Scalar>& tree, const Workspace<
     const Vector3<Scalar> Q = point_position(tree, w, c.toward.body, c.toward.point);
     return {P, normalized(P - Q), none};
   }
+  if (c.kind == VelocityConstraintKind::led_cord) return span_force(tree, w, c.spans.front());
   const Vector3<Scalar> d = direction_on_ground(tree, w, c.along.body, c.along.vector);
   if (c.kind == VelocityConstraintKind::angular) return {P, none, d};
+  if (c.kind == VelocityConstraintKind::touching) {
+    const Touching<Scalar> now = detail::touching_now(tree, w, c);
+    return {now.on, detail::with_normal(tree, w, c, now.normal, d), none};
+  }
   return {P, d, none};
+}
+
+// Brings the force of a contact's component to where the contact of this constraint is now: to the point, and where
+// surfaces are curved with the normal. After update_poses.
+template <class Scalar>
+void follow_contact(const Model<Scalar>& tree, const Workspace<Scalar>& w, const VelocityConstraint<Scalar>& c,
+                    PlacedForce<Scalar>& force) {
+  if (c.kind == VelocityConstraintKind::rolling) force.point = constraint_point(tree, w, c);
+  if (c.kind != VelocityConstraintKind::touching) return;
+  const Touching<Scalar> now = detail::touching_now(tree, w, c);
+  force.point = now.on;
+  force.force = detail::with_normal(tree, w, c, now.normal, force.force);
 }
 
 template <class Scalar>
@@ -136,12 +225,38 @@ PlacedForce<Scalar> constraint_force(const Model<Scalar>& tree, const Workspace<
   return constraint_force(tree, w, c, constraint_point(tree, w, c));
 }
 
+// Calls visit(on, from, PlacedForce) with each pair of bodies that the constraint acts between and its unit force
+// there. After update_poses.
+template <class Scalar, class Visit>
+void for_each_unit_force(const Model<Scalar>& tree, const Workspace<Scalar>& w, const VelocityConstraint<Scalar>& c,
+                         const PlacedForce<Scalar>& unit, Visit&& visit) {
+  if (c.spans.empty()) visit(c.on, c.from, unit);
+  for (const CordSpan<Scalar>& span : c.spans) visit(span.to.body(), span.from.body(), span_force(tree, w, span));
+}
+
+namespace detail {
+
+// d/dt of u . (v_b - v_a) for the velocities of two bodies where a straight part of a cord touches them.
+template <class Scalar>
+Scalar bias_of_span(const Model<Scalar>& tree, const Workspace<Scalar>& w, const CordSpan<Scalar>& span) {
+  const MovingSpanLine<Scalar> now = moving_line(tree, w, span);
+  const auto rate = [&](int body, const Vector3<Scalar>& P, const Vector3<Scalar>& P_rate) -> Vector3<Scalar> {
+    return acceleration_at(w, body, P) + cross(angular_velocity(w, body), P_rate - velocity_at(w, body, P));
+  };
+  const int to = span.to.body(), from = span.from.body();
+  return dot(now.along_rate, velocity_at(w, to, now.line.end) - velocity_at(w, from, now.line.start)) +
+         dot(now.line.along, rate(to, now.line.end, now.end_rate) - rate(from, now.line.start, now.start_rate));
+}
+
+}  // namespace detail
+
 // The unit force of the constraint and its bias, at the point P where it holds. After update_accelerations with the
 // known accelerations of the coordinates.
 template <class Scalar>
 ConstraintLine<Scalar> constraint_line(const Model<Scalar>& tree, const Workspace<Scalar>& w,
                                        const VelocityConstraint<Scalar>& c, const Vector3<Scalar>& P) {
-  ConstraintLine<Scalar> line{constraint_force(tree, w, c, P), Scalar(0)};
+  ConstraintLine<Scalar> line;
+  if (c.kind != VelocityConstraintKind::touching) line.unit = constraint_force(tree, w, c, P);
   const Vector3<Scalar> w_on = angular_velocity(w, c.on), w_from = angular_velocity(w, c.from);
   switch (c.kind) {
     case VelocityConstraintKind::angular: {
@@ -158,12 +273,31 @@ ConstraintLine<Scalar> constraint_line(const Model<Scalar>& tree, const Workspac
       const Vector3<Scalar> v_contact =
           c.carried_by ? detail::carried_velocity(tree, w, c, P)
           : c.kind == VelocityConstraintKind::point
-              ? v_on
+              ? detail::velocity_at(w, c.at.body, P)
               : detail::contact_velocity(tree, w, c, Vector3<Scalar>(P - point_position(tree, w, c.on, c.center)));
       const Vector3<Scalar> relative = detail::acceleration_at(w, c.on, P) + cross(w_on, v_contact - v_on) -
                                        detail::acceleration_at(w, c.from, P) - cross(w_from, v_contact - v_from);
-      const Vector3<Scalar> w_direction = c.carried_by ? Vector3<Scalar>(angular_velocity(w, *c.carried_by)) : w_from;
+      const Vector3<Scalar> w_direction = angular_velocity(w, c.carried_by.value_or(c.along.body));
       line.bias = dot(d, relative) + dot(cross(w_direction, d), v_on - v_from);
+      break;
+    }
+    case VelocityConstraintKind::touching: {
+      // The point and the direction move over both surfaces as their geometry has it: their rates are derivatives of
+      // where the surfaces touch, while the bodies move.
+      using Moving = Dual<1, Scalar>;
+      const Touching<Moving> now = detail::touching_as_it_moves(tree, w, c);
+      const auto carried = [&](const Vector3<Scalar>& a) {
+        const Vector3<Scalar> d = direction_on_ground(tree, w, c.from, a);
+        return detail::with_rate<Scalar>(d, cross(w_from, d));
+      };
+      const Vector3<Moving> d = turned_with_normal(carried(c.surfaces->normal), carried(c.surfaces->tangent),
+                                                   now.normal, carried(c.along.vector));
+      const Vector3<Scalar> C = detail::value_of(now.on), v_contact = detail::rate_of(now.on);
+      line.unit = {C, detail::value_of(d), Vector3<Scalar>::zero()};
+      const Vector3<Scalar> v_on = detail::velocity_at(w, c.on, C), v_from = detail::velocity_at(w, c.from, C);
+      const Vector3<Scalar> relative = detail::acceleration_at(w, c.on, C) + cross(w_on, v_contact - v_on) -
+                                       detail::acceleration_at(w, c.from, C) - cross(w_from, v_contact - v_from);
+      line.bias = dot(line.unit.force, relative) + dot(detail::rate_of(d), v_on - v_from);
       break;
     }
     case VelocityConstraintKind::cord_length: {
@@ -175,12 +309,17 @@ ConstraintLine<Scalar> constraint_line(const Model<Scalar>& tree, const Workspac
                   (norm_squared(relative) - lengthening * lengthening) / norm(P - Q);
       break;
     }
+    case VelocityConstraintKind::led_cord:
+      for (const CordSpan<Scalar>& span : c.spans) line.bias += detail::bias_of_span(tree, w, span);
+      break;
   }
   return line;
 }
 template <class Scalar>
 ConstraintLine<Scalar> constraint_line(const Model<Scalar>& tree, const Workspace<Scalar>& w,
                                        const VelocityConstraint<Scalar>& c) {
+  // Where surfaces are curved, the point is found together with its rate.
+  if (c.kind == VelocityConstraintKind::touching) return constraint_line(tree, w, c, Vector3<Scalar>::zero());
   return constraint_line(tree, w, c, constraint_point(tree, w, c));
 }
 
@@ -238,6 +377,17 @@ Scalar constraint_gap(const Model<Scalar>& tree, const Workspace<Scalar>& w, con
       return norm(point_position(tree, w, c.at.body, c.at.point) -
                   point_position(tree, w, c.toward.body, c.toward.point)) -
              c.length;
+    case VelocityConstraintKind::led_cord: {
+      Scalar length = -c.length;
+      std::optional<Vector3<Scalar>> before;
+      for (const CordSpan<Scalar>& span : c.spans) {
+        const SpanLine<Scalar> line = line_of(tree, w, span);
+        length += line.length;
+        if (before) length += taken_up(tree, w, span, *before, line.along);
+        before = line.along;
+      }
+      return length;
+    }
     case VelocityConstraintKind::rolling: {
       const Vector3<Scalar> n = direction_on_ground(tree, w, c.along.body, c.along.vector);
       Scalar reach = c.radius;
@@ -252,6 +402,10 @@ Scalar constraint_gap(const Model<Scalar>& tree, const Workspace<Scalar>& w, con
       const Scalar height =
           dot(n, point_position(tree, w, c.on, c.center) - point_position(tree, w, c.toward.body, c.toward.point));
       return plain(height) < 0 ? height + reach : height - reach;
+    }
+    case VelocityConstraintKind::touching: {
+      const Touching<Scalar> now = detail::touching_now(tree, w, c);
+      return dot(now.normal, now.on - now.from);
     }
   }
   return Scalar(0);

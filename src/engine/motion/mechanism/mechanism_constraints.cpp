@@ -39,13 +39,23 @@ double MechanismDynamics::Parts::unit_of(int constraint) const {
                                                                                                              : length;
 }
 
+// unit: its unit force, or of a cord over wheels that of its first part. After update_poses and find_axes.
+void MechanismDynamics::Parts::add_row(int constraint, const PlacedForce<double>& unit) {
+  const auto i = static_cast<std::size_t>(constraint);
+  const VelocityConstraint<double>& c = mechanism.constraints[i];
+  double* const J = row.data() + constraint * n;
+  std::fill(J, J + n, 0.0);
+  std::size_t span = 0;
+  for_each_unit_force(mechanism.tree, workspace, c, unit, [&](int, int, const PlacedForce<double>& force) {
+    add_generalised(c.spans.empty() ? of_constraint[i] : of_spans[i][span++], force, 1, J);
+  });
+}
+
 // After update_accelerations and find_axes.
 void MechanismDynamics::Parts::find_row(int constraint) {
   const auto i = static_cast<std::size_t>(constraint);
   const ConstraintLine<double> line = constraint_line(mechanism.tree, workspace, mechanism.constraints[i]);
-  double* const J = row.data() + constraint * n;
-  std::fill(J, J + n, 0.0);
-  add_generalised(of_constraint[i], line.unit, 1, J);
+  add_row(constraint, line.unit);
   row_bias[i] = line.bias;
 }
 
@@ -197,9 +207,7 @@ double MechanismDynamics::Parts::close_positions(bool chosen_only) {
     for (const int i : candidates) {
       const VelocityConstraint<double>& c = mechanism.constraints[static_cast<std::size_t>(i)];
       if (!binds_positions(c)) continue;
-      double* const J = row.data() + i * n;
-      std::fill(J, J + n, 0.0);
-      add_generalised(of_constraint[static_cast<std::size_t>(i)], constraint_force(tree, workspace, c), 1, J);
+      add_row(i, constraint_force(tree, workspace, c));
       factored.push_back(i);
     }
     position_rows = factored;
@@ -289,11 +297,11 @@ double MechanismDynamics::gap_rate(std::size_t constraint, std::span<const doubl
   p.load(q, v);
   const VelocityConstraint<double>& c = p.mechanism.constraints[constraint];
   update_velocities<double>(p.mechanism.tree, p.workspace, p.state);
-  const PlacedForce<double> unit = constraint_force(p.mechanism.tree, p.workspace, c);
-  const Vector3<double> relative =
-      detail::velocity_at(p.workspace, c.on, unit.point) - detail::velocity_at(p.workspace, c.from, unit.point);
-  return dot(unit.force, relative) +
-         dot(unit.couple, angular_velocity(p.workspace, c.on) - angular_velocity(p.workspace, c.from));
+  double rate = 0;
+  for_each_unit_force(
+      p.mechanism.tree, p.workspace, c, constraint_force(p.mechanism.tree, p.workspace, c),
+      [&](int on, int from, const PlacedForce<double>& unit) { rate += power_between(p.workspace, on, from, unit); });
+  return rate;
 }
 
 double MechanismDynamics::largest_gap(std::span<const double> q) {

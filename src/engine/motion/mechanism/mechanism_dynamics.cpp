@@ -76,8 +76,7 @@ PlacedForce<double> MechanismDynamics::Parts::force_of_component(int component) 
   const auto j = static_cast<std::size_t>(component);
   PlacedForce<double> force = poinsot::component_force(mechanism.tree, workspace, mechanism.components[j]);
   if (links[j].rolling >= 0)
-    force.point =
-        constraint_point(mechanism.tree, workspace, mechanism.constraints[static_cast<std::size_t>(links[j].rolling)]);
+    follow_contact(mechanism.tree, workspace, mechanism.constraints[static_cast<std::size_t>(links[j].rolling)], force);
   return force;
 }
 
@@ -227,7 +226,10 @@ void MechanismDynamics::Parts::find_with_unknown_forces() {
     const auto component = static_cast<std::size_t>(acting_columns[c]);
     double* const C = column.data() + component * static_cast<std::size_t>(n);
     std::fill(C, C + n, 0.0);
-    add_generalised(of_component[component], force_of_component(acting_columns[c]), -1, C);
+    for_each_follower(mechanism.components, component, [&](std::size_t k) {
+      const double part = mechanism.components[k].follows < 0 ? 1 : mechanism.components[k].part;
+      add_generalised(of_component[k], force_of_component(static_cast<int>(k)), -part, C);
+    });
     double* const out = force_qr.column(static_cast<int>(left + c));
     double sum = 0;
     for (std::size_t f = 0; f < size; ++f) {
@@ -313,6 +315,12 @@ void MechanismDynamics::set_effort(std::size_t drive, double effort) {
   parts_->mechanism.drives[drive].effort = effort;
 }
 
+void MechanismDynamics::set_direction(std::size_t component, const Vector3<double>& along) {
+  detail::require_index("set_direction", "component", static_cast<std::ptrdiff_t>(component),
+                        parts_->mechanism.components.size());
+  parts_->mechanism.components[component].along.vector = along;
+}
+
 void MechanismDynamics::set_acting(int action, bool acting) {
   detail::require_index("set_acting", "action", action, parts_->acting.size());
   if (parts_->acting[action] == static_cast<char>(acting)) return;
@@ -335,6 +343,8 @@ void MechanismDynamics::accelerations(std::span<const double> q, std::span<const
 double MechanismDynamics::component_force(std::size_t component) const {
   const Parts& p = *parts_;
   detail::require_index("component_force", "component", static_cast<std::ptrdiff_t>(component), p.links.size());
+  const Component<double>& own = p.mechanism.components[component];
+  if (own.follows >= 0) return own.part * component_force(static_cast<std::size_t>(own.follows));
   const Parts::Link& link = p.links[component];
   if (p.by_tree || !link.works || !p.acting[p.mechanism.components[component].action]) return 0;
   if (p.forces_unknown) return p.component_size[component];
@@ -344,6 +354,8 @@ double MechanismDynamics::component_force(std::size_t component) const {
 bool MechanismDynamics::component_determined(std::size_t component) const {
   const Parts& p = *parts_;
   detail::require_index("component_determined", "component", static_cast<std::ptrdiff_t>(component), p.links.size());
+  if (const int follows = p.mechanism.components[component].follows; follows >= 0)
+    return component_determined(static_cast<std::size_t>(follows));
   const Parts::Link& link = p.links[component];
   if (!p.acting[p.mechanism.components[component].action]) return true;
   if (!link.works) return false;

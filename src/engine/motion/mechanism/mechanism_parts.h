@@ -66,6 +66,7 @@ struct MechanismDynamics::Parts {
   double selected_independence() const;
 
   // mechanism_constraints.cpp
+  void add_row(int constraint, const PlacedForce<double>& unit);
   void find_row(int constraint);
   void factor_rows(const std::vector<int>& constraints, double tolerance, bool positions_first,
                    int most = std::numeric_limits<int>::max());
@@ -83,6 +84,7 @@ struct MechanismDynamics::Parts {
   void find_couplings();
   Range couple(int on, int from);
   void link_components();
+  std::size_t parts_with(const Component<double>& component) const;  // it and those that follow it
   bool enforces(const Component<double>& component, const VelocityConstraint<double>& c, double& sign) const;
   void take_random_pose(unsigned seed);
   void find_structure();
@@ -103,6 +105,7 @@ struct MechanismDynamics::Parts {
 
   std::vector<Coupling> couplings;
   std::vector<Range> of_constraint, of_component, of_law;
+  std::vector<std::vector<Range>> of_spans;      // of each constraint: those of a cord led over wheels
   std::vector<std::optional<Vector>> free_axis;  // of each constraint
   std::vector<Link> links;                       // of each component
 

@@ -125,6 +125,8 @@ void MechanismDynamics::Parts::find_couplings() {
   for (std::size_t i = 0; i < mechanism.constraints.size(); ++i) {
     const VelocityConstraint<double>& c = mechanism.constraints[i];
     of_constraint.push_back(couple(c.on, c.from));
+    of_spans.emplace_back();
+    for (const CordSpan<double>& span : c.spans) of_spans.back().push_back(couple(span.to.body(), span.from.body()));
     free_axis.push_back(c.kind == VelocityConstraintKind::angular ? axis_left_free(mechanism.constraints, i)
                                                                   : std::nullopt);
   }
@@ -135,6 +137,12 @@ void MechanismDynamics::Parts::find_couplings() {
 // Whether a component stands along a constraint wherever the mechanism goes.
 bool MechanismDynamics::Parts::enforces(const Component<double>& component, const VelocityConstraint<double>& c,
                                         double& sign) const {
+  // A cord pulls along all its parts between two wheels that it does not slip on. The length of a whole cord over such
+  // wheels is no force's own.
+  if (component.span) {
+    sign = -1;
+    return c.action == component.action && c.spans.size() == parts_with(component) && component.follows < 0;
+  }
   const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
   if (action.on != c.on || action.from != c.from || (c.action >= 0 && c.action != component.action)) return false;
   if (component.couple != (c.kind == VelocityConstraintKind::angular)) return false;
@@ -151,14 +159,20 @@ bool MechanismDynamics::Parts::enforces(const Component<double>& component, cons
   return same(sign * component.along.vector, c.along.vector, 1);
 }
 
+std::size_t MechanismDynamics::Parts::parts_with(const Component<double>& component) const {
+  std::size_t count = 0;
+  for_each_follower(mechanism.components, static_cast<std::size_t>(&component - mechanism.components.data()),
+                    [&](std::size_t) { ++count; });
+  return count;
+}
+
 void MechanismDynamics::Parts::link_components() {
   std::vector<char> taken(mechanism.constraints.size(), 0);
   for (std::size_t j = 0; j < mechanism.components.size(); ++j) {
     const Component<double>& component = mechanism.components[j];
     for (std::size_t i = 0; i < mechanism.constraints.size(); ++i) {
       const VelocityConstraint<double>& c = mechanism.constraints[i];
-      if (c.kind == VelocityConstraintKind::rolling && c.action == component.action)
-        links[j].rolling = static_cast<int>(i);
+      if (moves_over_surfaces(c) && c.action == component.action) links[j].rolling = static_cast<int>(i);
       if (links[j].constraint >= 0 || taken[i] || !enforces(component, c, links[j].sign)) continue;
       links[j].constraint = static_cast<int>(i);
       taken[i] = 1;
@@ -240,6 +254,7 @@ void MechanismDynamics::Parts::find_acting() {
   // Each component that works must enforce a constraint, and each constraint must be enforced by a component.
   for (std::size_t j = 0; j < links.size(); ++j) {
     if (links[j].constraint >= 0) classes[static_cast<std::size_t>(links[j].constraint)] = 1;
+    if (mechanism.components[j].follows >= 0) continue;
     if (!links[j].works || !acting[static_cast<std::size_t>(mechanism.components[j].action)]) continue;
     acting_columns.push_back(static_cast<int>(j));
     forces_unknown = forces_unknown || links[j].constraint < 0;

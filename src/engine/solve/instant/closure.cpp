@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "engine/solve/instant/singular_pose.h"
 #include "poinsot/engine/dynamics/velocity_constraint.h"
@@ -161,20 +162,74 @@ std::vector<Dual<1>> varied_pose(const Mechanism<Dual<1>>& mechanism, const std:
   return q;
 }
 
+namespace {
+
+// The change from one vector to another. Where it is nothing but rounding, it must not move what it is added to, but
+// its derivatives count. size: of what rounding is measured by.
+template <class Scalar>
+Vector3<Scalar> change_beyond_rounding(const Vector3<Scalar>& from, const Vector3<Scalar>& to, double size) {
+  constexpr double rounding = 1e-12;  // of the radius, beside which a contact may be carried far
+  const Vector3<Scalar> change = to - from;
+  // Formulas hold no rounding.
+  if constexpr (std::is_same_v<Scalar, Formula>) return change;
+  return norm(plain(change)) < rounding * size ? change - lifted<Scalar>(plain(change)) : change;
+}
+
+// Moves the place and the directions of a contact to where its curved surfaces touch now. The constraints of the
+// contact follow one after another, its components with the one along the normal.
+template <class Scalar>
+void update_touching(Mechanism<Scalar>& mechanism, VelocityConstraint<Scalar>& c,
+                     const MechanismStateOf<Scalar>& state) {
+  using Vector = Vector3<Scalar>;
+  const Model<Scalar>& tree = mechanism.tree;
+  const Workspace<Scalar>& w = state.workspace();
+  const Touching<Scalar> now = detail::touching_now(tree, w, c);
+  const Vector was = point_position(tree, w, c.at.body, c.at.point);
+  c.at.point +=
+      direction_on_body(tree, w, c.on, change_beyond_rounding(was, now.on, norm(plain(now.on)) + norm(plain(was))));
+  const auto turn = [&](Vector& d) {
+    const Vector old = direction_on_ground(tree, w, c.from, d);
+    const Vector next = detail::with_normal(tree, w, c, now.normal, old);
+    d += direction_on_body(tree, w, c.from, change_beyond_rounding(old, next, 1));
+  };
+  turn(c.along.vector);
+  auto turned = std::make_shared<CurvedContact<Scalar>>(*c.surfaces);
+  turn(turned->tangent);
+  turn(turned->normal);
+  if (c.normal)
+    for (Component<Scalar>& component : mechanism.components)
+      if (component.action == c.action) {
+        component.at = c.at;
+        turn(component.along.vector);
+      }
+  c.surfaces = std::move(turned);
+}
+
+}  // namespace
+
 template <class Scalar>
 void update_contacts(Mechanism<Scalar>& mechanism, const MechanismStateOf<Scalar>& state) {
   using Vector = Vector3<Scalar>;
   const Model<Scalar>& tree = mechanism.tree;
   const Workspace<Scalar>& w = state.workspace();
+  // Where a cord touches its wheels now.
+  for (Component<Scalar>& component : mechanism.components) {
+    if (!component.span) continue;
+    const SpanLine<Scalar> line = line_of(tree, w, *component.span);
+    const auto place = [&](int body, const Vector& P) {
+      return Place<Scalar>{body,
+                           direction_on_body<Scalar>(tree, w, body, P - point_position(tree, w, body, Vector::zero()))};
+    };
+    component.at = place(component.at.body, line.end);
+    component.toward = place(component.toward->body, line.start);
+  }
   for (VelocityConstraint<Scalar>& c : mechanism.constraints) {
+    if (c.kind == VelocityConstraintKind::touching) update_touching(mechanism, c, state);
     if (c.kind != VelocityConstraintKind::rolling) continue;
     const std::optional<Vector> r = detail::reach_of_rolling(tree, w, c);
     if (!r) continue;
     const Vector was = state.position(c.at) - point_position(tree, w, c.on, c.center);
-    // A change that is nothing but rounding must not move the point, but its derivatives count.
-    Vector change = *r - was;
-    constexpr double rounding = 1e-12;  // of the radius, beside which it may be carried far
-    if (norm(plain(change)) < rounding * plain(c.radius)) change = change - lifted<Scalar>(plain(change));
+    const Vector change = change_beyond_rounding(was, *r, plain(c.radius));
     if (vanishes(change.x) && vanishes(change.y) && vanishes(change.z)) continue;
     c.at.point += direction_on_body(tree, w, c.on, change);
     for (Component<Scalar>& component : mechanism.components)

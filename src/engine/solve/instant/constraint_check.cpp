@@ -4,9 +4,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "engine/solve/instant/drawn_motion.h"
+#include "engine/solve/instant/true_surfaces.h"
 
 namespace poinsot::solve {
 namespace {
@@ -125,9 +127,13 @@ class BoundFinder {
                      Real(c.length);
             }),
             std::nullopt};
+      case VelocityConstraintKind::led_cord:
+        return led_cord(c);
       case VelocityConstraintKind::point:
       case VelocityConstraintKind::rolling:
         return c.action < 0 ? joined_points(c) : contact(c);
+      case VelocityConstraintKind::touching:
+        return touching(c);
     }
     return {};
   }
@@ -139,6 +145,67 @@ class BoundFinder {
                          bodies_.point(c.at.body, c.at.point, j) - bodies_.point(c.toward.body, c.toward.point, j));
             }),
             std::nullopt};
+  }
+
+  // A straight part of a cord at time j, by its angle to the line of centers.
+  struct Straight {
+    Vector start, end, along, axis;
+    Real length = 0;
+    bool lies = true;  // in the plane of the wheels
+  };
+  Straight straight(const CordSpan<double>& span, int j) const {
+    const auto center = [&](const CordEnd<double>& end) { return bodies_.point(end.center.body, end.center.point, j); };
+    const Vector A = center(span.from), B = center(span.to), D = B - A;
+    Straight part{A, B, normalized(D), bodies_.direction(span.axis.body, span.axis.vector, j), norm(D), true};
+    if (span.from.reach == 0 && span.to.reach == 0) return part;
+    const Vector& e = part.axis;
+    const Real tilt = dot(D, e);
+    const Vector across = D - tilt * e, x = normalized(across), y = cross(e, x);
+    const Real angle = -std::asin((Real(span.from.reach) - Real(span.to.reach)) / norm(across));
+    const Vector n = std::cos(angle) * y - std::sin(angle) * x;
+    part.start = A + Real(span.from.reach) * n;
+    part.end = B + Real(span.to.reach) * n;
+    part.length = norm(part.end - part.start);
+    part.along = normalized(part.end - part.start);
+    part.lies = std::abs(tilt) <= in_plane * norm(D);
+    return part;
+  }
+
+  // A cord that slides over its wheels is as long as drawn. Between two wheels on which it does not slip, the material
+  // points there come no closer along it.
+  Bound led_cord(const Constraint& c) const {
+    Bound bound;
+    bound.rate = over_time([&](int j) {
+      Real rate = 0;
+      for (const CordSpan<double>& span : c.spans) {
+        const Straight part = straight(span, j);
+        rate += dot(part.along, bodies_.velocity_at(span.to.body(), part.end, j) -
+                                    bodies_.velocity_at(span.from.body(), part.start, j));
+      }
+      return rate;
+    });
+    if (!c.keeps_length) return bound;
+    bound.gap = over_time([&](int j) {
+      Real length = -Real(c.length);
+      std::optional<Vector> before;
+      for (const CordSpan<double>& span : c.spans) {
+        const Straight part = straight(span, j);
+        length += part.length;
+        if (!part.lies) return std::numeric_limits<Real>::infinity();
+        if (before && span.from.reach != 0) {
+          // How far the cord goes round the wheel; where it has left it, it is another cord.
+          const Real side = span.from.reach > 0 ? 1 : -1, full = 2 * std::numbers::pi_v<Real>;
+          const Real drawn = -side * std::atan2(Real(span.turn_sine), Real(span.turn_cosine)),
+                     now = -side * std::atan2(dot(part.axis, cross(*before, part.along)), dot(*before, part.along));
+          const Real whole = drawn < 0 ? drawn + full : drawn, change = std::remainder(now - drawn, full);
+          if (whole + change < -in_plane) return std::numeric_limits<Real>::infinity();
+          length += std::abs(Real(span.from.reach)) * change;
+        }
+        before = part.along;
+      }
+      return length;
+    });
+    return bound;
   }
 
   // A joint that leaves an axis free keeps that axis of both bodies together: its part along the constraint's direction
@@ -221,6 +288,43 @@ class BoundFinder {
     return bound;
   }
 
+  // Of a cord's part, or a radian: by more it leaves the plane of its wheels, or a wheel. Places have the six digits of
+  // a figure.
+  static constexpr Real in_plane = 1e-6L;
+  ContactSurface<Real> placed(int body, const ContactSurface<double>& s, int j) const {
+    return converted_surface<Real>(
+        s, [&](const Vector3<double>& p) { return bodies_.point(body, p, j); },
+        [&](const Vector3<double>& d) { return bodies_.direction(body, d, j); }, [](double x) { return Real(x); });
+  }
+
+  // Two shapes by the equations of their surfaces. What does not slip has no relative velocity at all where it touches,
+  // so that directions across may stay as they are.
+  Bound touching(const Constraint& c) const {
+    const auto surfaces = [&](int j) {
+      return std::pair(placed(c.on, c.surfaces->shape_on, j), placed(c.from, c.surfaces->shape_from, j));
+    };
+    const auto [on, from] = surfaces(0);
+    const Vector guess = drawn::place_of_solver(placed(c.on, c.surfaces->on, 0), placed(c.from, c.surfaces->from, 0),
+                                                c.surfaces->branch);
+    const auto missing = [](const Vector& x) {
+      return drawn::NearestPlace{x, x, std::numeric_limits<Real>::quiet_NaN()};
+    };
+    const drawn::NearestPlace now = drawn::nearest_place(on, from, guess).value_or(missing(guess));
+    const auto place = [&](int j) {
+      if (j == 0) return now;
+      const auto [on_then, from_then] = surfaces(j);
+      return drawn::nearest_place(on_then, from_then, now.point).value_or(missing(guess));
+    };
+    Bound bound;
+    bound.rate = over_time([&](int j) {
+      const drawn::NearestPlace then = place(j);
+      const Vector d = c.normal ? then.normal : bodies_.direction(c.along.body, c.along.vector, j);
+      return dot(d, bodies_.velocity_at(c.on, then.point, j) - bodies_.velocity_at(c.from, then.point, j));
+    });
+    if (c.normal) bound.gap = over_time([&](int j) { return place(j).gap; });
+    return bound;
+  }
+
   // Below this sine a circle lies flat on a plane: rounding leaves no more of the sine of zero.
   static constexpr Real flat = 1e-9L;
 
@@ -295,7 +399,7 @@ double largest_overlap(const std::vector<CheckLink>& links, const std::vector<Ve
     const Bound bound = finder.of(i);
     if (!bound.gap) continue;
     const Real gap = (*bound.gap)[reach];
-    deepest = std::max(deepest, (c.kind == VelocityConstraintKind::cord_length ? gap : -gap) / Real(length));
+    deepest = std::max(deepest, (is_cord_length(c) ? gap : -gap) / Real(length));
   }
   return static_cast<double>(deepest);
 }

@@ -13,14 +13,16 @@ ConstraintRow<Scalar> constraint_row(const MechanismStateOf<Scalar>& state, cons
   row.coefficients.assign(static_cast<std::size_t>(tree.velocity_size()), Scalar(0));
   row.bias = line.bias;
   // The two bodies meet at one point, but a cord pulls each of them at its own end.
-  const auto add = [&](int body, const Vector3<Scalar>& p, double sign) {
+  const auto add = [&](int body, const Vector3<Scalar>& p, double sign, const PlacedForce<Scalar>& unit) {
     for_each_coordinate_motion(tree, w, body, p, [&](int k, const SpatialMotion<Scalar>& S) {
       row.coefficients[static_cast<std::size_t>(k)] +=
-          Scalar(sign) * (dot(line.unit.force, S.linear) + dot(line.unit.couple, S.angular));
+          Scalar(sign) * (dot(unit.force, S.linear) + dot(unit.couple, S.angular));
     });
   };
-  add(c.on, line.unit.point, 1);
-  add(c.from, c.kind == VelocityConstraintKind::cord_length ? state.position(c.toward) : line.unit.point, -1);
+  for_each_unit_force(tree, w, c, line.unit, [&](int on, int from, const PlacedForce<Scalar>& unit) {
+    add(on, unit.point, 1, unit);
+    add(from, c.kind == VelocityConstraintKind::cord_length ? state.position(c.toward) : unit.point, -1, unit);
+  });
   return row;
 }
 

@@ -67,6 +67,20 @@ void add_force_unknowns(LinearSystemOf<Scalar>& system, const Mechanism<Scalar>&
   }
 }
 
+// Adds that components which follow others are parts of these. column: of the first component.
+template <class Scalar>
+void add_followed_components(LinearSystemOf<Scalar>& system, const Mechanism<Scalar>& mechanism, std::size_t column,
+                             double scale) {
+  for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
+    const Component<Scalar>& component = mechanism.components[k];
+    if (component.follows < 0) continue;
+    const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
+    const std::size_t row = system.add_equation({"what '", action.name, "' exerts on its other side"}, scale);
+    system.add(row, column + k, Scalar(1));
+    system.add(row, column + static_cast<std::size_t>(component.follows), -component.part);
+  }
+}
+
 // What an action exerts by these unknowns. column: of the first of them.
 template <class Scalar>
 SpatialForce<Scalar> unknown_wrench(const MechanismStateOf<Scalar>& state, const std::vector<Scalar>& unknowns,

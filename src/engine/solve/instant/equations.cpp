@@ -209,6 +209,7 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& state, c
             [&](std::size_t row, const Scalar& value, double error) { system.add(row, column, -value, error); });
     ++column;
   }
+  add_followed_components(system, mechanism, unknowns.accelerations, words.force_scale);
   for (std::size_t drive : unknowns.drive_of_effort) {
     on_both(action_of(mechanism.drives[drive]), state.drive_wrench(mechanism.drives[drive]),
             [&](std::size_t row, const Scalar& value, double error) { system.add(row, column, -value, error); });

@@ -50,7 +50,8 @@ LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before,
     system.add_unknown({mechanism.coordinate_names[static_cast<std::size_t>(k)], " after the blow"},
                        coordinate_turns(tree, k) ? 1 : scales.length);
   add_force_unknowns(system, mechanism, unknowns.drive_of_effort, words);
-  for (const ImpactOf<Scalar>& impact : blow.impacts) system.add_unknown({"impulse(", impact.name, ")"}, impulse_scale);
+  for (const ImpactOf<Scalar>& impact : blow.impacts)
+    system.add_unknown({impact.is_friction ? "impulse of friction(" : "impulse(", impact.name, ")"}, impulse_scale);
 
   // System momenta before + external impulses = system momenta after (Eq. 17.4), body by body, about its mass center.
   std::vector<std::size_t> first_row(static_cast<std::size_t>(tree.body_count()), 0);
@@ -127,11 +128,12 @@ LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before,
   }
   for (std::size_t i = 0; i < mechanism.components.size(); ++i) {
     const Component<Scalar>& component = mechanism.components[i];
-    if (acting[static_cast<std::size_t>(component.action)]) continue;
+    if (acting[static_cast<std::size_t>(component.action)] || component.follows >= 0) continue;
     const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
     system.add(system.add_equation({"no impulse of '", action.name, "'"}, impulse_scale), unknowns.velocities + i,
                Scalar(1));
   }
+  add_followed_components(system, mechanism, unknowns.velocities, impulse_scale);
   const auto hold = [&](int coordinate) {
     const auto k = static_cast<std::size_t>(coordinate);
     const std::size_t row = system.add_equation({mechanism.coordinate_names[k], " is held"},
@@ -142,7 +144,16 @@ LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before,
   for (std::size_t drive : unknowns.drive_of_effort) hold(mechanism.drives[drive].coordinate);
   for (int k : blow.held_coordinates) hold(k);
   // Newton's restitution: along the push the relative velocity after the impact is -e times the one before.
+  std::size_t own = unknowns.velocities + unknowns.components + unknowns.efforts;
   for (const ImpactOf<Scalar>& impact : blow.impacts) {
+    const std::size_t here = own++;
+    if (impact.given || impact.per_push) {
+      const std::size_t row = system.add_equation({"friction at '", impact.name, "'"}, impulse_scale);
+      system.add(row, here, Scalar(1));
+      if (impact.given) system.add_right_side(row, *impact.given);
+      if (impact.per_push) system.add(row, here - 1, -*impact.per_push);
+      continue;
+    }
     const std::size_t row = system.add_equation({"restitution at '", impact.name, "'"}, scales.length);
     const Vector P = before.position(impact.at), n = before.direction(impact.push);
     for (const auto& [body, sign] : {std::pair{impact.on, Scalar(1)}, std::pair{impact.from, Scalar(-1)}})
@@ -150,7 +161,7 @@ LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before,
                                  [&, side = sign](int k, const SpatialMotion<Scalar>& S) {
                                    system.add(row, static_cast<std::size_t>(k), side * dot(n, S.linear));
                                  });
-    system.add_right_side(row, -impact.restitution * approach(before, impact));
+    system.add_right_side(row, impact.leaves ? *impact.leaves : -impact.restitution * approach(before, impact));
   }
   add_conditions(system, conditions);
   return system;
@@ -172,9 +183,14 @@ SpatialForce<Scalar> impact_wrench(const MechanismStateOf<Scalar>& state, const 
 }
 
 template <class Scalar>
-Scalar approach(const MechanismStateOf<Scalar>& state, const ImpactOf<Scalar>& impact) {
+Vector3<Scalar> impact_velocity(const MechanismStateOf<Scalar>& state, const ImpactOf<Scalar>& impact) {
   const Vector3<Scalar> P = state.position(impact.at);
-  return dot(state.direction(impact.push), point_rate(state, impact.on, P) - point_rate(state, impact.from, P));
+  return point_rate(state, impact.on, P) - point_rate(state, impact.from, P);
+}
+
+template <class Scalar>
+Scalar approach(const MechanismStateOf<Scalar>& state, const ImpactOf<Scalar>& impact) {
+  return dot(state.direction(impact.push), impact_velocity(state, impact));
 }
 
 template <class Scalar>
@@ -208,6 +224,7 @@ template ImpulseUnknowns impulse_unknowns(const Mechanism<double>&, const BlowOf
 template LinearSystemOf<double> impulse_equations(const MechanismStateOf<double>&, const Scales&, const BlowOf<double>&,
                                                   const std::vector<ConditionOf<double>>&, const std::vector<bool>&);
 template SpatialForce<double> impact_wrench(const MechanismStateOf<double>&, const ImpactOf<double>&);
+template Vector3<double> impact_velocity(const MechanismStateOf<double>&, const ImpactOf<double>&);
 template double approach(const MechanismStateOf<double>&, const ImpactOf<double>&);
 template SpatialForce<double> action_impulse(const MechanismStateOf<double>&, const BlowOf<double>&,
                                              const std::vector<double>&, std::size_t);
@@ -216,6 +233,7 @@ template LinearSystemOf<Dual<1>> impulse_equations(const MechanismStateOf<Dual<1
                                                    const BlowOf<Dual<1>>&, const std::vector<ConditionOf<Dual<1>>>&,
                                                    const std::vector<bool>&);
 template SpatialForce<Dual<1>> impact_wrench(const MechanismStateOf<Dual<1>>&, const ImpactOf<Dual<1>>&);
+template Vector3<Dual<1>> impact_velocity(const MechanismStateOf<Dual<1>>&, const ImpactOf<Dual<1>>&);
 template Dual<1> approach(const MechanismStateOf<Dual<1>>&, const ImpactOf<Dual<1>>&);
 template SpatialForce<Dual<1>> action_impulse(const MechanismStateOf<Dual<1>>&, const BlowOf<Dual<1>>&,
                                               const std::vector<Dual<1>>&, std::size_t);
@@ -224,6 +242,7 @@ template LinearSystemOf<Formula> impulse_equations(const MechanismStateOf<Formul
                                                    const BlowOf<Formula>&, const std::vector<ConditionOf<Formula>>&,
                                                    const std::vector<bool>&);
 template SpatialForce<Formula> impact_wrench(const MechanismStateOf<Formula>&, const ImpactOf<Formula>&);
+template Vector3<Formula> impact_velocity(const MechanismStateOf<Formula>&, const ImpactOf<Formula>&);
 template Formula approach(const MechanismStateOf<Formula>&, const ImpactOf<Formula>&);
 template SpatialForce<Formula> action_impulse(const MechanismStateOf<Formula>&, const BlowOf<Formula>&,
                                               const std::vector<Formula>&, std::size_t);

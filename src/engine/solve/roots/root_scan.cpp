@@ -203,7 +203,7 @@ class Scan {
         MatrixXd slopes(a.size(), 2);
         slopes.col(0) = (c + d - a - b) / 4;
         slopes.col(1) = (b + d - a - c) / 4;
-        const VectorXd s = slopes.completeOrthogonalDecomposition().solve(-mean);
+        const VectorXd s = slopes.completeOrthogonalDecomposition().solve(VectorXd(-mean));
         constexpr double nearby = 1.6, fits = 0.5;
         const double left = (mean + slopes * s).norm(), size = std::max({a.norm(), b.norm(), c.norm(), d.norm()});
         if (!(s.cwiseAbs().maxCoeff() <= nearby) || left > fits * size) continue;
@@ -228,7 +228,7 @@ class Scan {
     ScannedPlace here = std::move(*first);
     constexpr int most_steps = 30;  // which gain a digit each at worst, and two where the slopes have been learnt
     for (int i = 0; i < most_steps && here.values.norm() > 1e-15 * here.size; ++i) {
-      const VectorXd step = slopes.completeOrthogonalDecomposition().solve(-here.values);
+      const VectorXd step = slopes.completeOrthogonalDecomposition().solve(VectorXd(-here.values));
       if (!step.allFinite() || step.norm() > 10 * (1 + here.u.norm())) return;
       const auto next = at(function_.clamped(here.u + step));
       if (!next || next->values.size() != here.values.size()) return;

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <type_traits>
+
+#include "poinsot/engine/dynamics/velocity_constraint.h"
 
 namespace poinsot::solve {
 namespace {
@@ -226,6 +230,55 @@ bool RedundantBodies::read_held(int i) {
   return true;
 }
 
+RedundantBodies::Straight RedundantBodies::straight(const CordSpan<double>& span, const Displacements& at) const {
+  const Place3 A = moved(span.from.body(), at, drawn(span.from.center)),
+               B = moved(span.to.body(), at, drawn(span.to.center)), D = B - A;
+  if (span.from.reach == 0 && span.to.reach == 0) return {A, B, Place3::Zero()};
+  const Place3 e = turned(span.axis.body, at, drawn(span.axis));
+  const Place3 across = D - D.dot(e) * e, x = across.normalized(), y = e.cross(x);
+  const Real angle = -std::asin((Real(span.from.reach) - Real(span.to.reach)) / across.norm());
+  const Place3 n = std::cos(angle) * y - std::sin(angle) * x;
+  return {A + Real(span.from.reach) * n, B + Real(span.to.reach) * n, e};
+}
+
+// Of a cord that slides over its wheels, but for what lies on them at `from`.
+Real RedundantBodies::led_length(const VelocityConstraint<double>& c, const Displacements& at,
+                                 const Displacements& from) const {
+  Real length = 0;
+  for (std::size_t i = 0; i < c.spans.size(); ++i) {
+    const Straight part = straight(c.spans[i], at);
+    length += (part.end - part.start).norm();
+    if (i == 0 || c.spans[i].from.reach == 0) continue;
+    const auto turn = [&](const Displacements& where) {
+      const Straight one = straight(c.spans[i - 1], where), next = straight(c.spans[i], where);
+      const Place3 before = one.end - one.start, behind = next.end - next.start;
+      return std::atan2(next.axis.dot(before.cross(behind)), before.dot(behind));
+    };
+    length -= Real(c.spans[i].from.reach) * std::remainder(turn(at) - turn(from), 2 * std::numbers::pi_v<Real>);
+  }
+  return length;
+}
+
+// Where two curved shapes touch, by the equations of their surfaces.
+std::optional<drawn::NearestPlace> RedundantBodies::touching(const VelocityConstraint<double>& c,
+                                                             const Displacements& at) const {
+  const auto slim = [](const Place3& a) { return drawn::Vector{a.x(), a.y(), a.z()}; };
+  const auto placed = [&](int body, const ContactSurface<double>& s, const Displacements& then) {
+    return converted_surface<Real>(
+        s,
+        [&](const Vector3<double>& p) {
+          return slim(moved(body, then, drawn(Place<double>{body, p})));
+        },
+        [&](const Vector3<double>& d) {
+          return slim(turned(body, then, drawn(Direction<double>{body, d})));
+        },
+        [](double x) { return Real(x); });
+  };
+  const CurvedContact<double>& both = *c.surfaces;
+  const Place3 guess = moved(c.on, at, wide(constraint_point(mechanism_.tree, w_, c)));
+  return drawn::nearest_place(placed(c.on, both.shape_on, at), placed(c.from, both.shape_from, at), slim(guess));
+}
+
 bool RedundantBodies::read_constraints() {
   for (const VelocityConstraint<double>& c : mechanism_.constraints) {
     const int on = c.on, from = c.from;
@@ -244,10 +297,28 @@ bool RedundantBodies::read_constraints() {
         });
         break;
       }
+      case VelocityConstraintKind::led_cord: {
+        // What does not slip over several parts together touches at no one place.
+        if (!c.keeps_length && c.spans.size() > 1) return false;
+        if (!c.keeps_length) break;
+        const Displacements none(bodies_.size() + 1);
+        gaps_.push_back([this, &c, as_now = led_length(c, none, none)](const Displacements& at) {
+          return led_length(c, at, Displacements(bodies_.size() + 1)) - as_now;
+        });
+        break;
+      }
       case VelocityConstraintKind::point:
         if (c.action >= 0 && !c.normal) break;
         gaps_.push_back([this, on, from, at_on, d](const Displacements& at) {
           return turned(from, at, d).dot(moved(on, at, at_on) - moved(from, at, at_on));
+        });
+        break;
+      case VelocityConstraintKind::touching:
+        if (!touching(c, Displacements(bodies_.size() + 1))) return false;
+        if (!c.normal) break;
+        gaps_.push_back([this, &c](const Displacements& at) {
+          const auto place = touching(c, at);
+          return place ? place->gap : std::numeric_limits<Real>::quiet_NaN();
         });
         break;
       case VelocityConstraintKind::rolling: {
@@ -278,8 +349,13 @@ std::vector<Real> RedundantBodies::gaps(const Displacements& at) const {
 std::vector<RedundantBodies::Touch> RedundantBodies::touches(const Displacements& at) const {
   std::vector<Touch> found;
   for (const VelocityConstraint<double>& c : mechanism_.constraints) {
-    if (c.action < 0 || c.normal || c.kind == VelocityConstraintKind::cord_length) continue;
-    Touch touch{c.on, c.from, moved(c.on, at, drawn(c.at)), turned(c.from, at, drawn(c.along))};
+    if (c.action < 0 || c.normal || is_cord_length(c)) continue;
+    if (c.kind == VelocityConstraintKind::led_cord) {
+      const Straight part = straight(c.spans.front(), at);
+      found.push_back({c.on, c.from, part.end, (part.end - part.start).normalized()});
+      continue;
+    }
+    Touch touch{c.on, c.from, moved(c.at.body, at, drawn(c.at)), turned(c.along.body, at, drawn(c.along))};
     if (c.kind == VelocityConstraintKind::rolling) {
       const Place3 up = turned(c.from, at, drawn(c.surface_axis)), center = drawn(Place<double>{c.on, c.center});
       const Place3 e =
@@ -287,6 +363,8 @@ std::vector<RedundantBodies::Touch> RedundantBodies::touches(const Displacements
       const Real side = (center - drawn(c.toward)).dot(up) < 0 ? -1 : 1;
       touch.place = moved(c.on, at, center) - side * c.radius * (up - up.dot(e) * e).normalized();
     }
+    if (c.kind == VelocityConstraintKind::touching)
+      if (const auto place = touching(c, at)) touch.place = {place->point.x, place->point.y, place->point.z};
     found.push_back(touch);
   }
   return found;

@@ -7,9 +7,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "engine/solve/instant/true_surfaces.h"
 #include "engine/solve/stability/doubted_rates.h"
 #include "poinsot/engine/dynamics/kinematics.h"
 #include "poinsot/engine/solve/stability/linearisation.h"
@@ -96,6 +98,13 @@ class RedundantBodies {
   Place3 part_of_motion(const MotionPart<double>& part, const Displacements& at, const DisplacedRates& rates) const;
   Place3 size_by_motion(const MotionExpression<double>& load, const Displacements& at,
                         const DisplacedRates& rates) const;
+  // Where a straight part of a cord begins and ends, and the axis of its wheels.
+  struct Straight {
+    Place3 start, end, axis;
+  };
+  Straight straight(const CordSpan<double>& span, const Displacements& at) const;
+  Real led_length(const VelocityConstraint<double>& c, const Displacements& at, const Displacements& from) const;
+  std::optional<drawn::NearestPlace> touching(const VelocityConstraint<double>& c, const Displacements& at) const;
   Real turned_about(int on, int from, const Displacements& at, const Place3& axis) const;
 
   const SteadyMotion& motion_;

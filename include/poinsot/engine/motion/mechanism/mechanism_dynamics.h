@@ -57,6 +57,9 @@ class MechanismDynamics {
   void set_held_acceleration(int coordinate, double acceleration);   // rad/s^2 or m/s^2; 0 until set
   void set_force(std::size_t force, const Vector3<double>& vector);  // of mechanism().forces
   void set_effort(std::size_t drive, double effort);                 // known couple or force of mechanism().drives
+  // The direction of a component, of mechanism().components, on the axes on which it stands there. One that stood along
+  // a constraint must stay along it.
+  void set_direction(std::size_t component, const Vector3<double>& along);
   // Whether a cord or contact acts: false while slack or lost. All act at first.
   void set_acting(int action, bool acting);
   bool is_acting(int action) const;

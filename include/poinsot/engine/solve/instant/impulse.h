@@ -6,10 +6,12 @@
 // coefficient of restitution. Unknown are the velocities after and the components of all impulses.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "poinsot/engine/solve/instant/equations.h"
+#include "poinsot/engine/solve/instant/rough_impact.h"
 
 namespace poinsot::solve {
 
@@ -35,6 +37,13 @@ struct ImpactOf {
   Place<Scalar> at;
   Direction<Scalar> push;
   Scalar restitution{};
+  std::optional<Scalar> friction{};  // the coefficient of a rough contact
+  RestitutionLaw hypothesis = RestitutionLaw::energetic;
+  bool is_friction = false;  // an impact of its own, after that with the push
+  // What holds instead of Newton's restitution, at most one of these.
+  std::optional<Scalar> leaves{};    // the relative velocity along the push after the blow
+  std::optional<Scalar> given{};     // the impulse
+  std::optional<Scalar> per_push{};  // the impulse for each unit of the impact before this one
 };
 using Impact = ImpactOf<double>;
 
@@ -70,6 +79,9 @@ template <class Scalar>
 SpatialForce<Scalar> impact_wrench(const MechanismStateOf<Scalar>& state,
                                    const ImpactOf<Scalar>& impact);  // of size one
 
+// The velocity of the point of `on` relative to that of `from`, m/s.
+template <class Scalar>
+Vector3<Scalar> impact_velocity(const MechanismStateOf<Scalar>& state, const ImpactOf<Scalar>& impact);
 // The velocity of `on` relative to `from` along the push, m/s; negative while they approach each other.
 template <class Scalar>
 Scalar approach(const MechanismStateOf<Scalar>& state, const ImpactOf<Scalar>& impact);

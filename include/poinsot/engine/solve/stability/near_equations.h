@@ -37,8 +37,10 @@ PlacedForce<Scalar> touching_force(const Mechanism<Scalar>& mechanism, const Wor
                                    const Component<Scalar>& component) {
   PlacedForce<Scalar> force = component_force(mechanism.tree, workspace, component);
   for (const VelocityConstraint<Scalar>& c : mechanism.constraints)
-    if (c.kind == VelocityConstraintKind::rolling && c.action == component.action)
-      force.point = constraint_point(mechanism.tree, workspace, c);
+    if (moves_over_surfaces(c) && c.action == component.action) {
+      follow_contact(mechanism.tree, workspace, c, force);
+      break;
+    }
   return force;
 }
 
@@ -60,11 +62,13 @@ Remainder<Scalar> remainder_of(const Mechanism<Scalar>& mechanism, const State<S
   Workspace<Scalar> workspace(tree);
   update_accelerations<Scalar>(tree, workspace, state, a);
   for (std::size_t i = 0; i < y.size(); ++i) {
-    if (vanishes(y[i])) continue;
-    const Action& action = mechanism.actions[static_cast<std::size_t>(mechanism.components[i].action)];
-    PlacedForce<Scalar> force = touching_force(mechanism, workspace, mechanism.components[i]);
-    force.force = -y[i] * force.force;
-    force.couple = -y[i] * force.couple;
+    const Component<Scalar>& component = mechanism.components[i];
+    const Scalar size = component.follows < 0 ? y[i] : component.part * y[static_cast<std::size_t>(component.follows)];
+    if (vanishes(size)) continue;
+    const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
+    PlacedForce<Scalar> force = touching_force(mechanism, workspace, component);
+    force.force = -size * force.force;
+    force.couple = -size * force.couple;
     add_generalised_force(tree, workspace, action.on, action.from, force, left.forces);
   }
   // With the accelerations in the workspace the biases are J a + b.
@@ -112,7 +116,11 @@ EquationMatrices<Scalar> equation_matrices(const Mechanism<Scalar>& mechanism, c
     std::vector<Scalar> column(n, Scalar(0));
     add_generalised_force(tree, workspace, action.on, action.from,
                           touching_force(mechanism, workspace, mechanism.components[j]), column);
-    for (std::size_t k = 0; k < n; ++k) matrices.C[k][j] = column[k];
+    // What follows another component has no size of its own.
+    const int follows = mechanism.components[j].follows;
+    const std::size_t own = follows < 0 ? j : static_cast<std::size_t>(follows);
+    for (std::size_t k = 0; k < n; ++k)
+      matrices.C[k][own] += follows < 0 ? column[k] : mechanism.components[j].part * column[k];
   }
   EquationsOfMotion<Scalar> constraints;
   add_constraint_rows(mechanism, workspace, constraints);

@@ -1,5 +1,9 @@
-// The shape with which a body touches what it rolls on.
+// The shape with which a body touches what it rolls on, and where a body is straight: on rods, edges of plates and
+// blocks, and flat sides.
 #pragma once
+
+#include <optional>
+#include <vector>
 
 #include "problem/machine/data.h"
 
@@ -37,5 +41,17 @@ bool normal_fits(const RollingSurface<Scalar>& surface, const Vector3<Scalar>& p
 template <class Scalar>
 RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data, const Vector3<Scalar>& p_OC,
                                        const Vector3<Scalar>& n, const Vector3<Scalar>& center_of_mass);
+
+// The directions (as drawn) in which the body goes on straight to both sides of the place C, perpendicular to the
+// normal n of a contact there: one for an edge, two for a flat side. There are none at a corner, at a particle, and
+// where the body is not known to be straight. The scalar is double, Dual<1> or Formula; plain numbers decide.
+template <class Scalar>
+std::vector<Vector3<double>> straight_directions(const Body& body, DataScope<Scalar>& data, const Vector3<double>& C,
+                                                 const Vector3<double>& n);
+
+// How far the place C is from the surface of a body that is straight everywhere (m); nothing of a body that is round
+// somewhere, of one without shape, and of one that has no surface that is known here.
+template <class Scalar>
+std::optional<double> gap_to_sides(const Body& body, DataScope<Scalar>& data, const Vector3<double>& C);
 
 }  // namespace poinsot::problem

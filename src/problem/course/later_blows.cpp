@@ -1,0 +1,239 @@
+// Contacts that meet along a motion: blows with restitution, one after the other, and without end in a finite time.
+//
+// With the restitution e < 1 and pressed together by an acceleration a, a contact that leaves with the speed u comes
+// back after 2 u/a with the same speed and leaves with e u: infinitely many blows take (2 u/a)/(1 - e) (Goldsmith,
+// Impact, ch. 2). Once u is small beside the first speed of approach, a changes no more meanwhile, and the contact is
+// held from there on: the momenta are the same, and places differ by u times that time.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "problem/course/course.h"
+#include "problem/course/lost_contact.h"
+#include "problem/course/motion_piece.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
+
+namespace poinsot::problem {
+namespace {
+
+constexpr double small_speed = 3e-6;  // of the first speed of approach: its square is rounding of the motion
+constexpr double meets = 1e-10;       // of the natural length and speed: where a contact is closed, and approached
+
+}  // namespace
+
+const Contact* Course::later_contact(std::size_t action) const {
+  const Action& named = start_->machine().mechanism.actions[action];
+  if (named.kind != ActionKind::contact) return nullptr;
+  const auto contact = std::ranges::find(situation_.contacts, named.name, &Contact::name);
+  return contact != situation_.contacts.end() && contact->strikes_later() ? &*contact : nullptr;
+}
+
+std::optional<std::size_t> Course::Piece::normal_of(std::size_t action) const {
+  const auto& constraints = machine_.mechanism.constraints;
+  const auto found = std::ranges::find_if(constraints, [&](const VelocityConstraint<double>& constraint) {
+    return constraint.action == static_cast<int>(action) && constraint.normal;
+  });
+  if (found == constraints.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - constraints.begin());
+}
+
+double Course::Piece::gap_rate(std::size_t action, std::span<const double> v) {
+  return dynamics_->gap_rate(*normal_of(action), now_.q, v);
+}
+
+double Course::Piece::opening(std::size_t action, std::span<const double> v) {
+  return opening_acceleration(*dynamics_, *normal_of(action), now_.q, v, motion_.pace_time_);
+}
+
+double Course::Piece::kinetic_energy(std::span<const double> v) { return dynamics_->kinetic_energy(now_.q, v); }
+
+// The contacts that are closed and approached, and those given.
+std::vector<std::size_t> Course::Piece::meeting(std::optional<std::size_t> at_event) {
+  std::vector<std::size_t> found;
+  if (!motion_.has_later_contacts_) return found;
+  const double length = motion_.start_->natural_size(dimensions::length);
+  for (std::size_t action = 0; action < acting_.size(); ++action) {
+    if (acting_[action] || !motion_.later_contact(action)) continue;
+    const std::optional<std::size_t> normal = normal_of(action);
+    if (!normal) continue;
+    if (action == at_event || (std::abs(dynamics_->gap(*normal, now_.q)) <= meets * length &&
+                               gap_rate(action, now_.v) < -meets * motion_.natural_speed()))
+      found.push_back(action);
+  }
+  return found;
+}
+
+// What is said to be open must not overlap, nor be pressed together.
+void Course::Piece::check_open() {
+  const double length = motion_.start_->natural_size(dimensions::length);
+  for (std::size_t action = 0; action < acting_.size(); ++action) {
+    const Contact* contact = motion_.later_contact(action);
+    if (!contact || !contact->open || acting_[action]) continue;
+    const std::optional<std::size_t> normal = normal_of(action);
+    if (!normal) continue;
+    const double gap = dynamics_->gap(*normal, now_.q), rate = gap_rate(action, now_.v);
+    if (gap < -meets * length)
+      fail(motion_.situation_.file, contact->mark,
+           "contact '" + contact->name + "' is open, and at the start the bodies overlap there by " +
+               with_digits(-gap, 4) + " m",
+           "correct the place of the body, or the point under surface:");
+    if (gap > meets * length) continue;
+    if (rate < -meets * motion_.natural_speed())
+      fail(motion_.situation_.file, contact->mark,
+           "contact '" + contact->name + "' is open, and the bodies strike each other there at the very start",
+           "state the blow under impacts:");
+    const double acceleration = motion_.natural_speed() / motion_.pace_time_;
+    constexpr double none = 1e-6;  // as in would_press_in()
+    if (rate <= meets * motion_.natural_speed() && opening(action, now_.v) < -none * acceleration)
+      fail(motion_.situation_.file, contact->mark,
+           "contact '" + contact->name + "' is open, and the bodies are pressed together there from the start",
+           "leave out open: true");
+  }
+}
+
+// The restitution and the friction of a contact.
+SolvedInstant::Met Course::met(std::size_t action) {
+  const Contact& contact = *later_contact(action);
+  SolvedInstant::Met one{action, 0, std::nullopt};
+  if (contact.restitution) one.restitution = start_->data_number(*contact.restitution, dimensions::none);
+  if (!(one.restitution >= 0 && one.restitution <= 1))
+    fail(situation_.file, contact.restitution->mark(),
+         "a coefficient of restitution lies between 0 and 1, and that of contact '" + contact.name + "' is " +
+             with_digits(one.restitution, 6));
+  if (contact.blow_friction) {
+    one.friction = start_->data_number(*contact.blow_friction, dimensions::none);
+    if (!(*one.friction >= 0))
+      fail(situation_.file, contact.blow_friction->mark(),
+           "the coefficient of friction of contact '" + contact.name + "' is negative");
+  }
+  return one;
+}
+
+// Several contacts that meet at once are struck one by one if none changes the approach of the others.
+std::vector<std::size_t> Course::struck_together(const std::vector<std::size_t>& meeting, const MotionState& state,
+                                                 Piece& piece) {
+  if (meeting.size() < 2) return meeting;
+  probe_->strike_later({met(meeting.front())}, piece.acting(), later_contact(meeting.front())->mark);
+  const std::vector<double> after = probe_->state().v;
+  bool apart = true, plastic = true;
+  for (std::size_t k = 0; k < meeting.size(); ++k) {
+    const SolvedInstant::Met one = met(meeting[k]);
+    plastic = plastic && one.restitution == 0 && !one.friction;
+    const double before = piece.gap_rate(meeting[k], state.v);
+    constexpr double same = 1e-9;
+    if (k > 0) apart = apart && std::abs(piece.gap_rate(meeting[k], after) - before) <= same * std::abs(before);
+  }
+  probe_->move_to(state);
+  if (apart) return {meeting.front()};
+  if (!plastic)
+    stops(state.stage, later_contact(meeting.front())->mark,
+          "the contacts '" + later_contact(meeting[0])->name + "' and '" + later_contact(meeting[1])->name +
+              "' are struck at the same time, at " + with_digits(state.time, 6) +
+              " s: which is struck first, on which the motion depends, is open");
+  return meeting;
+}
+
+void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, Piece& piece) {
+  StageRun& now = stages_[stage];
+  std::vector<bool>& acting = piece.acting();
+  if (situation_.has_friction())
+    stops(stage, later_contact(meeting.front())->mark,
+          "the contact '" + later_contact(meeting.front())->name + "' is struck at " + with_digits(now.time, 6) +
+              " s beside contacts with friction, and how far these slip meanwhile is not sought");
+  const MotionState state{now.time, stage, now.q, now.v, std::vector<bool>(acting.size(), true)};
+  probe_ = &probe_in(now.states_now, state);
+  probe_->move_to(state);
+  const std::vector<std::size_t> struck = struck_together(meeting, state, piece);
+  std::vector<SolvedInstant::Met> all;
+  for (const std::size_t action : struck) all.push_back(met(action));
+  probe_->strike_later(all, acting, later_contact(struck.front())->mark);
+  const std::vector<double> after = probe_->state().v;
+  const SolvedInstant::Residuals residuals = probe_->check();
+  blow_misfit_ = std::max({blow_misfit_.value_or(0), residuals.impulse, residuals.particles.momentum});
+  if (residuals.blow) rough_blow_misfit_ = std::max(rough_blow_misfit_.value_or(0), *residuals.blow);
+  const std::string when = " at " + with_digits(now.time, 6) + " s";
+  const double lost = piece.kinetic_energy(now.v) - piece.kinetic_energy(after);
+  acting = probe_->blow_acting();
+  now.flight = 0;
+  std::vector<std::size_t> held;
+  std::optional<std::size_t> rough_end;
+  for (const SolvedInstant::Met& one : all) {
+    const Contact& contact = *later_contact(one.action);
+    const double before = piece.gap_rate(one.action, now.v), leaves = piece.gap_rate(one.action, after);
+    // By the gaps of the motion, which are not in the equations of the blow.
+    if (!one.friction && before < 0)
+      blow_misfit_ = std::max(*blow_misfit_, std::abs(leaves + one.restitution * before) / -before);
+    double& first = approaches_[one.action];
+    first = std::max(first, -before);
+    settled_.erase(contact.name);
+    std::string change = "the contact '" + contact.name + "' is struck";
+    if (one.restitution == 0) {
+      change += " without rebound";
+    } else if (const double opening = piece.opening(one.action, after); opening < 0) {
+      const double flight = 2 * leaves / -opening;
+      now.flight = now.flight > 0 ? std::min(now.flight, flight) : flight;
+      const double ratio = before < 0 ? leaves / -before : one.restitution;
+      if (leaves <= small_speed * first && ratio < 1 && one.restitution < 1) {
+        const double end = now.time + flight / (1 - ratio);
+        settled_[contact.name] = end;
+        change = "the contact '" + contact.name + "' bounces no more after infinitely many blows until " +
+                 with_digits(end, 9) + " s";
+        if (!contact.blow_friction) happenings_.push_back(change);
+      }
+    }
+    const bool stays = one.restitution == 0 || settled_.contains(contact.name);
+    changes_.push_back({now.time, change});
+    // Of many blows the first ones are told, and the end.
+    constexpr int most_told = 3;
+    const bool told = !settled_.contains(contact.name) && ++blows_told_[one.action] <= most_told;
+    if (told)
+      happenings_.push_back(change + when +
+                            (lost > 0 && &one == &all.front() ? ", which takes " + with_digits(lost, 4) + " J" : ""));
+    if (told && probe_->rough_blow())
+      happenings_.back() += ": " + words_of_blow(*probe_->rough_blow(), probe_->struck().impacts.front());
+    if (!stays) continue;
+    if (one.friction) rough_end = one.action;
+    held.push_back(one.action);
+  }
+  now.v = after;
+  if (rough_end)
+    stops(stage, later_contact(*rough_end)->mark,
+          "the contact '" + later_contact(*rough_end)->name + "' stays closed after its blows" + when +
+              ", and how it slides or rolls then is not followed");
+  if (!held.empty()) {
+    now.flight = 0;
+    for (const std::size_t action : held) acting[action] = true;
+    probe_->move_to({now.time, stage, now.q, now.v, std::vector<bool>(acting.size(), true)});
+    now.v = probe_->caught(acting);
+  }
+  now.pieces.emplace_back();
+  now.acting.push_back(acting);
+  now.states.push_back(now.states_now);
+}
+
+double Course::end_of_bouncing(const Expression& of) {
+  const Name* name = of.as<Name>();
+  const auto contact =
+      name ? std::ranges::find(situation_.contacts, name->name, &Contact::name) : situation_.contacts.end();
+  if (contact == situation_.contacts.end() || !contact->restitution)
+    fail(situation_.file, of.mark(), "'" + to_string(of) + "' is no contact with a restitution",
+         "write end_of_bouncing(floor) for a contact that states restitution: 0.8");
+  for (double until = 20 * pace_time_;; until *= 2) {
+    double reached = 0;
+    try {
+      reached = follow(until);
+    } catch (const UnansweredError&) {
+      if (!settled_.contains(contact->name)) throw;
+    }
+    if (const auto end = settled_.find(contact->name); end != settled_.end()) {
+      values_until_ = std::max(values_until_, std::min(end->second, reached));
+      return end->second;
+    }
+    if (is_over() || followed_enough(until))
+      throw UnansweredError(situation_.file, of.mark(),
+                            "bouncing on '" + contact->name + "' has not ended after " + with_digits(until, 4) + " s");
+  }
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,14 @@
+// A blow on bodies that rest on rough contacts, as an instant: what sticks, slides and parts in it.
+#pragma once
+
+#include "problem/entries/statement.h"
+
+namespace poinsot::problem {
+
+// In a blow that starts where no contact with friction slips, velocities grow in proportion to the impulses applied, so
+// that each contact does one thing throughout: the laws of friction for impulses and velocities after the blow are
+// those for forces and accelerations of the same bodies at rest, under loads as large as the impulses in a second,
+// without gravity, springs and other forces. Throws StatementError for what is no such blow.
+Situation blow_as_loads(const Situation& situation);
+
+}  // namespace poinsot::problem

@@ -1,0 +1,144 @@
+// Friction in joints at instants and along motions, against closed forms.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "problem/course/motion_support.h"
+
+namespace poinsot::problem {
+namespace friction_in_joints_test {
+
+constexpr double g = 9.80665;
+
+std::string arm(double P, const std::string& friction, const std::string& more) {
+  return fmt::format(
+             "given: {{P: {} N, M: 5 N*m}}\npoints: {{O: [0, 0, 0], A: [0.6 m, 0, 0]}}\nbodies: {{arm: {{rod: [O, A], "
+             "mass: 1.2 "
+             "kg}}}}\njoints: {{hinge: {{revolute: z, at: O, to: arm, rate: 0, friction: {}}}}}\n"
+             "loads: {{lamp: {{force: [0, -P, 0], at: A, body: arm}}}}\ngravity: -y\n",
+             P, friction) +
+         more;
+}
+
+// It holds while the couple of the weights is less than its own, and else takes the one of a hinge that moves.
+TEST(FrictionInJoints, AHingeHoldsOrGivesWay) {
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> load(-10, 20);
+  int held = 0;
+  for (int trial = 0; trial < 8; ++trial) {
+    const double P = load(random), couple = 0.6 * (0.6 * g + P), I = 1.2 * 0.36 / 3;
+    const SolvedText solved(arm(P, "{static: 5 N*m, kinetic: 4 N*m}",
+                                "ask: {F: friction(hinge on arm), a: angular_acceleration(arm).z, "
+                                "s: sticking(hinge), R: reaction(hinge).y, M: drive(hinge).z, C: couple(hinge on arm "
+                                "about O).z}\n"));
+    const bool holds = std::abs(couple) < 5;
+    held += holds;
+    const double friction = holds ? couple : std::copysign(4, couple), a = (friction - couple) / I;
+    EXPECT_EQ(solved.found("s").value.truth, holds) << P;
+    EXPECT_NEAR(solved.vector("F").z, friction, 1e-9) << P;
+    EXPECT_NEAR(solved.number("a"), a, 1e-8) << P;
+    EXPECT_NEAR(solved.number("R"), 1.2 * (g + a * 0.3) + P, 1e-8) << P;
+    // The drive is that alone; what the joint exerts is all of it.
+    EXPECT_NEAR(solved.number("M"), 0, 1e-12);
+    EXPECT_NEAR(solved.number("C"), friction, 1e-9);
+  }
+  EXPECT_GT(held, 0);
+  EXPECT_LT(held, 8);
+}
+
+TEST(FrictionInJoints, LimitsAndUnknownsAreFound) {
+  const SolvedText limits(arm(1, "M",
+                              "ask: {P: {largest: P, while: sticking(hinge)}, "
+                              "M: {smallest: M, while: sticking(hinge)}}\n"));
+  EXPECT_NEAR(limits.number("P"), 5 / 0.6 - 0.6 * g, 1e-7);
+  EXPECT_NEAR(limits.number("M"), 0.6 * (0.6 * g + 1), 1e-7);
+  const SolvedText found(
+      "given: {I: 0.5 kg*m^2}\nfind: {M: N*m}\npoints: {O: [0, 0, 0]}\n"
+      "bodies: {wheel: {mass: 4 kg, center: O, inertia: {axis: z, axial: I, transverse: I}}}\n"
+      "joints: {axle: {revolute: z, at: O, to: wheel, rate: 9 rad/s, friction: M}}\ngravity: none\n"
+      "instants: {now: {angular_acceleration(wheel).z: -3 rad/s^2}}\nask: {M: M}\n");
+  EXPECT_NEAR(found.number("M"), 1.5, 1e-9);
+}
+
+TEST(FrictionInJoints, AClutchBringsTwoWheelsTogether) {
+  std::mt19937 random(22);
+  std::uniform_real_distribution<double> inertia(0.2, 2), rate(-80, 80), couple(2, 30);
+  for (int trial = 0; trial < 5; ++trial) {
+    const double I = inertia(random), J = inertia(random), n = rate(random), p = rate(random), M = couple(random);
+    const double t = std::abs(n - p) / (M * (1 / I + 1 / J)), w = (I * n + J * p) / (I + J);
+    const SolvedText solved(fmt::format(
+        "given: {{I: {} kg*m^2, J: {} kg*m^2}}\npoints: {{A: [0, 0, 0], B: [1 m, 0, 0]}}\nbodies:\n"
+        "  one: {{mass: 1 kg, center: A, inertia: {{axis: x, axial: I, transverse: I}}}}\n"
+        "  two: {{mass: 1 kg, center: B, inertia: {{axis: x, axial: J, transverse: J}}}}\n"
+        "joints:\n  shaft: {{revolute: x, at: A, to: one, rate: {} rad/s}}\n"
+        "  clutch: {{revolute: x, at: A, from: one, to: two, rate: {} rad/s, friction: {} N*m}}\ngravity: none\n"
+        "ask: {{t: {{first_time: sticking(clutch)}}, w: angular_velocity(one).x @ {} s, u: angular_velocity(two).x @ "
+        "{} "
+        "s, E: kinetic_energy(system) @ {} s}}\n",
+        I, J, n, p - n, M, 1.5 * t, 1.5 * t, 0.5 * t));
+    EXPECT_NEAR(solved.number("t"), t, 1e-9 * t);
+    EXPECT_NEAR(solved.number("w"), w, 1e-8 * (1 + std::abs(w)));
+    EXPECT_NEAR(solved.number("u"), w, 1e-8 * (1 + std::abs(w)));
+    const double half = (n + p) / 2, s = std::copysign(M * 0.5 * t, p - n);
+    const double one = n + s / I, two = p - s / J;
+    EXPECT_NEAR(solved.number("E"), 0.5 * (I * one * one + J * two * two), 1e-7 * (1 + half * half));
+  }
+}
+
+// Between its turning points the collar swings about a place that friction has moved by F/k.
+TEST(FrictionInJoints, ACollarOnASpringStopsWhereItIsHeld) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> start(-0.4, 0.4), friction(2, 10);
+  int moved = 0;
+  for (int trial = 0; trial < 6; ++trial) {
+    const double s = start(random), F = friction(random), S = 1.2 * F, k = 200;
+    double x = s;
+    while (k * std::abs(x) > S) x = (x > 0 ? -1 : 1) * (std::abs(x) - 2 * F / k);
+    moved += x != s;
+    const SolvedText solved(fmt::format(
+        "points: {{O: [0, 0, 0]}}\nbodies: {{collar: {{cube: {{center: O, side: 50 mm}}, mass: 2 kg}}}}\n"
+        "joints: {{rod: {{prismatic: x, at: O, to: collar, displacement: x1, spring: {{stiffness: 200 N/m}}, "
+        "friction: {{static: {} N, kinetic: {} N}}}}}}\ngravity: -y\ninstants: {{start: {{x1: {} m, x1': 0}}}}\n"
+        "ask: {{x: x1 @ 12 s, F: friction(rod on collar).x @ 12 s}}\n",
+        S, F, s));
+    EXPECT_NEAR(solved.number("x"), x, 1e-8) << s << " " << F;
+    EXPECT_NEAR(solved.number("F"), k * x, 1e-6) << s << " " << F;
+  }
+  EXPECT_GT(moved, 2);
+}
+
+TEST(FrictionInJoints, LettersTellBothStates) {
+  const std::string text =
+      "letters: {I: kg*m^2, M: N*m, Q: N*m}\npoints: {O: [0, 0, 0]}\n"
+      "bodies: {wheel: {mass: 4 kg, center: O, inertia: {axis: z, axial: I, transverse: I}}}\n"
+      "joints: {axle: {revolute: z, at: O, to: wheel, rate: 0, couple: Q, friction: M}}\ngravity: none\n"
+      "ask: {a: angular_acceleration(wheel).z}\n";
+  const SolvedStatement solved = solve_statement(read_statement(text, "test.yaml"), {});
+  ASSERT_GE(solved.solutions.size(), 2U);
+  for (const Solution& solution : solved.solutions)
+    EXPECT_TRUE(solution.asks.front().formula) << solution.notes.front();
+}
+
+TEST(FrictionInJoints, MistakesAreTold) {
+  const auto hinge = [](const std::string& joint, const std::string& more) {
+    return failure_of_text(
+        "points: {O: [0, 0, 0], A: [1 m, 0, 0]}\nbodies: {arm: {rod: [O, A], mass: 1 kg}}\njoints: {hinge: {" + joint +
+        ", to: arm}}\ngravity: -y\n" + more + "ask: {a: angular_acceleration(arm)}\n");
+  };
+  const auto says = [](const std::string& failure, const std::string& words) {
+    EXPECT_NE(failure.find(words), std::string::npos) << failure;
+  };
+  says(hinge("revolute: z, at: O, rate: 1 rad/s, accel: 0, friction: 2 N*m", ""), "rate:, accel: and friction");
+  says(hinge("ball: O, friction: 2 N*m", ""), "friction is stated at joints that only turn or only slide");
+  says(hinge("revolute: z, at: O, rate: 0, friction: 0.3", ""), "expected");
+  says(hinge("revolute: z, at: O, rate: 0, friction: -2 N*m", ""), "joint 'hinge' has a negative friction");
+  says(hinge("revolute: z, at: O, rate: 0, friction: 2 N*m",
+             "impulses: {hit: {body: arm, at: A, value: [0, 1 N*s, 0]}}\n"),
+       "a blow with friction in a joint is not solved");
+}
+
+}  // namespace friction_in_joints_test
+}  // namespace poinsot::problem

@@ -1,0 +1,134 @@
+// Blows at rough contacts and blows that come later, as problems state them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "problem/course/motion_support.h"
+
+namespace poinsot::problem {
+namespace later_blows_test {
+
+const std::string ball =
+    "title: t\npoints: {C: [0, 1 m, 0], G: [0, 1.1 m, 0], O: [0, 0, 0]}\n"
+    "bodies: {ball: {sphere: {center: G, radius: 0.1 m}, mass: 2 kg}}\ngravity: -y\n";
+const double fall = std::sqrt(2 / 9.81);
+
+std::string bounces(const std::string& contact, const std::string& rest) {
+  return ball + "contacts: {floor: {of: ball, at: C, normal: y, open: true, surface: O" + contact + "}}\n" + rest;
+}
+
+TEST(LaterBlows, BounceWithTheRestitutionUntilTheyEnd) {
+  for (const double e : {0.3, 0.6, 0.9}) {
+    const SolvedText solved(bounces(", restitution: " + std::to_string(e),
+                                    "instants: {start: rest}\nask: {end: end_of_bouncing(floor), "
+                                    "v: velocity(ball).y @ 0.5 s, rest: position(ball).y @ 20 s}\n"));
+    EXPECT_NEAR(solved.number("end"), fall * (1 + e) / (1 - e), 1e-8) << e;
+    EXPECT_NEAR(solved.number("rest"), 0.1, 1e-9);
+    EXPECT_NEAR(solved.number("v"), e * 9.81 * fall - 9.81 * (0.5 - fall), 1e-9);
+  }
+}
+
+TEST(LaterBlows, WithoutRestitutionTheyHold) {
+  const SolvedText solved(
+      bounces("", "instants: {start: rest}\nask: {y: position(ball).y @ 2 s, F: force(floor on ball).y @ 2 s}\n"));
+  EXPECT_NEAR(solved.number("y"), 0.1, 1e-10);
+  EXPECT_NEAR(solved.number("F"), 2 * 9.81, 1e-8);
+}
+
+TEST(LaterBlows, ElasticOnesKeepTheEnergy) {
+  const SolvedText solved(bounces(", restitution: 1",
+                                  "instants: {start: rest}\nask: {T: kinetic_energy(ball) @ 7.3 s, y: position(ball).y "
+                                  "@ 7.3 s, y2: position(ball).y @ 4*" +
+                                      std::to_string(fall) + " s}\n"));
+  EXPECT_NEAR(solved.number("T") + 2 * 9.81 * (solved.number("y") - 1.1), 0, 1e-8);
+  EXPECT_NEAR(solved.number("y2"), 1.1, 1e-6);
+}
+
+TEST(LaterBlows, RefuseWhatIsNotOpen) {
+  const std::string start = "instants: {start: rest}\nask: {y: position(ball).y @ 2 s}\n";
+  const auto words = [&](const std::string& text) { return failure_of([&] { SolvedText solved(text); }); };
+  const std::string lower =
+      "title: t\npoints: {C: [0, 1 m, 0], G: [0, 1.1 m, 0], O: [0, 1.5 m, 0]}\n" + ball.substr(ball.find("bodies"));
+  EXPECT_NE(words(lower + "contacts: {floor: {of: ball, at: C, normal: y, open: true, surface: O}}\n" + start)
+                .find("overlap there"),
+            std::string::npos);
+  EXPECT_NE(
+      words(ball + "contacts: {floor: {of: ball, at: C, normal: y, open: true}}\n" + start).find("pressed together"),
+      std::string::npos);
+  EXPECT_NE(words(bounces(", restitution: 1.2", start)).find("between 0 and 1"), std::string::npos);
+  EXPECT_NE(
+      words(ball + "contacts: {floor: {of: ball, at: C, normal: y, surface: O}}\n" + start).find("write open: true"),
+      std::string::npos);
+  EXPECT_NE(words(bounces(", restitution: 0.5, no_slip: true", start)).find("state friction"), std::string::npos);
+}
+
+// Both ends of a level rod meet the floor at once: with rebound it matters which does first.
+TEST(LaterBlows, AtOnceAreRefusedUnlessNoneRebounds) {
+  const std::string rod =
+      "title: t\npoints: {A: [-1 m, 1 m, 0], B: [1 m, 1 m, 0], O: [0, 0, 0]}\n"
+      "bodies: {rod: {rod: [A, B], mass: 2 kg}}\ngravity: -y\ninstants: {start: rest}\n";
+  const auto with = [&](const std::string& e) {
+    return rod + "contacts: {a: {of: rod, at: A, normal: y, open: true, surface: O, restitution: " + e +
+           "}, b: {of: rod, at: B, normal: y, open: true, surface: O, restitution: " + e +
+           "}}\nask: {y: position(rod).y @ 2 s}\n";
+  };
+  const SolvedText plastic(with("0"));
+  EXPECT_NEAR(plastic.number("y"), 0, 1e-9);
+  EXPECT_NE(failure_of([&] { SolvedText solved(with("0.5")); }).find("at the same time"), std::string::npos);
+}
+
+TEST(RoughBlows, OfASpinningBallAgreeWithClosedForms) {
+  const std::string thrown =
+      "title: t\npoints: {C: [0, 0, 0], G: [0, 0.1 m, 0]}\nbodies: {ball: {sphere: {center: G, radius: 0.1 m}, mass: 2 "
+      "kg}}\n"
+      "gravity: none\ninstants: {before: {velocity(ball): [3 m/s, -2 m/s, 0], angular_velocity(ball): [0, 0, 10 "
+      "rad/s]}}\n"
+      "ask: {v: velocity(ball), w: angular_velocity(ball).z, J: impulse(floor on ball)}\n";
+  const auto with = [&](const std::string& mu) {
+    return thrown + "impacts: {floor: {of: ball, at: C, pushes: y, restitution: 0.5, friction: " + mu + "}}\n";
+  };
+  const SolvedText slides(with("0.2"));
+  EXPECT_NEAR(slides.vector("v").x, 3 - 0.2 * 3, 1e-12);
+  EXPECT_NEAR(slides.vector("v").y, 1, 1e-12);
+  EXPECT_NEAR(slides.vector("J").x, -0.2 * 6, 1e-12);
+  const SolvedText grips(with("0.9"));
+  EXPECT_NEAR(grips.vector("v").x, (5 * 3 - 2 * 0.1 * 10) / 7, 1e-12);
+  EXPECT_NEAR(grips.number("w"), -grips.vector("v").x / 0.1, 1e-11);
+  const auto refused = failure_of([&] { SolvedText solved(with("m")); });
+  EXPECT_FALSE(refused.empty());
+}
+
+TEST(RoughBlows, FindTheFrictionFromWhatIsStated) {
+  const SolvedText solved(
+      "title: t\npoints: {C: [0, 0, 0], G: [0, 0.1 m, 0]}\nbodies: {ball: {sphere: {center: G, radius: 0.1 m}, mass: 2 "
+      "kg}}\n"
+      "gravity: none\nfind: {mu: '1'}\nimpacts: {floor: {of: ball, at: C, pushes: y, restitution: 0.5, friction: mu}}\n"
+      "instants: {before: {velocity(ball): [3 m/s, -2 m/s, 0], angular_velocity(ball): [0, 0, 0]}, after: "
+      "{velocity(ball).x: 2.4 m/s}}\n"
+      "ask: {mu: mu}\n");
+  EXPECT_NEAR(solved.number("mu"), 0.2, 1e-9);
+}
+
+TEST(RoughBlows, AreRefusedBesideOthers) {
+  const std::string two =
+      "title: t\npoints: {A: [0, 0, 0], B: [1 m, 0, 0]}\nbodies: {rod: {rod: [A, B], mass: 2 kg}}\ngravity: none\n"
+      "instants: {before: {velocity(rod): [0, -1 m/s, 0], angular_velocity(rod): [0, 0, 0]}}\nask: {v: "
+      "velocity(rod)}\n";
+  const auto words = [&](const std::string& impacts) { return failure_of([&] { SolvedText solved(two + impacts); }); };
+  EXPECT_NE(words("impacts: {a: {of: rod, at: A, pushes: y, friction: 0.2}, b: {of: rod, at: B, pushes: y}}\n")
+                .find("it matters which is first"),
+            std::string::npos);
+  EXPECT_NE(words("letters: {mu: '1'}\nimpacts: {a: {of: rod, at: A, pushes: y, friction: mu}}\n").find("has no value"),
+            std::string::npos);
+  EXPECT_NE(
+      words("impacts: {a: {of: rod, at: A, pushes: y, friction: 0.2, hypothesis: newton}}\n").find("no restitution"),
+      std::string::npos);
+  EXPECT_NE(words("impacts: {a: {of: rod, at: A, pushes: y, friction: -0.2}}\n").find("is negative"),
+            std::string::npos);
+  EXPECT_NE(words("impacts: {a: {of: rod, at: A, pushes: y, friction: 0.2, restitution: 0.5, hypothesis: hertz}}\n")
+                .find("no hypothesis"),
+            std::string::npos);
+}
+
+}  // namespace later_blows_test
+}  // namespace poinsot::problem

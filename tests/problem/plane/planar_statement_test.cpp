@@ -1,0 +1,138 @@
+// Planar problems against the same said in space, and what they refuse.
+#include "problem/plane/planar_statement.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <string>
+
+#include "problem/answers/solve_statement.h"
+#include "problem/language/failure.h"
+
+namespace poinsot::problem {
+namespace planar_statement_test {
+
+std::map<std::string, SolvedAsk> answers(const std::string& text) {
+  Statement statement = read_statement(text, "test.yaml");
+  restrict_to_plane(statement);
+  const SolvedStatement solved = solve_statement(statement, {});
+  std::map<std::string, SolvedAsk> found;
+  EXPECT_EQ(solved.solutions.size(), 1U) << text;
+  for (std::size_t i = 0; i < statement.asks.size(); ++i)
+    found[statement.asks[i].name] = solved.solutions.at(0).asks[i];
+  return found;
+}
+
+std::string failure(const std::string& text) {
+  return failure_of([&] { answers(text); });
+}
+
+// What is said of two bars that hang one on the other, with vectors, moments and questions in the words of the plane or
+// of space.
+struct TwoBars {
+  double x, y, u, v, mass, inertia, push, twist, rate, other_rate;
+
+  std::string said(bool plane) const {
+    const std::string third = plane ? "" : ", 0", along = plane ? "" : ".z";
+    const auto point = [&](double a, double b) { return fmt::format("[{:.17g} m, {:.17g} m{}]", a, b, third); };
+    // Products of inertia in space are taken by the pins.
+    const std::string rest =
+        plane ? ""
+              : fmt::format(", x: {0:.17g} kg*m^2, y: {0:.17g} kg*m^2, yz: {1:.17g} kg*m^2, xy: 0, zx: 0", inertia,
+                            inertia / 10);
+    return "title: t\ngravity: -y\n" + std::string(plane ? "plane: [x, y]\n" : "") + "points: {O: " + point(0, 0) +
+           ", A: " + point(x, y) + ", B: " + point(u, v) + ", G: " + point(x, v) +
+           fmt::format(
+               "}}\nbodies: {{one: {{rod: [O, A], mass: 2 kg}}, two: {{mass: {:.17g} kg, center: G, inertia: "
+               "{{z: {:.17g} kg*m^2{}}}}}}}\n",
+               mass, inertia, rest) +
+           "joints: {pin: {revolute: z, at: O, to: one}, hinge: {revolute: z, at: A, from: one, to: two}}\n" +
+           fmt::format(
+               "loads: {{push: {{force: [{0:.17g} N, 3 N{1}], at: B, body: two}}, twist: {{couple: {2:.17g} "
+               "N*m{3}, body: one}}}}\n",
+               push, third, twist, plane ? "" : ", about: z") +
+           fmt::format(
+               "facts: {{angular_velocity(one){0}: {1:.17g} rad/s, angular_velocity(two){0}: {2:.17g} rad/s}}\n", along,
+               rate, other_rate) +
+           fmt::format(
+               "ask: {{alpha: angular_acceleration(two){0}, H: angular_momentum(system about A){0}, a: "
+               "acceleration(B of two), F: reaction(pin)}}\n",
+               along);
+  }
+};
+
+TEST(PlanarStatement, SaysOfTwoBarsWhatSpaceSays) {
+  std::mt19937_64 random(20);
+  std::uniform_real_distribution<double> any(-1, 1), size(0.3, 2);
+  int tried = 0;
+  for (; tried < 12; ++tried) {
+    const TwoBars bars{any(random),  size(random), any(random), size(random), size(random),
+                       size(random), any(random),  any(random), any(random),  any(random)};
+    const auto plane = answers(bars.said(true)), space = answers(bars.said(false));
+    const auto close = [](double one, double other) { EXPECT_NEAR(one, other, 1e-9 * (1 + std::abs(other))); };
+    for (const char* name : {"alpha", "H"}) close(plane.at(name).value.number, space.at(name).value.number);
+    for (const char* name : {"a", "F"})
+      for (std::size_t k = 0; k < 2; ++k)
+        close(plane.at(name).value.items.at(k).number, space.at(name).value.vector[k]);
+  }
+  EXPECT_EQ(tried, 12);
+}
+
+// In the plane of the axes x and z angles are counted about -y.
+TEST(PlanarStatement, CountsAnglesFromTheFirstAxisToTheSecond) {
+  const std::string rest =
+      "points: {O: [0, 0], P: [1 m, 0]}\nbodies: {bar: {rod: [O, P], mass: 3 kg}}\njoints: {pin: {revolute: y, at: O, "
+      "to: "
+      "bar}}\ngravity: -z\nfacts: {velocity(P of bar): [0, 2 m/s]}\nask: {w: angular_velocity(bar), v: "
+      "velocity(bar)}\n";
+  const auto up = answers("title: t\nplane: [x, z]\n" + rest);
+  EXPECT_NEAR(up.at("w").value.number, 2, 1e-12);
+  EXPECT_NEAR(up.at("v").value.items.at(1).number, 1, 1e-12);
+}
+
+// A free body turns about the normal alone, whatever its products of inertia.
+TEST(PlanarStatement, HoldsAFreeBodyInThePlane) {
+  const auto found = answers(
+      "title: t\nplane: [x, y]\npoints: {G: [0, 0], P: [0.4 m, 0.1 m]}\nbodies: {plate: {mass: 2 kg, center: G, "
+      "inertia: "
+      "{z: 0.3 kg*m^2, yz: 0.05 kg*m^2, zx: -0.02 kg*m^2}}}\nloads: {push: {force: [0, 6 N], at: P, body: plate}}\n"
+      "gravity: none\nfacts: {velocity(plate): [1 m/s, 0], angular_velocity(plate): 3 rad/s}\n"
+      "ask: {alpha: angular_acceleration(plate), a: acceleration(plate), w: angular_velocity(plate) @ 0.5 s}\n");
+  EXPECT_NEAR(found.at("alpha").value.number, 0.4 * 6 / 0.3, 1e-11);
+  EXPECT_NEAR(found.at("a").value.items.at(1).number, 3, 1e-12);
+  EXPECT_GT(found.at("w").value.number, 3);
+}
+
+TEST(PlanarStatement, RefusesWhatPointsOutOfThePlane) {
+  const std::string bar =
+      "title: t\nplane: [x, y]\npoints: {O: [0, 0], P: [1 m, 0]}\nbodies: {bar: {rod: [O, P], mass: 3 kg}}\ngravity: "
+      "-y\n";
+  const std::string pin = "joints: {pin: {revolute: z, at: O, to: bar, rate: 1 rad/s}}\n";
+  const auto contains = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  contains(failure(bar + "joints: {pin: {revolute: x, at: O, to: bar}}\nask: {w: angular_velocity(bar)}\n"),
+           "does not stand across the plane");
+  contains(failure(bar + "joints: {pin: {ball: O, to: bar}}\nask: {w: angular_velocity(bar)}\n"),
+           "moves across the plane, as a ball joint does");
+  contains(failure(bar + pin + "ask: {F: reaction(pin).z}\n"), "points across the plane");
+  contains(failure(bar + pin + "ask: {w: angular_velocity(bar).x}\n"), "it is a number: write angular_velocity(bar)");
+  contains(failure(bar + pin + "ask: {I: principal_moments(bar about O)}\n"), "directions across the plane");
+  contains(failure(bar + pin + "ask: {I: moment_of_inertia(bar about O->P)}\n"), "this axis lies in the plane");
+  contains(failure(bar + pin + "loads: {push: {force: '[0, 0, 3 N]', body: bar}}\nask: {F: reaction(pin)}\n"),
+           "points out of the plane");
+  contains(
+      failure(bar + "joints: {pin: {revolute: z, at: O, to: bar, supports: {O: [x, y, z]}}}\nask: {F: reaction(O)}\n"),
+      "points out of the plane");
+  contains(failure("title: t\nplane: [x, x]\nask: {w: pi}\n"), "two different axes of the figure");
+  contains(
+      failure("title: t\nplane: [x, y]\npoints: {O: [0, 0, 1 m]}\nbodies: {b: {particle: O, mass: 1 kg}}\ngravity: "
+              "none\nask: {a: acceleration(b)}\n"),
+      "point 'O' points out of the plane");
+}
+
+}  // namespace planar_statement_test
+}  // namespace poinsot::problem
