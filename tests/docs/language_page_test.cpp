@@ -97,6 +97,14 @@ void collect_keys(const Entry& entry, const std::vector<std::string>& objects, K
       };
       const bool one_or_map = known->type == KeyType::any && !known->object_name.empty();
       if (known->type == KeyType::object || one_or_map) collect_keys(value, objects_of(*known), keys);
+      // What a cord is led over, and a wheel on which it winds: names, or maps of one name.
+      const bool wheels = object == "cord" && (key.text == "over" || key.text == "from" || key.text == "to");
+      if (wheels) {
+        std::vector<Entry> stops = value.items;
+        stops.push_back(value);
+        for (const Entry& stop : stops)
+          for (const auto& [name, wheel] : stop.members) collect_keys(wheel, {"cord_wheel"}, keys);
+      }
       if (known->type != KeyType::named || known->object_name.empty()) continue;
       for (const auto& [name, item] : value.members) {
         collect_keys(item, objects_of(*known), keys);

@@ -217,9 +217,9 @@ TEST(ExplainedEquations, AForceAcrossThePlaneKeepsAllEquations) {
 // A free body whose motion stays in a plane has the three equations of it, and no word of the others.
 TEST(ExplainedEquations, AFreeBodyThatStaysInAPlaneHasThreeEquations) {
   const std::string text = explained(R"(
-given: {m: 50 kg, P: 300 N, c: 0.4 m, H: 1 m, mu: 0.8, h: 0.8 m}
+given: {m: 50 kg, P: 300 N, c: 0.4 m, H: 1 m, W: 1 m, mu: 0.8, h: 0.8 m}
 points: {A: [-c, 0, 0], B: [c, 0, 0], G: [0, H, 0], K: [c, h, 0]}
-bodies: {crate: {box: {center: G, sides: [2*c*x, 2*H*y, 1 m*z]}, mass: m}}
+bodies: {crate: {box: {center: G, sides: [2*c*x, 2*H*y, W*z]}, mass: m}}
 contacts:
   left: {of: crate, at: A, normal: y, friction: mu}
   right: {of: crate, at: B, normal: y, friction: mu}

@@ -57,10 +57,17 @@ bool is_limit_of_sticking(const Ask& ask) {
 
 void refuse_beside_rough_blows(const Statement& statement, const Settings& settings) {
   for (const Situation& situation : statement.situations)
-    for (const Contact& contact : situation.contacts)
-      if (statement.record && contact.strikes_later())
+    for (const Contact& contact : situation.contacts) {
+      if (!contact.strikes_later()) continue;
+      if (statement.record)
         fail(situation.file, contact.mark, "motions with blows that come later are not recorded",
              "ask for tables over the time");
+      if (const std::vector<Letter> open = open_letters(statement, settings); !open.empty())
+        fail(situation.file, contact.mark,
+             "blows that come later are followed for numbers: when contact '" + contact.name +
+                 "' is struck depends on '" + open.front().name + "', which has no value",
+             "give the letters values by --set or under given:");
+    }
   for (const Situation& situation : statement.situations) {
     const auto rough =
         std::ranges::find_if(situation.impacts, [](const Impact& impact) { return impact.friction.has_value(); });

@@ -49,9 +49,8 @@ std::vector<Course::SmoothPart> Course::windows(std::size_t count) const {
     const double length = std::min({step.end - step.start, natural, span.piece->end_time() - span.piece->start_time()});
     // Where a slip that turns comes to rest the steps shrink with it, and what changes in them is lost beside the
     // tolerance of the motion.
-    constexpr double too_short = 1e-5;
-    if (span.turns && length < too_short * std::min(pace_time_, span.piece->end_time() - span.piece->start_time()))
-      continue;
+    constexpr double too_short = 1e-4;
+    if (span.turns && length < too_short * (span.piece->end_time() - span.piece->start_time())) continue;
     const double from = std::min(step.start + (in_piece - std::floor(in_piece)) * (step.end - step.start),
                                  span.piece->end_time() - length);
     if (!(length > 0)) continue;

@@ -4,14 +4,19 @@
 
 #include "problem/entries/absorbed_particles.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
+#include "problem/language/units.h"
 
 namespace poinsot::problem {
 namespace {
 
-std::string in_brackets(const Expression& expression) { return "(" + to_string(expression) + ")"; }
+Expression times(const Expression& one, const Expression& other) { return built(Binary{'*', one, other}, one.mark()); }
 
 // The size of an impulse or of a momentum as that of a force.
-std::string in_a_second(const std::string& size) { return size + "/(1 s)"; }
+Expression in_a_second(const Expression& size) {
+  const Expression second = built(Number{1, si_unit(dimensions::time), true, "1 s"}, size.mark());
+  return built(Binary{'/', size, second}, size.mark());
+}
 
 }  // namespace
 
@@ -39,7 +44,7 @@ Situation blow_as_loads(const Situation& situation) {
   loads.springs.clear();
   loads.loads.clear();
   loads.stages.clear();
-  loads.gravity = parse_expression("none", situation.file);
+  loads.gravity = built(Name{"none"}, rough->mark);
   for (Joint& joint : loads.joints)
     for (Freedom& freedom : joint.freedoms) {
       freedom.effort.reset();
@@ -61,10 +66,7 @@ Situation blow_as_loads(const Situation& situation) {
     load.direction = impulse.direction;
     load.at = impulse.at;
     const Expression& size = impulse.value ? *impulse.value : impulse.force ? *impulse.force : *impulse.couple;
-    const Expression force =
-        parse_expression(in_a_second(in_brackets(size) + (impulse.lasts ? "*" + in_brackets(*impulse.lasts) : "")),
-                         situation.file, impulse.mark);
-    (impulse.couple ? load.couple : load.force) = force;
+    (impulse.couple ? load.couple : load.force) = in_a_second(impulse.lasts ? times(size, *impulse.lasts) : size);
   }
   for (const Strike& strike : situation.strikes) {
     if (strike.relative_to != "ground" && strike.relative_to != strike.hits)
@@ -73,9 +75,8 @@ Situation blow_as_loads(const Situation& situation) {
       refuse(strike.mark, "strikes are not solved of a particle given by its weight", "state its mass");
     Load& load = add(strike.name, strike.hits, strike.mark);
     load.at = strike.at;
-    load.force = parse_expression(in_a_second(in_brackets(*strike.amount.mass) + "*" + in_brackets(strike.velocity) +
-                                              (strike.loses ? "*" + in_brackets(*strike.loses) : "")),
-                                  situation.file, strike.mark);
+    const Expression momentum = times(*strike.amount.mass, strike.velocity);
+    load.force = in_a_second(strike.loses ? times(momentum, *strike.loses) : momentum);
   }
   Instant rest;
   rest.name = "now";

@@ -38,7 +38,7 @@ void restrict_fact(const PlanarWords& words, Fact& fact) {
   fact.quantity = words.with_numbers(fact.quantity);
   const Pointing pointing = words.pointing(fact.quantity);
   if (pointing == Pointing::normal && number) fact.quantity = words.as_number(fact.quantity);
-  if (pointing == Pointing::in_plane) fact.value = words.as_vector(fact.value, "any");
+  if (pointing == Pointing::in_plane) fact.value = words.as_vector(fact.value, built(Name{"any"}, fact.value.mark()));
 }
 
 void restrict_ask(const PlanarWords& words, Ask& ask) {

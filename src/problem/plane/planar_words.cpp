@@ -128,12 +128,11 @@ Expression PlanarWords::number_along_normal(const Expression& expression) const 
   return plane_.sign() > 0 ? number : built(Unary{'-', number}, expression.mark());
 }
 
-Expression PlanarWords::as_vector(const Expression& list, const char* across) const {
+Expression PlanarWords::as_vector(const Expression& list, const Expression& across) const {
   const List* items = list.as<List>();
   if (!items || items->items.size() != 2) return list;
   List three = *items;
-  three.items.insert(three.items.begin() + static_cast<std::ptrdiff_t>(plane_.normal()),
-                     parse_expression(across, situation_.file, list.mark()));
+  three.items.insert(three.items.begin() + static_cast<std::ptrdiff_t>(plane_.normal()), across);
   return built(std::move(three), list.mark());
 }
 
@@ -209,7 +208,10 @@ Expression PlanarWords::with_numbers(const Expression& expression) const {
   }
   if (const Comparison* comparison = inside.as<Comparison>()) {
     Comparison changed = *comparison;
-    for (Expression& operand : changed.operands) operand = as_vector(number(operand), "0");
+    for (Expression& operand : changed.operands) {
+      const Expression zero = built(Number{0, Unit{}, false, "0"}, operand.mark());
+      operand = as_vector(number(operand), zero);
+    }
     return built(std::move(changed), inside.mark());
   }
   return inside;

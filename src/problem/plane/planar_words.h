@@ -28,7 +28,7 @@ class PlanarWords {
   // The axis about which angles are counted, as an expression.
   Expression normal(const Mark& mark) const;
   // A list of two as a vector, whose component across the plane is `across`.
-  Expression as_vector(const Expression& list, const char* across) const;
+  Expression as_vector(const Expression& list, const Expression& across) const;
 
  private:
   Pointing pointing(const Expression& expression, int depth) const;

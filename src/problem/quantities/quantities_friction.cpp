@@ -22,6 +22,13 @@ Value<Scalar> QuantityScope<Scalar, Base>::friction(const Call& call, const Eval
     for (const RoughContactOf<Base>& contact : rough) known.push_back(contact.name);
     const std::string all = joined(known);
     const std::string hint = did_you_mean(to_string(what), known);
+    const auto smooth = std::ranges::find_if(situation_.contacts, [&](const Contact& contact) {
+      return plain_name(what) && plain_name(what)->name == contact.name;
+    });
+    if (smooth != situation_.contacts.end())
+      evaluator.fail(what.mark(),
+                     "contact '" + smooth->name + "' has no friction stated, of which " + call.function + "() tells",
+                     "ask for force(" + smooth->name + " on " + smooth->of + "), or state friction: 0.3");
     evaluator.fail(what.mark(), "there is no contact or joint '" + to_string(what) + "' with friction",
                    !hint.empty() ? hint
                    : all.empty() ? "state it at a contact, friction: 0.3, or at a joint, friction: 2 N*m"

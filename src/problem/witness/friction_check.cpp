@@ -10,7 +10,9 @@
 
 namespace poinsot::problem {
 
-// Of friction in a joint: what the relative motion of its bodies tells of the effort, as a part of the largest.
+// Of friction in a joint: what the relative motion of its bodies tells of the effort, as a part of the largest; by what
+// it exceeds the limit at which it holds is weighed by the largest force, as of contacts, since its rounding is that of
+// the whole mechanism.
 double SolvedInstant::misfit_in_joint(const RoughContactOf<double>& contact) const {
   const Joint& joint = *std::ranges::find(situation_.joints, contact.name, &Joint::name);
   const Friction& stated = *joint.freedoms.front().friction;
@@ -20,7 +22,9 @@ double SolvedInstant::misfit_in_joint(const RoughContactOf<double>& contact) con
   const double effort = dot(friction, axis);
   const double limit = data_->number(contact.grip == Grip::sticks ? stated.resting : stated.sliding, dimension);
   if (!(limit > 0)) return effort == 0 ? 0 : 1;
-  if (contact.grip == Grip::sticks) return std::max(0.0, std::abs(effort) / limit - 1);
+  if (contact.grip == Grip::sticks)
+    return std::max(0.0, std::abs(effort) - limit) /
+           std::max(limit, largest_force(*mechanism_state_, unknowns_) * (contact.turning ? scales_.length : 1));
   // How `to` turns over `from`, or how a point of it slides.
   const int on = machine_.index.at(joint.to), from = machine_.index.at(joint.from);
   const Workspace<double>& w = mechanism_state_->workspace();

@@ -69,6 +69,7 @@ TEST(TouchingSurfaces, WhatDoesNotFitIsTold) {
       << refused(other);
   BowlText rough;
   rough.contact = "of: ball, against: bowl, at: L, normal: y, inside: bowl, friction: 0.3";
+  rough.asks = "a: acceleration(ball)";
   EXPECT_NE(refused(rough).find("has friction between curved surfaces"), std::string::npos) << refused(rough);
   BowlText askew;
   askew.contact = "of: ball, against: bowl, at: L, normal: '[0.6, 0.8, 0]', inside: bowl, no_slip: true";

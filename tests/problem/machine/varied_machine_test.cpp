@@ -460,7 +460,8 @@ TEST(VariedMachine, EveryDatumOfTheManual) {
   }
   std::filesystem::remove_all(folder);
   EXPECT_GT(blocks, most * 9 / 10);
-  EXPECT_GT(total.varying, total.tried * 4 / 5);
+  // Coefficients of friction and of restitution, times and impulses change no machine.
+  EXPECT_GT(total.varying, total.tried * 3 / 4);
 }
 
 void expect_all_vary(const std::string& text, std::size_t data) {
