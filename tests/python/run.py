@@ -31,7 +31,7 @@ if subject == "sanitized":
                  for name in ("libasan.so", "libstdc++.so")]
     environment |= {"LD_PRELOAD": " ".join(libraries), "ASAN_OPTIONS": "detect_leaks=0"}
 others = ["test_notebooks", "test_studies_cluster", "test_studies_killed"]
-benchmarks = ["benchmarks/studies.py", "benchmarks/python_engine.py"]
+benchmarks = ["benchmarks/studies.py", "benchmarks/python_engine.py", "benchmarks/scenes.py"]
 calls = {
     "tests": ["pytest", "-q", "-p", "no:cacheprovider", "tests/python", "--ignore=tests/python/test_notebooks.py"],
     "notebooks": ["pytest", "-q", "-p", "no:cacheprovider", "tests/python/test_notebooks.py"],
