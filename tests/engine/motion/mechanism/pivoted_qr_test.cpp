@@ -20,14 +20,15 @@ Matrix random_matrix(std::mt19937_64& random, int rows, int columns, int rank) {
 TEST(PivotedQr, FactorsSolvesAndFindsTheRank) {
   std::mt19937_64 random(3);
   PivotedQr qr;
-  qr.reserve(8, 10);
+  qr.reserve(20, 20);
   for (int i = 0; i < 1000; ++i) {
-    std::uniform_int_distribution<int> size(1, 8);
+    std::uniform_int_distribution<int> size(1, i % 2 ? 8 : 20);
     const int rows = size(random), columns = size(random);
     const int rank = std::min({rows, columns, size(random)});
     const Matrix A = random_matrix(random, rows, columns, rank);
     qr.resize(rows, columns);
-    for (int j = 0; j < columns; ++j) std::copy_n(A.col(j).data(), rows, qr.column(j));
+    for (int j = 0; j < columns; ++j)
+      for (int k = 0; k < rows; ++k) qr.entry(k, j) = A(k, j);
     qr.factor(1e-10);
     ASSERT_EQ(qr.rank(), rank);
     // A P = Q R, column by column.
@@ -52,12 +53,35 @@ TEST(PivotedQr, FactorsSolvesAndFindsTheRank) {
   }
 }
 
+TEST(PivotedQr, ReflectsColumnsTogetherAsAlone) {
+  std::mt19937_64 random(5);
+  PivotedQr qr;
+  qr.reserve(21, 19);
+  for (int i = 0; i < 300; ++i) {
+    std::uniform_int_distribution<int> size(1, 19);
+    const int rows = size(random) + 2, columns = size(random), together = size(random);
+    const Matrix A = random_matrix(random, rows, columns, std::min({rows, columns, size(random)}));
+    qr.resize(rows, columns);
+    for (int j = 0; j < columns; ++j)
+      for (int k = 0; k < rows; ++k) qr.entry(k, j) = A(k, j);
+    qr.factor(1e-10);
+    const Matrix X = random_matrix(random, rows, together, std::min(rows, together));
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> turned = X;
+    qr.apply_transposed(turned.data(), together);
+    for (int j = 0; j < together; ++j) {
+      Eigen::VectorXd x = X.col(j);
+      qr.apply_transposed(x.data());
+      EXPECT_LE((x - turned.col(j)).norm(), 1e-14 * x.norm());
+    }
+  }
+}
+
 TEST(PivotedQr, ColumnsOfTheHigherClassComeFirst) {
   PivotedQr qr;
   qr.reserve(2, 3);
   qr.resize(2, 3);
-  const double entries[] = {10, 0, 1, 1, 0, 0};
-  std::copy_n(entries, 6, qr.column(0));
+  const double entries[2][3] = {{10, 1, 0}, {0, 1, 0}};
+  for (int i = 0; i < 2; ++i) std::copy_n(entries[i], 3, &qr.entry(i, 0));
   const char classes[] = {0, 1, 1};
   qr.factor(1e-12, classes);
   EXPECT_EQ(qr.rank(), 2);
