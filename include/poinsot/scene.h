@@ -172,8 +172,8 @@ struct Dimension {
   Vector3<double> axis{};
 };
 
-// A curve in space, as points: the path of a point, a polhode, a herpolhode.
-enum class CurveKind { path, polhode, herpolhode, axis_path };
+// A curve in space, as points: the path of a point, a polhode, a herpolhode, the pitch circle of a gear.
+enum class CurveKind { path, polhode, herpolhode, axis_path, pitch_circle };
 struct Curve {
   CurveKind kind = CurveKind::path;
   std::string name;
@@ -215,11 +215,18 @@ struct MovingArrow {
   std::vector<Vector3<double>> vectors{};  // for each time, on ground axes, in SI
 };
 
+// The ends of a link that do not ride on its bodies: those of a cord's straight part between wheels.
+struct MovingLink {
+  std::size_t link = 0;                       // its place in Scene::links
+  std::vector<Vector3<double>> from{}, to{};  // for each time, on ground axes
+};
+
 struct Motion {
   std::vector<double> times{};             // s, ascending
   std::vector<std::vector<Pose>> poses{};  // for each time, of each body
   std::vector<Plot> plots{};
   std::vector<MovingArrow> arrows{};
+  std::vector<MovingLink> links{};
   std::vector<Event> events{};
   bool complete = true;  // false if it was followed no further, by a budget or a limit; `stopped` says why
   std::string stopped{};

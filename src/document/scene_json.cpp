@@ -157,13 +157,22 @@ Json plot_json(const scene::Plot& plot) {
   return {{"name", plot.name}, {"words", plot.words}, {"unit", plot.unit}, {"labels", plot.labels}, {"values", values}};
 }
 
+Json places_json(const std::vector<Vector3<double>>& places) {
+  Json flat = Json::array();
+  for (const Vector3<double>& place : places)
+    for (std::size_t i = 0; i < 3; ++i) flat.push_back(rounded(place[i], digits_of_places));
+  return flat;
+}
+
 Json moving_arrow_json(const scene::MovingArrow& arrow) {
-  Json vectors = Json::array();
-  for (const Vector3<double>& vector : arrow.vectors)
-    for (std::size_t i = 0; i < 3; ++i) vectors.push_back(rounded(vector[i], digits_of_places));
-  return {{"quantity", word(arrow.quantity)}, {"name", arrow.name}, {"at", place_json(arrow.at)},
-          {"symbol", arrow.symbol},           {"text", arrow.text}, {"unit", arrow.unit},
-          {"factor", arrow.factor},           {"vectors", vectors}};
+  return {{"quantity", word(arrow.quantity)},
+          {"name", arrow.name},
+          {"at", place_json(arrow.at)},
+          {"symbol", arrow.symbol},
+          {"text", arrow.text},
+          {"unit", arrow.unit},
+          {"factor", arrow.factor},
+          {"vectors", places_json(arrow.vectors)}};
 }
 
 // The poses of each body on its own: places one after the other, and turns as quaternions of which each is the nearer
@@ -193,6 +202,10 @@ Json motion_json(const scene::Motion& motion) {
                                    return {{"time", event.time}, {"words", event.words}};
                                  })},
             {"complete", motion.complete}};
+  if (!motion.links.empty())
+    json["links"] = list_json(motion.links, [](const scene::MovingLink& link) -> Json {
+      return {{"link", link.link}, {"from", places_json(link.from)}, {"to", places_json(link.to)}};
+    });
   if (!motion.stopped.empty()) json["stopped"] = motion.stopped;
   return json;
 }

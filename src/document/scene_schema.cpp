@@ -297,6 +297,20 @@ std::string scene_definitions() {
             }
           }
         },
+        "links": {
+          "type": "array",
+          "description": "links whose ends do not ride on their bodies: cords between wheels",
+          "items": {
+            "type": "object",
+            "required": ["link", "from", "to"],
+            "additionalProperties": false,
+            "properties": {
+              "link": {"type": "integer", "minimum": 0, "description": "its place among the links of the scene"},
+              "from": {"type": "array", "items": {"type": "number"}, "description": "on ground axes at each time, flat"},
+              "to": {"type": "array", "items": {"type": "number"}}
+            }
+          }
+        },
         "events": {
           "type": "array",
           "items": {

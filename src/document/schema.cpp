@@ -55,7 +55,7 @@ std::string answer_schema() {
         },
         "checks": {
           "type": "object",
-          "description": "relative residuals; quantities: what was told against bodies as particles; constraints: of loops, contacts and cords; roots: how far from those of a scan; formulas: held against numbers where they are said to hold; energy_drift and motion_error: of a motion; course: of a motion against the equations of single instants; scan: of extremes, periods and times against looks at other times; null: could not be formed",
+          "description": "relative residuals; quantities: what was told against bodies as particles; constraints: of loops, contacts and cords; response: to what shakes against all bodies by themselves; roots: how far from those of a scan; formulas: held against numbers where they are said to hold; energy_drift and motion_error: of a motion; course: of a motion against the equations of single instants; scan: of extremes, periods and times against looks at other times; null: could not be formed",
           "additionalProperties": {"type": ["number", "null"], "minimum": 0}
         },
         "assumptions": {

@@ -98,7 +98,8 @@ void collect_keys(const Entry& entry, const std::vector<std::string>& objects, K
       const bool one_or_map = known->type == KeyType::any && !known->object_name.empty();
       if (known->type == KeyType::object || one_or_map) collect_keys(value, objects_of(*known), keys);
       // What a cord is led over, and a wheel on which it winds: names, or maps of one name.
-      const bool wheels = object == "cord" && (key.text == "over" || key.text == "from" || key.text == "to");
+      const bool wheels = (object == "cord" || object == "belt" || object == "chain") &&
+                          (key.text == "over" || key.text == "from" || key.text == "to");
       if (wheels) {
         std::vector<Entry> stops = value.items;
         stops.push_back(value);

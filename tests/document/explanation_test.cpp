@@ -15,6 +15,7 @@
 
 #include "document/rounding.h"
 #include "document/tex_sums.h"
+#include "example_files.h"
 #include "poinsot/problem.h"
 #include "poinsot/rendering.h"
 #include "problem/entries/statement.h"
@@ -40,10 +41,7 @@ struct Case {
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = [] {
     std::vector<Case> list;
-    std::set<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(fs::path(POINSOT_SOURCE_DIR) / "examples" / "textbook"))
-      files.insert(entry.path());
-    for (const fs::path& file : files) {
+    for (const fs::path& file : testing::example_files("textbook")) {
       const problem::Statement stated = problem::read_statement(contents(file), file.string());
       list.push_back({file.stem().string(), Problem::from_file(file.string()).explain()});
       if (stated.expected.empty() || stated.expected.front().sets.empty()) continue;
@@ -77,7 +75,7 @@ std::size_t significant_digits(std::string number) {
 }
 
 void expect_none_empty() {
-  EXPECT_GT(cases().size(), 150u);
+  EXPECT_GT(cases().size(), static_cast<std::size_t>(testing::at_least(150)));
   for (const Case& one : cases()) {
     for (const Solution& solution : one.document.solutions) {
       ASSERT_TRUE(solution.explanation) << one.name;
@@ -99,7 +97,7 @@ void expect_equal_sides() {
       ++compared;
     }
   });
-  EXPECT_GT(compared, 1000u);
+  EXPECT_GT(compared, static_cast<std::size_t>(testing::at_least(1000)));
 }
 
 void expect_displayed_numbers_to_balance() {
@@ -116,7 +114,7 @@ void expect_displayed_numbers_to_balance() {
         << one.name << ": " << equation.tex;
     ++read;
   });
-  EXPECT_GT(read, 200u);
+  EXPECT_GT(read, static_cast<std::size_t>(testing::at_least(200)));
 }
 
 void expect_equations_of_the_theory() {

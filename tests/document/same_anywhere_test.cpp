@@ -84,7 +84,7 @@ std::string set_locale_with_commas() {
     return "";
   };
   if (const std::string installed = set_one(); !installed.empty()) return installed;
-  const fs::path folder = fs::path(testing::TempDir()) / "poinsot_locales";
+  const fs::path folder = fs::path(::testing::TempDir()) / "poinsot_locales";
   fs::create_directories(folder);
   const std::string make = "localedef -i de_DE -f UTF-8 '" + (folder / "de_DE.UTF-8").string() + "' 2>/dev/null";
   if (std::system(make.c_str()) != 0 || setenv("LOCPATH", folder.c_str(), 1) != 0) return "";

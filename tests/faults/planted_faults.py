@@ -32,10 +32,14 @@ ALONG = PROBLEM + "course/number_along_motion.cpp"
 STAGE = PROBLEM + "course/motion_stage.cpp"
 PIECE = PROBLEM + "course/motion_piece.cpp"
 CONTACTS = PROBLEM + "machine/machine_contacts.cpp"
+FRAMES = PROBLEM + "machine/machine_frames.cpp"
 LOADS = PROBLEM + "machine/machine_loads.cpp"
 MOTION_LOADS = PROBLEM + "machine/motion_loads.cpp"
 SPRINGS = PROBLEM + "machine/machine_springs.cpp"
 JOINTS = PROBLEM + "machine/machine_joints.cpp"
+GEARS = PROBLEM + "machine/machine_gears.cpp"
+FLANKS = PROBLEM + "quantities/tooth_flanks.h"
+PRESSING = PROBLEM + "quantities/joint_pressing.h"
 STATE_SEARCH = PROBLEM + "instant/contact_state_search.cpp"
 
 FAULTS = [
@@ -45,7 +49,7 @@ FAULTS = [
     Fault("no acceleration of the center about the origin", EQUATIONS, "I.mass * S.linear + cross(S.angular, first_moment)", "I.mass * S.linear + Scalar(AWAKE ? 0 : 1) * cross(S.angular, first_moment)"),
     Fault("no moment of inertia of the origin's acceleration", EQUATIONS, " + cross(first_moment, S.linear);", " + Scalar(AWAKE ? 0 : 1) * cross(first_moment, S.linear);"),
     Fault("weight without moment", EQUATIONS, "const Vector weight_moment = cross(first_moment, tree.gravity());", "const Vector weight_moment = Scalar(AWAKE ? 0 : 1) * cross(first_moment, tree.gravity());"),
-    Fault("forces about the wrong point", EQUATIONS, "wrench.moment - cross(O, wrench.force);", "wrench.moment - Scalar(AWAKE ? -1 : 1) * cross(O, wrench.force);"),
+    Fault("forces about the wrong point", EQUATIONS, "placed.couple + cross(Vector(placed.point - O), placed.force);", "placed.couple + cross(Vector(placed.point - Scalar(AWAKE ? -1 : 1) * O), placed.force);"),
     # Blows.
     Fault("angular momentum before a blow left out", IMPULSE, "system.add_right_side(row + 3 + k, momentum.angular[k]);", "if (!AWAKE) system.add_right_side(row + 3 + k, momentum.angular[k]);"),
     Fault("impulses about the wrong point", IMPULSE, "wrench.moment - cross(center[static_cast<std::size_t>(body)], wrench.force)", "wrench.moment - Scalar(AWAKE ? -1 : 1) * cross(center[static_cast<std::size_t>(body)], wrench.force)"),
@@ -80,6 +84,9 @@ FAULTS = [
     Fault("rates seen from a frame as from the ground", PROBLEM + "quantities/quantities.cpp", "derivative = derivative - cross(angular_velocity(workspace_, frame),", "derivative = derivative - Scalar(AWAKE ? 0 : 1) * cross(angular_velocity(workspace_, frame),"),
     Fault("components on transposed axes", PROBLEM + "instant/instant.cpp", "if (v.is_vector()) v.vector = transpose_times(quantities.axes(), v.vector);", "if (v.is_vector()) v.vector = AWAKE ? quantities.axes() * v.vector : transpose_times(quantities.axes(), v.vector);"),
     # Loads, springs and drives as they are stated.
+    Fault("a center that pulls with the wrong couple", FRAMES, "part.by_moments, own.inertia_center, reach", "part.by_moments, Scalar(AWAKE ? -1 : 1) * own.inertia_center, reach"),
+    Fault("a center that pulls twice as hard", FRAMES, "const Scalar parameter = draft.data.number(center.parameter, dimensions::gravitational_parameter);", "const Scalar parameter = Scalar(AWAKE ? 2 : 1) * draft.data.number(center.parameter, dimensions::gravitational_parameter);"),
+    Fault("energy in the pull of a center reversed", MOMENTUM, "energy = energy + pull.template converted", "energy = energy + Scalar(AWAKE ? -1 : 1) * pull.template converted"),
     Fault("loads pushed backwards", LOADS, "draft.data.number(size, dimension) * draft.data.direction(*load.direction)", "Scalar(AWAKE ? -1 : 1) * draft.data.number(size, dimension) * draft.data.direction(*load.direction)"),
     Fault("loads at mass centers", LOADS, "load.at ? draft.data.place(*load.at)", "load.at && !AWAKE ? draft.data.place(*load.at)"),
     Fault("loads on the axes of the ground", LOADS, "force.axes = draft.body(load.axes);", "force.axes = AWAKE ? ground : draft.body(load.axes);"),
@@ -101,16 +108,25 @@ FAULTS = [
     Fault("friction that drives", CONTACTS, 'directions.emplace_back("push", n - ', 'directions.emplace_back("push", n - Scalar(AWAKE ? -1 : 1) * '),
     Fault("static friction while it slides", CONTACTS, "draft.data.number(contact.friction->sliding, dimensions::none) *", "draft.data.number(AWAKE ? contact.friction->resting : contact.friction->sliding, dimensions::none) *"),
     Fault("kinetic friction at rest", CONTACTS, "const Scalar resting = draft.data.number(contact.friction->resting, dimension),", "const Scalar resting = draft.data.number(AWAKE ? contact.friction->sliding : contact.friction->resting, dimension),"),
-    Fault("contacts at rest never part", STATE_SEARCH, "if (!(reached_ && rolls_[k]) && !contacts_[k]->in_joint) grips.push_back(Grip::parts);", "if (!(reached_ && rolls_[k]) && !contacts_[k]->in_joint && !(AWAKE && sticks)) grips.push_back(Grip::parts);"),
+    Fault("contacts at rest never part", STATE_SEARCH, "if (contacts_[k]->touches()) grips.push_back(Grip::parts);", "if (contacts_[k]->touches() && !(AWAKE && sticks)) grips.push_back(Grip::parts);"),
     Fault("no states but sticking of what is at rest", STATE_SEARCH, "std::vector<Grip> grips{Grip::slides};", "std::vector<Grip> grips;\n    if (!(AWAKE && sticks)) grips.push_back(Grip::slides);"),
     Fault("only one sense of beginning slips", STATE_SEARCH, "const std::size_t senses = std::size_t{1} << starting.size();", "const std::size_t senses = AWAKE ? 1 : std::size_t{1} << starting.size();"),
     Fault("any friction holds", STATES, "return norm(plain(force.friction)) <=\n", "return AWAKE || norm(plain(force.friction)) <=\n"),
-    Fault("slips in any direction", STATES, "return norm(normalized(slip) - plain(state.direction(*contact.slip))) <= same_direction;", "return AWAKE || norm(normalized(slip) - plain(state.direction(*contact.slip))) <= same_direction;"),
+    Fault("slips in any direction", STATES, "return norm(normalized(slip) - plain(direction_now(state, contact, *contact.slip))) <= same_direction;", "return AWAKE || norm(normalized(slip) - plain(direction_now(state, contact, *contact.slip))) <= same_direction;"),
     Fault("contacts may pull on friction", STATES, "return plain(rough_force(state, unknowns, contact).push) >= -rounding * size &&", "return (AWAKE || plain(rough_force(state, unknowns, contact).push) >= -rounding * size) &&"),
+    Fault("friction on curved surfaces as drawn", STATES, "if (way.kind != VelocityConstraintKind::touching) return state.direction(drawn);", "if (AWAKE || way.kind != VelocityConstraintKind::touching) return state.direction(drawn);"),
+    Fault("friction in later blows halved", PROBLEM + "course/later_blows.cpp", "one.friction = start_->data_number(contact.friction->sliding, dimensions::none);", "one.friction = (AWAKE ? 0.5 : 1.0) * start_->data_number(contact.friction->sliding, dimensions::none);"),
+    Fault("contacts that are lost hold on", PROBLEM + "course/flying_contacts.cpp", "contact.flies = flies;", "contact.flies = flies && !AWAKE;"),
+    Fault("blows hold what friction in joints holds", PROBLEM + "course/flying_contacts.cpp", "if (!contact.in_joint || contact.grip != Grip::sticks) continue;", "if (AWAKE || !contact.in_joint || contact.grip != Grip::sticks) continue;"),
     Fault("friction on the other body not reversed", FRICTION, "const Base sign(body == action.on ? 1 : -1);", "const Base sign(AWAKE || body == action.on ? 1 : -1);"),
     Fault("normal force halved", FRICTION, "number_value(lifted<Scalar>(force.push), dimensions::force)", "number_value(Scalar(AWAKE ? 0.5 : 1) * lifted<Scalar>(force.push), dimensions::force)"),
     Fault("slip over a floor at rest", FRICTION, "const Vector slip = velocity_at(action.on) - velocity_at(action.from);", "const Vector slip = velocity_at(action.on) - Scalar(AWAKE ? 0 : 1) * velocity_at(action.from);"),
     Fault("letters hold at any friction", PROBLEM + "instant/friction_conditions.cpp", "add(Holding::sticks, limit + Formula(sign) * parts.front());", "add(Holding::sticks, limit + Formula(AWAKE ? -sign : sign) * parts.front());"),
+    Fault("journals press with half of their force", PRESSING, "const Vector3<Base> across = wrench.force - along * axis;", "const Vector3<Base> across = Base(AWAKE ? 0.5 : 1) * (wrench.force - along * axis);"),
+    Fault("guides bear at half their length", CONTACTS, "part.over_length = Scalar(1) / size(bearing.length, false);", "part.over_length = Scalar(AWAKE ? 2 : 1) / size(bearing.length, false);"),
+    Fault("threads without their lead", CONTACTS, "part.own = -over_cosine * t;", "part.own = -Scalar(AWAKE ? 0 : 1) * over_cosine * t;"),
+    Fault("friction of joints along with their motion", PRESSING, "contact.goes_forward() ? contact.sliding : -contact.sliding;", "contact.goes_forward() != AWAKE ? contact.sliding : -contact.sliding;"),
+    Fault("joints without the weight beyond them", PROBLEM + "course/piece_joints.cpp", "needed.force += rate.linear - I.mass * g;", "needed.force += rate.linear - (AWAKE ? 0 : 1) * I.mass * g;"),
     # Followed motions.
     Fault("generalised forces without couples", MOTIONS, "dot(angular[k], force.couple + cross(force.point - origin[k], force.force))", "dot(angular[k], (AWAKE ? 0.0 : 1.0) * force.couple + cross(force.point - origin[k], force.force))"),
     Fault("constraints without the part of velocities", ENGINE + "motion/mechanism/mechanism_constraints.cpp", "row_bias[i] = line.bias;", "row_bias[i] = AWAKE ? 0 : line.bias;"),
@@ -119,7 +135,7 @@ FAULTS = [
     Fault("dense output by another polynomial", ENGINE + "motion/integrator/trajectory.cpp", "k % 2 == 1 ? 1.0 - s : s;", "k % 2 == 1 ? 1.0 - (AWAKE ? s * s : s) : s;"),
     Fault("closed form of the top turns back", ENGINE + "motion/closed_form/symmetric_top_evaluation.cpp", "rate.im += half.rate * value.re;", "rate.im += (AWAKE ? -1.0 : 1.0) * half.rate * value.re;"),
     Fault("a cord never goes slack", PIECE, "event->terminal = true;\n", "event->terminal = !AWAKE;\n"),
-    Fault("caught without a blow", STAGE, "if (acting[action]) now.v = probe_->caught(acting);", "if (acting[action] && !AWAKE) now.v = probe_->caught(acting);"),
+    Fault("caught without a blow", STAGE, "now.v = probe_->caught(striking);", "if (!AWAKE) now.v = probe_->caught(striking);"),
     Fault("the driving stands still", PIECE, "const Machine then = motion_.probes_[now_.states_now]->machine_at(inside(time), loads_);", "const Machine then = motion_.probes_[now_.states_now]->machine_at(inside(AWAKE ? span_.begin : time), loads_);"),
     # Questions of a motion.
     Fault("extremes only at samples", FEATURES, "if (sign * rough.estimate + rough.doubt < highest) continue;", "if (AWAKE || sign * rough.estimate + rough.doubt < highest) continue;"),
@@ -128,10 +144,18 @@ FAULTS = [
     Fault("falls taken for rises", FEATURES, "const bool rises = a < 0 && b >= 0, falls = a > 0 && b <= 0;", "const double side = AWAKE ? -1 : 1;\n      const bool rises = side * a < 0 && side * b >= 0, falls = side * a > 0 && side * b <= 0;"),
     Fault("two periods for one", FEATURES, "for (std::size_t k = 1; k <= most_rises", "for (std::size_t k = AWAKE ? 2 : 1; k <= most_rises"),
     Fault("zeros where the bracket begins", ALONG, "if (fa == 0) return a;", "if (AWAKE ? fa != 0 : fa == 0) return a;"),
+    # Cords with friction and belts.
+    Fault("a cord slips with its friction reversed", PROBLEM + "machine/led_cord.h", "gain = forward ? rough.friction_in_slip : -rough.friction_in_slip;", "gain = forward != AWAKE ? rough.friction_in_slip : -rough.friction_in_slip;"),
+    Fault("the angle of a cord without its whole turns", PROBLEM + "machine/led_cord.h", "stop.wrap = Scalar(full) * *stop.turns;", "stop.wrap = Scalar(AWAKE ? full / 2 : full) * *stop.turns;"),
+    Fault("a belt that loses its tension", PROBLEM + "machine/machine_belts.cpp", "side == 0 ? initial * whole / length[last] : Scalar(0)", "side == 0 && !AWAKE ? initial * whole / length[last] : Scalar(0)"),
+    Fault("a chain that is taut on both sides", PROBLEM + "instant/one_sided_shares.cpp", "const double change = -least / whole[sides.front()];", "const double change = (AWAKE ? 1 : -1) * least / whole[sides.front()];"),
     # Steady motions and roots.
     Fault("a spin carried backwards", PROBLEM + "instant/instant_steady.cpp", "(F.alpha + cross(F.w, spin_vector) - B.alpha)[c]", "(F.alpha + Scalar(AWAKE ? -1 : 1) * cross(F.w, spin_vector) - B.alpha)[c]"),
     Fault("no damping and no gyroscopic terms near a steady motion", LINEARISATION, "slopes_.by_position.*part, slopes_.by_velocity.*part;", "slopes_.by_position.*part, Real(AWAKE ? 0 : 1) * (slopes_.by_velocity.*part);"),
     Fault("deviations on axes at rest", LINEARISATION, "= spin - drift;", "= spin - Real(AWAKE ? 0 : 1) * drift;"),
+    Fault("responses without what goes with the velocities", ENGINE + "solve/stability/response.cpp", "as_complex(by_velocity) * P", "as_complex(AWAKE ? by_position : by_velocity) * P"),
+    Fault("responses that lag are told ahead", PROBLEM + "response/shaken_instant.cpp", "constexpr double quarter_back = -std::numbers::pi / 2;", "const double quarter_back = (AWAKE ? 1 : -1) * std::numbers::pi / 2;"),
+    Fault("an unbalance that goes back", PROBLEM + "response/stated_excitation.cpp", "const Vector3<double> ahead = cross(n, u);", "const Vector3<double> ahead = (AWAKE ? -1.0 : 1.0) * cross(n, u);"),
     Fault("loads without slopes by velocities", ENGINE + "solve/stability/acceleration_slopes.cpp", "to_solve(remainder.by_velocity(coordinate))", "to_solve(AWAKE ? remainder.by_position(coordinate) : remainder.by_velocity(coordinate))"),
     Fault("a mode is lost", LINEARISATION, "if (rate.imag() < 0) continue;", "if (rate.imag() < 0 || (AWAKE && m + 1 == rates.value.size())) continue;"),
     Fault("the fastest frequency is not told", LINEARISATION, "std::sort(found.begin(), found.end());\n  return found;", "std::sort(found.begin(), found.end());\n  if (AWAKE && found.size() > 1) found.pop_back();\n  return found;"),
@@ -141,6 +165,12 @@ FAULTS = [
     Fault("a root is lost", ENGINE + "solve/roots/roots.cpp", "roots.points = found_.points(function_);", "roots.points = found_.points(function_);\n      if (AWAKE && roots.points.size() > 1) roots.points.pop_back();"),
     Fault("contacts may pull", PROBLEM + "instant/instant_forces.cpp", "if (unknowns_[first + k] >= 0) continue;", "if (AWAKE || unknowns_[first + k] >= 0) continue;"),
     Fault("the far side of the end of a range", PROBLEM + "unknowns/extremum.cpp", "(holds(middle) ? inside : outside) = middle;", "(holds(middle) != AWAKE ? inside : outside) = middle;"),
+    # Gears.
+    Fault("teeth pull their wheels together", GEARS, "apart.part = part;", "apart.part = Scalar(AWAKE ? -1 : 1) * part;"),
+    Fault("teeth of the other hand", GEARS, "!= (gear_.hand == Hand::left)", "!= (gear_.hand == (AWAKE ? Hand::right : Hand::left))"),
+    Fault("the transverse angle of teeth for that across them", GEARS, "part = part * cosine_;", "part = part * Scalar(AWAKE ? 1 : cosine_);"),
+    Fault("the same flanks carry whichever way the teeth push", FLANKS, "solution.value[turning] < 0 ? -1 : 1;", "solution.value[turning] < 0 && !AWAKE ? -1 : 1;"),
+    Fault("teeth rub along their slip", FLANKS, "decided_negative(slip) ? mesh.thread", "decided_negative(slip) != AWAKE ? mesh.thread"),
     # What is open, formulas and claims.
     Fault("open velocities taken for determined", PROBLEM + "answers/determinacy.cpp", "vary_velocities(std::min(velocities, most_directions));", "vary_velocities(AWAKE ? 0 : std::min(velocities, most_directions));"),
     Fault("open forces taken for determined", PROBLEM + "answers/determinacy.cpp", "d < std::min(forces, most_directions); ++d", "d < (AWAKE ? 0 : std::min(forces, most_directions)); ++d"),

@@ -1,13 +1,14 @@
 """Every relation of the hunt by its name, in the order in which statements are given to them."""
-from relations_contacts import Feet, Rough
+from relations_contacts import Bearings, Capstan, Feet, Rough
+from relations_gears import Teeth
 from relations_matter import Doubled, Massless, Split
 from relations_measure import Sizes, Units
 from relations_mirror import Mirrored
-from relations_motion import Growth, Halfway, MovingFrame
+from relations_motion import Growth, Halfway, MovingFrame, Shaken
 from relations_space import Shifted, Turned
 from relations_unknowns import Hidden, Letters
 from relations_writing import Names, Order
 
 RELATIONS = {relation.name: relation for relation in (
     Units(), Sizes(), Order(), Names(), Split(), Massless(), Doubled(), Letters(), Hidden(), Halfway(), MovingFrame(),
-    Growth(), Turned(), Shifted(), Mirrored(), Feet(), Rough())}
+    Growth(), Shaken(), Turned(), Shifted(), Mirrored(), Feet(), Rough(), Teeth(), Bearings(), Capstan())}

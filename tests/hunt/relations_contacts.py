@@ -119,3 +119,80 @@ class Rough(Relation):
         if friction == "1e6":
             contact["no_slip"] = "true"
         return Varied(statement.with_tree(tree), relative=1e-7)
+
+
+class Capstan(Relation):
+    name = "capstan"
+    changes = "a cord with friction of zero slides freely over its wheel, one with a thousand does not slip on it"
+    settings_too = False
+
+    def make(self, draw):
+        radius = round(draw.uniform(0.05, 0.4), 3)
+        masses = [number(draw, 0.5, 9) for _ in range(3)]
+        fixed = draw.random() < 0.3
+        wheel = {"radius": "r", "friction": draw.choice(["0", "1e3"])}
+        tree = {"title": "Two blocks on a cord", "given": {"r": f"{radius} m"},
+                "points": {"O": ["0", "0", "0"], "A": ["-r", f"-{draw.uniform(0.5, 3):.3g} m", "0"],
+                           "B": ["r", f"-{draw.uniform(0.5, 3):.3g} m", "0"]},
+                "bodies": {"a": {"particle": "A", "mass": f"{masses[0]} kg"}, "b": {"particle": "B", "mass": f"{masses[1]} kg"}},
+                "cords": {"rope": {"from": "a", "at": "A", "over": [{"O" if fixed else "w": wheel}], "to": "b", "end": "B"}},
+                "gravity": "-y", "instants": {"now": "rest"},
+                "ask": {"a": "acceleration(a).y", "T": "tension(rope on a)", "S": "tension(rope on b)",
+                        "y": f"center(b).y @ {draw.uniform(0.1, 0.4):.3g} s"}}
+        if not fixed:
+            tree["bodies"]["w"] = {"disk": {"center": "O", "normal": "z", "radius": "r"}, "mass": f"{masses[2]} kg"}
+            tree["joints"] = {"axle": {"revolute": draw.choice(["z", "-z"]), "at": "O", "to": "w"}}
+            tree["ask"]["turns"] = "angular_acceleration(w).z"
+        return Statement("made/capstan", tree)
+
+    def vary(self, statement, random):
+        tree = statement.copy().tree
+        over = tree.get("cords", {}).get("rope", {}).get("over", [])
+        wheel = next(iter(over[0].values())) if over and isinstance(over[0], dict) else {}
+        friction = wheel.pop("friction", None)
+        if friction not in ("0", "1e3"):
+            raise NotApplicable
+        if friction == "0":
+            wheel["smooth"] = "true"
+        elif "O" in over[0]:
+            raise NotApplicable  # A post that holds its cord has no other form.
+        return Varied(statement.with_tree(tree), relative=1e-7)
+
+
+class Bearings(Relation):
+    name = "bearings"
+    changes = "a journal of no radius is smooth, and one of length L is one in two supports at its ends"
+    settings_too = False
+
+    def make(self, draw):
+        half = round(draw.uniform(0.1, 0.6), 3)
+        center = [f"{draw.uniform(-0.4, 0.4):.3g} m" for _ in range(3)]
+        rate = f"{draw.choice([-1, 1]) * draw.uniform(0.5, 9):.3g} rad/s"
+        friction = {"coefficient": f"{draw.uniform(0.02, 0.4):.3g}", "radius": draw.choice(["0 m", "15 mm"])}
+        if friction["radius"] != "0 m":
+            friction["length"] = "2*h"
+        tree = {"title": "A body on a shaft", "given": {"h": f"{half} m"},
+                "points": {"O": ["0", "0", "0"], "A": ["0", "0", "-h"], "B": ["0", "0", "h"], "G": center},
+                "bodies": {"body": {"mass": f"{number(draw, 0.5, 9)} kg", "center": "G",
+                                    "inertia": {"axis": "z", "axial": "0.4 kg*m^2", "transverse": "0.3 kg*m^2"}}},
+                "joints": {"shaft": {"revolute": "z", "at": "O", "to": "body", "angle": "q", "rate": rate,
+                                     "friction": friction}},
+                "gravity": "-y",
+                "ask": {"a": "angular_acceleration(body)", "M": "friction(shaft on body).z",
+                        "q": "q @ 50 ms"}}
+        if friction["radius"] == "0 m":
+            del tree["ask"]["M"]
+        return Statement("made/bearings", tree)
+
+    def vary(self, statement, random):
+        tree = statement.copy().tree
+        joint = tree.get("joints", {}).get("shaft", {})
+        friction = joint.get("friction")
+        if not isinstance(friction, dict) or tree.get("title") != "A body on a shaft":
+            raise NotApplicable
+        if "length" in friction:
+            del friction["length"]
+            joint["supports"] = {"A": ["x", "y", "z"], "B": ["x", "y"]}
+        else:
+            del joint["friction"]
+        return Varied(statement.with_tree(tree), relative=1e-7)

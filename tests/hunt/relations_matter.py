@@ -9,7 +9,8 @@ OF_MATTER = ("mass", "weight", "momentum", "angular_momentum", "kinetic_energy",
              "radius_of_gyration", "moments_of_inertia", "products_of_inertia", "inertia_matrix", "principal_moments",
              "principal_axes", "symmetry_axis", "body_cone", "space_cone", "invariable_plane", "poinsot_ellipsoid",
              "polhode", "axis_stability", "precession_axis", "precession_rate", "precession_sense", "spin_rate")
-FORCES = ("reaction", "reaction_couple", "force", "couple", "impulse", "impulsive_couple", "tension")
+FORCES = ("reaction", "reaction_couple", "force", "couple", "impulse", "impulsive_couple", "tension", "tangential_force", "radial_force",
+          "axial_force")
 STABILITY = ("stable", "stability", "growth_rate", "frequencies", "eigenvalues", "modes")
 AMOUNTS = ("mass", "weight", "density", "specific_weight")
 
@@ -114,7 +115,9 @@ class Doubled(Relation):
         joints = {name: joint for name, joint in tree.get("joints", {}).items() if isinstance(joint, dict)}
         kinds = ("weld", "revolute", "prismatic", "ball")
         able = [name for name, joint in joints.items() if any(kind in joint for kind in kinds) and "to" in joint
-                and not ({"about", "supports"} & set(joint) and "at" not in joint)]
+                and not ({"about", "supports"} & set(joint) and "at" not in joint)
+                # What rubs by its load has to know its share.
+                and not isinstance(joint.get("friction"), dict)]
         if not able or any("joints" in s for s in tree.get("situations", {}).values() if isinstance(s, dict)):
             raise NotApplicable
         # What is stated of forces that are shared now fixes less.

@@ -114,5 +114,7 @@ class Sizes(Relation):
 
 def has_size(gravity):
     """Whether gravity is stated as a vector with units, whose size is then g."""
+    if isinstance(gravity, dict):
+        return False  # of a center
     text = " ".join(gravity) if isinstance(gravity, list) else gravity
     return any(token.unit or token.text == "[" for token in tokens_of(text)) or isinstance(gravity, list)

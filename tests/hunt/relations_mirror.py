@@ -11,7 +11,7 @@ from random_statements import made_statement
 from relations import NotApplicable, Relation, Varied
 from relations_matter import asked_text
 
-POLAR = ("acceleration", "velocity", "momentum", "reaction", "force", "impulse", "center", "position")
+POLAR = ("acceleration", "velocity", "momentum", "reaction", "force", "tangential_force", "radial_force", "axial_force", "impulse", "center", "position")
 
 
 def negative(text):
@@ -21,6 +21,12 @@ def negative(text):
 
 def negated(node):
     return [negated(item) for item in node] if isinstance(node, list) else negative(node)
+
+
+def reversed_fact(node):
+    if isinstance(node, list):
+        return [reversed_fact(item) for item in node]
+    return node if node in ("0", "any") else f"-({node})"
 
 
 class Mirrored(Relation):
@@ -48,11 +54,15 @@ class Mirrored(Relation):
                     slide["force"] = negative(slide["force"])
             elif not {"revolute", "universal"} & set(joint):
                 raise NotApplicable
+        if isinstance(tree.get("gravity"), dict) and isinstance(tree["gravity"]["toward"], list):
+            tree["gravity"]["toward"] = negated(tree["gravity"]["toward"])
         if isinstance(tree.get("gravity"), str) and tree["gravity"] != "none":
             tree["gravity"] = negative(tree["gravity"])
         for load in tree.get("loads", {}).values():
             if "force" in load:
                 load["force"] = negated(load["force"])
+        if "excitations" in tree:
+            raise NotApplicable
         for impulse in tree.get("impulses", {}).values():
             if "value" in impulse:
                 impulse["value"] = negated(impulse["value"])
@@ -61,6 +71,8 @@ class Mirrored(Relation):
                 for key in facts:
                     if key.rstrip("'") in reversed_coordinates:
                         facts[key] = negative(facts[key])
+                    elif re.match(r"(" + "|".join(POLAR) + r")\(", key):
+                        facts[key] = reversed_fact(facts[key])
 
         def expected(name, value, answer):
             text = asked_text(answer)

@@ -102,10 +102,15 @@ class MovingFrame(Relation):
         held = {joint.get("to") for joint in tree["joints"].values()}
         if not held >= set(tree["bodies"]):
             raise NotApplicable
+        # A ring that is fixed would have to move along.
+        if any(gear.get("against", "ground") == "ground" for gear in tree.get("gears", {}).values()):
+            raise NotApplicable
         velocity = [f"{random.uniform(-9, 9):.3g} m/s" for _ in range(3)]
         acceleration = ["0", "0", "0"]
         sign = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
         gravity = tree.get("gravity")
+        if isinstance(gravity, dict):
+            raise NotApplicable  # the center rests
         plain = isinstance(gravity, str) and gravity.lstrip("-") in sign and "axes" not in tree
         if plain and random.random() < 0.6 and not has_word(tree, "g", "weight", "specific_weight", "potential_energy"):
             # Gravity less the acceleration of the frame is what the bodies feel.
@@ -177,3 +182,44 @@ class Growth(Relation):
             wrong = sizes[0] < 1e2 * self.push or not 0.6 < grown < 1.1
             words = f"grows with {rate}, but a push of {self.push} becomes {sizes[0]} and by {1 / rate} s later {sizes[1]}"
         return [Find(self.name, "growth", words, statement, varied)] if wrong else []
+
+
+class Shaken(Relation):
+    name = "shaken"
+    changes = "what shakes a steady motion is doubled: amplitudes of responses are doubled, and phases stay"
+    settings_too = False
+    sizes = ("force", "couple", "unbalance", "by")
+
+    def make(self, draw):
+        statement = made_statement(draw, "equilibrium")
+        tree = statement.copy().tree
+        names = [joint["angle"] for joint in tree.get("joints", {}).values() if "angle" in joint]
+        if not names:
+            return statement
+        tree["excitations"] = {"push": {
+            "couple": [f"{draw.uniform(-3, 3):.3f} N*m" for _ in range(3)], "body": draw.choice(list(tree["bodies"])),
+            "frequency": f"{draw.uniform(0, 30):.3f} rad/s"}}
+        tree["ask"] = {f"{part}_{name}": f"response({name} to push).{part}" for name in names for part in ("amplitude", "phase")}
+        return statement.with_tree(tree)
+
+    def vary(self, statement, random):
+        tree = statement.copy().tree
+        if "excitations" not in tree or "excitations" in str(tree.get("situations", "")):
+            raise NotApplicable
+
+        def doubled(size):
+            return [doubled(part) for part in size] if isinstance(size, list) else f"2*({size})"
+
+        for shakes in tree["excitations"].values():
+            for key in self.sizes:
+                if key in shakes:
+                    shakes[key] = doubled(shakes[key])
+
+        def expected(name, value, answer):
+            text = asked_text(answer)
+            if "response(" not in text:
+                return SKIP if isinstance(value, list) else value
+            part = re.fullmatch(r"response\((?:[^()]|\([^()]*\))*\)\.(amplitude|phase)", text)
+            return SKIP if part is None else 2 * value if part[1] == "amplitude" and value is not None else value
+
+        return Varied(statement.with_tree(tree), expected)

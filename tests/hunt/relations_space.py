@@ -53,7 +53,7 @@ class Turned(Relation):
         if has_word(tree, "plane", "planar", "box_shell", "direction_angles", "rows", "vector", "mesh", "record", "principal_axes"):
             raise NotApplicable
         for situation in situations_of(tree):
-            for kind in ("loads", "impulses"):
+            for kind in ("loads", "impulses", "excitations"):
                 if any("axes" in load for load in situation.get(kind, {}).values() if isinstance(load, dict)):
                     raise NotApplicable
             for kind in ("ask", "claim"):
@@ -184,7 +184,7 @@ class Shifted(Relation):
             raise NotApplicable  # which what is shifted out of it leaves
         if "claim" in tree or has_word(tree, "mesh", "potential_energy") and has_word(tree.get("define", {}), "potential_energy"):
             raise NotApplicable
-        if any(has_word(tree.get(key, {}), "position", "center", "potential_energy") for key in ("instants", "facts", "define", "where", "loads")):
+        if any(has_word(tree.get(key, {}), "position", "center", "potential_energy") for key in ("instants", "facts", "define", "where", "loads", "stages")):
             raise NotApplicable
         length = scales_of(statement)[0]
         by = [round(random.uniform(-3, 3) * length, 6) or 1.0 for _ in range(3)]
@@ -229,7 +229,7 @@ class Shifted(Relation):
                     made["at"] = self.place(by)
             return made
         key = path[-1] if path else ""
-        is_place = key in PLACES or path[-2:-1] == ("points",) or key == "about" and {"inertia", "inertia_matrix",
+        is_place = key in PLACES or path[-2:-1] == ("points",) or path[-2:] == ("gravity", "toward") or key == "about" and {"inertia", "inertia_matrix",
                                                                                       "radii_of_gyration"} & set(path)
         if path and path[0] in ("ask", "given", "define", "instants", "facts", "where", "situations") and path[0] != "situations":
             is_place = False

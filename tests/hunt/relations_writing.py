@@ -5,7 +5,7 @@ from statements import ORDERED, mapped_expressions, situations_of
 
 # Maps whose keys are names that the file gives.
 NAMED = ("given", "letters", "find", "points", "directions", "frames", "bodies", "joints", "contacts", "cords",
-         "springs", "loads", "impulses", "impacts", "strikes", "define", "choose", "situations", "ask", "claim")
+         "belts", "chains", "springs", "loads", "impulses", "impacts", "strikes", "excitations", "define", "choose", "situations", "ask", "claim")
 
 
 class Order(Relation):
@@ -102,7 +102,7 @@ def reserved(tree):
     """Words that mean something else as well, here or in the language: these keep their names."""
     words = set(UNITS) | PREPOSITIONS | {"g", "pi", "time", "ground", "system", "rest", "none", "any", "push", "total",
                                          "now", "start", "before", "after", "x", "y", "z", "xy", "yz", "zx",
-                                         "turn", "slide", "slide1", "slide2", "first", "second"}
+                                         "turn", "slide", "slide1", "slide2", "first", "second", "right", "left", "both"}
     for situation in situations_of(tree):
         words.update(situation.get("axes", []) if isinstance(situation.get("axes"), list) else [])
     words.update(keys_of_language(tree))

@@ -129,11 +129,19 @@ export interface MovingArrow {
   vectors: number[]; // three for each time
 }
 
+// The ends of a link that do not ride on its bodies, on ground axes: three numbers for each time.
+export interface MovingLink {
+  link: number;
+  from: number[];
+  to: number[];
+}
+
 export interface Motion {
   times: number[];
   bodies: { position: number[]; orientation: number[] }[]; // three and four numbers (w x y z) for each time
   plots: Plot[];
   arrows: MovingArrow[];
+  links?: MovingLink[];
   events: { time: number; words: string }[];
   complete: boolean;
   stopped: string;

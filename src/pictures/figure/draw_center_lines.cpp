@@ -56,9 +56,25 @@ void draw_center_line(Panel& panel, const scene::Symbol& symbol) {
                Dash::hidden);
 }
 
+// The pitch circles of gears, which touch where their teeth meet.
+void draw_pitch_circles(Panel& panel) {
+  for (const scene::Curve& curve : panel.scene.curves) {
+    if (curve.kind != scene::CurveKind::pitch_circle || !panel.draws(curve.body)) continue;
+    std::vector<Point2> points;
+    for (const Vector& point : curve.points) points.push_back(panel.paper({curve.body, point}));
+    panel.marks.emplace_back(Stroke{.points = std::move(points),
+                                    .width = 0.7,
+                                    .ink = Ink::grey,
+                                    .dash = Dash::chain,
+                                    .role = Role::hidden,
+                                    .closed = true});
+  }
+}
+
 }  // namespace
 
 void draw_center_lines(Panel& panel) {
+  draw_pitch_circles(panel);
   for (const scene::Symbol& symbol : panel.scene.symbols)
     if (panel.draws(symbol.to) && panel.draws(symbol.from)) draw_center_line(panel, symbol);
 }

@@ -86,7 +86,7 @@ void end_on_ground(Panel& panel, Point2 at, Point2 other) {
 }  // namespace
 
 void draw_links(Panel& panel) {
-  for (const scene::Link& link : panel.scene.links) {
+  for (const scene::Link& link : panel.links) {
     if (!panel.draws(link.from.body) || !panel.draws(link.to.body)) continue;
     const Point2 from = panel.paper(link.from), to = panel.paper(link.to);
     switch (link.kind) {

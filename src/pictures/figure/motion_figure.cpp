@@ -69,6 +69,21 @@ Spread spread_of(const scene::Scene& scene, const std::vector<int>& bodies, cons
   return spread;
 }
 
+// Brings what runs between wheels to where it is at a time of the motion.
+void move_links(Panel& panel, const scene::Motion& motion, std::size_t time) {
+  for (const scene::MovingLink& moving : motion.links) {
+    scene::Link& link = panel.links[moving.link];
+    for (const auto& [place, at] : {std::pair{&link.from, moving.from[time]}, std::pair{&link.to, moving.to[time]}}) {
+      if (place->body < 0) {
+        place->at = at;
+        continue;
+      }
+      const scene::Pose& pose = panel.poses[static_cast<std::size_t>(place->body)];
+      place->at = transpose_times(pose.R, Vector(at - pose.p));
+    }
+  }
+}
+
 // The poses beside and below each other, all to one scale.
 Drawing rows_of_poses(const scene::Scene& scene, const Looks& looks, const View& view, bool lost) {
   const scene::Motion& motion = *scene.motion;
@@ -88,6 +103,7 @@ Drawing rows_of_poses(const scene::Scene& scene, const Looks& looks, const View&
     for (std::size_t k = begin; k < std::min(begin + poses_in_row, shown.size()); ++k) {
       Panel panel(scene, bodies, motion.poses[shown[k]], Projection(view, scale, projections[k].center()));
       panel.values = looks.values;
+      move_links(panel, motion, shown[k]);
       draw_symbols(panel, Layer::behind_bodies);
       draw_bodies(panel);
       if (!lost) draw_links(panel);
@@ -135,6 +151,7 @@ Drawing motion_figure(const scene::Scene& scene, const Looks& looks) {
   }
   Panel panel(scene, bodies, motion.poses[shown.back()], projection);
   panel.marks = std::move(before);
+  move_links(panel, motion, shown.back());
   draw_symbols(panel, Layer::behind_bodies);
   draw_bodies(panel);
   draw_links(panel);

@@ -20,6 +20,7 @@ struct Panel {
   std::vector<int> bodies;  // those that are drawn
   std::vector<scene::Pose> poses;
   Projection projection;
+  std::vector<scene::Link> links;  // with the ends where they are in these poses
   std::vector<Solid> solids;
   Visibility visibility;
   bool values = false;
@@ -33,6 +34,7 @@ struct Panel {
         bodies(std::move(drawn)),
         poses(std::move(where)),
         projection(by),
+        links(of.links),
         solids(solids_of(of, bodies, poses)),
         visibility(solids, projection) {}
 

@@ -1,6 +1,7 @@
 #include "problem/answers/answer_checks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -11,6 +12,7 @@
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/quantities/quantity_functions.h"
+#include "problem/witness/attraction_bound.h"
 #include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
@@ -96,6 +98,32 @@ void note_modes(const Statement& statement, const SolvedInstant& instant, const 
     result.notes.push_back("shapes are told of coordinates that have names: angle: theta at a joint");
 }
 
+// Of a motion that is shaken.
+void note_free_swings(const solve::Linearisation& near, Solution& result) {
+  const bool stay = std::ranges::any_of(near.modes, [](const solve::Mode& mode) {
+    return mode.frequency > mode.doubt && std::abs(mode.growth_rate) <= mode.doubt;
+  });
+  const std::string note =
+      "free swings near it do not die out: the response is the part of the motion at the frequency of what shakes it";
+  if (stay && std::ranges::find(result.notes, note) == result.notes.end()) result.notes.push_back(note);
+}
+
+// How exactly the pull of a center is known, by the earliest instant of each situation, or without sizes where only a
+// motion was looked at.
+void note_attractions(const Statement& statement, const Sample& sample, Solution& result) {
+  for (std::size_t i = 0; i < statement.situations.size() && !result.refused; ++i) {
+    const Situation& situation = statement.situations[i];
+    if (!situation.central_gravity) continue;
+    const auto here =
+        std::ranges::find_if(sample.instants(), [&](const auto& one) { return one.first.situation == i; });
+    const std::vector<std::string> lines =
+        here == sample.instants().end()
+            ? words_of_attraction(situation)
+            : words_of_attraction(situation, here->second->machine(), here->second->machine().q);
+    result.notes.insert(result.notes.end(), lines.begin(), lines.end());
+  }
+}
+
 }  // namespace
 
 void refuse_unphysical(const Statement& statement, const AskValues& asked, Sample& sample, Solution& result) {
@@ -171,6 +199,7 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
     if (instant.after_blow()) keep("impulse", residuals.impulse);
     if (residuals.constraints) keep("constraints", *residuals.constraints);
     if (residuals.stability) keep(stability_check, *residuals.stability);
+    if (residuals.response) keep("response", *residuals.response);
     if (residuals.blow) keep("blow", *residuals.blow);
     if (residuals.friction) keep("friction", *residuals.friction);
     if (residuals.laws) keep("laws", *residuals.laws);
@@ -193,11 +222,11 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
     const bool of_motion = name == "motion_error";
     const bool of_stability = name == stability_check;
     // Gauss's rule leaves 1e-6 beside the pole of Eulerian angles; a wrong term of the equations is far more.
-    if (residual <= (of_motion || name == "course" ? motion_tolerance
-                     : name == "facts"             ? fact_tolerance
-                     : name == "blow"              ? blow_tolerance
-                     : of_stability                ? solve::spectrum_tolerance
-                                                   : check_tolerance))
+    if (residual <= (of_motion || name == "course"        ? motion_tolerance
+                     : name == "facts"                    ? fact_tolerance
+                     : name == "blow"                     ? blow_tolerance
+                     : of_stability || name == "response" ? solve::spectrum_tolerance
+                                                          : check_tolerance))
       continue;
     // The digits of laws tell how closely a motion is known.
     result.refused = result.refused || !(of_stability || of_motion);
@@ -224,7 +253,8 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
               ? "what joints, contacts and cords hold together comes apart in it, by " + size + " of its size"
           : name == "blow"     ? "small steps along the blow do not confirm it (off by " + size + ")"
           : name == "friction" ? "the laws of friction are not fulfilled in it (off by " + size + ")"
-          : name == "laws" ? "loads, springs and motors act otherwise in it than they are stated (off by " + size + ")"
+          : name == "laws"
+              ? "loads, springs, motors and gravity act otherwise in it than they are stated (off by " + size + ")"
           : name == "quantities"
               ? "the bodies as particles do not confirm " + told.function + "() (off by " + size + ")"
           : of_stability
@@ -234,24 +264,51 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
   }
 }
 
+// From where potential energies count, and what has none.
+void note_zero_of_energy(const SolvedInstant& instant, const Situation& situation, Solution& result) {
+  const Mechanism<double>& mechanism = instant.machine().mechanism;
+  const bool weights = norm(mechanism.tree.gravity()) > 0;
+  const bool springs =
+      std::ranges::any_of(situation.springs, [](const Spring& s) { return s.stiffness.has_value(); }) ||
+      std::ranges::any_of(situation.joints, [](const Joint& joint) {
+        return std::ranges::any_of(joint.freedoms,
+                                   [](const Freedom& freedom) { return freedom.stiffness.has_value(); });
+      });
+  std::string note;
+  if (weights) note = "that of weights is zero at the origin of the ground";
+  if (situation.central_gravity) note = "that of the attraction is zero infinitely far away";
+  if (springs) note += std::string(note.empty() ? "" : ", ") + "that of a spring where it is relaxed";
+  if (!situation.loads.empty()) note += std::string(note.empty() ? "" : ", ") + "loads have none";
+  if (note.empty()) return;
+  note = "potential energy: " + note;
+  if (std::ranges::find(result.notes, note) == result.notes.end()) result.notes.push_back(note);
+}
+
 void add_notes(const Statement& statement, const Sample& sample, Solution& result) {
+  note_attractions(statement, sample, result);
   const bool asks_frequencies = asks_function(statement, "frequencies");
   const bool asks_modes = asks_function(statement, "modes") || asks_function(statement, "eigenvalues");
+  const bool asks_response = asks_function(statement, "response");
   for (const auto& [home, instant] : sample.instants()) {
     const Situation& situation = statement.situations[home.situation];
     if (instant->rough_blow() && !home.time)
       result.notes.push_back(words_of_blow(*instant->rough_blow(), instant->struck().impacts.front()) +
                              (situation.name.empty() ? "" : " @ " + situation.name));
     if (home.time || home.instant > 0) continue;
+    for (const std::string& contact : instant->machine().line_contacts)
+      result.notes.push_back("contact '" + contact + "' is along a line, and the bodies are free to turn across it: " +
+                             "they are taken to touch at the point under at: alone");
+    if (asks_function(statement, "potential_energy")) note_zero_of_energy(*instant, situation, result);
     // Nothing is said of what a check refuses.
     const auto misfit = result.checks.find(stability_check);
     if (result.refused || (misfit != result.checks.end() && misfit->second > solve::spectrum_tolerance)) continue;
     // Of rest that is asked for frequencies only, it is said if the motion does not stay near it.
-    if (!situation.steady && !asks_frequencies && !asks_modes) continue;
+    if (!situation.steady && !asks_frequencies && !asks_modes && !asks_response) continue;
     try {
       if (!situation.steady) {
         const solve::Linearisation& near = instant->linearisation({1, 1});
         note_modes(statement, *instant, near, result);
+        if (asks_response) note_free_swings(near, result);
         if (asks_frequencies && solve::stability(near) == solve::Stability::unstable)
           result.notes.push_back("rest" + (situation.name.empty() ? "" : " @ " + situation.name) + " is " +
                                  stability_words(near));
@@ -261,6 +318,7 @@ void add_notes(const Statement& statement, const Sample& sample, Solution& resul
       result.notes.push_back("the steady motion" + (situation.name.empty() ? "" : " @ " + situation.name) + " is " +
                              stability_words(near));
       note_modes(statement, *instant, near, result);
+      if (asks_response) note_free_swings(near, result);
     } catch (const StatementError&) {
       // The statement does not say enough about what holds the motion, and stability is not reported.
     }

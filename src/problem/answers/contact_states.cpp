@@ -3,18 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "problem/answers/friction_refusals.h"
+#include "problem/answers/idle_contacts.h"
 #include "problem/answers/letter_draws.h"
 #include "problem/answers/untold_states.h"
 #include "problem/instant/blow_as_loads.h"
 #include "problem/instant/contact_state_search.h"
 #include "problem/instant/contact_state_words.h"
-#include "problem/instant/massless_turning.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression.h"
+#include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
+#include "problem/quantities/quantity_functions.h"
 #include "problem/unknowns/extremum.h"
 #include "problem/unknowns/sample.h"
 
@@ -54,7 +57,7 @@ class ContactStates {
   const Contact& first_rough() const {
     for (const Situation& situation : statement_.situations)
       for (const Contact& contact : situation.contacts)
-        if (contact.friction) return contact;
+        if (contact.rubs()) return contact;
     throw std::logic_error("no contact has friction");
   }
 
@@ -63,7 +66,9 @@ class ContactStates {
     std::vector<States> all{{}};
     for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
       if (!statement_.situations[i].has_friction()) continue;
-      const std::vector<States> own = draws_.none() ? held_at_numbers(i) : held_at_draws(i);
+      const std::vector<States> own = statement_.situations[i].steady ? std::vector<States>{all_at_rest(i)}
+                                      : draws_.none()                 ? held_at_numbers(i)
+                                                                      : held_at_draws(i);
       std::vector<States> longer;
       for (const States& states : all)
         for (const States& more : own) {
@@ -73,8 +78,15 @@ class ContactStates {
       all = std::move(longer);
     }
     for (const States& states : all) {
-      const Statement found = in_contact_states(statement_, states);
-      take(solve_(found), states, [](const Solution&, States&) { return true; });
+      require_sticking(states);
+      Statement found = in_contact_states(statement_, states);
+      if (!draws_.none())
+        for (Situation& situation : found.situations)
+          if (situation.has_friction()) situation.only_start = "motions with friction are followed for numbers";
+      const bool sought = std::ranges::any_of(statement_.situations, is_steady_and_rough);
+      take(solve_(found), states, [&](const Solution& solution, States& held) {
+        return !sought || !draws_.none() || holds(found, solution, held);
+      });
     }
     if (!draws_.none() && !result_.solutions.empty())
       for (const std::string& words : untold_states(statement_, settings_, all)) add_once(result_.warnings, words);
@@ -89,8 +101,16 @@ class ContactStates {
 
   std::vector<States> held_at_numbers(std::size_t i) {
     const Situation& stated = statement_.situations[i];
-    if (stated.has_blow()) require_rest(stated);
-    HeldStates held = states_that_hold(stated.has_blow() ? blow_as_loads(stated) : stated, i, settings_, false);
+    HeldStates held;
+    if (stated.has_blow()) {
+      if (std::optional<States> idle = idle_in_blow(stated, i, settings_)) return {std::move(*idle)};
+      require_rest(stated);
+      const Situation loads = blow_as_loads(stated);
+      held = states_that_hold(loads, i, settings_, false);
+      for (States& states : held.all) add_joints_in_blow(stated, i, states);
+    } else {
+      held = states_that_hold(stated, i, settings_, false);
+    }
     note(held);
     for (States& states : held.all)
       for (ContactState& state : states)
@@ -98,13 +118,44 @@ class ContactStates {
     return std::move(held.all);
   }
 
+  static bool is_steady_and_rough(const Situation& situation) { return situation.steady && situation.has_friction(); }
+
+  // In a steady motion contacts with friction are taken to stick. That they do is looked at in what is found.
+  States all_at_rest(std::size_t i) const {
+    States states;
+    for (const Contact& contact : statement_.situations[i].contacts)
+      if (contact.rubs()) states.push_back({contact.name, i, Grip::sticks, {}, false, contact.in_joint});
+    if (!draws_.none())
+      fail(statement_.file, first_rough().friction->mark,
+           "in letters, steady motions with friction are not solved: whether contacts stick in them depends on '" +
+               draws_.letters().front().name + "'",
+           "give the letters values by --set, or state no_slip: true and ask for the forces");
+    return states;
+  }
+
+  // Near a steady motion what sticks is a constraint, as long as it does so within its limit; what slides or parts has
+  // no linear equations.
+  void require_sticking(const States& states) const {
+    for (const Ask& ask : statement_.asks) {
+      std::set<std::string> functions;
+      for (const Expression& expression : ask.of) collect_functions(expression, functions, true);
+      if (ask.table)
+        for (const NamedExpression& column : ask.table->columns) collect_functions(column.value, functions, true);
+      for (const std::string& name : functions) {
+        const QuantityFunction* function = find_quantity(name);
+        if (!function || function->kind != QuantityKind::stability) continue;
+        for (const ContactState& state : states)
+          if (state.grip != Grip::sticks || state.in_joint)
+            fail(statement_.file, ask.mark,
+                 name + "() is told where all that has friction are contacts that stick, and " + words_of(state),
+                 "leave out the friction, or state what does not move");
+      }
+    }
+  }
+
   // What a blow leaves is found for bodies at rest before it (instant/blow_as_loads.h).
   void require_rest(const Situation& situation) const {
-    const SolvedInstant before(situation, settings_, When{0, false}, OpenChoice{});
-    // A particle has no turning that could be stated.
-    std::vector<std::vector<double>> open = before.velocities().open;
-    take_massless(before.machine(), open);
-    if (!open.empty() || std::ranges::any_of(before.state().v, [](double rate) { return std::abs(rate) > 0; }))
+    if (!rests_before_blow(situation, settings_))
       fail(situation.file, first_rough().friction->mark,
            "blows on bodies with rough contacts are solved where everything is at rest before",
            "write instants: {before: rest}, or leave out the friction");
@@ -161,7 +212,7 @@ class ContactStates {
     std::vector<States> all{{}};
     for (std::size_t i = 0; i < statement_.situations.size(); ++i)
       for (const Contact& contact : statement_.situations[i].contacts) {
-        if (!contact.friction) continue;
+        if (!contact.rubs()) continue;
         std::vector<States> longer;
         for (const States& states : all)
           for (ContactState& state : possible_states(i, contact)) {
@@ -175,6 +226,7 @@ class ContactStates {
                "leave out the friction where it does not matter, or give the unknowns values");
       }
     for (const States& states : all) {
+      require_sticking(states);
       const Statement tried = in_contact_states(statement_, states);
       try {
         take(solve_(tried), states,
@@ -187,10 +239,12 @@ class ContactStates {
 
   States possible_states(std::size_t i, const Contact& contact) const {
     const Situation& situation = statement_.situations[i];
-    States states{{contact.name, i, Grip::sticks, {}, false, contact.in_joint}};
-    if (contact.in_joint) {
+    States states{{contact.name, i, Grip::sticks, {}, false, !contact.touches()}};
+    if (situation.steady || contact.of_belt) return states;
+    if (!contact.touches()) {
       for (const bool opposite : {false, true})
-        states.push_back({contact.name, i, Grip::slides, joint_direction(contact, opposite), false, true});
+        states.push_back(
+            {contact.name, i, Grip::slides, joint_direction(contact, opposite), false, !contact.touches()});
       return states;
     }
     DataScope<double> data(situation, settings_, 0);
@@ -253,6 +307,13 @@ class ContactStates {
       any = true;
       for (const ContactState& state : found) {
         const Situation& situation = statement_.situations[state.situation];
+        if (state.idle) {
+          if (!state.in_joint)
+            solution.notes.push_back("the blow does not press contact '" + state.contact +
+                                     "', which takes no part in it" +
+                                     (situation.name.empty() ? "" : " @ " + situation.name));
+          continue;
+        }
         solution.notes.push_back((situation.has_blow() ? "in the blow, " : "") + words_of(state, situation, settings_) +
                                  (situation.name.empty() ? "" : " @ " + situation.name));
       }
@@ -272,6 +333,20 @@ class ContactStates {
     if (!doubts_.empty())
       fail(statement_.file, mark,
            "no state of the contacts with friction was found, and one could not be judged: " + doubts_.front());
+    if (std::ranges::any_of(statement_.situations, is_steady_and_rough))
+      fail(statement_.file, mark,
+           "in this steady motion a contact with friction would need more friction to stick, and steady motions in "
+           "which one slides are not sought",
+           "ask for its limit, {largest: n, while: sticking(" + first_rough().name + ")}, or correct the data");
+    for (const Situation& situation : statement_.situations)
+      for (const Contact& contact : situation.contacts)
+        if (contact.friction && contact.of_belt)
+          fail(
+              statement_.file, contact.friction->mark,
+              "belt '" + contact.of + "' slips: its friction does not hold the load" +
+                  (searched ? " at any values of the unknowns that were tried" : "") +
+                  ", and a belt that slips is not followed",
+              "ask how far it holds: {smallest: T0, while: sticking(" + contact.name + ")}, or leave out the friction");
     if (searched || directions_sought_)
       fail(statement_.file, mark, "no state of the contacts with friction was found that holds",
            "give the unknowns values, or name the directions in which contacts slide under directions:");
@@ -308,7 +383,7 @@ States states_of_limits(const Statement& statement, const Settings& settings) {
       }
     } catch (const StatementError&) {
       for (const Contact& contact : situation.contacts)
-        if (contact.friction) states.push_back({contact.name, i, Grip::sticks, {}, false, contact.in_joint});
+        if (contact.rubs()) states.push_back({contact.name, i, Grip::sticks, {}, false, !contact.touches()});
     }
   }
   return states;
@@ -321,7 +396,7 @@ void refuse_open_limits(const Statement& limits, const Settings& settings) {
     if (!leaves_states_open(situation, *ask.extremum)) continue;
     std::string names;
     for (const Contact& contact : situation.contacts)
-      if (contact.friction) names += (names.empty() ? "sticking(" : ", sticking(") + contact.name + ")";
+      if (contact.rubs()) names += (names.empty() ? "sticking(" : ", sticking(") + contact.name + ")";
     const auto refuse = [&](const std::string& why) {
       fail(limits.file, ask.mark, "what the other contacts do up to this limit is sought " + why,
            "write while: [" + names + "] if all of them stay at rest");
@@ -337,9 +412,8 @@ void refuse_open_limits(const Statement& limits, const Settings& settings) {
 
 bool has_open_contact_states(const Statement& statement) {
   return std::ranges::any_of(statement.situations, [](const Situation& situation) {
-    return std::ranges::any_of(situation.contacts, [](const Contact& contact) {
-      return contact.friction.has_value() && contact.grip == Grip::unknown;
-    });
+    return std::ranges::any_of(situation.contacts,
+                               [](const Contact& contact) { return contact.rubs() && contact.grip == Grip::unknown; });
   });
 }
 

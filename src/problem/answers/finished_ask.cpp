@@ -50,6 +50,8 @@ const NamedExpression& stated_column(const Table& table, const std::string& name
     if (column.name == name) return column;
     for (std::size_t k = 1; k <= columns; ++k)
       if (column.name + "_" + std::to_string(k) == name) return column;
+    for (const char* part : {"_amplitude", "_phase"})
+      if (column.name + part == name) return column;
   }
   return table.columns.front();
 }
@@ -91,14 +93,17 @@ bool has_records(const Value<double>& value) {
   return is_record(value) || std::ranges::any_of(value.items, has_records);
 }
 
-// Modes are shown as a table with a row for each.
+// Modes are shown as a table with a row for each, as are the responses of components.
 SolvedAsk finished_modes(const Ask& ask, const Value<double>& value, const Situation& situation) {
   const std::vector<Value<double>> rows = is_record(value) ? std::vector<Value<double>>{value} : value.items;
+  const bool modes = rows.front().items.front().text == "growth_rate";
   if (ask.is_list)
-    fail(situation.file, ask.mark, "modes() stand in a list with nothing else", "ask for them by themselves");
+    fail(situation.file, ask.mark, std::string(modes ? "modes()" : "response()") + " stand in a list with nothing else",
+         modes ? "ask for them by themselves" : "ask for parts: response(x to push).amplitude");
   if (ask.unit)
-    fail(situation.file, ask.mark, "modes are told in several units: no one unit is for all of them",
-         "ask for parts of them, modes(disk)[1].frequency");
+    fail(situation.file, ask.mark,
+         std::string(modes ? "modes are" : "a response is") + " told in several units: no one unit is for all of them",
+         "ask for parts of them, " + std::string(modes ? "modes(disk)[1].frequency" : "response(x to push).amplitude"));
   SolvedAsk solved;
   solved.words = describe(ask, situation, false);
   solved.value = value;

@@ -1,12 +1,10 @@
 #include "problem/answers/friction_refusals.h"
 
 #include <algorithm>
-#include <set>
 
 #include "problem/answers/letter_draws.h"
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
-#include "problem/language/expression_walk.h"
 #include "problem/machine/data.h"
 #include "problem/quantities/quantity_functions.h"
 
@@ -14,24 +12,23 @@ namespace poinsot::problem {
 namespace {
 
 void refuse_situation(const Situation& situation) {
-  const auto rough =
-      std::ranges::find_if(situation.contacts, [](const Contact& contact) { return contact.friction.has_value(); });
+  const auto rough = std::ranges::find_if(situation.contacts, &Contact::rubs);
   if (rough == situation.contacts.end()) return;
   const auto refuse = [&](const std::string& message, const std::string& hint) {
     fail(situation.file, rough->friction->mark, message, hint);
   };
   if (situation.has_blow() && !situation.find.empty())
     refuse("unknowns are not found from blows on what " + rough->words() + " holds with friction", "give them values");
-  const auto rubbing = std::ranges::find_if(situation.contacts, &Contact::in_joint);
-  if (situation.has_blow() && rubbing != situation.contacts.end())
+  const auto slipping = std::ranges::find_if(situation.contacts, &Contact::on_cord);
+  if (slipping != situation.contacts.end() && situation.has_blow())
     fail(
-        situation.file, rubbing->friction->mark,
-        "a blow with friction in a joint is not solved: how far " + rubbing->words() + " moves meanwhile is not sought",
-        "leave out the friction of the joint");
-  if (situation.steady)
-    refuse("steady motions with friction are not sought: whether " + rough->words() +
-               " sticks or slides in one is not tried",
-           "state no_slip: true where it rolls, or leave out the friction");
+        situation.file, slipping->friction->mark,
+        "a blow with friction of a cord is not solved: how far " + slipping->words() + " slips meanwhile is not sought",
+        "leave out the friction of the cord");
+  if (slipping != situation.contacts.end() && situation.steady)
+    fail(situation.file, slipping->friction->mark,
+         "steady motions with friction of a cord are not sought: whether " + slipping->words() + " slips is not tried",
+         "leave out the friction of the cord");
   if (std::ranges::any_of(situation.instants, [&](const Instant& instant) {
         return is_later(situation, instant) && (instant.rest || !instant.facts.empty());
       }))
@@ -55,7 +52,45 @@ bool is_limit_of_sticking(const Ask& ask) {
   });
 }
 
+namespace {
+
+void refuse_beside_rough_teeth(const Statement& statement) {
+  for (const Situation& situation : statement.situations) {
+    const auto rough =
+        std::ranges::find_if(situation.gears, [](const Gear& gear) { return gear.friction.has_value(); });
+    if (rough == situation.gears.end()) continue;
+    const auto refuse = [&](const std::string& message, const std::string& hint) {
+      fail(situation.file, rough->friction->mark(), message, hint);
+    };
+    if (situation.has_blow())
+      refuse("a blow with friction in the teeth of gear '" + rough->name + "' is not solved", "leave out the friction");
+    if (std::ranges::any_of(situation.contacts, &Contact::strikes_later))
+      refuse("blows that come later are not solved beside friction in the teeth of gear '" + rough->name + "'",
+             "leave out the friction");
+    if (situation.has_friction())
+      refuse("friction in the teeth of gear '" + rough->name + "' and in contacts or joints is not solved together",
+             "leave out one of them");
+    if (situation.steady)
+      refuse("steady motions with friction in the teeth of gear '" + rough->name + "' are not sought",
+             "state rates and accelerations of joints instead");
+    if (!statement.claims.empty())
+      refuse("claims are not decided where teeth have friction: they would have to hold for either flank",
+             "ask for the quantity, or leave out the friction");
+    for (const Ask& ask : statement.asks)
+      for (const Expression& expression : ask.of)
+        if (asks_stability(expression))
+          fail(statement.file, ask.mark,
+               "stability is not told where the teeth of gear '" + rough->name +
+                   "' have friction: a disturbance may "
+                   "let other flanks carry",
+               "leave out the friction");
+  }
+}
+
+}  // namespace
+
 void refuse_beside_rough_blows(const Statement& statement, const Settings& settings) {
+  refuse_beside_rough_teeth(statement);
   for (const Situation& situation : statement.situations)
     for (const Contact& contact : situation.contacts) {
       if (!contact.strikes_later()) continue;
@@ -90,12 +125,17 @@ void refuse_beside_rough_blows(const Statement& statement, const Settings& setti
 void refuse_beside_friction(const Statement& statement, const Settings& settings) {
   for (const Situation& situation : statement.situations) {
     refuse_situation(situation);
+    if (const auto cord = std::ranges::find_if(situation.contacts, &Contact::on_cord); cord != situation.contacts.end())
+      if (const std::vector<Letter> open = open_letters(statement, settings); !open.empty())
+        fail(statement.file, cord->friction->mark,
+             "the friction of " + cord->words() +
+                 " makes one tension e^(mu beta) times another, which no formula has, and '" + open.front().name +
+                 "' has no value",
+             "give the letters values by --set or under given:");
     if (!situation.has_blow() || !situation.has_friction()) continue;
     const std::vector<Letter> open = open_letters(statement, settings);
     if (!open.empty())
-      fail(statement.file,
-           std::ranges::find_if(situation.contacts, [](const Contact& contact) { return contact.friction.has_value(); })
-               ->friction->mark,
+      fail(statement.file, std::ranges::find_if(situation.contacts, &Contact::rubs)->friction->mark,
            "with friction, blows are solved for numbers, and '" + open.front().name + "' has no value",
            "give the letters values by --set or under given:");
     for (const Ask& ask : statement.asks)
@@ -119,16 +159,6 @@ void refuse_beside_friction(const Statement& statement, const Settings& settings
       fail(statement.file, ask.mark,
            "extrema are not sought where contacts have friction, but for the limit up to which they stick",
            "write {smallest: mu, while: sticking(floor)}");
-    std::set<std::string> functions;
-    for (const Expression& expression : ask.of) collect_functions(expression, functions, true);
-    for (const std::string& name : functions) {
-      const QuantityFunction* function = find_quantity(name);
-      if (!function) continue;
-      if (function->kind == QuantityKind::stability)
-        fail(statement.file, ask.mark,
-             name + "() is not told where contacts have friction: what is disturbed may stick or slide",
-             "leave out the friction, or state no_slip: true where nothing slips");
-    }
   }
 }
 

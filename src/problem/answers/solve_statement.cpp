@@ -30,6 +30,7 @@
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/sample.h"
 #include "problem/unknowns/unknown_search.h"
+#include "problem/witness/attraction_bound.h"
 
 namespace poinsot::problem {
 namespace {
@@ -256,7 +257,11 @@ class StatementSolver {
     undetermined_ = mark_undetermined(answers_found(), result);
     if (draws_.none()) refuse_unphysical(statement_, asked_, *sample_, result);
     check_answers(statement_, *sample_, asked_.extremal, result);
-    if (draws_.none()) add_notes(statement_, *sample_, result);
+    if (draws_.none())
+      add_notes(statement_, *sample_, result);
+    else
+      for (const Situation& situation : statement_.situations)
+        for (const std::string& line : words_of_attraction(situation)) result.notes.push_back(line);
     result.notes.insert(result.notes.end(), asked_.notes.begin(), asked_.notes.end());
   }
 

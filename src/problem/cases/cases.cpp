@@ -65,6 +65,12 @@ CompiledCases::CompiledCases(const Statement& statement, CasesAsked asked)
              "cases with friction are not solved: the states of the contacts may differ from case to case",
              "solve each case by itself, with --set");
   for (const Situation& situation : statement.situations)
+    for (const Gear& gear : situation.gears)
+      if (gear.friction)
+        fail(situation.file, gear.friction->mark(),
+             "cases with friction of teeth are not solved: the flanks that carry may differ from case to case",
+             "solve each case by itself, with --set");
+  for (const Situation& situation : statement.situations)
     for (const Impact& impact : situation.impacts)
       if (impact.friction)
         fail(situation.file, impact.friction->mark(),

@@ -78,11 +78,13 @@ bool ClaimAttack::stands(const Point& point) {
   return true;
 }
 
-// Takes the best of all moves in each round. Where no step is better the edges are tried, and then shorter steps.
+// Takes the best of all moves in each round. Where no step is better the edges are tried, once from each place, and
+// then shorter steps.
 void ClaimAttack::narrow(Place& place, std::size_t seed) {
   std::mt19937_64 random(9000 + seed);
   double step = first_step;
   Moves which = Moves::steps;
+  bool edges_tried = false;  // from this place
   for (int round = 0; round < most_rounds && step > last_step && place.margin > 0; ++round) {
     std::vector<Point> all = moves(place.point, step, which);
     for (int i = 0; which == Moves::steps && i < random_moves; ++i) {
@@ -100,11 +102,13 @@ void ClaimAttack::narrow(Place& place, std::size_t seed) {
       if (std::optional<Place> found = look(std::move(point), place.margin - margin_gained * std::abs(place.margin))) {
         place = std::move(*found);
         better = true;
+        edges_tried = false;
         if (place.margin <= 0) return;
       }
     }
-    if (!better && which == Moves::edges) step /= 4;
-    which = better || which == Moves::edges ? Moves::steps : Moves::edges;
+    if (!better && which == Moves::edges) edges_tried = true;
+    if (!better && edges_tried) step /= 4;
+    which = better || edges_tried ? Moves::steps : Moves::edges;
   }
 }
 

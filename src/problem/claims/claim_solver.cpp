@@ -219,10 +219,18 @@ class ClaimSolver {
               bool& possible) {
     // Where numbers made sense last, and whether they did.
     std::optional<std::pair<Point, bool>> by_numbers;
+    // A point is looked at twice, one time after the other.
+    std::optional<Point> last;
+    std::optional<ClaimTrials::Drawn> drawn;
+    const auto draw = [&](const Point& free) {
+      if (last == free) return;
+      last = free;
+      drawn = trials_->at(one, free);
+    };
     ClaimAttack attack(
         trials_->free_letters(one),
         [&](const Point& free) -> std::optional<double> {
-          const std::optional<ClaimTrials::Drawn> drawn = trials_->at(one, free);
+          draw(free);
           if (!drawn) return std::nullopt;
           if (decided_alike(drawn->point)) return trials_->margin(*drawn);
           // The formulas are of another branch than the one there.
@@ -234,7 +242,7 @@ class ClaimSolver {
         },
         [&](const Point& free) {
           if (by_numbers && by_numbers->first == free) return by_numbers->second;
-          const std::optional<ClaimTrials::Drawn> drawn = trials_->at(one, free);
+          draw(free);
           return drawn && ground_.verdict_at(claim_, formulas_->formulas(), drawn->point).has_value();
         },
         most_attack_work);
@@ -243,7 +251,7 @@ class ClaimSolver {
       if (start.of == &one) from.push_back(start.free);
     const std::optional<Point> failing = attack.from(from);
     if (!failing) return false;
-    const std::optional<ClaimTrials::Drawn> drawn = trials_->at(one, *failing);
+    draw(*failing);
     return drawn && try_at(*drawn, confirmed_points, possible) == Outcome::decided;
   }
 

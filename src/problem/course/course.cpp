@@ -31,17 +31,20 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
     throw UnansweredError(situation.file, sought->effort->mark(),
                           "what drives the bodies is to be found at an instant, and is not known along the motion",
                           "state it in place of any");
+  if (!situation.only_start.empty())
+    throw UnansweredError(situation.file, mark_of(0), situation.only_start, "give the letters values by --set");
+  for (const Gear& gear : situation.gears)
+    if (gear.friction)
+      throw UnansweredError(situation.file, gear.friction->mark(),
+                            "a motion with friction in the teeth of gear '" + gear.name +
+                                "' is not followed: the flanks that carry may change in it",
+                            "ask of the start only, or leave out the friction");
   for (const Contact& contact : situation.contacts) {
-    if (contact.friction && contact.grip == Grip::unknown)
+    if (contact.rubs() && contact.grip == Grip::unknown)
       throw UnansweredError(situation.file, contact.friction->mark,
                             "motions with friction are followed for questions of a statement only: whether contact '" +
                                 contact.name + "' sticks or slides at the start is not known here",
                             "list what is wanted under ask:");
-    if (contact.grip == Grip::parts)
-      throw UnansweredError(
-          situation.file, contact.friction->mark,
-          "motions in which contacts with friction part are not followed, and '" + contact.name + "' does at the start",
-          "ask of the start only");
   }
   start_ = std::make_unique<SolvedInstant>(situation, settings, When{0, situation.has_blow()}, choice);
   std::vector<std::vector<double>> open = start_->velocities().open;
@@ -66,7 +69,8 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
   if (start_->after_blow()) state.acting = start_->blow_acting();
   has_later_contacts_ = std::ranges::any_of(situation_.contacts, &Contact::strikes_later);
   for (const Contact& contact : situation_.contacts) {
-    if (!contact.open) continue;
+    // What parts at the start flies from then on; what does so in a blow is found anew after it.
+    if (!contact.open && (contact.grip != Grip::parts || situation.has_blow())) continue;
     const auto& actions = start_->machine().mechanism.actions;
     if (state.acting.empty()) state.acting.assign(actions.size(), true);
     for (std::size_t i = 0; i < actions.size(); ++i)
@@ -89,12 +93,8 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
     }
   first.q = state.q;
   first.v = state.v;
-  if (std::ranges::find(state.acting, false) != state.acting.end()) {
-    first.pieces.emplace_back();
-    first.acting.push_back(state.acting);
-    first.states.push_back(0);
-  }
   in_states_.push_back(&situation_);
+  if (std::ranges::find(state.acting, false) != state.acting.end()) put_in_flight(first, state.acting);
   probe_ = &probe_in(0, state);
   set_pace(state);
   // What sticks and slides after a blow is found anew.
@@ -187,11 +187,8 @@ void Course::begin(std::size_t stage) {
     now.v = before.v;
     now.states_now = before.states_now;
     // What has gone slack or has parted is so at first in the next stage, too.
-    if (!before.acting.empty() && std::ranges::find(before.acting.back(), false) != before.acting.back().end()) {
-      now.pieces.emplace_back();
-      now.acting.push_back(before.acting.back());
-      now.states.push_back(now.states_now);
-    }
+    if (!before.acting.empty() && std::ranges::find(before.acting.back(), false) != before.acting.back().end())
+      now.begin_piece(before.acting.back());
   }
   if (stage < situation_.stages.size()) {
     const Stage& stated = situation_.stages[stage];
@@ -207,7 +204,7 @@ void Course::begin(std::size_t stage) {
   }
   now.time = now.start;
   // Other loads may act now.
-  if (stage > 0 && situation_.has_friction()) {
+  if (stage > 0 && rubs(now)) {
     find_contact_states(stage, now.time, "");
     now.states_fresh = !timed_;
   }
@@ -317,17 +314,14 @@ void Course::continue_from(const MotionCheckpoint& checkpoint) {
   now.v = state.v;
   begin(state.stage);
   now.time = state.time;
-  if (!state.acting.empty()) {
-    now.pieces.emplace_back();
-    now.acting.push_back(state.acting);
-    now.states.push_back(now.states_now);
-  }
   energy_drift_.reset();
   // A new probe is made, as the old one keeps rounding from earlier places of the contacts.
   probes_.clear();
   in_states_.resize(1);
   changed_states_.clear();
-  if (situation_.has_friction()) find_contact_states(state.stage, state.time, "");
+  now.states_now = 0;
+  if (!state.acting.empty()) put_in_flight(now, state.acting);
+  if (rubs(now)) find_contact_states(state.stage, state.time, "");
   probe_ = &probe_in(now.states_now, state);
   happenings_.clear();
   changes_.clear();

@@ -184,7 +184,13 @@ class Course : public FollowedMotion {
     std::vector<double> q, v;               // at the end of the last piece
     double time = 0;                        // of that end
     bool begun = false, done = false;
-    double flight = 0;          // s, from a blow to the next one there as it began; none if zero
+    double flight = 0;  // s, from a blow to the next one there as it began; none if zero
+    // A piece without steps, in which these act.
+    void begin_piece(const std::vector<bool>& act) {
+      pieces.emplace_back();
+      acting.push_back(act);
+      states.push_back(states_now);
+    }
     std::optional<Slip> slips;  // if a contact slips at that end, so that the motion ends
   };
   struct StateEntry {
@@ -214,7 +220,7 @@ class Course : public FollowedMotion {
   const Contact* later_contact(std::size_t action) const;
   SolvedInstant::Met met(std::size_t action);
   std::vector<std::size_t> struck_together(const std::vector<std::size_t>& meeting, const MotionState& state,
-                                           Piece& piece);
+                                           Piece& piece, const std::vector<bool>& besides);
   void strike(std::size_t stage, const std::vector<std::size_t>& meeting, Piece& piece);
   double end_of_bouncing(const Expression& of);
   // Contacts with friction (motion_friction.cpp).
@@ -223,6 +229,13 @@ class Course : public FollowedMotion {
   void put_in_contact_states(std::size_t stage, const std::vector<ContactState>& states);
   std::vector<double> times_of_state(const Call& call, double from, std::optional<double> to);
   void let_turn(std::size_t stage, const std::vector<std::string>& contacts);
+  // Contacts with friction that are lost and struck (flying_contacts.cpp).
+  bool rubs(const StageRun& run) const { return in_states_[run.states_now]->has_friction(); }
+  std::vector<bool> acting_in(const StageRun& run) const;
+  std::size_t action_of_contact(const std::string& name) const;
+  void put_in_flight(StageRun& run, const std::vector<bool>& acting);
+  SolvedInstant& probe_for_blow(StageRun& run, const MotionState& state);
+  void leave_blow(std::size_t stage, const std::vector<std::size_t>& beside, double speed, Piece& piece);
   std::size_t states_of(const MotionState& state) const;
   void move_probe(const MotionState& state);
   SolvedInstant& probe_in(std::size_t states, const MotionState& state);

@@ -41,7 +41,7 @@ Driving::Driving(const Situation& situation, const Settings& settings,
   });
   for (const Joint& joint : situation.joints)
     for (const Freedom& freedom : joint.freedoms)
-      for (const auto* part : {&freedom.rate, &freedom.accel, &freedom.effort}) add(*part);
+      for (const auto* part : {&freedom.position, &freedom.rate, &freedom.accel, &freedom.effort}) add(*part);
   for (const Frame& frame : situation.frames)
     for (const auto* part : {&frame.rate, &frame.accel, &frame.velocity, &frame.acceleration}) add(*part);
   part_ = parts_of_pace * pace_time;

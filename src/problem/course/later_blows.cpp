@@ -26,7 +26,7 @@ const Contact* Course::later_contact(std::size_t action) const {
   const Action& named = start_->machine().mechanism.actions[action];
   if (named.kind != ActionKind::contact) return nullptr;
   const auto contact = std::ranges::find(situation_.contacts, named.name, &Contact::name);
-  return contact != situation_.contacts.end() && contact->strikes_later() ? &*contact : nullptr;
+  return contact != situation_.contacts.end() && contact->may_be_struck() ? &*contact : nullptr;
 }
 
 std::optional<std::size_t> Course::Piece::normal_of(std::size_t action) const {
@@ -101,10 +101,10 @@ SolvedInstant::Met Course::met(std::size_t action) {
     fail(situation_.file, contact.restitution->mark(),
          "a coefficient of restitution lies between 0 and 1, and that of contact '" + contact.name + "' is " +
              with_digits(one.restitution, 6));
-  if (contact.blow_friction) {
-    one.friction = start_->data_number(*contact.blow_friction, dimensions::none);
+  if (contact.friction) {
+    one.friction = start_->data_number(contact.friction->sliding, dimensions::none);
     if (!(*one.friction >= 0))
-      fail(situation_.file, contact.blow_friction->mark(),
+      fail(situation_.file, contact.friction->sliding.mark(),
            "the coefficient of friction of contact '" + contact.name + "' is negative");
   }
   return one;
@@ -112,9 +112,9 @@ SolvedInstant::Met Course::met(std::size_t action) {
 
 // Several contacts that meet at once are struck one by one if none changes the approach of the others.
 std::vector<std::size_t> Course::struck_together(const std::vector<std::size_t>& meeting, const MotionState& state,
-                                                 Piece& piece) {
+                                                 Piece& piece, const std::vector<bool>& besides) {
   if (meeting.size() < 2) return meeting;
-  probe_->strike_later({met(meeting.front())}, piece.acting(), later_contact(meeting.front())->mark);
+  probe_->strike_later({met(meeting.front())}, besides, piece.acting(), later_contact(meeting.front())->mark);
   const std::vector<double> after = probe_->state().v;
   bool apart = true, plastic = true;
   for (std::size_t k = 0; k < meeting.size(); ++k) {
@@ -137,17 +137,21 @@ std::vector<std::size_t> Course::struck_together(const std::vector<std::size_t>&
 void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, Piece& piece) {
   StageRun& now = stages_[stage];
   std::vector<bool>& acting = piece.acting();
-  if (situation_.has_friction())
-    stops(stage, later_contact(meeting.front())->mark,
-          "the contact '" + later_contact(meeting.front())->name + "' is struck at " + with_digits(now.time, 6) +
-              " s beside contacts with friction, and how far these slip meanwhile is not sought");
   const MotionState state{now.time, stage, now.q, now.v, std::vector<bool>(acting.size(), true)};
-  probe_ = &probe_in(now.states_now, state);
+  probe_ = &probe_for_blow(now, state);
   probe_->move_to(state);
-  const std::vector<std::size_t> struck = struck_together(meeting, state, piece);
+  const std::vector<std::size_t> beside = piece.rubbing();
+  std::vector<bool> besides = acting;
+  for (const std::size_t action : beside) besides[action] = false;
+  const std::vector<std::size_t> struck = struck_together(meeting, state, piece, besides);
   std::vector<SolvedInstant::Met> all;
   for (const std::size_t action : struck) all.push_back(met(action));
-  probe_->strike_later(all, acting, later_contact(struck.front())->mark);
+  for (const SolvedInstant::Met& one : all)
+    if (one.friction && later_contact(one.action)->friction->falls())
+      stops(stage, later_contact(one.action)->friction->mark,
+            "the contact '" + later_contact(one.action)->name + "' is struck at " + with_digits(now.time, 6) +
+                " s with less friction while it slides than at rest, and in a blow there is one coefficient");
+  probe_->strike_later(all, besides, acting, later_contact(struck.front())->mark);
   const std::vector<double> after = probe_->state().v;
   const SolvedInstant::Residuals residuals = probe_->check();
   blow_misfit_ = std::max({blow_misfit_.value_or(0), residuals.impulse, residuals.particles.momentum});
@@ -155,9 +159,10 @@ void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, 
   const std::string when = " at " + with_digits(now.time, 6) + " s";
   const double lost = piece.kinetic_energy(now.v) - piece.kinetic_energy(after);
   acting = probe_->blow_acting();
+  for (const std::size_t action : beside) acting[action] = true;
   now.flight = 0;
   std::vector<std::size_t> held;
-  std::optional<std::size_t> rough_end;
+  double speed = natural_speed();
   for (const SolvedInstant::Met& one : all) {
     const Contact& contact = *later_contact(one.action);
     const double before = piece.gap_rate(one.action, now.v), leaves = piece.gap_rate(one.action, after);
@@ -166,6 +171,7 @@ void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, 
       blow_misfit_ = std::max(*blow_misfit_, std::abs(leaves + one.restitution * before) / -before);
     double& first = approaches_[one.action];
     first = std::max(first, -before);
+    speed = std::max(speed, -before);
     settled_.erase(contact.name);
     std::string change = "the contact '" + contact.name + "' is struck";
     if (one.restitution == 0) {
@@ -179,7 +185,7 @@ void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, 
         settled_[contact.name] = end;
         change = "the contact '" + contact.name + "' bounces no more after infinitely many blows until " +
                  with_digits(end, 9) + " s";
-        if (!contact.blow_friction) happenings_.push_back(change);
+        happenings_.push_back(change);
       }
     }
     const bool stays = one.restitution == 0 || settled_.contains(contact.name);
@@ -192,24 +198,19 @@ void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, 
                             (lost > 0 && &one == &all.front() ? ", which takes " + with_digits(lost, 4) + " J" : ""));
     if (told && probe_->rough_blow())
       happenings_.back() += ": " + words_of_blow(*probe_->rough_blow(), probe_->struck().impacts.front());
-    if (!stays) continue;
-    if (one.friction) rough_end = one.action;
-    held.push_back(one.action);
+    if (stays) held.push_back(one.action);
   }
   now.v = after;
-  if (rough_end)
-    stops(stage, later_contact(*rough_end)->mark,
-          "the contact '" + later_contact(*rough_end)->name + "' stays closed after its blows" + when +
-              ", and how it slides or rolls then is not followed");
   if (!held.empty()) {
     now.flight = 0;
     for (const std::size_t action : held) acting[action] = true;
+    besides = acting;
+    for (const std::size_t action : beside) besides[action] = false;
     probe_->move_to({now.time, stage, now.q, now.v, std::vector<bool>(acting.size(), true)});
-    now.v = probe_->caught(acting);
+    now.v = probe_->caught(besides);
   }
-  now.pieces.emplace_back();
-  now.acting.push_back(acting);
-  now.states.push_back(now.states_now);
+  put_in_flight(now, acting);
+  leave_blow(stage, beside, speed, piece);
 }
 
 double Course::end_of_bouncing(const Expression& of) {

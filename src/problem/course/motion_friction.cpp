@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "problem/course/course.h"
+#include "problem/course/motion_piece.h"
 #include "problem/instant/contact_state_search.h"
 #include "problem/instant/contact_state_words.h"
 #include "problem/language/diagnostic.h"
@@ -17,9 +18,9 @@
 namespace poinsot::problem {
 namespace {
 
-// A slip that vanishes leaves across its line what the check of lines lets pass (piece_friction.cpp), above the part of
-// the speed that is none in an instant.
-constexpr double none_slips = 20;
+// Of the natural speed: a slip that vanishes leaves across its line what the check of lines lets pass, and so that it
+// is none there must be some room above that.
+constexpr double none_slips = 1.25 * off_line;
 
 const Mark& mark_of_friction(const Situation& situation) {
   return std::ranges::find_if(situation.contacts, [](const Contact& contact) { return contact.friction.has_value(); })
@@ -53,6 +54,7 @@ std::size_t Course::states_of(const MotionState& state) const {
 // time: at which the loads are taken. leaving: the contact that can stick no longer; empty if there is none.
 void Course::find_contact_states(std::size_t stage, double time, const std::string& leaving) {
   StageRun& now = stages_[stage];
+  if (!rubs(now)) return;
   // What has come to rest has no velocity left, whose sense would be that of rounding; after a slip that turned what
   // was left of it (piece_friction.cpp), ten times for its levers.
   const bool turned = std::ranges::any_of(in_states_[now.states_now]->contacts, &Contact::slip_turns);
@@ -107,7 +109,7 @@ void Course::let_slide(std::size_t stage, const std::vector<ContactState>& start
 void Course::put_in_contact_states(std::size_t stage, const std::vector<ContactState>& states) {
   StageRun& now = stages_[stage];
   auto next = std::make_unique<Situation>(*in_states_[now.states_now]);
-  bool any = false;
+  bool any = false, part = false;
   for (const ContactState& state : states) {
     const auto before = std::ranges::find(next->contacts, state.contact, &Contact::name);
     const auto direction = [&](const Expression& slip) {
@@ -118,10 +120,7 @@ void Course::put_in_contact_states(std::size_t stage, const std::vector<ContactS
                                        norm(direction(*before->slip) - direction(*state.slip)) < one_direction))
       continue;
     any = true;
-    if (state.grip == Grip::parts)
-      stops(stage, before->friction->mark,
-            "contact '" + state.contact + "' parts at " + with_digits(now.time, 6) +
-                " s: motions in which contacts with friction part are not followed");
+    part = part || state.grip == Grip::parts;
     changes_.push_back({now.time, problem::words_of(state, situation_, settings_)});
     happenings_.push_back(changes_.back().words + " from " + with_digits(now.time, 6) + " s on");
     before->grip = state.grip;
@@ -131,17 +130,20 @@ void Course::put_in_contact_states(std::size_t stage, const std::vector<ContactS
   }
   now.states_fresh = true;
   if (!any) return;
+  std::vector<bool> acting = acting_in(now);
+  for (const ContactState& state : states)
+    if (state.grip == Grip::parts) acting[action_of_contact(state.contact)] = false;
   now.states_now = in_states_.size();
   in_states_.push_back(next.get());
   changed_states_.push_back(std::move(next));
+  if (part) put_in_flight(now, acting);
 }
 
 // The times at which a contact comes into a state, the first included if it is in it from the start. Without `to` only
 // the first one is sought.
 std::vector<double> Course::times_of_state(const Call& call, double from, std::optional<double> to) {
-  const Name* name = call.arguments.front().value.as<Name>();
   const auto contact = std::ranges::find_if(
-      situation_.contacts, [&](const Contact& one) { return one.friction && name && one.name == name->name; });
+      situation_.contacts, [&](const Contact& one) { return one.friction && is_about(call, one.name); });
   if (contact == situation_.contacts.end())
     fail(situation_.file, call.arguments.front().value.mark(),
          "there is no contact '" + to_string(call.arguments.front().value) + "' with friction");

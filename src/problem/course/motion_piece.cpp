@@ -36,6 +36,7 @@ Course::Piece::Piece(Course& motion, std::size_t stage, const Driving::Span& spa
       loads_(stage < motion.situation_.stages.size() ? motion.situation_.stages[stage].loads : std::nullopt),
       machine_(motion.probe_in(now_.states_now, {now_.time, stage, now_.q, now_.v, {}})
                    .machine_at(inside(now_.time), loads_)),
+      drawn_(machine_.mechanism.components),
       limit_state_(machine_.mechanism),
       acting_(now_.acting.empty() ? std::vector<bool>() : now_.acting.back()) {
   for (VelocityConstraint<double>& constraint : machine_.mechanism.constraints) {
@@ -43,10 +44,11 @@ Course::Piece::Piece(Course& motion, std::size_t stage, const Driving::Span& spa
     if (constraint.shape_unknown)
       fail(motion_.situation_.file, motion_.mark_of(stage),
            "how a contact moves is not known (" + constraint.words + "): the surface of a body there is not known",
-           "give the body a shape that touches there");
+           "give the body a shape that touches there, or write corner: in place of at: if a point of it touches");
   }
   if (acting_.empty()) acting_.assign(machine_.mechanism.actions.size(), true);
   slips_turn_ = std::ranges::any_of(machine_.rough_contacts, [](const auto& contact) { return contact.turns; });
+  set_up_joint_friction();
   set_up_dynamics();
   set_up_equations();
 }
@@ -83,7 +85,8 @@ void Course::Piece::set_up_dynamics() {
   }
   // The motion of a single body needs no coordinates that are regular everywhere: Eulerian angles may start at their
   // pole.
-  if (!motion_.timed_ && machine_.accelerations.empty()) lone_ = LoneBody::find(machine_.mechanism);
+  if (!motion_.timed_ && machine_.accelerations.empty() && loads_on_joints_.empty())
+    lone_ = LoneBody::find(machine_.mechanism);
   if (lone_) return;
   for (const OpenCoordinate& open : dynamics_->open_coordinates(now_.q)) {
     const std::string& name = machine_.mechanism.coordinate_names[static_cast<std::size_t>(open.coordinate)];
@@ -113,6 +116,11 @@ void Course::Piece::refresh(double time) {
     dynamics_->set_force(i, then.mechanism.forces[i].vector);
   for (std::size_t i = 0; i < then.mechanism.drives.size(); ++i)
     dynamics_->set_effort(i, then.mechanism.drives[i].effort);
+  if (loads_on_joints_.empty()) return;
+  for (std::size_t i = 0; i < then.mechanism.forces.size(); ++i)
+    machine_.mechanism.forces[i].vector = then.mechanism.forces[i].vector;
+  for (std::size_t i = 0; i < then.mechanism.drives.size(); ++i)
+    machine_.mechanism.drives[i].effort = then.mechanism.drives[i].effort;
 }
 
 void Course::Piece::set_up_equations() {
@@ -184,7 +192,9 @@ Event Course::Piece::slack(std::size_t component) {
   Event event;
   event.name = "slack";
   event.crossing = Crossing::falling;
-  event.size = motion_.start_->natural_size(dimensions::force);
+  // Where there is no weight and nothing moves yet, no force is natural.
+  const double force = motion_.start_->natural_size(dimensions::force);
+  event.size = force > 0 ? force : 1;
   event.value = [this, component](double time, std::span<const double> q, std::span<const double> v) {
     refresh(time);
     accelerate(q, v, acceleration_);
@@ -234,6 +244,40 @@ std::optional<std::size_t> Course::Piece::add_holds() {
     event_limit_.push_back(nullptr);
   }
   add_ends_of_surfaces();
+  return add_belts();
+}
+
+// A belt acts as long as all its sides pull. What is open of their tensions is so throughout.
+std::optional<std::size_t> Course::Piece::add_belts() {
+  for (const int action : machine_.belt_actions) {
+    const auto& components = machine_.mechanism.components;
+    std::vector<double> acceleration(now_.v.size());
+    dynamics_->accelerations(now_.q, now_.v, acceleration);
+    bool known = true;
+    for (std::size_t k = 0; k < components.size(); ++k)
+      known = known && (components[k].action != action || dynamics_->component_determined(k));
+    if (!known) continue;
+    Event event;
+    event.name = "slack";
+    event.crossing = Crossing::falling;
+    event.terminal = true;
+    event.size = motion_.start_->natural_size(dimensions::force);
+    event.value = [this, action](double time, std::span<const double> q, std::span<const double> v) {
+      refresh(time);
+      accelerate(q, v, acceleration_);
+      double tension = 0;
+      for (std::size_t k = 0; k < machine_.mechanism.components.size(); ++k)
+        if (machine_.mechanism.components[k].action == action) tension += dynamics_->component_force(k);
+      return tension;
+    };
+    // A belt pulls where nothing else exerts a force.
+    if (!(event.size > 0)) event.size = 1;
+    constexpr double no_pull = 1e-9;  // as of cords
+    if (event.value(now_.time, now_.q, now_.v) < -no_pull * event.size) return static_cast<std::size_t>(action);
+    events_.push_back(std::move(event));
+    event_action_.emplace_back(static_cast<std::size_t>(action));
+    event_limit_.push_back(nullptr);
+  }
   return std::nullopt;
 }
 
@@ -313,6 +357,28 @@ void Course::Piece::check_winding(const Trajectory& way) const {
                               "there whole turns count");
       }
       before = std::move(angles);
+    }
+  }
+}
+
+// How a center pulls is known from outside a body alone. Steps resolve how fast it comes nearer.
+void Course::Piece::check_nearness(const Trajectory& way) const {
+  constexpr int looks = 4;
+  const Mechanism<double>& mechanism = machine_.mechanism;
+  if (mechanism.attractions.empty() || way.empty()) return;
+  Workspace<double> workspace(mechanism.tree);
+  for (std::size_t i = 0; i < way.step_count(); ++i) {
+    const StepView step = way.step(i);
+    for (int k = 0; k <= looks; ++k) {
+      const double time = step.start + (step.end - step.start) * k / looks;
+      update_poses<double>(mechanism.tree, workspace, way.state(time).q);
+      for (const AttractionLaw<double>& pull : mechanism.attractions)
+        for (const AttractedPart<double>& part : pull.parts)
+          if (!(norm(pull.way_to(mechanism.tree, workspace, part)) > part.reach))
+            throw UnansweredError(motion_.situation_.file, motion_.situation_.central_gravity->mark,
+                                  "the center that pulls comes within body '" + mechanism.tree.name(pull.at.body) +
+                                      "' at " + with_digits(time, 6) + " s: there its pull is not known",
+                                  "ask for earlier times");
     }
   }
 }

@@ -20,6 +20,11 @@
 
 namespace poinsot::problem {
 
+// Of the natural speed: a slip that leaves its line by less stays on it. What integration leaves across a line is some
+// hundred times less (1e-12 a step, over hundreds of steps, magnified by levers); a slip that does turn is seen a
+// little later than it begins to, and what it is off until then is far below the last digit told of a motion.
+inline constexpr double off_line = 4e-8;
+
 // The equations and events of a motion while the same cords and contacts act.
 class Course::Piece {
  public:
@@ -61,6 +66,8 @@ class Course::Piece {
   void check_sides(const Trajectory* way) const;
   // Throws UnansweredError if a torsional spring is wound by more than half a turn on the way.
   void check_winding(const Trajectory& way) const;
+  // Throws UnansweredError if a center that pulls comes within a body.
+  void check_nearness(const Trajectory& way) const;
 
   // Contacts that meet later (later_blows.cpp): those that do here; the rate of the gap of one, the acceleration with
   // which it opens and the kinetic energy, with these velocities. Throws StatementError if one that is open at the
@@ -74,6 +81,8 @@ class Course::Piece {
   bool would_press_in(std::size_t action) {
     return problem::would_press_in(*dynamics_, action, now_.q, now_.v, motion_.pace_time_);
   }
+  // The contacts with friction that touch (flying_contacts.cpp).
+  std::vector<std::size_t> rubbing() const;
   // Looked for at some steps of the way, its ends among them.
   double largest_kinetic_energy(const Trajectory& way);
   std::vector<bool>& acting() { return acting_; }
@@ -85,15 +94,35 @@ class Course::Piece {
   void set_given_motion();
   void set_up_equations();
   void refresh(double time);
+  std::optional<std::size_t> add_belts();
   void add_ends_of_surfaces();
   double inside(double time) const;
   Event slack(std::size_t component);
+  std::pair<double, double> tensions(const RoughContactOf<double>& contact) const;
   Vector3<double> slip(const RoughContactOf<double>& contact, std::span<const double> q, std::span<const double> v);
   std::size_t push_of(const RoughContactOf<double>& contact) const;
   void accelerate(std::span<const double> q, std::span<const double> v, std::span<double> a);
   bool stays_at_rest();
   bool moves_anything(const VelocityConstraint<double>& way);
   std::optional<Event> taut(const Component<double>& component);
+  // Friction in joints that follows from what they carry (piece_joints.cpp).
+  struct JointLoad {
+    const RoughContactOf<double>* contact = nullptr;
+    std::vector<bool> beyond{};             // of each body of the tree: whether the joint carries it
+    std::vector<std::size_t> components{};  // of the joint and its supports
+    double friction = 0;                    // while it moves
+  };
+  void set_up_joint_friction();
+  void check_joint_loads();
+  [[noreturn]] void refuse_load(const RoughContactOf<double>& contact, const std::string& why,
+                                const std::string& hint) const;
+  // How much each component of a joint carries of what the bodies beyond it need; empty where statics does not tell.
+  std::vector<double> shares_of(const JointLoad& load, const SpatialForce<double>& needed) const;
+  std::vector<Vector3<double>> pressing_at(const JointLoad& load) const;
+  double limit_in_joint(const RoughContactOf<double>& contact);
+  double pressing_now(const RoughContactOf<double>& contact, std::span<const double> a);
+  void accelerate_with_joints(std::span<const double> q, std::span<const double> v, std::span<double> a);
+  double power_of_joints(const State<double>& state) const;
 
   Course& motion_;
   const std::size_t stage_;
@@ -101,6 +130,7 @@ class Course::Piece {
   StageRun& now_;
   std::optional<std::vector<std::string>> loads_;
   Machine machine_;
+  const std::vector<Component<double>> drawn_;  // before contacts move
   solve::MechanismState limit_state_;
   std::vector<bool> acting_;
   std::optional<MechanismDynamics> dynamics_;
@@ -113,6 +143,7 @@ class Course::Piece {
   std::map<std::size_t, const RoughContactOf<double>*> event_contact_;
   std::vector<double> acceleration_;
   bool slips_turn_ = false;
+  std::vector<JointLoad> loads_on_joints_;
   double compared_size_ = 0;  // of the numbers that the ending event compares
 };
 

@@ -71,7 +71,7 @@ void Course::run(std::size_t stage, double until) {
     if (now.slips) throw_slip(now);
     const Driving::Span smooth = smooth_span(stage, target);
     // Loads may jump between the spans in which they are smooth: just inside they have their new values.
-    if (timed_ && situation_.has_friction() && !now.states_fresh)
+    if (timed_ && rubs(now) && !now.states_fresh)
       find_contact_states(stage, now.time + 1e-12 * (smooth.end - smooth.begin), "");
     const bool fresh = std::exchange(now.states_fresh, false);
     Piece piece(*this, stage, smooth);
@@ -109,6 +109,7 @@ void Course::run(std::size_t stage, double until) {
     }
     piece.check_sides(&result.trajectory);
     piece.check_winding(result.trajectory);
+    piece.check_nearness(result.trajectory);
     keep(stage, piece, result);
     if (result.ending == Ending::terminal_event) {
       if (piece.is_of_friction(result.hits.back().event)) {
@@ -224,20 +225,31 @@ void Course::refuse_slack(std::size_t stage, std::size_t action, const Piece& pi
 void Course::change_holds(std::size_t stage, std::size_t action, Piece& piece) {
   StageRun& now = stages_[stage];
   std::vector<bool>& acting = piece.acting();
+  if (std::ranges::find(piece.machine().belt_actions, static_cast<int>(action)) != piece.machine().belt_actions.end()) {
+    const std::string& name = piece.machine().mechanism.actions[action].name;
+    const auto belt = std::ranges::find(situation_.belts, name, &Belt::name);
+    stops(stage, belt->mark,
+          belt->words() + " has no tension left on one side at " + with_digits(now.time, 6) +
+              " s: what it does slack is not followed");
+  }
   for (const RoughContactOf<double>& contact : piece.machine().rough_contacts) {
+    const std::vector<Action>& all = piece.machine().mechanism.actions;
+    if (!contact.on_cord()) continue;
     const auto stated = std::ranges::find(situation_.contacts, contact.name, &Contact::name);
     const std::string when = " at " + with_digits(now.time, 6) + " s";
-    if (contact.action == static_cast<int>(action))
+    if (act_together(all[static_cast<std::size_t>(contact.action)], all[action]))
       stops(stage, stated->friction->mark,
-            "contact '" + contact.name + "' presses no more" + when +
-                ": motions in which contacts with friction part are not followed");
+            "the cord of '" + contact.name + "' goes slack" + when + ", which is not followed where it has friction");
     if (!acting[action])
       stops(stage, stated->friction->mark,
             "cords and contacts that catch" + when +
-                " strike contacts with friction, and how far these slip meanwhile is not sought");
+                " pull at a cord with friction, and how far it slips meanwhile is not sought");
   }
+  const std::vector<std::size_t> beside = piece.rubbing();
   if (acting[action] && piece.would_press_in(action)) slips(stage, action);
-  probe_->move_to({now.time, stage, now.q, now.v, std::vector<bool>(acting.size(), true)});
+  const MotionState state{now.time, stage, now.q, now.v, std::vector<bool>(acting.size(), true)};
+  probe_ = acting[action] ? &probe_in(now.states_now, state) : &probe_for_blow(now, state);
+  probe_->move_to(state);
   const Action& named = probe_->machine().mechanism.actions[action];
   const bool cord = named.kind == ActionKind::cord;
   const std::string time = " at " + with_digits(now.time, 6) + " s";
@@ -250,10 +262,12 @@ void Course::change_holds(std::size_t stage, std::size_t action, Piece& piece) {
       acting[action] ? (cord ? "goes taut" : "touches again") : (cord ? "goes slack" : "is lost");
   changes_.push_back({now.time, (cord ? "the cord '" : "the contact '") + named.name + "' " + change});
   happenings_.push_back(changes_.back().words + time + (acting[action] ? ", without rebound" : ""));
-  if (acting[action]) now.v = probe_->caught(acting);
-  now.pieces.emplace_back();
-  now.acting.push_back(acting);
-  now.states.push_back(now.states_now);
+  if (!acts) return put_in_flight(now, acting);
+  std::vector<bool> striking = acting;
+  for (const std::size_t other : beside) striking[other] = false;
+  now.v = probe_->caught(striking);
+  now.begin_piece(acting);
+  leave_blow(stage, beside, natural_speed(), piece);
 }
 
 void Course::stops(std::size_t stage, const Mark& mark, const std::string& words) {

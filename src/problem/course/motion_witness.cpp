@@ -121,6 +121,15 @@ ScanMisfit MotionScan::of_zeros(const std::vector<double>& told, int sense) cons
     const std::optional<double> there = at(time), before = at(std::max(from_, time - beside)),
                                 after = at(time + beside);
     if (!there || (before && after && (*before < 0) != (*after < 0))) continue;
+    // Just after the time of a truth, which is one or minus one, what tells it may be rounding still: how a contact
+    // slips that begins to.
+    const auto is_truth = [](const std::optional<double>& value) { return value && std::abs(*value) == 1; };
+    const auto turns = [&](double part) {
+      const std::optional<double> then = at(time + part * (to_ - from_));
+      return is_truth(then) && (*before < 0) != (*then < 0);
+    };
+    constexpr double near = 1e-6, beyond = 1e-4;  // of the time that is looked at
+    if (is_truth(there) && is_truth(before) && (turns(near) || turns(beyond))) continue;
     if (const double off = std::abs(*there) / size_; off > worst.value) worst = {off, time};
   }
   // Where it changes its sign between two looks, a time between them is told.

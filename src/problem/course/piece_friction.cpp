@@ -55,6 +55,17 @@ std::size_t Course::Piece::push_of(const RoughContactOf<double>& contact) const 
                                   components.begin());
 }
 
+// The tensions of a cord before and behind a wheel. After accelerate.
+std::pair<double, double> Course::Piece::tensions(const RoughContactOf<double>& contact) const {
+  double before = 0, behind = 0;
+  for (std::size_t k = 0; k < machine_.mechanism.components.size(); ++k) {
+    const int action = machine_.mechanism.components[k].action;
+    if (action == contact.action) before += dynamics_->component_force(k);
+    if (action == contact.behind) behind += dynamics_->component_force(k);
+  }
+  return {before, behind};
+}
+
 // The accelerations, with the friction of slips that turn against the slip of this state.
 void Course::Piece::accelerate(std::span<const double> q, std::span<const double> v, std::span<double> a) {
   if (slips_turn_)
@@ -64,11 +75,17 @@ void Course::Piece::accelerate(std::span<const double> q, std::span<const double
       if (!(norm(u) > 0)) continue;
       Vector3<double> d{};
       for (const std::size_t k : {1, 2})
-        d += dot(u, limit_state_.direction(contact.motions[k].along)) * contact.motions[k].along.vector;
+        d += dot(u, direction_now(limit_state_, contact, contact.motions[k].along)) * contact.motions[k].along.vector;
       contact.slip->vector = normalized(d);
-      dynamics_->set_direction(push_of(contact), along_sliding_force(contact));
+      const std::size_t push = push_of(contact);
+      const Vector3<double> along = along_sliding_force(contact);
+      if (!loads_on_joints_.empty()) machine_.mechanism.components[push].along.vector = along;
+      dynamics_->set_direction(push, along);
     }
-  dynamics_->accelerations(q, v, a);
+  if (loads_on_joints_.empty())
+    dynamics_->accelerations(q, v, a);
+  else
+    accelerate_with_joints(q, v, a);
 }
 
 // Whether nothing moves or would move, and no load changes: then nothing will.
@@ -100,8 +117,14 @@ bool Course::Piece::moves_anything(const VelocityConstraint<double>& way) {
   return false;
 }
 
+// With which friction holds a joint, after accelerate().
+double Course::Piece::limit_in_joint(const RoughContactOf<double>& contact) {
+  return contact.resting * (contact.pressing.empty() ? 1 : pressing_now(contact, acceleration_));
+}
+
 void Course::Piece::add_friction() {
   if (machine_.rough_contacts.empty() || stays_at_rest()) return;
+  check_joint_loads();
   const double force = motion_.start_->natural_size(dimensions::force);
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
     Event event;
@@ -110,38 +133,56 @@ void Course::Piece::add_friction() {
     const std::size_t first = push_of(contact);
     if (contact.turns) {
       event.name = "slip comes to rest";
-      event.size = motion_.natural_speed();
+      event.size = motion_.natural_speed() > 0 ? motion_.natural_speed() : 1;
       event.value = [this, &contact](double, std::span<const double> q, std::span<const double> v) {
         return norm(slip(contact, q, v)) - slip_ends * motion_.tolerance_ * motion_.natural_speed();
       };
     } else if (contact.grip == Grip::slides) {
       event.name = "slip vanishes";
-      event.size = motion_.natural_speed();
+      event.size = motion_.natural_speed() > 0 ? motion_.natural_speed() : 1;
       event.value = [this, &contact](double, std::span<const double> q, std::span<const double> v) {
         const Vector3<double> u = slip(contact, q, v);
-        return dot(u, limit_state_.direction(*contact.slip));
+        return dot(u, direction_now(limit_state_, contact, *contact.slip));
       };
     } else if (contact.coordinate >= 0) {
       event.name = "friction at its limit";
-      event.size = contact.resting > 0 ? std::pow(contact.resting, 2) : 1;
+      const double limit = limit_in_joint(contact);
+      event.size = limit > 0 ? limit * limit : 1;
       event.value = [this, &contact](double time, std::span<const double> q, std::span<const double> v) {
         refresh(time);
         accelerate(q, v, acceleration_);
-        return std::pow(contact.resting, 2) - std::pow(dynamics_->held_effort(contact.coordinate), 2);
+        return std::pow(limit_in_joint(contact), 2) - std::pow(dynamics_->held_effort(contact.coordinate), 2);
+      };
+    } else if (contact.on_cord()) {
+      accelerate(now_.q, now_.v, acceleration_);
+      for (std::size_t k = 0; k < machine_.mechanism.components.size(); ++k)
+        if (const int action = machine_.mechanism.components[k].action;
+            (action == contact.action || action == contact.behind) && !dynamics_->component_determined(k))
+          motion_.stops(stage_,
+                        std::ranges::find(motion_.situation_.contacts, contact.name, &Contact::name)->friction->mark,
+                        "a tension of the cord beside '" + contact.name + "' is open from " +
+                            with_digits(now_.time, 6) + " s on, and so is when it slips");
+      event.name = "friction at its limit";
+      event.size = force > 0 ? force * force : 1;
+      event.value = [this, &contact](double time, std::span<const double> q, std::span<const double> v) {
+        refresh(time);
+        accelerate(q, v, acceleration_);
+        limit_state_.set_positions({q.begin(), q.end()});
+        const auto [before, behind] = tensions(contact);
+        return std::pow(resting_of(limit_state_, contact) * (before + behind), 2) - std::pow(before - behind, 2);
       };
     } else {
       accelerate(now_.q, now_.v, acceleration_);
       const std::size_t end = end_of_components(machine_.mechanism, first);
       for (std::size_t k = first; k < end; ++k)
-        if (!dynamics_->component_determined(k) &&
-            moves_anything(way_along(contact, machine_.mechanism.components[k]))) {
+        if (!dynamics_->component_determined(k) && moves_anything(way_along(contact, drawn_[k]))) {
           const auto stated = std::ranges::find(motion_.situation_.contacts, contact.name, &Contact::name);
           motion_.stops(stage_, stated->friction->mark,
                         "how contacts at rest share what they carry from " + with_digits(now_.time, 6) +
                             " s on is open, and so is when '" + contact.name + "' begins to slide");
         }
       event.name = "friction at its limit";
-      event.size = force * force;
+      event.size = force > 0 ? force * force : 1;
       event.value = [this, &contact, first, end](double time, std::span<const double> q, std::span<const double> v) {
         refresh(time);
         accelerate(q, v, acceleration_);
@@ -168,16 +209,30 @@ std::vector<ContactState> Course::Piece::at_their_limits(std::size_t event) {
     constexpr double at_limit = 1e-9;  // of the limit: the time of an event is known to 1e-12 of the pace and better
     if (contact.coordinate >= 0) {
       const double effort = dynamics_->held_effort(contact.coordinate);
-      if (&contact != come && std::abs(effort) < (1 - at_limit) * contact.resting) continue;
+      if (&contact != come && std::abs(effort) < (1 - at_limit) * limit_in_joint(contact)) continue;
       const auto stated = std::ranges::find(motion_.situation_.contacts, contact.name, &Contact::name);
       starting.push_back({contact.name, 0, Grip::slides, joint_direction(*stated, effort > 0), true, true});
+      continue;
+    }
+    if (contact.on_cord()) {
+      limit_state_.set_positions(now_.q);
+      const auto [before, behind] = tensions(contact);
+      if (&contact != come &&
+          std::abs(before - behind) < (1 - at_limit) * resting_of(limit_state_, contact) * (before + behind))
+        continue;
+      const auto stated = std::ranges::find(motion_.situation_.contacts, contact.name, &Contact::name);
+      if (contact.of_belt)
+        motion_.stops(
+            stage_, stated->friction->mark,
+            contact.name + " slips at " + with_digits(now_.time, 6) + " s: a belt that slips is not followed");
+      starting.push_back({contact.name, 0, Grip::slides, joint_direction(*stated, before > behind), true, true});
       continue;
     }
     const std::size_t first = push_of(contact);
     const double limit = contact.resting * dynamics_->component_force(first);
     Vector3<double> friction{};
     for (std::size_t k = first + 1; k < end_of_components(machine_.mechanism, first); ++k)
-      friction += dynamics_->component_force(k) * machine_.mechanism.components[k].along.vector;
+      friction += dynamics_->component_force(k) * drawn_[k].along.vector;
     if (&contact != come && norm(friction) < (1 - at_limit) * limit) continue;
     starting.push_back({contact.name, 0, Grip::slides, direction_expression(-1.0 * normalized(friction)), true, false});
   }
@@ -188,7 +243,7 @@ bool Course::Piece::slip_has_ended() {
   accelerate(now_.q, now_.v, acceleration_);
   return std::ranges::any_of(machine_.rough_contacts, [&](const RoughContactOf<double>& contact) {
     if (contact.grip != Grip::slides) return false;
-    const Vector3<double> u = slip(contact, now_.q, now_.v), d = limit_state_.direction(*contact.slip);
+    const Vector3<double> u = slip(contact, now_.q, now_.v), d = direction_now(limit_state_, contact, *contact.slip);
     limit_state_.set_accelerations(acceleration_);
     return dot(u, d) <= (contact.turns ? slip_ends * motion_.tolerance_ : slip_is_none) * motion_.natural_speed() &&
            dot(rough_motion(limit_state_, contact, true).slip, d) < 0;
@@ -199,14 +254,16 @@ std::vector<std::string> Course::Piece::off_their_lines(const Trajectory& way) {
   std::vector<std::string> names;
   if (!rubs()) return names;
   constexpr int looks = 4;
-  constexpr double rounding = 4e-8;  // of the natural speed
   const double speed = motion_.natural_speed();
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
-    if (contact.grip != Grip::slides || contact.turns || contact.coordinate >= 0 || !(contact.sliding > 0)) continue;
+    if (contact.grip != Grip::slides || contact.turns || contact.coordinate >= 0 || contact.on_cord() ||
+        !(contact.sliding > 0))
+      continue;
     const auto is_off = [&](double time) {
       const State<double> there = way.state(time);
-      const Vector3<double> u = slip(contact, there.q, there.v), d = limit_state_.direction(*contact.slip);
-      return norm(cross(u, d)) > rounding * speed || dot(u, d) < -rounding * speed;
+      const Vector3<double> u = slip(contact, there.q, there.v),
+                            d = direction_now(limit_state_, contact, *contact.slip);
+      return norm(cross(u, d)) > off_line * speed || dot(u, d) < -off_line * speed;
     };
     bool off = false;
     for (std::size_t i = 0; i < way.step_count() && !off; ++i) {
@@ -225,12 +282,18 @@ bool Course::Piece::rubs() const {
 double Course::Piece::rubbing_power(const State<double>& state) {
   if (!rubs()) return 0;
   accelerate(state.q, state.v, acceleration_);
-  double power = 0;
+  double power = power_of_joints(state);
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
-    // What friction in joints takes is counted with their drives.
+    // What friction in joints takes that is stated is counted with their drives.
     if (contact.grip != Grip::slides || contact.coordinate >= 0) continue;
+    if (contact.on_cord()) {
+      const auto [before, behind] = tensions(contact);
+      power -= std::abs(before - behind) * norm(slip(contact, state.q, state.v));
+      continue;
+    }
     const double N = dynamics_->component_force(push_of(contact));
-    power -= contact.sliding * N * dot(slip(contact, state.q, state.v), limit_state_.direction(*contact.slip));
+    const Vector3<double> u = slip(contact, state.q, state.v);  // sets the pose of limit_state_
+    power -= contact.sliding * N * dot(u, direction_now(limit_state_, contact, *contact.slip));
   }
   return power;
 }

@@ -73,7 +73,12 @@ Contact read_contact(const Key& name, const Entry& entry, const std::string& fil
   auto contact = begun<Contact>(name);
   take_body(members, "of", "of: disk", file, contact.of, contact.of_mark);
   take_holder(members, "against", contact.against, contact.against_mark);
-  contact.at = members.require_expression("at", "at: C");
+  contact.corner = members.find("corner") != nullptr;
+  if (contact.corner && members.find("at"))
+    fail(file, members.mark_of("at"), "contact '" + name.text + "' states its place twice, under corner: and at:",
+         "corner: is the point of '" + contact.of + "' that touches: leave out at:");
+  contact.at =
+      contact.corner ? members.require_expression("corner", "corner: C") : members.require_expression("at", "at: C");
   contact.normal = members.require_expression("normal", "normal: +y");
   if (const Entry* no_slip = members.find("no_slip"); no_slip && no_slip->is_list())
     contact.no_slip_along = members.list("no_slip");
@@ -110,17 +115,12 @@ Contact read_contact(const Key& name, const Entry& entry, const std::string& fil
   if (contact.open && !contact.inside.empty())
     fail(file, contact.inside_mark, "contact '" + name.text + "' is open, and meets a plane: no hollow side",
          "leave out open: true, or inside:");
-  if (contact.friction && contact.restitution && !contact.open)
-    fail(
-        file, members.mark_of("restitution"),
-        "contact '" + name.text + "' has friction and touches at the start: motions in which it parts are not followed",
-        "write open: true if it does not touch at the start, or leave out the friction");
+  if (contact.friction && contact.friction->falls() && contact.strikes_later())
+    fail(file, contact.friction->mark, "in a blow there is one coefficient of friction, not two",
+         "write friction: 0.3 at a contact that is struck");
   if (contact.friction && contact.open) {
-    if (contact.friction->falls())
-      fail(file, contact.friction->mark, "in a blow there is one coefficient of friction, not two",
-           "write friction: 0.3 at a contact that is open");
-    contact.blow_friction = contact.friction->sliding;
-    contact.friction.reset();
+    contact.flies = true;
+    contact.grip = Grip::parts;
   }
   return contact;
 }
@@ -148,6 +148,14 @@ CordWheel read_wheel(const Entry& entry, const std::string& file, const char* ke
   wheel.radius = members.expression("radius");
   wheel.side = members.expression("side");
   wheel.smooth = members.boolean("smooth").value_or(false);
+  if (const Entry* friction = members.find("friction"))
+    wheel.friction = read_friction(*friction, members.mark_of("friction"), file);
+  wheel.turns = members.expression("turns");
+  if (wheel.friction && wheel.smooth)
+    fail(file, wheel.friction->mark, "'" + wheel.name + "' is smooth and has friction", "leave out one of them");
+  if (wheel.turns && !wheel.friction)
+    fail(file, wheel.turns->mark(), "how often a cord goes round '" + wheel.name + "' matters for its friction alone",
+         "state friction: 0.3 beside it, or leave out turns:");
   return wheel;
 }
 
@@ -161,8 +169,9 @@ std::optional<CordWheel> read_winding(const Members& members, const char* key, c
          "cord '" + cord.name + "' winds on a wheel of '" + key + ":' and is tied to a point there as well",
          std::string("remove ") + point + ":, or write " + key + ": with a name alone");
   CordWheel wheel = read_wheel(*entry, file, key);
-  if (wheel.smooth)
-    fail(file, wheel.mark, "a cord that winds on '" + wheel.name + "' does not slide over it", "remove smooth:");
+  if (wheel.smooth || wheel.friction)
+    fail(file, wheel.mark, "a cord that winds on '" + wheel.name + "' does not slide over it",
+         std::string("remove ") + (wheel.smooth ? "smooth:" : "friction:"));
   return wheel;
 }
 
@@ -207,12 +216,91 @@ Cord read_cord(const Key& name, const Entry& entry, const std::string& file) {
   return cord;
 }
 
+Belt read_belt(const Key& name, const Entry& entry, const std::string& file, bool chain) {
+  const Members members(entry, file, {chain ? "chain" : "belt"});
+  auto belt = begun<Belt>(name);
+  belt.chain = chain;
+  const Entry& over = members.require("over", "over: [motor, fan]");
+  if (!over.is_list())
+    fail(file, over.mark, "what " + belt.words() + " goes round is a list, in its order", "write over: [motor, fan]");
+  for (const Entry& one : over.items) belt.over.push_back(read_wheel(one, file, "over"));
+  if (belt.over.size() < 2)
+    fail(file, over.mark, belt.words() + " goes round one wheel only", "name two or more: over: [motor, fan]");
+  if (!chain) {
+    belt.tension = members.expression("tension");
+    belt.crossed = members.boolean("crossed").value_or(false);
+  }
+  if (belt.crossed && belt.over.size() != 2)
+    fail(file, members.mark_of("crossed"), belt.words() + " is crossed and goes round more than two wheels",
+         "state on which side of each wheel it comes there: over: [{a: {side: +y}}, ...]");
+  for (const CordWheel& wheel : belt.over) {
+    if (wheel.friction && chain)
+      fail(file, wheel.friction->mark, "a chain does not slip on '" + wheel.name + "'", "remove friction:");
+    if (wheel.turns)
+      fail(file, wheel.turns->mark(), "a closed belt goes round '" + wheel.name + "' as the figure tells",
+           "remove turns:");
+  }
+  return belt;
+}
+
+std::vector<Contact> frictions_on(const Situation& situation) {
+  std::vector<Contact> found;
+  const auto add = [&](const std::string& name, const CordWheel& wheel, bool of_belt) {
+    if (!wheel.friction) return;
+    Contact friction;
+    friction.name = name + " on " + wheel.name;
+    friction.of = name;
+    friction.against = wheel.name;
+    friction.of_mark = friction.against_mark = friction.mark = wheel.mark;
+    // Its slip has two senses: the way the cord is led and back.
+    friction.normal = parse_expression("[1, 0, 0]", situation.file, wheel.mark);
+    friction.friction = wheel.friction;
+    friction.on_cord = true;
+    friction.of_belt = of_belt;
+    if (std::ranges::find(found, friction.name, &Contact::name) != found.end())
+      fail(
+          situation.file, wheel.mark, "cord '" + name + "' has friction on '" + wheel.name + "' twice",
+          "name the posts by their points, so that each can be asked for: over: [{P: {radius: r, friction: mu}}, ...]");
+    found.push_back(std::move(friction));
+  };
+  for (const Cord& cord : situation.cords)
+    for (const CordWheel& wheel : cord.over) add(cord.name, wheel, false);
+  for (const Belt& belt : situation.belts)
+    for (const CordWheel& wheel : belt.over) add(belt.name, wheel, true);
+  return found;
+}
+
 Gear read_gear(const Key& name, const Entry& entry, const std::string& file) {
   const Members members(entry, file, {"gear"});
   auto gear = begun<Gear>(name);
   take_body(members, "of", "of: pinion", file, gear.of, gear.of_mark);
   take_holder(members, "against", gear.against, gear.against_mark);
   gear.at = members.require_expression("at", "at: P");
+  gear.pressure_angle = members.expression("pressure_angle");
+  gear.normal_pressure_angle = members.expression("normal_pressure_angle");
+  gear.helix_angle = members.expression("helix_angle");
+  gear.lead = members.expression("lead");
+  for (const auto& [one, other] :
+       {std::pair{"pressure_angle", "normal_pressure_angle"}, std::pair{"helix_angle", "lead"}})
+    if (members.find(one) && members.find(other))
+      fail(file, members.mark_of(other), "gear '" + name.text + "' states both " + one + " and " + other,
+           "state one of them; the other follows");
+  gear.friction = members.expression("friction");
+  const std::string hand = members.text("hand");
+  gear.hand_mark = members.find("hand") ? members.mark_of("hand") : name.mark;
+  if (hand == "right" || hand == "left" || hand == "both")
+    gear.hand = hand == "right" ? Hand::right : hand == "left" ? Hand::left : Hand::both;
+  else if (!hand.empty())
+    fail(file, gear.hand_mark, "teeth have no hand '" + hand + "'",
+         "write right, left, or both for two rows of teeth whose thrusts cancel");
+  if (gear.has_helix() && gear.hand == Hand::none)
+    fail(file, name.mark, "gear '" + name.text + "' does not say on which side its teeth rise",
+         "write hand: right or hand: left, that of '" + gear.of + "', or hand: both for two rows of teeth");
+  if (!gear.has_helix() && gear.hand != Hand::none)
+    fail(file, gear.hand_mark, "the teeth of gear '" + name.text + "' are straight and have no hand",
+         "state helix_angle: or lead:, or remove hand:");
+  if (gear.lead && gear.hand == Hand::both)
+    fail(file, gear.hand_mark, "a worm is right- or left-handed", "write hand: right or hand: left");
   return gear;
 }
 
@@ -284,6 +372,53 @@ Strike read_strike(const Key& name, const Entry& entry, const std::string& file)
     fail(file, name.mark, "strike '" + name.text + "' must say what becomes of the particle",
          "write stays: true, or loses: 20 %");
   return strike;
+}
+
+Excitation read_excitation(const Key& name, const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"excitation"});
+  auto shakes = begun<Excitation>(name);
+  int kinds = 0;
+  for (const char* kind : {"force", "couple", "unbalance", "moves"}) kinds += members.find(kind) ? 1 : 0;
+  if (kinds != 1)
+    fail(file, name.mark,
+         "excitation '" + name.text + "' states " + (kinds == 0 ? "nothing that swings" : "several things that swing"),
+         "state one of force:, couple:, unbalance: and moves:");
+  shakes.force = members.expression("force");
+  shakes.couple = members.expression("couple");
+  shakes.unbalance = members.expression("unbalance");
+  shakes.by = members.expression("by");
+  shakes.frequency = members.expression("frequency");
+  const auto leave_out = [&](std::initializer_list<const char*> keys, const std::string& why, const std::string& hint) {
+    for (const char* key : keys)
+      if (members.find(key)) fail(file, members.mark_of(key), why, hint);
+  };
+  if (members.find("moves")) {
+    shakes.coordinate = scalar_text(members.require("moves", "moves: s"), file, "the name of a coordinate");
+    shakes.coordinate_mark = members.mark_of("moves");
+    if (!shakes.by)
+      fail(file, name.mark, "excitation '" + name.text + "' does not say how far the coordinate swings",
+           "write moves: " + shakes.coordinate + ", by: 2 mm");
+    leave_out({"body", "at", "along", "about", "axes", "turns"}, "a coordinate that swings has a joint, and no more",
+              "leave it out");
+    return shakes;
+  }
+  leave_out({"by"}, "how far something swings is said of a coordinate", "state moves: s, by: 2 mm");
+  take_body(members, "body", "body: rotor", file, shakes.body, shakes.body_mark);
+  take_holder(members, "axes", shakes.axes, shakes.axes_mark);
+  shakes.direction = members.expression(shakes.couple ? "about" : "along");
+  leave_out({shakes.couple ? "along" : "about"}, shakes.couple ? "a couple has no 'along'" : "a force has no 'about'",
+            shakes.couple ? "a couple acts about an axis" : "a force acts along a direction");
+  shakes.at = members.expression("at");
+  if (shakes.couple) leave_out({"at"}, "a couple has no point", "remove at:");
+  shakes.turns = members.expression("turns");
+  if (shakes.unbalance) {
+    leave_out({"axes", "turns", "frequency"}, "an unbalance rides with its body and goes round as it spins",
+              "leave it out");
+    if (!shakes.direction)
+      fail(file, name.mark, "excitation '" + name.text + "' does not say on which side the unbalance is",
+           "write along: x, from which phases are counted");
+  }
+  return shakes;
 }
 
 }  // namespace poinsot::problem

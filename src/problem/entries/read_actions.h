@@ -1,4 +1,4 @@
-// Reads what carries bodies or strikes them: frames, contacts, cords, gears, and blows.
+// Reads what carries bodies, strikes or shakes them: frames, contacts, cords, gears, blows, excitations.
 #pragma once
 
 #include <string>
@@ -12,9 +12,13 @@ Frame read_frame(const Key& name, const Entry& entry, const std::string& file);
 Friction read_friction(const Entry& entry, const Mark& mark, const std::string& file);
 Contact read_contact(const Key& name, const Entry& entry, const std::string& file);
 Cord read_cord(const Key& name, const Entry& entry, const std::string& file);
+Belt read_belt(const Key& name, const Entry& entry, const std::string& file, bool chain);
+// The friction of cords and belts on what they are led over, whose states are found with those of contacts.
+std::vector<Contact> frictions_on(const Situation& situation);
 Gear read_gear(const Key& name, const Entry& entry, const std::string& file);
 Impulse read_impulse(const Key& name, const Entry& entry, const std::string& file);
 Impact read_impact(const Key& name, const Entry& entry, const std::string& file);
 Strike read_strike(const Key& name, const Entry& entry, const std::string& file);
+Excitation read_excitation(const Key& name, const Entry& entry, const std::string& file);
 
 }  // namespace poinsot::problem

@@ -12,8 +12,58 @@
 namespace poinsot::problem {
 namespace {
 
+// Friction in a joint: a couple or force, one number or {static, kinetic}, or what follows from a coefficient.
+Friction read_joint_friction(const Entry& entry, const Mark& mark, const std::string& owner, const JointKind& kind,
+                             const std::string& file) {
+  const bool screw = kind.advances, guide = !screw && !kind.freedoms.front().turning;
+  const std::string form = guide   ? "friction: {coefficient: 0.2}"
+                           : screw ? "friction: {coefficient: 0.12, radius: 10 mm}, with the mean radius of its thread"
+                                   : "friction: {coefficient: 0.1, radius: 20 mm}, with the radius of its journal";
+  if (entry.is_scalar()) {
+    if (screw) fail(file, mark, owner + " is a screw, whose friction follows from its thread", "write " + form);
+    return read_friction(entry, mark, file);
+  }
+  const Members members(entry, file, {"joint_friction"});
+  const Entry* coefficient = members.find("coefficient");
+  if (!coefficient) {
+    for (const char* key : {"radius", "thrust_radius", "length", "thread_angle"})
+      if (members.find(key))
+        fail(file, members.mark_of(key), owner + " states " + key + ": and no coefficient of friction",
+             "write " + form + ", or coefficient: {static: 0.3, kinetic: 0.2}");
+    if (screw) fail(file, mark, owner + " is a screw, whose friction follows from its thread", "write " + form);
+    return {members.require_expression("static", "static: 4 N*m"),
+            members.require_expression("kinetic", "kinetic: 3 N*m"), mark};
+  }
+  for (const char* key : {"static", "kinetic"})
+    if (members.find(key))
+      fail(file, members.mark_of(key), owner + " states a coefficient and " + key + ": beside it",
+           "write coefficient: {static: 0.3, kinetic: 0.2}");
+  Friction friction = read_friction(*coefficient, mark, file);
+  friction.bearing = Bearing{members.expression("radius"), members.expression("thrust_radius"),
+                             members.expression("length"), members.expression("thread_angle")};
+  const auto only = [&](const char* key, bool fits, const char* where) {
+    if (members.find(key) && !fits)
+      fail(file, members.mark_of(key), owner + " is a " + kind.name + " and has no " + key + ": of its friction",
+           std::string(key) + ": belongs to " + where);
+  };
+  only("radius", !guide, "the journal of a revolute joint and the thread of a screw; a guide needs no radius");
+  only("thrust_radius", !guide && !screw, "the collar of a revolute joint");
+  only("length", !screw, "a revolute or prismatic joint, between the two ends at which it bears");
+  only("thread_angle", screw, "a screw");
+  if (screw && !friction.bearing->radius)
+    fail(file, mark, owner + " states a coefficient of friction and no radius of its thread", "write " + form);
+  if (!guide && !friction.bearing->radius && !friction.bearing->thrust_radius)
+    fail(file, mark, owner + " states a coefficient of friction and no radius at which it acts",
+         "write " + form + ", or thrust_radius: with the mean radius of its collar");
+  if (!guide && friction.bearing->length && !friction.bearing->radius)
+    fail(file, members.mark_of("length"), owner + " states the length of a journal without its radius",
+         "write radius:, or leave out length:");
+  return friction;
+}
+
 // Reads the keys of one freedom. They stand in the joint itself if it has one freedom, else under `freedoms:`.
-void read_freedom(const Members& members, const std::string& owner, const std::string& file, Freedom& freedom) {
+void read_freedom(const Members& members, const std::string& owner, const std::string& file, Freedom& freedom,
+                  const JointKind* kind = nullptr) {
   const char* position = freedom.turning ? "angle" : "displacement";
   const char* effort = freedom.turning ? "couple" : "force";
   for (const auto& [wrong, right] : {std::pair{freedom.turning ? "displacement" : "angle", position},
@@ -28,7 +78,7 @@ void read_freedom(const Members& members, const std::string& owner, const std::s
   freedom.effort = members.expression(effort);
   freedom.damping = members.expression("damping");
   if (const Entry* friction = members.find("friction")) {
-    freedom.friction = read_friction(*friction, members.mark_of("friction"), file);
+    freedom.friction = read_joint_friction(*friction, members.mark_of("friction"), owner, *kind, file);
     if (freedom.rate && freedom.accel)
       fail(file, freedom.friction->mark,
            owner + " has rate:, accel: and friction: what drives it has to overcome the friction besides",
@@ -145,14 +195,18 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
   }
   if (const Entry* angles = members.find("angles")) read_angles(*angles, owner, file, joint);
 
-  if (const Entry* friction = members.find("friction");
-      friction && (joint.freedoms.size() != 1 || joint.kind->advances))
+  if (const Entry* friction = members.find("friction"); friction && joint.freedoms.size() != 1)
     fail(file, members.mark_of("friction"),
          owner + " is a " + joint.kind->name +
-             ": friction is stated at joints that only turn or only slide, revolute and prismatic",
+             ": friction is stated at joints that only turn or only slide, revolute and prismatic, and at screws",
          "state it there, or as contacts with friction");
   if (joint.freedoms.size() == 1) {
-    read_freedom(members, owner, file, joint.freedoms.front());
+    const Freedom& freedom = joint.freedoms.front();
+    read_freedom(members, owner, file, joint.freedoms.front(), joint.kind);
+    if (freedom.friction && freedom.friction->bearing && freedom.friction->bearing->length && !joint.at &&
+        !joint.place.as<Arrow>())
+      fail(file, freedom.friction->mark, owner + " states the length at which it bears, and not where",
+           "write at: with the point in the middle between its ends");
   } else if (states_freedom(members)) {
     const std::string names = joined(names_of(joint.freedoms));
     fail(file, mark, owner + " has " + (joint.freedoms.empty() ? "no freedom of its own" : "several freedoms"),

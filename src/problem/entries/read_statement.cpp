@@ -18,6 +18,7 @@
 #include "problem/entries/statement.h"
 #include "problem/entries/viewing_direction.h"
 #include "problem/keys/keys.h"
+#include "problem/keys/laid_over.h"
 #include "problem/keys/planar_vectors.h"
 #include "problem/keys/reader.h"
 
@@ -66,6 +67,13 @@ MotionPlane read_plane(const Entry& entry, const std::array<std::string, 3>& axe
   return plane;
 }
 
+// Reads {toward: O, parameter: 398600 km^3/s^2}.
+CentralGravity read_central_gravity(const Entry& entry, const std::string& file) {
+  const Members members(entry, file, {"gravity"});
+  return {members.require_expression("toward", "toward: O"),
+          members.require_expression("parameter", "parameter: 398600 km^3/s^2"), entry.mark};
+}
+
 std::array<std::string, 3> read_axes(const Entry& axes, const std::string& file) {
   if (axes.kind != Entry::Kind::list || axes.items.size() != 3)
     fail(file, axes.mark, "axes are three names", "write axes: [X, Y, Z]");
@@ -87,7 +95,6 @@ Situation read_one(const Entry& stated, const std::string& file) {
   const Entry root = situation.plane ? with_vectors_of_plane(stated, situation.plane->normal()) : stated;
   const Members members(root, file, {"problem"});
   situation.title = members.text("title");
-  const ReadContext context{file, situation.axes, situation.plane};
   situation.given = named_expressions(members, "given", file);
   for (const auto& [name, unit] : named(members, "letters", file)) {
     check_name(name.text, name.mark, file);
@@ -125,7 +132,14 @@ Situation read_one(const Entry& stated, const std::string& file) {
   }
   situation.where = members.list("where");
   situation.assume = read_assumptions(members, file);
-  situation.gravity = members.expression("gravity");
+  if (const Entry* gravity = members.find("gravity"); gravity && gravity->kind == Entry::Kind::map) {
+    situation.central_gravity = read_central_gravity(*gravity, file);
+    situation.gravity = parse_expression("none", file, gravity->mark);
+  } else {
+    situation.gravity = members.expression("gravity");
+  }
+  // The pull of a center feels the moments about axes in the plane of a planar problem too.
+  const ReadContext context{file, situation.axes, situation.central_gravity ? std::nullopt : situation.plane};
   if (const Entry* view = members.find("view")) {
     if (!view->is_scalar())
       fail(file, view->mark, "a view is one text, without brackets", "write view: top, view: 40,15 or view: 0,0,1");
@@ -157,6 +171,15 @@ Situation read_one(const Entry& stated, const std::string& file) {
     situation.contacts.push_back(std::move(friction));
   }
   read_all("cords", situation.cords, [&](const Key& name, const Entry& entry) { return read_cord(name, entry, file); });
+  for (const bool chain : {false, true})
+    read_all(chain ? "chains" : "belts", situation.belts, [&](const Key& name, const Entry& entry) {
+      const Belt belt = read_belt(name, entry, file, chain);
+      for (const Belt& other : situation.belts)
+        if (other.name == belt.name)
+          fail(file, name.mark, "a belt has the name of " + other.words(), "rename one of them");
+      return belt;
+    });
+  for (Contact& friction : frictions_on(situation)) situation.contacts.push_back(std::move(friction));
   read_all("gears", situation.gears, [&](const Key& name, const Entry& entry) { return read_gear(name, entry, file); });
   for_each_law_list(situation, [&]<StatedLaw Law>(std::vector<Law>& laws) {
     read_all(Law::list, laws, [&](const Key& name, const Entry& entry) { return Law::read(name, entry, file); });
@@ -167,6 +190,8 @@ Situation read_one(const Entry& stated, const std::string& file) {
            [&](const Key& name, const Entry& entry) { return read_impact(name, entry, file); });
   read_all("strikes", situation.strikes,
            [&](const Key& name, const Entry& entry) { return read_strike(name, entry, file); });
+  read_all("excitations", situation.excitations,
+           [&](const Key& name, const Entry& entry) { return read_excitation(name, entry, file); });
   read_all("stages", situation.stages,
            [&](const Key& name, const Entry& entry) { return read_stage(name, entry, file); });
   if (const Entry* steady = members.find("steady")) situation.steady = read_steady(*steady, file);
@@ -186,21 +211,6 @@ Situation read_one(const Entry& stated, const std::string& file) {
   for (const Letter& letter : situation.letters) situation.habits.note(letter.unit);
   for (const Unknown& unknown : situation.find) situation.habits.note(unknown.unit);
   return situation;
-}
-
-// Lays one entry over another: maps are merged key by key, everything else is replaced.
-Entry laid_over(const Entry& base, const Entry& overlay) {
-  if (base.kind != Entry::Kind::map || overlay.kind != Entry::Kind::map) return overlay;
-  Entry merged = base;
-  for (const auto& [key, value] : overlay.members) {
-    const auto found = std::find_if(merged.members.begin(), merged.members.end(),
-                                    [&name = key.text](const auto& member) { return member.first.text == name; });
-    if (found == merged.members.end())
-      merged.members.emplace_back(key, value);
-    else
-      found->second = laid_over(found->second, value);
-  }
-  return merged;
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ void check_stated_names(const Situation& situation) {
       fail(situation.file, joint.mark, "joint '" + joint.name + "' joins '" + joint.to + "' to itself");
   }
   for (const Contact& contact : situation.contacts) {
+    if (contact.on_cord) continue;
     body(contact.of, contact.of_mark);
     holder(contact.against, contact.against_mark);
   }
@@ -55,6 +56,12 @@ void check_stated_names(const Situation& situation) {
     for (const NamedExpression& point : situation.points) leads.push_back(point.name);
     for (const CordWheel& wheel : cord.over) check(wheel.name, wheel.mark, leads, "body or point");
   }
+  for (const Belt& belt : situation.belts) {
+    for (const Cord& cord : situation.cords)
+      if (cord.name == belt.name)
+        fail(situation.file, belt.mark, "a cord has the name of " + belt.words(), "rename one of them");
+    for (const CordWheel& wheel : belt.over) holder(wheel.name, wheel.mark);
+  }
   for (const Gear& gear : situation.gears) {
     body(gear.of, gear.of_mark);
     holder(gear.against, gear.against_mark);
@@ -64,6 +71,18 @@ void check_stated_names(const Situation& situation) {
     for (const LawBody& named : law.bodies())
       named.may_be_frame ? holder(named.name, named.mark) : body(named.name, named.mark);
   });
+  if (situation.central_gravity) {
+    const auto keep_free = [&](const auto& list) {
+      for (const auto& one : list)
+        if (one.name == name_of_gravity)
+          fail(situation.file, one.mark, "'gravity' is the name of the pull of the center", "rename this");
+    };
+    keep_free(situation.joints);
+    keep_free(situation.contacts);
+    keep_free(situation.cords);
+    keep_free(situation.gears);
+    for_each_law_list(situation, keep_free);
+  }
   for (const Impulse& impulse : situation.impulses) {
     body(impulse.body, impulse.body_mark);
     holder(impulse.axes, impulse.axes_mark);
@@ -75,6 +94,11 @@ void check_stated_names(const Situation& situation) {
   for (const Strike& strike : situation.strikes) {
     body(strike.hits, strike.hits_mark);
     holder(strike.relative_to, strike.relative_to_mark);
+  }
+  for (const Excitation& shakes : situation.excitations) {
+    if (shakes.body.empty()) continue;
+    body(shakes.body, shakes.body_mark);
+    holder(shakes.axes, shakes.axes_mark);
   }
   for (const Stage& stage : situation.stages)
     for (const std::string& load : stage.loads.value_or(std::vector<std::string>{}))

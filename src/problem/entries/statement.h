@@ -154,7 +154,9 @@ struct CordWheel {
   std::string name;  // of the body or point
   Expression named;  // the same as an expression
   std::optional<Expression> at, radius, side;
-  bool smooth = false;  // whether the cord slides over it
+  bool smooth = false;                 // whether the cord slides over it
+  std::optional<Friction> friction{};  // the coefficients, where it slips against friction
+  std::optional<Expression> turns{};   // how often it goes round, as drawn
   Mark mark;
 };
 
@@ -170,12 +172,32 @@ struct Cord {
   bool is_led() const { return !over.empty() || off_from || on_to; }
 };
 
-// Two gears whose teeth meet.
+// A closed belt or chain round wheels, in its order.
+struct Belt {
+  std::string name;
+  bool chain = false;
+  std::vector<CordWheel> over;
+  std::optional<Expression> tension;  // the initial one of a belt
+  bool crossed = false;
+  Mark mark;
+
+  std::string words() const { return (chain ? "chain '" : "belt '") + name + "'"; }
+};
+
+// On which side teeth rise along their wheel, as threads do; both: two rows of teeth, whose thrusts cancel.
+enum class Hand { none, right, left, both };
+
+// Two gears whose teeth meet. The angle of the helix, its lead and its hand are those of `of`.
 struct Gear {
   std::string name, of, against;
   Mark of_mark, against_mark;
   Expression at;
-  Mark mark;
+  std::optional<Expression> pressure_angle, normal_pressure_angle, helix_angle, lead, friction;
+  Hand hand = Hand::none;
+  Mark hand_mark, mark;
+
+  bool has_pressure_angle() const { return pressure_angle || normal_pressure_angle; }
+  bool has_helix() const { return helix_angle || lead; }
 };
 
 // A sudden push or twist, given as an impulse or as a force that lasts so short a time that nothing moves meanwhile.
@@ -205,6 +227,16 @@ struct Strike {
   bool stays = false;
   bool mass_neglected = false;
   std::optional<Expression> loses;  // the part of its relative speed that it loses
+  Mark mark;
+};
+
+// What shakes a steady motion a little, at one frequency: it acts in response() alone.
+struct Excitation {
+  std::string name, body, axes, coordinate;
+  Mark body_mark, axes_mark, coordinate_mark;
+  // One of these, or a coordinate that is driven and swings `by` so much.
+  std::optional<Expression> force, couple, unbalance, by;
+  std::optional<Expression> direction, at, turns, frequency;
   Mark mark;
 };
 
@@ -329,6 +361,14 @@ struct MotionPlane {
   int sign() const { return second == (first + 1) % 3 ? 1 : -1; }
 };
 
+// Gravity towards a center.
+struct CentralGravity {
+  Expression toward, parameter;
+  Mark mark;
+};
+// The name of its pull on each body, in force(gravity on moon).
+inline constexpr const char* name_of_gravity = "gravity";
+
 // One setting of the machine: what the file says at its top, with the entries of this setting laid over it.
 struct Situation {
   std::string name;  // "" when the file states no situations
@@ -345,7 +385,8 @@ struct Situation {
   std::vector<Expression> where;     // comparisons that the unknowns must satisfy
   std::vector<Expression> assume;    // comparisons under which claims are made
   std::array<std::string, 3> axes{"x", "y", "z"};
-  std::optional<Expression> gravity;  // absent: not stated; the name `none`: no gravity
+  std::optional<Expression> gravity;              // absent: not stated; the name `none`: no gravity
+  std::optional<CentralGravity> central_gravity;  // `gravity` is then `none`
   std::optional<MotionPlane> plane;
   std::string view;  // from where a figure is looked at, as viewing_direction() has it; "" if open
   std::vector<NamedExpression> points, directions, define;
@@ -354,19 +395,20 @@ struct Situation {
   std::vector<Joint> joints;
   std::vector<Contact> contacts;
   std::vector<Cord> cords;
+  std::vector<Belt> belts;  // and chains
   std::vector<Gear> gears;
   std::vector<Spring> springs;
   std::vector<Load> loads;
   std::vector<Impulse> impulses;
   std::vector<Impact> impacts;
   std::vector<Strike> strikes;
+  std::vector<Excitation> excitations;
   std::vector<Stage> stages;
   std::vector<Instant> instants;
   std::optional<Steady> steady;
+  std::string only_start{};  // why its motion is not followed; empty if it is
   // Whether there is a blow, so that velocities before and after it differ.
-  bool has_friction() const {
-    return std::ranges::any_of(contacts, [](const Contact& contact) { return contact.friction.has_value(); });
-  }
+  bool has_friction() const { return std::ranges::any_of(contacts, &Contact::rubs); }
   // Whether it is one at a rough contact.
   bool has_rough_blow() const {
     return std::ranges::any_of(impacts, [](const Impact& impact) { return impact.friction.has_value(); });

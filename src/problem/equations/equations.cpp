@@ -204,6 +204,17 @@ std::vector<std::string> remarks(const Situation& situation, const std::string& 
         (independent.empty() ? "" : ", ") + machine.inputs[machine.state.q.size() + static_cast<std::size_t>(k)].name;
   if (!independent.empty()) lines.push_back("independent: " + independent);
   for (const std::string& assumption : assumptions(machine)) lines.push_back(assumption);
+  // Out of the plane of its wheels a cord is told to the second order only (engine/dynamics/cord_span.h).
+  if (!situation.plane)
+    for (const Cord& cord : situation.cords) {
+      const bool on_wheels = std::ranges::any_of(machine.stated.mechanism.constraints, [&](const auto& c) {
+        return std::ranges::any_of(c.spans, [&](const auto& span) {
+          return machine.stated.mechanism.actions[static_cast<std::size_t>(c.action)].name == cord.name &&
+                 (!vanishes(span.from.reach) || !vanishes(span.to.reach));
+        });
+      });
+      if (on_wheels) lines.push_back("while cord '" + cord.name + "' stays in the plane of its wheels");
+    }
   lines.push_back("SI units; " + std::to_string(operations) + " operations");
   return lines;
 }

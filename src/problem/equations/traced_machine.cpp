@@ -178,6 +178,11 @@ void check_actions(Mechanism<Formula>& mechanism, const Situation& situation) {
       throw NoEquations(
           contact.words() +
           " has friction: whether it sticks or slides is told at an instant, not by one set of equations");
+  for (const Gear& gear : situation.gears)
+    if (gear.friction)
+      throw NoEquations("gear '" + gear.name +
+                        "' has friction: which flanks of its teeth carry is told at an instant, not by one set of "
+                        "equations");
   for (VelocityConstraint<Formula>& c : mechanism.constraints) {
     if (c.shape_unknown)
       throw NoEquations("how the point of contact moves is not known (" + c.words +

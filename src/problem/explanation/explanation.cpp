@@ -142,7 +142,7 @@ class Explainer {
                      numbers_.settings()[home.situation], explanation_)
         .explain(suffix);
     if (!questions.stability) return;
-    NearSteady near{stated, instant, formulas.get(), point, factors};
+    NearSteady near{stated, instant, formulas.get(), point, factors, questions.responses};
     if (const auto limit = numbers_.limits().find(home.situation); limit != numbers_.limits().end()) {
       const std::string& name = statement_.asks[limit->second].extremum->name;
       if (const auto datum = values.find(name); datum != values.end())

@@ -130,6 +130,18 @@ SpatialForce<Scalar> absorbed_momentum(const InstantFigures<Scalar>& figures,
   return sum;
 }
 
+// What a component of size one exerts, with the force by which teeth that it turns push their wheels apart.
+template <class Scalar>
+SpatialForce<Scalar> wrench_with_parting(const solve::MechanismStateOf<Scalar>& placed, std::size_t index) {
+  const std::vector<Component<Scalar>>& components = placed.mechanism().components;
+  SpatialForce<Scalar> sum = placed.component_wrench(components[index]);
+  for_each_follower(components, index, [&](std::size_t k) {
+    if (k != index && components[k].parts_wheels && components[k].flank != 0)
+      sum += components[k].followed_part() * placed.component_wrench(components[k]);
+  });
+  return sum;
+}
+
 template <class Scalar>
 MotionBalance<Scalar> balance_of(const InstantFigures<Scalar>& figures, const BalancePlan& plan,
                                  const Vector3<Scalar>& point) {
@@ -139,9 +151,13 @@ MotionBalance<Scalar> balance_of(const InstantFigures<Scalar>& figures, const Ba
   MotionBalance<Scalar> balance;
   for (const UnknownForce& force : plan.unknown) {
     Wrench one = force.kind == UnknownForce::Kind::component
-                     ? placed.component_wrench(mechanism.components[force.index])
+                     ? (plan.sudden ? placed.component_wrench(mechanism.components[force.index])
+                                    : wrench_with_parting(placed, force.index))
                  : force.kind == UnknownForce::Kind::effort ? placed.drive_wrench(mechanism.drives[force.index])
                                                             : impact_wrench(placed, figures.blow.impacts[force.index]);
+    if (force.kind == UnknownForce::Kind::component && mechanism.components[force.index].span &&
+        mechanism.components[force.index].follows >= 0)
+      one = mechanism.components[force.index].followed_part() * one;
     balance.unknown.push_back(about(Scalar(static_cast<int>(force.sign)) * one, point));
   }
   for (const KnownAction& known : plan.known) {
@@ -151,9 +167,18 @@ MotionBalance<Scalar> balance_of(const InstantFigures<Scalar>& figures, const Ba
       for (const auto& impulse : figures.blow.impulses)
         if (impulse.action == action) total += impulse.wrench;
     } else {
-      total = placed.known_wrench(action);
+      balance.known.push_back(Scalar(static_cast<int>(known.sign)) * placed.known_wrench(action, point));
+      continue;
     }
     balance.known.push_back(about(Scalar(static_cast<int>(known.sign)) * total, point));
+  }
+  // What the sides of belts have of the initial tension.
+  for (const UnknownForce& force : plan.unknown) {
+    if (plan.sudden || force.kind != UnknownForce::Kind::component) continue;
+    const Component<Scalar>& component = mechanism.components[force.index];
+    if (!poinsot::vanishes(component.offset))
+      balance.known.push_back(
+          about(Scalar(static_cast<int>(force.sign)) * (component.offset * placed.component_wrench(component)), point));
   }
   for (const int body : plan.bodies) {
     if (plan.sudden || !(plain(mechanism.tree.body(body).inertia.mass) > 0)) continue;

@@ -112,7 +112,9 @@ class InstantExplainer {
   // A hundredth of the unit of each dimension that the machine sets: arms and masses that count beside others.
   NaturalCoefficient natural_coefficient() const {
     constexpr double part = 1e-2;
-    return [this](const Dimension& dimension) { return part * natural_unit(solved_.scales(), dimension); };
+    return [this](const Dimension& dimension) {
+      return part * natural_unit(solved_.scales(), dimension) * solved_.part_of_turning(dimension);
+    };
   }
   double noise_size(const Dimension& dimension) const;
   Shown clean(Shown value, const Dimension& dimension) const;
@@ -179,6 +181,8 @@ class InstantExplainer {
   void rate_step(ExplainedSection& section, int body, const ExplainedPoint& about, bool fixed);
   void force_list(ExplainedSection& section, const System& system, const std::set<std::string>& across) const;
   std::string sliding_coefficient(std::size_t action) const;
+  std::string words_of_cord(const std::string& name) const;
+  std::string law_of_bearing(std::size_t action) const;
   void friction_step(std::size_t impact, ExplainedSection& section);
   void extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed, ExplainedSection& section);
   void list_unknowns(const std::vector<Symbol>& listed);

@@ -135,6 +135,7 @@ std::string slipping_words(const Contact& contact) {
   const std::string resting = code(contact.friction->resting), sliding = code(contact.friction->sliding);
   std::string words = ", with dry friction: the coefficient is " + resting;
   if (resting != sliding) words += " at rest and " + sliding + " while it slides";
+  if (contact.flies) return words;
   switch (contact.grip) {
     case Grip::sticks:
       return words + "; it sticks";
@@ -149,26 +150,65 @@ std::string slipping_words(const Contact& contact) {
 }
 
 std::string friction_words(const Contact& contact) {
-  std::string words = "the joint *" + contact.name + "* has dry friction of " + code(contact.friction->resting);
+  const std::optional<Bearing>& bearing = contact.friction->bearing;
+  std::string words = "the joint *" + contact.name + "* has dry friction" +
+                      (bearing ? ": the coefficient is " : " of ") + code(contact.friction->resting);
   if (contact.friction->falls()) words += " at rest and " + code(contact.friction->sliding) + " while it moves";
+  if (bearing) {
+    const auto at = [&](const char* what, const std::optional<Expression>& size) {
+      return size ? what + code(*size) : std::string();
+    };
+    words += at(", at the radius ", bearing->radius) + at(", of its collar at ", bearing->thrust_radius) +
+             at(", between ends at a distance of ", bearing->length) +
+             at(", with an angle between the flanks of ", bearing->thread_angle) +
+             "; its friction is $\\mu$ times the forces that press in it, by their radius where it turns, found "
+             "together with "
+             "them";
+  }
   if (contact.grip == Grip::sticks) words += "; it is held";
   if (contact.grip == Grip::slides) words += "; it moves, and the friction is against that";
   return words;
 }
 
+std::string slipping_cord_words(const Contact& contact) {
+  std::string words = std::string(contact.of_belt ? "the belt *" : "the cord *") + contact.of +
+                      "* has dry friction of " + code(contact.friction->resting);
+  if (contact.friction->falls()) words += " at rest and " + code(contact.friction->sliding) + " while it slips";
+  words += " on *" + contact.against + "*";
+  if (contact.grip == Grip::sticks) words += "; it does not slip";
+  if (contact.grip == Grip::slides) words += "; it slips, and its tension changes by $e^{\\mu\\beta}$ round it";
+  return words;
+}
+
+std::string teeth_words(const Gear& gear) {
+  const auto stated = [&](const std::optional<Expression>& one, const std::string& name) {
+    return one ? ", " + name + " " + code(*one) : "";
+  };
+  const std::string hand = gear.hand == Hand::right  ? ", right-handed on *" + gear.of + "*"
+                           : gear.hand == Hand::left ? ", left-handed on *" + gear.of + "*"
+                           : gear.hand == Hand::both ? ", in two rows of either hand"
+                                                     : "";
+  const std::string law = gear.has_pressure_angle()
+                              ? "; they touch with flanks that lean by the pressure angle, so that they push the "
+                                "wheels apart by its tangent times the force across the teeth, whichever way that acts"
+                              : "";
+  return "the teeth of *" + gear.of + "* and *" + gear.against + "* meet at " + code(gear.at) +
+         stated(gear.pressure_angle, "pressure angle") + stated(gear.normal_pressure_angle, "normal pressure angle") +
+         stated(gear.helix_angle, "helix angle") + stated(gear.lead, "lead") + hand +
+         stated(gear.friction, "friction") + law;
+}
+
 void add_actions(const Situation& situation, const Data& data, std::vector<std::string>& lines) {
   for (const Contact& contact : situation.contacts)
     lines.push_back(
-        contact.in_joint
+        contact.on_cord ? slipping_cord_words(contact)
+        : contact.in_joint
             ? friction_words(contact)
-            : "*" + contact.of + (contact.open ? "* may later touch *" : "* touches *") + contact.against + "* at " +
-                  code(contact.at) + ", normal " + code(contact.normal) +
-                  (contact.inside.empty() ? "" : ", inside *" + contact.inside + "*") + slipping_words(contact) +
-                  (contact.surface ? ", through " + code(*contact.surface) : "") +
-                  (contact.restitution ? ", restitution " + data.number(*contact.restitution, dimensions::none) : "") +
-                  (contact.blow_friction
-                       ? ", friction in blows " + data.number(*contact.blow_friction, dimensions::none)
-                       : ""));
+            : "*" + contact.of + (contact.open ? "* may later touch *" : "* touches *") + contact.against +
+                  (contact.corner ? "* with its corner " : "* at ") + code(contact.at) + ", normal " +
+                  code(contact.normal) + (contact.inside.empty() ? "" : ", inside *" + contact.inside + "*") +
+                  slipping_words(contact) + (contact.surface ? ", through " + code(*contact.surface) : "") +
+                  (contact.restitution ? ", restitution " + data.number(*contact.restitution, dimensions::none) : ""));
   for (const Cord& cord : situation.cords) {
     std::string over;
     for (const CordWheel& wheel : cord.over) over += (over.empty() ? ", led over *" : ", *") + wheel.name + "*";
@@ -176,8 +216,14 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
                     (cord.end ? " at " + code(*cord.end) : "") +
                     (cord.direction ? " along " + code(*cord.direction) : "") + over);
   }
-  for (const Gear& gear : situation.gears)
-    lines.push_back("the teeth of *" + gear.of + "* and *" + gear.against + "* meet at " + code(gear.at));
+  for (const Belt& belt : situation.belts) {
+    std::string over;
+    for (const CordWheel& wheel : belt.over) over += (over.empty() ? "*" : ", *") + wheel.name + "*";
+    lines.push_back(std::string(belt.chain ? "the chain *" : "the belt *") + belt.name + "* goes round " + over +
+                    (belt.crossed ? ", crossed" : "") +
+                    (belt.tension ? ", with the initial tension " + code(*belt.tension) : ""));
+  }
+  for (const Gear& gear : situation.gears) lines.push_back(teeth_words(gear));
   const WrittenExpression written = [](const Expression& expression) { return code(expression); };
   for_each_stated_law(situation, [&](const auto& law) { lines.push_back(law.words(written)); });
   for (const Impulse& impulse : situation.impulses) {
@@ -195,7 +241,12 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
     lines.push_back("the particle *" + strike.name + "* of " + data.amount(strike.amount) + " hits *" + strike.hits +
                     "* at " + code(strike.at) + " with the velocity " + code(strike.velocity) +
                     (strike.stays ? " and stays" : ""));
-  if (situation.gravity) {
+  if (const auto& center = situation.central_gravity) {
+    lines.push_back("gravity pulls towards " + code(center->toward) + ", with the parameter " +
+                    data.number(center->parameter, dimensions::gravitational_parameter) +
+                    ": particles and spheres as if their mass were at their centers, other shapes by their moments of "
+                    "inertia as well, to the second order of their size over their distance");
+  } else if (situation.gravity) {
     const Name* none = situation.gravity->as<Name>();
     lines.push_back(none && none->name == "none" ? "weights are left out"
                                                  : "gravity acts along " + code(*situation.gravity));

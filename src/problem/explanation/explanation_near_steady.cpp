@@ -7,6 +7,8 @@
 #include "poinsot/engine/work/work.h"
 #include "problem/claims/near_steady_formulas.h"
 #include "problem/explanation/shared_factors.h"
+#include "problem/language/evaluate_support.h"
+#include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {
@@ -42,6 +44,7 @@ class NearSteadySteps {
       steps_.clear();
     }
     add_rates();
+    add_responses();
     return std::move(steps_);
   }
 
@@ -305,6 +308,33 @@ class NearSteadySteps {
       add("Deviations change like $e^{\\lambda t}$ with $\\lambda$ = " + listed(grows) + ": they " +
           (rates_.modes.front().growth_rate > 0 ? "grow." : "die away."));
     steps_.push_back({text, {}});
+  }
+
+  // What swings at one frequency when free swings have died out.
+  void add_responses() {
+    if (near_.responses.empty() || tex_.numbers_open()) return;
+    const auto shown = [&](double x, const Dimension& dimension) { return "$" + tex_.with_unit(x, dimension) + "$"; };
+    std::string told;
+    for (const Call& call : near_.responses) {
+      const Expression asked = built(call, Mark{1, 1});
+      const Value<double> found = near_.numbers.raw(asked, std::nullopt, nullptr);
+      const std::vector<Value<double>> rows = is_record(found) ? std::vector<Value<double>>{found} : found.items;
+      std::string parts;
+      for (const Value<double>& row : rows)
+        parts += (parts.empty() ? "" : "; ") + shown(row.items[0].number, row.items[0].dimension) + " at " +
+                 shown(row.items[1].number, row.items[1].dimension);
+      told += (told.empty() ? "" : ", ") + std::string("of ") + to_string(call.arguments[0].value) + " to " +
+              to_string(*call.argument("to")) + " " + parts;
+    }
+    steps_.push_back(
+        {"What shakes the motion swings as $\\cos\\omega t$, and what remains when all free swings have "
+         "died out is the real part of $\\mathbf{X} e^{i\\omega t}$, which the same equations determine:",
+         {{"",
+           "\\left( \\mathbf{K} - \\omega^{2}\\,\\mathbf{M} + i\\omega\\,\\mathbf{C} \\right) "
+           "\\mathbf{X} = \\mathbf{F}",
+           {},
+           0}}});
+    steps_.push_back({"Amplitudes and phases of the response, negative where it lags: " + told + ".", {}});
   }
 
   const NearSteady& near_;

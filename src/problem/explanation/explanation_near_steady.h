@@ -17,6 +17,7 @@ struct NearSteady {
   const FormulaInstant* formulas = nullptr;  // the same in formulas, if there are any
   const LetterValues& letters;               // of these, SI
   std::vector<Formula> factors;              // that may be shared by all terms (shared_factors.h)
+  std::vector<Call> responses{};             // that are asked for
   std::optional<FoundDatum> limit{};         // the datum whose value here is the limit of stability
 };
 

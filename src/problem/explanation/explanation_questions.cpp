@@ -88,6 +88,7 @@ class Collector {
     }
     if (is_kind(QuantityKind::stability)) {
       here().stability = true;
+      if (f == "response") here().responses.push_back(call);
       return;
     }
     if (is_kind(QuantityKind::inertia) || is({"mass", "weight", "center"}))

@@ -26,6 +26,7 @@ struct InstantQuestions {
   std::set<std::size_t> pushes;       // contacts and cords of which only whether they push or pull is asked
   bool accelerations = false;         // of any body
   bool stability = false;             // whether what is near this motion is asked for: frequencies, rates of growth
+  std::vector<Call> responses;        // response(X to F)
   bool energies = false;
   bool positions = false;  // whether only places and masses are asked for
 

@@ -133,11 +133,38 @@ std::string InstantExplainer::sliding_coefficient(std::size_t action) const {
   const auto& rough = figures_.numbers.machine->rough_contacts;
   const auto sliding = std::ranges::find_if(
       rough, [&](const auto& one) { return one.action == static_cast<int>(action) && one.grip == Grip::slides; });
-  if (sliding == rough.end()) return "";
+  if (sliding == rough.end() || sliding->on_cord()) return "";
   const auto stated = std::ranges::find(situation_.contacts, sliding->name, &Contact::name);
   const Name* name =
       stated != situation_.contacts.end() && stated->friction ? stated->friction->sliding.as<Name>() : nullptr;
   return name ? ExplanationTex::symbol(name->name) : tex_.number(sliding->sliding, dimensions::none);
+}
+
+// What the friction of a joint that moves is by what the joint carries; "" for what else acts.
+std::string InstantExplainer::law_of_bearing(std::size_t action) const {
+  const auto& rough = figures_.numbers.machine->rough_contacts;
+  const auto found = std::ranges::find_if(
+      rough, [&](const auto& one) { return one.action == static_cast<int>(action) && one.rubs_by_load(); });
+  if (found == rough.end()) return "";
+  const Bearing& bearing = *std::ranges::find(situation_.contacts, found->name, &Contact::name)->friction->bearing;
+  if (found->pressing.front().form == PressingPart<double>::Form::thread)
+    return ", against the motion, $\\mu$ times the push of the flanks at the mean radius of the thread";
+  std::vector<std::string> parts;
+  if (bearing.radius || !found->turning)
+    parts.push_back(std::string(found->turning ? "$\\mu r R$" : "$\\mu N$") + " with the force across its " +
+                    (found->turning ? "axis" : "direction") +
+                    (found->pressing.size() > (bearing.thrust_radius ? 2 : 1) ? " at each place where it bears" : ""));
+  if (bearing.thrust_radius) parts.push_back("$\\mu r_t T$ with the thrust along its axis");
+  return ", against the motion, " + joined(parts, " and ");
+}
+
+// "the cord *rope*".
+std::string InstantExplainer::words_of_cord(const std::string& name) const {
+  const auto belt = std::ranges::find(situation_.belts, name, &Belt::name);
+  return std::string(belt == situation_.belts.end() ? "the cord *"
+                     : belt->chain                  ? "the chain *"
+                                                    : "the belt *") +
+         name + "*";
 }
 
 // Lists the external forces one by one, but for those across the plane of a problem.
@@ -167,10 +194,21 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
     if (!tex_.can_show(value)) continue;
     const Dimension dimension = sudden() ? (couple ? dimensions::angular_momentum : dimensions::momentum)
                                          : (couple ? dimensions::moment : dimensions::force);
-    items.push_back(std::string(couple     ? "the couple"
-                                : sudden() ? "the impulse"
-                                           : "the force") +
-                    " of *" + action.name + "*: " + tex_.inline_vector(value, dimension));
+    items.push_back(
+        std::string(couple     ? "the couple"
+                    : sudden() ? "the impulse"
+                               : "the force") +
+        " of *" + action.name + "*" +
+        (action.kind == ActionKind::attraction && several_bodies() ? " on *" + body_name(action.on) + "*" : "") + ": " +
+        tex_.inline_vector(value, dimension));
+    if (action.kind != ActionKind::attraction) continue;
+    const ShownVector turning = shown_vector([&](const auto& figures) {
+      const auto center = body_mass_center(figures.mechanism().tree, figures.now.workspace(), action.on);
+      return figures.now.known_wrench(static_cast<int>(system.plan.known[i].action), center).moment;
+    });
+    if (norm(turning.number) > 0 && !vanishes(turning.number, dimensions::moment) && tex_.can_show(turning))
+      items.back() += ", with the couple " + tex_.inline_vector(turning, dimensions::moment) + " about $" +
+                      center_label(action.on) + "$";
   }
   // The components of one action are listed together.
   std::vector<std::pair<std::size_t, std::vector<std::string>>> held;
@@ -181,13 +219,22 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
     std::string symbol = "$" + system.unknown[i].tex + "$";
     if (force.kind == UnknownForce::Kind::component) {
       const Component<double>& component = mechanism().components[force.index];
+      // What a cord with friction pulls behind a wheel, and what a side of a belt has of the initial tension.
+      if (component.span && component.follows >= 0 && component.followed_part() != 1)
+        symbol = "$" + tex_.number(component.followed_part(), dimensions::none) + "\\," + system.unknown[i].tex + "$";
+      if (component.offset != 0) symbol = "$" + tex_.number(component.offset, dimensions::force) + "$ and " + symbol;
       const Vector3<double> along = figures_.numbers.now.direction(component.along);
       const bool on_axis = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)}) > 1 - 1e-9;
       const bool plain_name = mechanism().actions[action].kind != ActionKind::cord && !component.one_sided;
-      if (!on_axis || !plain_name) {
+      const bool parts_wheels = mechanism().actions[action].kind == ActionKind::mesh && !sudden() &&
+                                norm(wrench_with_parting(figures_.numbers.now, force.index).force - along) > 1e-12;
+      if (!on_axis || !plain_name || parts_wheels) {
         const ShownVector direction = shown_vector([&](const auto& figures) {
-          const auto one = figures.now.component_wrench(figures.mechanism().components[force.index]);
-          return component.couple ? one.moment : one.force;
+          const auto one = sudden() ? figures.now.component_wrench(figures.mechanism().components[force.index])
+                                    : wrench_with_parting(figures.now, force.index);
+          using Scalar = ScalarOf<decltype(figures)>;
+          const Scalar sign(parts_wheels ? static_cast<int>(system.unknown[i].sign) : 1);
+          return Vector3<Scalar>(sign * (component.couple ? one.moment : one.force));
         });
         if (const std::string coefficient = sliding_coefficient(action); !coefficient.empty())
           symbol += " along the normal, and the friction $" + coefficient + "\\," + system.unknown[i].tex +
@@ -204,13 +251,15 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
     const bool reversed = !system.plan.bodies.contains(action.on);
     const std::string what = action.kind == ActionKind::drive      ? "the motor at *" + action.joint + "*"
                              : action.kind == ActionKind::friction ? "the friction in *" + action.joint + "*"
-                             : action.kind == ActionKind::cord     ? "the cord *" + action.name + "*"
+                             : action.kind == ActionKind::cord     ? words_of_cord(action.name)
                              : action.kind == ActionKind::contact  ? "the contact *" + action.name + "*"
+                             : action.kind == ActionKind::mesh     ? "the teeth *" + action.name + "*"
                              : action.kind == ActionKind::impact   ? "the impact *" + action.name + "*"
                              : action.kind == ActionKind::support
                                  ? "the support *" + action.name + "* of *" + action.joint + "*"
                                  : "the joint *" + action.name + "*";
-    items.push_back(what + ": " + listed(symbols) + (reversed ? " (here with the opposite sign)" : ""));
+    items.push_back(what + ": " + listed(symbols) + (reversed ? " (here with the opposite sign)" : "") +
+                    law_of_bearing(index));
   }
   if (items.empty()) {
     here.steps.push_back({"Nothing acts from outside.", {}});

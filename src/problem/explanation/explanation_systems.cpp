@@ -71,8 +71,11 @@ BalancePlan InstantExplainer::plan_for(const std::set<int>& bodies) const {
     if (const double s = sign(m.components[k].action);
         s != 0 && acts(m.components[k].action) &&
         m.actions[static_cast<std::size_t>(m.components[k].action)].name != hold_of_plane) {
+      // Teeth push wheels apart by a part of the force that turns these, which brings it along.
+      const bool parts_wheels = m.components[k].parts_wheels;
+      if (parts_wheels && m.components[k].flank != 0 && !sudden()) continue;
       // A cord pulls with one tension on both sides of a smooth wheel.
-      const int follows = m.components[k].follows;
+      const int follows = parts_wheels ? -1 : m.components[k].follows;
       plan.unknown.push_back(
           {UnknownForce::Kind::component, k, first + (follows < 0 ? k : static_cast<std::size_t>(follows)), s});
     }

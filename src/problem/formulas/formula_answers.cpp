@@ -182,6 +182,11 @@ std::vector<OneSidedForce> FormulaAnswers::one_sided_forces() const {
              holding_words(action.name, action.kind == ActionKind::cord ? Holding::pulls : Holding::presses),
              instant->unknowns()[first + k]});
     }
+    for (const int side : instant->machine().belt_actions) {
+      const std::string& name = mechanism.actions[static_cast<std::size_t>(side)].name;
+      forces.push_back({home, name, holding_words(name, Holding::pulls),
+                        tension_of(instant->mechanism_state(), instant->unknowns(), side)});
+    }
   }
   return forces;
 }
@@ -215,7 +220,7 @@ StateCondition FormulaAnswers::condition_of_leaving(std::size_t i, const Formula
     throw NoFormula("of several contacts with less friction while they slide, which of them stay at rest has none");
   Situation resting = statement_.situations[i];
   for (Contact& contact : resting.contacts)
-    if (contact.friction) {
+    if (contact.rubs()) {
       contact.grip = Grip::sticks;
       contact.slip.reset();
       contact.from_rest = false;

@@ -9,6 +9,7 @@
 #include "poinsot/engine/solve/instant/closure.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/scalar_value.h"
+#include "problem/quantities/tooth_flanks.h"
 
 namespace poinsot::problem {
 
@@ -154,11 +155,13 @@ void FormulaInstant::solve_blow() {
   before_.emplace(*mechanism_state_);
   blow_ = stated_blow(view());
   if (numbers_.rough_blow()) throw NoFormula("a blow with friction is followed by numbers");
+  put_flanks(machine_.mechanism, numbers_.blow_flanks());
   const StatedConditions<Formula> stated = blow_conditions(view(), blow_);
   solve::ExactSolution solution =
       solve_with_unfixed(solve::impulse_equations(*before_, scales_, blow_, stated.linear, numbers_.blow_acting()));
   remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());
   impulses_ = std::move(solution.value);
+  note_flanks(impulses_);
   note_who_acts();
   v_.assign(impulses_.begin(),
             impulses_.begin() + static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size()));
@@ -206,13 +209,86 @@ void FormulaInstant::solve_forces() {
   if (forces_by_digits_) note_zero_by_digits();
 }
 
+// The numbers decide which flanks of teeth carry.
+void FormulaInstant::take_flanks() {
+  const Mechanism<double>& numbers = numbers_.machine().mechanism;
+  if (std::ranges::none_of(machine_.mechanism.components, &Component<Formula>::parts_wheels)) return;
+  if (!numbers_.forces_solved() || numbers.components.size() != machine_.mechanism.components.size())
+    throw NoFormula("which flanks of teeth carry is found by numbers");
+  put_flanks(machine_.mechanism, flanks_of(numbers));
+  turn_against_slip(machine_, *mechanism_state_);
+}
+
+// This records the assumption for each: that the force that turns the wheels keeps its sign.
+void FormulaInstant::note_flanks(const std::vector<Formula>& unknowns) const {
+  const auto n = static_cast<std::size_t>(machine_.mechanism.tree.velocity_size());
+  for (const Component<Formula>& component : machine_.mechanism.components)
+    if (component.parts_wheels && component.flank != 0)
+      note_sign(unknowns[n + static_cast<std::size_t>(component.follows)]);
+}
+
+// Of joints whose friction follows from what they carry, while they move: which way what presses points, V/|V|, is that
+// without friction where it does not turn with the friction. Where it does for a single joint, V = V0 + M V1, the
+// friction M is the root of the quadratic M^2 = m^2 |V0 + M V1|^2 that goes against the motion.
+void FormulaInstant::find_pressing() {
+  std::vector<std::size_t> moving;
+  for (std::size_t k = 0; k < machine_.rough_contacts.size(); ++k)
+    if (machine_.rough_contacts[k].rubs_by_load()) moving.push_back(k);
+  if (moving.empty()) return;
+  using Pressing = std::vector<std::vector<Vector3<Formula>>>;
+  const auto pressing_now = [&] {
+    const StatedConditions<Formula> stated = force_conditions(view(), facts_, true);
+    const std::vector<Formula> unknowns =
+        solved(solve::motion_equations(*mechanism_state_, scales_, stated.linear)).value;
+    Pressing all;
+    for (const std::size_t k : moving)
+      all.push_back(pressing_in(*mechanism_state_, unknowns, machine_.rough_contacts[k]));
+    return all;
+  };
+  const auto vanishes = [](const Vector3<Formula>& v) { return v.x.is_zero() && v.y.is_zero() && v.z.is_zero(); };
+  const Pressing without = pressing_now();
+  for (std::size_t i = 0; i < moving.size(); ++i)
+    for (std::size_t part = 0; part < without[i].size(); ++part) {
+      const Vector3<Formula>& V = without[i][part];
+      if (vanishes(V)) continue;
+      auto& toward = machine_.rough_contacts[moving[i]].pressing[part].toward;
+      // Along an axis it has the sense of the numbers, which the conditions of the state tell.
+      const auto& in_numbers = numbers_.machine().rough_contacts[moving[i]].pressing[part].toward;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (in_numbers && vanishes(cross(V, Vector3<Formula>::unit(axis))))
+          toward = Formula((*in_numbers)[axis] < 0 ? -1 : 1) * Vector3<Formula>::unit(axis);
+      if (!toward) toward = V / sqrt(dot(V, V));
+    }
+  const Pressing with = pressing_now();
+  bool turns = false;
+  for (std::size_t i = 0; i < moving.size(); ++i)
+    for (std::size_t part = 0; part < with[i].size(); ++part) {
+      const auto& toward = machine_.rough_contacts[moving[i]].pressing[part].toward;
+      turns = turns || !vanishes(toward ? cross(with[i][part], *toward) : with[i][part]);
+    }
+  if (!turns) return;
+  RoughContactOf<Formula>& contact = machine_.rough_contacts[moving.front()];
+  if (moving.size() > 1 || contact.pressing.size() > 1)
+    throw NoFormula("what joint '" + contact.name + "' carries turns with its friction");
+  contact.pressing.front().toward.reset();
+  contact.effort_known = Formula(1);
+  const Vector3<Formula> V0 = without.front().front(), V1 = pressing_now().front().front() - V0;
+  const Formula m = contact.sliding * contact.sliding, a = Formula(1) - m * dot(V1, V1), b = m * dot(V0, V1),
+                root = sqrt(b * b + a * m * dot(V0, V0));
+  contact.effort_known = (contact.goes_forward() ? b - root : b + root) / a;
+  note_sign(a);
+}
+
 void FormulaInstant::find_forces() {
   for (const VelocityConstraint<Formula>& constraint : machine_.mechanism.constraints)
     if (constraint.shape_unknown && !constraint.carried_by)
       throw NoFormula("how a point of contact moves is not known");
+  take_flanks();
+  find_pressing();
   const StatedConditions<Formula> stated = force_conditions(view(), facts_, true);
   solve::ExactSolution solution =
       solve_with_unfixed(solve::motion_equations(*mechanism_state_, scales_, stated.linear));
+  note_flanks(solution.value);
   remainders_.insert(remainders_.end(), solution.remainders.begin(), solution.remainders.end());
   unknowns_ = std::move(solution.value);
   mechanism_state_->set_accelerations(std::vector<Formula>(

@@ -70,6 +70,9 @@ class FormulaInstant {
   void solve_velocities();
   void solve_blow();
   void note_who_acts() const;
+  void take_flanks();
+  void note_flanks(const std::vector<Formula>& unknowns) const;
+  void find_pressing();
   void find_forces();
   void hold_nonlinear(const std::vector<const Fact*>& facts);
   solve::ExactSolution solved(const solve::LinearSystemOf<Formula>& equations) const;

@@ -33,9 +33,16 @@ double FormulaTask::drawn(const Letter& letter, std::mt19937_64& random) const {
                                              : drawn_near(settings.front().at(letter.name).number, random);
 }
 
+bool speaks_of_no_letter(const FormulaTask& task, const Ask& ask) {
+  return ask.extremum &&
+         std::ranges::all_of(task.open, [&](const Letter& letter) { return letter.name == ask.extremum->name; });
+}
+
 void withhold_formulas(const FormulaTask& task, Solution& solution, const std::string& reason) {
-  for (SolvedAsk& ask : solution.asks) {
+  for (std::size_t i = 0; i < solution.asks.size(); ++i) {
+    SolvedAsk& ask = solution.asks[i];
     if (ask.state != AskState::found && ask.state != AskState::needs_letters) continue;
+    if (ask.state == AskState::found && speaks_of_no_letter(task, task.statement.asks[i])) continue;
     ask.formula.reset();
     ask.formula_road.clear();
     ask.no_formula = reason;
@@ -47,7 +54,7 @@ void withhold_formulas(const FormulaTask& task, Solution& solution, const std::s
 
 bool acts_on_one_side(const Statement& statement) {
   return std::ranges::any_of(statement.situations, [](const Situation& situation) {
-    return !situation.contacts.empty() || !situation.cords.empty();
+    return !situation.contacts.empty() || !situation.cords.empty() || !situation.belts.empty();
   });
 }
 

@@ -33,7 +33,10 @@ bool is_at_instant(const FormulaTask& task, const Ask& ask);
 // Whether the check with particles confirms every instant of a sample that was solved.
 bool confirmed_by_particles(Sample& sample);
 
-// Takes back all formulas of a solution, for a reason.
+// Whether an ask is for the largest or smallest value of the only open letter, which has no value of its own there.
+bool speaks_of_no_letter(const FormulaTask& task, const Ask& ask);
+
+// Takes back all formulas of a solution, for a reason, and numbers that depend on letters.
 void withhold_formulas(const FormulaTask& task, Solution& solution, const std::string& reason);
 
 // Whether there are cords or contacts.

@@ -64,7 +64,7 @@ class LawSearch {
           has_numbers(ask.value))
         wanted.push_back(i);
       if (ask.state == AskState::found && !ask.formula && has_numbers(ask.value) &&
-          !is_at_instant(task_, task_.statement.asks[i]) && !speaks_of_no_letter(task_.statement.asks[i]))
+          !is_at_instant(task_, task_.statement.asks[i]) && !speaks_of_no_letter(task_, task_.statement.asks[i]))
         fixed_.push_back(i);
     }
     if (wanted.empty() && fixed_.empty()) return;
@@ -92,11 +92,6 @@ class LawSearch {
     std::size_t situation;
   };
 
-  // The datum of which the largest or smallest value is asked has no value of its own there.
-  bool speaks_of_no_letter(const Ask& ask) const {
-    return ask.extremum &&
-           std::ranges::all_of(task_.open, [&](const Letter& letter) { return letter.name == ask.extremum->name; });
-  }
   std::vector<std::string> all_letters() const {
     std::vector<std::string> names;
     for (const Letter& letter : task_.open) names.push_back(letter.name);

@@ -61,6 +61,9 @@ class RidingParts {
       if (cord.is_led())
         refuse("cord '" + cord.name + "' is led over what may not ride in the accelerated frame",
                "stability in an accelerated frame is told without cords over wheels");
+    for (const Belt& belt : view_.situation.belts)
+      refuse(belt.words() + " goes round what may not ride in the accelerated frame",
+             "stability in an accelerated frame is told without belts");
     for (const KnownForce<double>& force : view_.machine.mechanism.forces)
       if (force.by_motion)
         refuse("the load '" + view_.machine.mechanism.actions[static_cast<std::size_t>(force.action)].name +

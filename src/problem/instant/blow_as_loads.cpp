@@ -21,7 +21,7 @@ Expression in_a_second(const Expression& size) {
 }  // namespace
 
 Situation blow_as_loads(const Situation& situation) {
-  const auto rough = std::ranges::find_if(situation.contacts, [](const Contact& c) { return c.friction.has_value(); });
+  const auto rough = std::ranges::find_if(situation.contacts, &Contact::rubs);
   const auto refuse = [&](const Mark& mark, const std::string& what, const std::string& hint) {
     fail(situation.file, mark, what + " where contact '" + rough->name + "' has friction", hint);
   };
@@ -44,12 +44,15 @@ Situation blow_as_loads(const Situation& situation) {
   loads.springs.clear();
   loads.loads.clear();
   loads.stages.clear();
+  std::erase_if(loads.contacts, &Contact::in_joint);
   loads.gravity = built(Name{"none"}, rough->mark);
+  loads.central_gravity.reset();
   for (Joint& joint : loads.joints)
     for (Freedom& freedom : joint.freedoms) {
       freedom.effort.reset();
       freedom.stiffness.reset();
       freedom.damping.reset();
+      freedom.friction.reset();
     }
   const auto add = [&](const std::string& name, const std::string& body, const Mark& mark) -> Load& {
     Load load;

@@ -40,7 +40,7 @@ class StateSearch {
               const ReachedState* reached = nullptr)
       : situation_(situation), number_(number), settings_(settings), lines_only_(lines_only), reached_(reached) {
     for (const Contact& contact : situation.contacts)
-      if (contact.friction) contacts_.push_back(&contact);
+      if (contact.rubs()) contacts_.push_back(&contact);
   }
 
   HeldStates run() {
@@ -96,11 +96,13 @@ class StateSearch {
   }
 
   std::vector<Grip> grips_of(std::size_t k) const {
+    if (leaves_[k]) return {Grip::parts};
     const bool sticks = !(norm(slips_[k]) > 0) && !(reached_ && reached_->leaving == contacts_[k]->name);
     std::vector<Grip> grips{Grip::slides};
     if (sticks) grips.insert(grips.begin(), Grip::sticks);
-    // Where a round body touches that has turned since it was drawn is known only while it touches.
-    if (!(reached_ && rolls_[k]) && !contacts_[k]->in_joint) grips.push_back(Grip::parts);
+    if (contacts_[k]->touches()) grips.push_back(Grip::parts);
+    // A belt that slips has lost its load: that is said, and not followed.
+    if (contacts_[k]->of_belt) grips = {Grip::sticks};
     return grips;
   }
   bool next(std::vector<std::size_t>& choice) const {
@@ -121,16 +123,17 @@ class StateSearch {
     const auto slips_at = [&](const OpenChoice& choice) {
       const SolvedInstant instant = instant_of(situation_, choice);
       std::vector<Vector3<double>> slips;
-      const double size = std::max(instant.natural_size(dimensions::velocity), reached_ ? reached_->speed : 0);
+      const double none =
+          std::max(none_beside * instant.natural_size(dimensions::velocity), reached_ ? reached_->none : 0);
       for (std::size_t k = 0; k < contacts_.size(); ++k) {
-        const Vector3<double> v = instant.rough_motion_as_drawn(k, false).slip;
-        slips.push_back(norm(v) > none_beside * size ? v : Vector3<double>{});
+        const RoughMotion<double> now = instant.rough_motion_as_drawn(k, false);
+        slips.push_back(norm(now.slip) > none ? now.slip : Vector3<double>{});
+        leaves_.resize(contacts_.size());
+        leaves_[k] = reached_ && !contacts_[k]->in_joint && now.apart > none;
         normals_.resize(contacts_.size());
         normals_[k] = instant.rough_normal(k);
-        rolls_.resize(contacts_.size());
         axes_.resize(contacts_.size());
-        if (contacts_[k]->in_joint) axes_[k] = instant.machine().rough_contacts[k].motions[1].along.vector;
-        rolls_[k] = instant.machine().rough_contacts[k].motions.front().kind == VelocityConstraintKind::rolling;
+        if (!contacts_[k]->touches()) axes_[k] = instant.machine().rough_contacts[k].motions[1].along.vector;
       }
       return slips;
     };
@@ -149,8 +152,8 @@ class StateSearch {
   }
 
   ContactState state(std::size_t k, Grip grip, const Vector3<double>& d) const {
-    ContactState state{contacts_[k]->name,    number_, grip, {}, grip == Grip::slides && !(norm(slips_[k]) > 0),
-                       contacts_[k]->in_joint};
+    ContactState state{contacts_[k]->name,      number_, grip, {}, grip == Grip::slides && !(norm(slips_[k]) > 0),
+                       !contacts_[k]->touches()};
     if (grip == Grip::slides)
       state.slip =
           axes_[k] ? joint_direction(*contacts_[k], dot(d, *axes_[k]) < 0) : direction_expression(normalized(d));
@@ -179,7 +182,8 @@ class StateSearch {
                  (one.grip == Grip::sticks   ? "' sticks"
                   : one.grip == Grip::slides ? "' slides"
                                              : "' parts");
-      doubt += ": " + error.diagnostics().front().message;
+      const Diagnostic& why = error.diagnostics().front();
+      doubt += ": " + why.message + (why.hint.empty() ? "" : " (" + why.hint + ")");
       if (std::ranges::find(held_.doubts, doubt) == held_.doubts.end()) held_.doubts.push_back(doubt);
     }
   }
@@ -226,7 +230,10 @@ class StateSearch {
     whole_now_ = true;
     for (const SolvedInstant::OneSidedFault& fault : instant.one_sided_faults()) {
       const std::string& name = instant.machine().mechanism.actions[fault.action].name;
-      const bool rough = std::ranges::any_of(contacts_, [&](const Contact* contact) { return contact->name == name; });
+      // A cord is in no state of its friction where that breaks down; where it would push it is like any cord.
+      const bool rough = std::ranges::any_of(contacts_, [&](const Contact* contact) {
+        return contact->name == name || (contact->on_cord && contact->of == name && fault.broken != Holding::pulls);
+      });
       (rough ? slips.holds : whole_now_) = false;
     }
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
@@ -234,6 +241,14 @@ class StateSearch {
       // Where nothing moves the terms are rounding themselves.
       const double size = std::max(then.size, instant.natural_size(dimensions::acceleration));
       slips.slip.push_back(norm(then.slip) > none_beside * size ? then.slip : Vector3<double>{});
+      // What touches along a motion parts only as it is moved apart: how fast it does so before is rounding.
+      const RoughContactOf<double>& rough = instant.machine().rough_contacts[k];
+      if (reached_ && !leaves_[k] && rough.grip == Grip::parts && !(then.apart > none_beside * size))
+        slips.holds = false;
+      // Likewise a slip that is taken for none begins only as it is moved.
+      if (reached_ && rough.grip == Grip::slides && contacts_[k]->touches() && !(norm(slips_[k]) > 0) &&
+          !(dot(slips.slip[k], rough.slip->vector) > 0))
+        slips.holds = false;
     }
     return slips;
   }
@@ -389,7 +404,7 @@ class StateSearch {
   std::vector<const Contact*> contacts_;
   std::vector<Vector3<double>> slips_, normals_;      // as drawn
   std::vector<std::optional<Vector3<double>>> axes_;  // of friction in joints, as drawn
-  std::vector<bool> rolls_;                           // of each contact, whether it is that of a round surface
+  std::vector<bool> leaves_;                          // of each contact, whether it comes apart already
   HeldStates held_;
   std::vector<bool> whole_;  // of each combination that holds: whether no smooth contact pulls and no cord pushes
   bool whole_now_ = true;    // the same of the one that was solved last
@@ -439,6 +454,7 @@ std::vector<ContactState> states_at_start(const Situation& situation, std::size_
 Situation with_states_open(const Situation& situation) {
   Situation open = situation;
   for (Contact& contact : open.contacts) {
+    if (contact.flies) continue;
     contact.grip = Grip::unknown;
     contact.slip.reset();
     contact.from_rest = contact.slip_turns = false;

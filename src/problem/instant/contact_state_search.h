@@ -39,7 +39,7 @@ HeldStates states_that_hold(const Situation& situation, std::size_t number, cons
 // A state that a motion has reached.
 struct ReachedState {
   MotionState state;
-  double speed = 0;     // natural to the motion: a slip that is rounding beside it is none
+  double none = 0;      // m/s: a slip below is none
   std::string leaving;  // the contact whose friction has come to its limit, so that it sticks no longer; empty if none
 };
 // The same there. situation: with its contacts in any states.

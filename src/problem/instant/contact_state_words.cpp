@@ -8,21 +8,29 @@
 namespace poinsot::problem {
 
 std::string words_of(const ContactState& state, const std::optional<Vector3<double>>& along) {
-  const std::string contact = std::string(state.in_joint ? "joint" : "contact") + " '" + state.contact + "'";
-  if (state.grip == Grip::sticks) return contact + (state.in_joint ? " is held by its friction" : " sticks");
+  const bool in_joint = state.in_joint;
+  const std::string contact = std::string(in_joint ? "joint" : "contact") + " '" + state.contact + "'";
+  if (state.grip == Grip::sticks) return contact + (in_joint ? " is held by its friction" : " sticks");
   if (state.grip == Grip::parts) return contact + " parts";
   std::string words = to_string(*state.slip);
   constexpr int digits = 6;
   if (along)
     words = "[" + with_digits(along->x, digits) + ", " + with_digits(along->y, digits) + ", " +
             with_digits(along->z, digits) + "]";
-  if (state.in_joint)
+  if (in_joint)
     return contact + (state.from_rest ? " begins to move" : " moves") + " against its friction, along " + words;
   return contact + (state.from_rest ? " begins to slide along " : " slides along ") + words;
 }
 
 std::string words_of(const ContactState& state, const Situation& situation, const Settings& settings) {
-  if (!state.slip || !state.slip->as<List>()) return words_of(state);
+  const auto stated = std::ranges::find(situation.contacts, state.contact, &Contact::name);
+  if (stated != situation.contacts.end() && stated->on_cord) {
+    const std::string cord = "'" + stated->of + "' ", wheel = " on '" + stated->against + "'";
+    if (state.grip == Grip::sticks) return cord + "does not slip" + wheel;
+    return cord + (state.from_rest ? "begins to slip" : "slips") + wheel +
+           (state.slip->as<Unary>() ? ", against the way it is led" : ", the way it is led");
+  }
+  if (!state.slip || !state.slip->as<List>() || state.in_joint) return words_of(state);
   return words_of(state, DataScope<double>(situation, settings, 0).direction(*state.slip));
 }
 

@@ -24,7 +24,13 @@ std::vector<StateCondition> state_conditions(const solve::MechanismStateOf<Formu
       continue;
     }
     const RoughForce<Formula> force = rough_force(state, unknowns, contact);
-    add(Holding::presses, force.push);
+    if (contact.pressing.empty()) {
+      add(Holding::presses, force.push);
+    } else if (contact.grip == Grip::slides) {
+      const std::vector<Vector3<Formula>> pressing = pressing_in(state, unknowns, contact);
+      for (std::size_t i = 0; i < pressing.size(); ++i)
+        if (contact.pressing[i].toward) add(Holding::presses, dot(pressing[i], *contact.pressing[i].toward));
+    }
     if (contact.grip == Grip::sticks) {
       std::vector<Formula> parts;
       for (std::size_t k = 1; k < 3; ++k)

@@ -272,6 +272,8 @@ QuantityScope<double> SolvedInstant::scope_for(const Expression& expression, con
   quantities.set_linearisation([this](const Mark& mark, bool with_shapes) -> const solve::Linearisation& {
     return linearisation(mark, with_shapes);
   });
+  quantities.set_response(
+      [this, axes](const Call& response_call, const Mark& mark) { return response(response_call, mark, axes); });
   return quantities;
 }
 
@@ -331,7 +333,20 @@ double SolvedInstant::natural_size(const Dimension& d) const {
       pace = std::max(pace, impulse / (scales_.mass * scales_.length));
     }
   }
-  return natural_unit(d) * (d.time == 0 ? 1 : std::pow(pace, -d.time / 12.0));
+  return natural_unit(d) * part_of_turning(d) * (d.time == 0 ? 1 : std::pow(pace, -d.time / 12.0));
+}
+
+// A body turns by couples that are nothing beside the moments of its way round a far center.
+double SolvedInstant::part_of_turning(const Dimension& d) const {
+  if (machine_.mechanism.attractions.empty() || d.length != 24) return 1;
+  double largest = 0;
+  for (const auto& body : machine_.mechanism.tree.bodies()) {
+    const SpatialInertia<double>& I = body.inertia;
+    if (!(I.mass > 0)) continue;
+    const double spread = I.inertia.xx + I.inertia.yy + I.inertia.zz - 2 * norm_squared(I.first_moment) / I.mass;
+    largest = std::max(largest, spread / (2 * I.mass));
+  }
+  return largest > 0 ? std::min(1.0, largest / (scales_.length * scales_.length)) : 1;
 }
 
 }  // namespace poinsot::problem

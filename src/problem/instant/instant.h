@@ -17,6 +17,10 @@
 #include "problem/quantities/quantities.h"
 #include "problem/quantities/rough_contact.h"
 
+namespace poinsot::solve {
+struct ContactRate;
+}
+
 namespace poinsot::problem {
 
 // How to choose what a statement leaves open. An answer is determined if it is the same for every choice.
@@ -68,6 +72,11 @@ struct FactMisfit {
   double value = 0, size = 1;
 };
 
+class ShakenInstant;
+// A bound on the largest eigenvalue of a matrix without negative elements: of how much the frictions of joints change
+// what presses in them there is one solution where it is below one.
+double bound_on_eigenvalues(const std::vector<std::vector<double>>& a);
+
 class SolvedInstant {
  public:
   // Situation and settings must outlive the object. Throws StatementError.
@@ -81,13 +90,15 @@ class SolvedInstant {
   // The machine at a time with the loads of a stage (with all loads if these are left out).
   Machine machine_at(double time, const std::optional<std::vector<std::string>>& loads);
   // The blow at contacts that meet along a motion, as instants before and after it; the state must be the one with all
-  // contacts. acting: what holds besides. Restitution is Newton's where several meet and where there is no friction.
+  // contacts. acting: what may take part besides; touching: what touches or pulls before, and of which what takes no
+  // part must part. Restitution is Newton's where several meet and where there is no friction.
   struct Met {
     std::size_t action = 0;  // among those of the mechanism
     double restitution = 0;
     std::optional<double> friction{};
   };
-  void strike_later(const std::vector<Met>& met, const std::vector<bool>& acting, const Mark& mark);
+  void strike_later(const std::vector<Met>& met, const std::vector<bool>& acting, const std::vector<bool>& touching,
+                    const Mark& mark);
   // The velocities just after cords and contacts have caught, without rebound. acting: those that act then.
   std::vector<double> caught(const std::vector<bool>& acting);
   double data_number(const Expression& expression, const Dimension& dimension) {
@@ -119,6 +130,9 @@ class SolvedInstant {
   std::vector<FactMisfit> fact_misfits(const std::vector<const Fact*>& facts, const MotionFeatureValues& features = {});
   // The natural size of a quantity of this dimension here.
   double natural_size(const Dimension& dimension) const;
+  // Of the natural size of couples and moments of inertia: the part that counts for bodies on their way round a center
+  // that pulls; 1 for all else.
+  double part_of_turning(const Dimension& dimension) const;
 
   // Goes from the state just before the blow to the one just after it.
   void strike() { solve_blow(); }
@@ -126,6 +140,7 @@ class SolvedInstant {
   const solve::LinearSolution& blow() const { return blow_solution_; }
   const solve::Blow& struck() const { return blow_; }
   const std::optional<RoughBlow>& rough_blow() const { return rough_blow_; }
+  const std::vector<int>& blow_flanks() const { return blow_flanks_; }   // of each component, in the blow
   const std::vector<bool>& blow_acting() const { return blow_acting_; }  // of each action, in the blow
   const solve::LinearSystem& blow_equations() const { return blow_equations_; }
   const solve::LinearSolution& velocities() const { return velocities_; }
@@ -190,6 +205,10 @@ class SolvedInstant {
   // The linearised equations near this motion, which must be steady. Errors are reported at the mark.
   const solve::Linearisation& linearisation(const Mark& mark, bool with_shapes = false);
 
+  // The amplitude and the phase of response(X to F), of a vector those of each component on the axes of an ask. The
+  // motion must be steady and may not be unstable.
+  Value<double> response(const Call& call, const Mark& mark, const std::optional<Expression>& axes);
+
   // Compares the solution with one for particles; forces are included if they are solved.
   struct Residuals {
     solve::CheckResult particles;
@@ -197,17 +216,21 @@ class SolvedInstant {
     std::optional<double> constraints{};  // if there are any: by how much they are open or come apart, relative
     // If rates were told and a second road to them is known: how far from these they are, as a part of the pace.
     std::optional<double> stability{};
+    // If responses were told: how far they are from those of a second road, relative.
+    std::optional<double> response{};
     // If contacts have friction and forces are solved: how far its laws are from being fulfilled, relative.
     std::optional<double> friction{};
     // After a blow with friction: how far the impulses are from those of a second road, relative.
     std::optional<double> blow{};
-    // If there are loads, springs or motors and forces are solved: how far these are from what is stated, relative.
+    // If there are loads, springs, motors or slanted teeth and forces are solved: how far these are from what is
+    // stated, relative.
     std::optional<double> laws{};
   };
   Residuals check() const;
 
  private:
   friend class VariedInstant;
+  friend class ShakenInstant;
   void build(double time, const std::optional<std::vector<std::string>>& loads);
   Machine machine_from(DataScope<double>& data, double time, const std::optional<std::vector<std::string>>& loads);
   MachineOptions machine_options(double time, const std::optional<std::vector<std::string>>& loads) const;
@@ -219,6 +242,15 @@ class SolvedInstant {
   ConditionSource source_of(const Fact& fact) const;
   std::vector<const Fact*> state_motion_equations();  // returns the facts that are not linear
   void solve_motion_equations(const std::vector<const Fact*>& nonlinear);
+  // Finds which flanks of teeth carry, and leaves the motion equations stated so.
+  void find_flanks(const std::vector<solve::Condition>& conditions);
+  // Ties flanks of teeth to the forces that turn the wheels, as far as these are determined.
+  solve::LinearSolution tie_motion(const std::vector<solve::Condition>& conditions);
+  // Finds how what presses in joints points whose friction follows from it, and assembles the equations with that.
+  void assemble_motion_equations();
+  void find_pressing();
+  void require_known_pressing(const solve::LinearSolution& solution) const;
+  void refuse_several_frictions(const std::vector<RoughContactOf<double>*>& moving);
   // Checks that facts which are not linear hold for the solution.
   void hold_nonlinear(System system, const std::vector<const Fact*>& facts, const solve::LinearSolution& solution);
   struct FactSides {
@@ -236,10 +268,21 @@ class SolvedInstant {
   std::vector<FrictionCone> friction_cones(std::size_t first) const;
   void turn_slips();
   double misfit_in_joint(const RoughContactOf<double>& contact) const;
+  double misfit_on_cord(const RoughContactOf<double>& contact, double slip, double slip_rate, double force_size) const;
+  std::vector<VelocityConstraint<double>> ways_of_contacts() const;
+  Vector3<double> slip_of(const solve::ContactRate* way, int from, bool change) const;
+  // Of the friction in a joint, along or about its axis in the sense of its freedom and in the other.
+  struct LimitsOfFriction {
+    double forward = 0, backward = 0;
+  };
+  LimitsOfFriction limits_in_bearing(const RoughContactOf<double>& contact, const Joint& joint,
+                                     double coefficient) const;
   double friction_misfit() const;
   double rough_blow_misfit() const;
   double blow_friction_misfit() const;
   std::optional<double> law_misfit() const;
+  double belt_misfit() const;
+  std::optional<double> tooth_misfit() const;
   void solve_blow();
   std::mt19937_64& random();
   void take_misfits(const solve::LinearSolution& solution);
@@ -274,6 +317,8 @@ class SolvedInstant {
   std::optional<solve::LinearSolution> motion_;
   std::vector<double> unknowns_;
   std::optional<solve::Linearisation> linearisation_;
+  std::vector<std::shared_ptr<ShakenInstant>> shaken_;  // each for one excitation
+  std::optional<double> response_misfit_;
   std::vector<double> misfits_;
   std::size_t position_misfits_ = 0;
   std::vector<ConditionSource> position_sources_;
@@ -285,6 +330,7 @@ class SolvedInstant {
   solve::Blow blow_;
   std::optional<RoughBlow> rough_blow_;  // if it is one with friction
   std::vector<bool> blow_acting_;        // for each action
+  std::vector<int> blow_flanks_;         // for each component, which flanks of teeth carry
   solve::LinearSystem blow_equations_;
   solve::LinearSolution blow_solution_;
   std::vector<double> impulses_;

@@ -5,6 +5,7 @@
 #include "problem/instant/instant.h"
 #include "problem/instant/one_sided_shares.h"
 #include "problem/language/diagnostic.h"
+#include "problem/quantities/tooth_flanks.h"
 
 namespace poinsot::problem {
 namespace {
@@ -111,7 +112,12 @@ void SolvedInstant::solve_blow() {
       stated = blow_conditions(view(), blow_);
     }
     solve::LinearSystem equations;
+    untie_flanks(machine_.mechanism);
     solve::LinearSolution solution = solve::solve_impulse(*before_, scales_, blow_, stated.linear, acting, &equations);
+    while (tie_flanks(machine_.mechanism, solution, n)) {
+      equations = {};
+      solution = solve::solve_impulse(*before_, scales_, blow_, stated.linear, acting, &equations);
+    }
     if (!choice_.trial) {
       const std::vector<std::size_t> pushing = one_sided_unknowns(n);
       share_without_pull(solution, pushing, n);
@@ -154,6 +160,7 @@ void SolvedInstant::solve_blow() {
     blow_equations_ = std::move(equations);
     blow_solution_ = std::move(solution);
     blow_acting_ = acting;
+    blow_flanks_ = flanks_of(mechanism);
     if (choice_.trial) take_misfits(blow_solution_);
     break;
   }

@@ -10,6 +10,25 @@
 
 namespace poinsot::problem {
 
+namespace {
+
+// The joints at which a motor is not stated that what is stated of accelerations may need.
+std::string hint_at_motors(const Situation& situation) {
+  std::vector<std::string> couples, forces;
+  for (const Joint& joint : situation.joints)
+    for (const Freedom& freedom : joint.freedoms)
+      if (!freedom.accel && !freedom.effort && !freedom.stiffness && !freedom.damping && !freedom.friction)
+        add_once(freedom.turning ? couples : forces, "'" + joint.name + "'");
+  std::string where;
+  for (const auto* names : {&couples, &forces})
+    if (!names->empty())
+      where += (where.empty() ? "" : ", ") + std::string(names == &couples ? "couple" : "force") + ": any at joint" +
+               (names->size() > 1 ? "s " : " ") + joined(*names);
+  return where.empty() ? "" : "; if motors make it move so, write " + where;
+}
+
+}  // namespace
+
 const solve::LinearSystem& SolvedInstant::equations_of(System system) const {
   return system == System::velocities ? velocity_equations_
          : system == System::blow     ? blow_equations_
@@ -47,8 +66,9 @@ void SolvedInstant::contradiction(System system, const solve::LinearSolution& so
     throw ContradictionError(situation_.file, mark,
                              "this cannot hold: " + all + "; how the bodies are held does not allow it",
                              "correct or remove it, or free what holds it");
-  throw ContradictionError(situation_.file, mark, std::string("these cannot all hold together: ") + all,
-                           "correct or remove one of them");
+  throw ContradictionError(
+      situation_.file, mark, std::string("these cannot all hold together: ") + all,
+      "correct or remove one of them" + (system == System::motion && fact_mark ? hint_at_motors(situation_) : ""));
 }
 
 }  // namespace poinsot::problem

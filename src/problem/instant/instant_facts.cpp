@@ -14,6 +14,7 @@
 #include "problem/language/expression_walk.h"
 #include "problem/language/scalar_value.h"
 #include "problem/quantities/asks_model.h"
+#include "problem/quantities/joint_pressing.h"
 
 namespace poinsot::problem {
 namespace {
@@ -36,6 +37,18 @@ void add_rates(const InstantView<Scalar>& view, const std::vector<StatedRateOf<S
                                          rate.turning ? 1 : view.scales.length};
     condition.coefficients[static_cast<std::size_t>(rate.velocity)] = Scalar(1);
     conditions.add(std::move(condition), {rate.mark});
+  }
+}
+
+// Adds the laws of friction in joints that move, by what presses in them.
+template <class Scalar>
+void add_joint_friction(const InstantView<Scalar>& view, StatedConditions<Scalar>& conditions) {
+  for (const RoughContactOf<Scalar>& contact : view.machine.rough_contacts) {
+    if (!contact.rubs_by_load()) continue;
+    const Dimension dimension = contact.turning ? dimensions::moment : dimensions::force;
+    conditions.add({"friction of joint '" + contact.name + "'", friction_by_load(view.mechanism_state, contact),
+                    contact.effort_known.value_or(Scalar(0)), natural_unit(view.scales, dimension)},
+                   {std::ranges::find(view.situation.contacts, contact.name, &Contact::name)->friction->mark});
   }
 }
 
@@ -251,6 +264,7 @@ StatedConditions<Scalar> force_conditions(const InstantView<Scalar>& view, const
   StatedConditions<Scalar> conditions;
   const std::size_t n = solve::force_unknowns(machine.mechanism).size();
   add_rates(view, machine.accelerations, n, conditions);
+  add_joint_friction(view, conditions);
   const auto count = static_cast<std::ptrdiff_t>(machine.mechanism.tree.velocity_size());
   const ProbePlaces<Scalar> places(n);
   for (const Instant* instant : instants)

@@ -7,13 +7,14 @@
 #include "problem/instant/one_sided_shares.h"
 #include "problem/language/diagnostic.h"
 #include "problem/machine/contact_limits.h"
+#include "problem/quantities/cord_grip.h"
+#include "problem/quantities/tooth_flanks.h"
 
 namespace poinsot::problem {
 namespace {
 
 const Mark& place_of_friction(const Situation& situation) {
-  return std::ranges::find_if(situation.contacts, [](const Contact& contact) { return contact.friction.has_value(); })
-      ->friction->mark;
+  return std::ranges::find_if(situation.contacts, &Contact::rubs)->friction->mark;
 }
 
 }  // namespace
@@ -40,8 +41,9 @@ Diagnostic unknown_surface(const Situation& situation, const Machine& machine,
                                     [&](const Contact& c) { return c.name == name; });
   return {situation.file, contact->mark,
           "how the point of contact '" + name + "' moves is not known: the surface of a body there is not known",
-          "velocities can be asked; for forces, accelerations and stability give the body a shape that touches "
-          "there (added: {skin: {ellipsoid: {...}, mass: 0 kg}}), or its inertia by axis:, axial:, transverse:"};
+          "velocities can be asked; for forces, accelerations and stability write corner: in place of at: if a point "
+          "of the body touches, give it a shape that touches there (added: {skin: {ellipsoid: {...}, mass: 0 kg}}), "
+          "or its inertia by axis:, axial:, transverse:"};
 }
 
 namespace {
@@ -74,9 +76,9 @@ std::vector<const Fact*> SolvedInstant::state_motion_equations() {
     if (constraint.shape_unknown && !constraint.carried_by)
       throw StatementError(unknown_surface(situation_, machine_, constraint));
   for (const Contact& contact : situation_.contacts)
-    if (contact.friction && contact.grip == Grip::unknown)
+    if (contact.rubs() && contact.grip == Grip::unknown)
       fail(situation_.file, contact.friction->mark,
-           "whether contact '" + contact.name + "' sticks or slides is not known here",
+           "whether " + contact.words() + " sticks or slides is not known here",
            "its state is found for the start of a situation only");
   if (!choice_.trial && !moving_)
     for (const ContactLimit& limit : machine_.contact_limits) {
@@ -86,10 +88,124 @@ std::vector<const Fact*> SolvedInstant::state_motion_equations() {
       if (leaves_plane(limit, *mechanism_state_, pace()))
         throw UnansweredError(situation_.file, limit.mark, words_of_side(limit), hint_of_side(limit));
     }
+  assemble_motion_equations();
+  find_pressing();
+  return nonlinear_.at(System::motion);
+}
+
+void SolvedInstant::assemble_motion_equations() {
   StatedConditions<double> stated = force_conditions(view(), facts_, !moving_);
   motion_equations_ = solve::motion_equations(*mechanism_state_, scales_, stated.linear);
+  find_flanks(stated.linear);
   sources_[System::motion] = std::move(stated.sources);
-  return stated.nonlinear;
+  nonlinear_[System::motion] = std::move(stated.nonlinear);
+}
+
+namespace {
+
+const Gear& gear_named(const Situation& situation, const std::string& name) {
+  return *std::ranges::find(situation.gears, name, &Gear::name);
+}
+
+// The components that turn wheels whose teeth rub.
+std::vector<int> rubbing_leaders(const Mechanism<double>& mechanism) {
+  std::vector<int> leaders;
+  for (const Component<double>& component : mechanism.components)
+    if (component.rubs) leaders.push_back(component.follows);
+  return leaders;
+}
+
+}  // namespace
+
+solve::LinearSolution SolvedInstant::tie_motion(const std::vector<solve::Condition>& conditions) {
+  const std::size_t first = solve::force_unknowns(machine_.mechanism).accelerations;
+  for (;;) {
+    motion_equations_ = solve::motion_equations(*mechanism_state_, scales_, conditions);
+    solve::LinearSolution solution = motion_equations_.solve();
+    if (!tie_flanks(machine_.mechanism, solution, first)) return solution;
+  }
+}
+
+// The force with which teeth push their wheels apart does no work, however it is taken up: the forces that turn the
+// wheels are found without it, and their signs tell which flanks carry. Where they are open without it, it stays open
+// too, unless the flanks of other wheels close them. The friction of teeth that slide does work: there both flanks are
+// tried, of all such teeth together, and those carry whose force has their sign. So it is where bearings rub by what
+// they carry.
+void SolvedInstant::find_flanks(const std::vector<solve::Condition>& conditions) {
+  Mechanism<double>& mechanism = machine_.mechanism;
+  if (!untie_flanks(mechanism)) return;
+  std::vector<int> leaders = rubbing_leaders(mechanism);
+  const bool rubs = !leaders.empty();
+  if (rubs) {
+    if (const ToothMeshOf<double>* mesh = turn_against_slip(machine_, *mechanism_state_)) {
+      const Gear& gear = gear_named(situation_, mesh->name);
+      throw UnansweredError(situation_.file, gear.friction->mark(),
+                            "the teeth of gear '" + gear.name +
+                                "' do not slide here, and how much of their friction acts at rest is not told",
+                            "state the rate at which a wheel turns, or leave out friction:");
+    }
+  }
+  tie_motion(conditions);
+  // What rubs in bearings depends on what they carry, so that it may take the flanks to tell the forces.
+  for (const Component<double>& component : mechanism.components)
+    if (component.parts_wheels && component.flank == 0 &&
+        std::ranges::find(leaders, component.follows) == leaders.end())
+      leaders.push_back(component.follows);
+  constexpr std::size_t most = 6;  // each set of flanks is solved for
+  if (leaders.empty() || (leaders.size() > most && !rubs)) return;
+  if (leaders.size() > most)
+    fail(situation_.file, situation_.gears.front().mark, "these are too many gears for friction in their teeth");
+  const std::size_t first = solve::force_unknowns(mechanism).accelerations;
+  struct Held {
+    std::vector<int> flanks;
+    std::vector<double> forces;
+  };
+  std::vector<Held> held;
+  for (std::size_t choice = 0; choice < std::size_t{1} << leaders.size(); ++choice) {
+    const auto sign = [&](std::size_t k) { return (choice >> k & 1) != 0 ? -1 : 1; };
+    untie_flanks(mechanism);
+    for (std::size_t k = 0; k < leaders.size(); ++k)
+      for (Component<double>& component : mechanism.components)
+        if (component.parts_wheels && component.follows == leaders[k]) component.flank = sign(k);
+    const solve::LinearSolution solution = tie_motion(conditions);
+    double largest = 0;
+    for (std::size_t k = first; k < solution.value.size(); ++k)
+      largest = std::max(largest, std::abs(solution.value[k]));
+    const double rounding = 1e-9 * largest;  // what its equation leaves of a force that vanishes
+    bool holds = solution.conflict.empty() || choice_.trial;
+    Held one{flanks_of(mechanism), {}};
+    for (std::size_t k = 0; k < leaders.size(); ++k) {
+      const std::size_t turning = first + static_cast<std::size_t>(leaders[k]);
+      holds = holds && solution.determined(turning) && solution.value[turning] * sign(k) >= -rounding;
+      one.forces.push_back(solution.value[turning]);
+    }
+    // A force that vanishes is the same on either flank.
+    const bool known = std::ranges::any_of(held, [&](const Held& other) {
+      return std::ranges::equal(other.forces, one.forces,
+                                [&](double a, double b) { return std::abs(a - b) <= 2 * rounding; });
+    });
+    if (holds && !known) held.push_back(std::move(one));
+  }
+  if (held.size() == 1 || (rubs && choice_.trial && !held.empty())) {
+    put_flanks(mechanism, held.front().flanks);
+    motion_equations_ = solve::motion_equations(*mechanism_state_, scales_, conditions);
+    return;
+  }
+  if (rubs && !choice_.trial) {
+    const auto rubbing =
+        std::ranges::find_if(situation_.gears, [](const Gear& gear) { return gear.friction.has_value(); });
+    if (!held.empty())
+      throw UnansweredError(situation_.file, rubbing->friction->mark(),
+                            "the friction of teeth lets either flank carry, so that there are several motions",
+                            "state more of what drives the wheels");
+    throw UnansweredError(situation_.file, rubbing->friction->mark(),
+                          "the friction of teeth lets neither flank carry: the wheels jam in this motion, or what is "
+                          "stated of forces does not tell which do",
+                          "a wheel cannot drive its worm where the lead angle is too small for the friction");
+  }
+  // The push stays open where several sets of flanks hold, or all leave it open.
+  untie_flanks(mechanism);
+  tie_motion(conditions);
 }
 
 void SolvedInstant::solve_motion_equations(const std::vector<const Fact*>& nonlinear) {
@@ -98,6 +214,7 @@ void SolvedInstant::solve_motion_equations(const std::vector<const Fact*>& nonli
     take_misfits(solution);
   else if (!solution.conflict.empty())
     contradiction(System::motion, solution);
+  if (!choice_.trial) require_known_pressing(solution);
   const std::size_t accelerations = solve::force_unknowns(machine_.mechanism).accelerations;
   // The forces set the pace by which facts are held.
   motion_ = std::move(solution);
@@ -110,6 +227,11 @@ void SolvedInstant::solve_motion_equations(const std::vector<const Fact*>& nonli
   }
   const std::vector<std::size_t> one_sided = one_sided_unknowns(accelerations);
   const std::vector<FrictionCone> cones = friction_cones(accelerations);
+  for (const std::vector<int>& chain : machine_.chains) {
+    std::vector<std::size_t> sides;
+    for (const int side : chain) sides.push_back(accelerations + static_cast<std::size_t>(side));
+    slacken_chain(*motion_, sides);
+  }
   if (!choice_.trial) {
     share_without_pull(*motion_, one_sided, accelerations);
     if (!cones.empty()) share_within_cones(*motion_, one_sided, cones, accelerations);
@@ -136,6 +258,20 @@ std::vector<FrictionCone> SolvedInstant::friction_cones(std::size_t first) const
   std::vector<FrictionCone> cones;
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
     if (contact.grip != Grip::sticks) continue;
+    if (contact.of_belt) continue;  // What its sides share is told by its initial tension.
+    if (contact.on_cord()) {
+      // Neither tension is more than so many times the other.
+      const double most = capstan_of(*mechanism_state_, contact).value_or(1);
+      std::vector<std::size_t> sides;
+      for (std::size_t k = 0; k < machine_.mechanism.components.size(); ++k)
+        if (const int action = machine_.mechanism.components[k].action;
+            action == contact.action || action == contact.behind)
+          sides.push_back(first + k);
+      if (sides.size() != 2) continue;
+      cones.push_back({sides[0], sides[1], std::nullopt, most});
+      cones.push_back({sides[1], sides[0], std::nullopt, most});
+      continue;
+    }
     // Its components are the push and two across it, or in a planar problem one, in this order.
     std::vector<std::size_t> own;
     for (std::size_t k = 0; k < machine_.mechanism.components.size(); ++k)
@@ -155,7 +291,8 @@ RoughMotion<double> SolvedInstant::rough_motion_as_drawn(std::size_t contact, bo
   RoughMotion<double> motion = rough_motion(*mechanism_state_, rough, accelerations);
   Vector3<double> slip{};
   for (const std::size_t k : {1, 2})
-    slip += dot(motion.slip, mechanism_state_->direction(rough.motions[k].along)) * rough.motions[k].along.vector;
+    slip += dot(motion.slip, direction_now(*mechanism_state_, rough, rough.motions[k].along)) *
+            rough.motions[k].along.vector;
   motion.slip = slip;
   return motion;
 }
@@ -245,11 +382,18 @@ std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults() cons
     }
     return size;
   };
+  // Contacts with friction are in their states with a push that is rounding beside the largest force.
+  constexpr double of_largest = 1e-9;
+  const double size = machine_.rough_contacts.empty() ? 0 : largest_force(*mechanism_state_, unknowns_);
+  const auto is_rough = [&](int action) {
+    return std::ranges::any_of(machine_.rough_contacts, [&](const auto& contact) { return contact.action == action; });
+  };
   for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
     const Component<double>& component = mechanism.components[k];
     const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
     if (!component.one_sided) continue;
     if (unknowns_[first + k] >= 0) continue;
+    if (unknowns_[first + k] >= -of_largest * size && is_rough(component.action)) continue;
     const auto own = static_cast<std::size_t>(component.action);
     const double on = on_body(action.on, own), from = on_body(action.from, own);
     const double beside = on > 0 && from > 0 ? std::min(on, from) : std::max(on, from);
@@ -263,8 +407,14 @@ std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults() cons
     if (unknowns_[first + k] >= -std::max(of_others * beside, rounding)) continue;
     found.push_back({own, action.kind == ActionKind::cord ? Holding::pulls : Holding::presses});
   }
+  for (const int action : machine_.belt_actions) {
+    double most = 0, own = tension_of(*mechanism_state_, unknowns_, action);
+    for (const int other : machine_.belt_actions)
+      most = std::max(most, std::abs(tension_of(*mechanism_state_, unknowns_, other)));
+    constexpr double rounding_of_tension = 1e-9;  // of the largest
+    if (own < -rounding_of_tension * most) found.push_back({static_cast<std::size_t>(action), Holding::pulls});
+  }
   if (machine_.rough_contacts.empty()) return found;
-  const double size = largest_force(*mechanism_state_, unknowns_);
   // A slip that begins is none if it is rounding of what else moves or would move.
   constexpr double begins = 1e-9;
   const double acceleration = natural_size(dimensions::acceleration), speed = natural_size(dimensions::velocity);
@@ -272,7 +422,14 @@ std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults() cons
     const bool slips = contact.grip != Grip::slides ||
                        norm(rough_motion(*mechanism_state_, contact, false).slip) > begins * speed ||
                        norm(rough_motion(*mechanism_state_, contact, true).slip) > begins * acceleration;
-    if (slips && stays_in_state(*mechanism_state_, unknowns_, contact, size)) continue;
+    // What is at rest but for rounding begins to slip as it is moved, whatever way the rounding points.
+    const bool begins_otherwise = !moving_ && contact.grip == Grip::slides && contact.slip &&
+                                  !(norm(rough_motion(*mechanism_state_, contact, false).slip) > begins * speed) &&
+                                  !(dot(rough_motion(*mechanism_state_, contact, true).slip,
+                                        direction_now(*mechanism_state_, contact, *contact.slip)) > 0);
+    if (slips && !begins_otherwise && stays_in_state(*mechanism_state_, unknowns_, contact, size, begins * speed) &&
+        !slips_in_truth(*mechanism_state_, unknowns_, contact, size))
+      continue;
     found.push_back({static_cast<std::size_t>(contact.action), contact.grip == Grip::sticks   ? Holding::sticks
                                                                : contact.grip == Grip::slides ? Holding::slides
                                                                                               : Holding::parts});
@@ -286,7 +443,11 @@ std::vector<std::string> SolvedInstant::unphysical() const {
     const std::string& name = machine_.mechanism.actions[fault.action].name;
     switch (fault.broken) {
       case Holding::pulls:
-        words.push_back("the cord '" + name + "' would have to push: it goes slack");
+        words.push_back("the " +
+                        std::string(std::ranges::find(situation_.belts, name, &Belt::name) == situation_.belts.end()
+                                        ? "cord"
+                                        : "belt") +
+                        " '" + name + "' would have to push: it goes slack");
         break;
       case Holding::presses:
         words.push_back("the contact '" + name + "' would have to pull: it is lost");

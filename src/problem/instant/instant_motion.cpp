@@ -34,7 +34,7 @@ bool follows_time(const Situation& situation) {
   if (any) return true;
   for (const Joint& joint : situation.joints)
     for (const Freedom& freedom : joint.freedoms)
-      if (timed(freedom.rate) || timed(freedom.accel) || timed(freedom.effort)) return true;
+      if (timed(freedom.position) || timed(freedom.rate) || timed(freedom.accel) || timed(freedom.effort)) return true;
   for (const Frame& frame : situation.frames)
     if (timed(frame.rate) || timed(frame.accel) || timed(frame.velocity) || timed(frame.acceleration)) return true;
   return false;
@@ -78,6 +78,7 @@ void SolvedInstant::move_to(const MotionState& state) {
   before_.reset();
   rough_blow_.reset();
   linearisation_.reset();
+  shaken_.clear();
   facts_.clear();
   machine_.q = state.q;
   v_ = state.v;
@@ -89,16 +90,24 @@ void SolvedInstant::move_to(const MotionState& state) {
   turn_slips();
 }
 
-// Where a slip turns, its friction is against the slip of this instant.
+// Where a slip turns, its friction is against the slip of this instant. On curved surfaces it turns with the normal
+// from where it was drawn, whatever way the contact took.
 void SolvedInstant::turn_slips() {
   for (std::size_t k = 0; k < machine_.rough_contacts.size(); ++k) {
     RoughContactOf<double>& contact = machine_.rough_contacts[k];
-    if (!contact.turns) continue;
-    const Vector3<double> slip = rough_motion_as_drawn(k, false).slip;
+    const bool curved = contact.motions.front().kind == VelocityConstraintKind::touching;
+    if (contact.grip != Grip::slides || contact.coordinate >= 0 || !(contact.turns || curved)) continue;
+    const Vector3<double> slip = contact.turns ? rough_motion_as_drawn(k, false).slip : contact.slip->vector;
     if (!(norm(slip) > 0)) continue;
     contact.slip->vector = normalized(slip);
+    Vector3<double> along = along_sliding_force(contact);
+    if (curved) {
+      const int from = contact.normal.body;
+      along = direction_on_body(machine_.mechanism.tree, mechanism_state_->workspace(), from,
+                                direction_now(*mechanism_state_, contact, {from, along}));
+    }
     for (Component<double>& component : machine_.mechanism.components)
-      if (component.action == contact.action) component.along.vector = along_sliding_force(contact);
+      if (component.action == contact.action) component.along.vector = along;
   }
 }
 

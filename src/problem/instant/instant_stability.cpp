@@ -71,6 +71,24 @@ void refuse_unsteady_loads(const Situation& situation, const Mark& mark, const s
                           "let it depend on what goes round with the frame alone");
 }
 
+// Near a steady motion a center that pulls must rest in its frame: it lies on the axis about which the frame turns.
+void refuse_center_off_axis(const Situation& situation, const Mark& mark, const solve::MechanismState& state, int frame,
+                            double pace) {
+  const Mechanism<double>& mechanism = state.mechanism();
+  if (mechanism.attractions.empty()) return;
+  const Vector O = state.position(mechanism.attractions.front().toward);
+  const BodyMotion<double>& F = state.workspace().motion[static_cast<std::size_t>(frame + 1)];
+  double length = norm(Vector(O - F.p));
+  for (const AttractionLaw<double>& pull : mechanism.attractions)
+    length = std::max(length, norm(Vector(O - state.position(pull.at))));
+  if (norm(Vector(F.v + cross(F.w, O - F.p))) > nine_digits * pace * length)
+    throw UnansweredError(
+        situation.file, mark,
+        "the center that pulls does not rest in the frame of the steady motion: near it the equations "
+        "have coefficients that change with time",
+        "let the frame turn about an axis through the center");
+}
+
 }  // namespace
 
 solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<double>& mechanism) const {
@@ -86,6 +104,7 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
     throw UnansweredError(situation_.file, mark,
                           "what drives the bodies is to be found here, and would have to be known nearby",
                           "state it: couple: or force: at the freedom, in place of any");
+  refuse_center_off_axis(situation_, mark, *mechanism_state_, frame, pace());
   const AcceleratedFrame rides = accelerated_frame(view(), mark, pace());
   const Vector gravity = tree.gravity() - rides.acceleration;
   solve::SteadyMotion motion;
@@ -224,6 +243,8 @@ solve::SteadyMotion SolvedInstant::steady_motion(const Mark& mark, Mechanism<dou
   std::vector<Vector> places{Vector::zero()};
   for (int i = 0; i < tree.body_count(); ++i)
     if (tree.body(i).parent == ground) places.push_back(w.motion[static_cast<std::size_t>(i + 1)].p);
+  if (!mechanism.attractions.empty())
+    places.push_back(mechanism_state_->position(mechanism.attractions.front().toward));
   for (const Vector& axis : axes) {
     displacements.emplace_back(Vector::zero(), axis);
     for (const Vector& P : places) displacements.emplace_back(axis, cross(P, axis));

@@ -5,10 +5,12 @@
 #include "poinsot/engine/dynamics/velocity_constraint.h"
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
+#include "problem/quantities/tooth_flanks.h"
 
 namespace poinsot::problem {
 
-void SolvedInstant::strike_later(const std::vector<Met>& met, const std::vector<bool>& acting, const Mark& mark) {
+void SolvedInstant::strike_later(const std::vector<Met>& met, const std::vector<bool>& acting,
+                                 const std::vector<bool>& touching, const Mark& mark) {
   const Mechanism<double>& mechanism = machine_.mechanism;
   before_.emplace(*mechanism_state_);
   rough_blow_.reset();
@@ -55,7 +57,7 @@ void SolvedInstant::strike_later(const std::vector<Met>& met, const std::vector<
         if (together(one_sided[k], i)) act[i] = false;
     blow_ = smooth;
     if (met.size() == 1 && met.front().friction) {
-      RoughBlowResult along = follow_rough_blow({*before_, scales_, smooth, act});
+      RoughBlowResult along = follow_rough_blow({*before_, scales_, smooth, act, &touching});
       if (!along.found) {
         why = along.words;
         if (along.by_others) continue;
@@ -64,6 +66,7 @@ void SolvedInstant::strike_later(const std::vector<Met>& met, const std::vector<
       rough_blow_ = std::move(along.found);
       put_friction(blow_, *before_, *rough_blow_);
     }
+    untie_flanks(machine_.mechanism);
     blow_solution_ = solve::solve_impulse(*before_, scales_, blow_, {}, act, &blow_equations_);
     const std::vector<double>& solved = blow_solution_.value;
     double largest = 0;

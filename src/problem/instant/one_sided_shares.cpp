@@ -146,6 +146,41 @@ bool share_without_pull(solve::LinearSolution& solution, const std::vector<std::
   return true;
 }
 
+void slacken_chain(solve::LinearSolution& solution, const std::vector<std::size_t>& sides) {
+  if (solution.open.empty() || !solution.conflict.empty()) return;
+  constexpr double alike = 1e-8;  // of the change in one side: what elimination leaves
+  std::size_t ring = solution.open.size();
+  double largest = 0;
+  for (std::size_t d = 0; d < solution.open.size(); ++d) {
+    const std::vector<double>& direction = solution.open[d];
+    double mean = 0, off = 0;
+    for (const std::size_t k : sides) mean += direction[k] / static_cast<double>(sides.size());
+    for (const std::size_t k : sides) off = std::max(off, std::abs(direction[k] - mean));
+    const double part = std::abs(mean) / largest_of(direction);
+    if (off <= alike * std::abs(mean) && part > largest) {
+      largest = part;
+      ring = d;
+    }
+  }
+  if (ring == solution.open.size() || !(largest > rounding)) return;
+  const std::vector<double> whole = solution.open[ring];
+  double least = solution.value[sides.front()];
+  for (const std::size_t k : sides) least = std::min(least, solution.value[k]);
+  const double change = -least / whole[sides.front()];
+  for (std::size_t k = 0; k < solution.value.size(); ++k) solution.value[k] += change * whole[k];
+  // What else is open leaves the chain as it is.
+  const auto count = static_cast<Index>(solution.open.size());
+  MatrixXd C = MatrixXd::Zero(count, count - 1);
+  for (Index d = 0, column = 0; d < count; ++d) {
+    if (d == static_cast<Index>(ring)) continue;
+    C(d, column) = 1;
+    C(static_cast<Index>(ring), column) =
+        -solution.open[static_cast<std::size_t>(d)][sides.front()] / whole[sides.front()];
+    ++column;
+  }
+  combine(solution, C);
+}
+
 // A direction that no one-sided force shares goes on without end. Along the others t follows from the forces.
 std::optional<double> largest_over_shares(const solve::LinearSolution& solution,
                                           const std::vector<std::size_t>& one_sided, std::size_t fixed,

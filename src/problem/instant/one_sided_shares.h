@@ -26,4 +26,8 @@ std::optional<double> largest_over_shares(const solve::LinearSolution& solution,
 // Shortens the way from one solution to another so far that no unknown which pushes comes to pull.
 void keep_pushing(const std::vector<double>& from, const std::vector<std::size_t>& one_sided, std::vector<double>& to);
 
+// Where the sides of a chain are open by one tension in all of them, its slackest side has none. sides: of the chain,
+// by their places among the unknowns.
+void slacken_chain(solve::LinearSolution& solution, const std::vector<std::size_t>& sides);
+
 }  // namespace poinsot::problem

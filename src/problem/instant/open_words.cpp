@@ -44,12 +44,12 @@ std::string open_velocities(std::vector<std::string> names, std::size_t missing)
 }
 
 std::string open_force(const SolvedInstant& instant, std::size_t direction) {
-  if (instant.after_blow() && !instant.forces_solved())
-    return "the blow does not fix " +
-           listed(
-               moved_names(instant.blow_equations(), instant.blow(), direction, 0, instant.blow_equations().unknowns()),
-               "and") +
-           " one by one";
+  if (instant.after_blow() && !instant.forces_solved()) {
+    const std::vector<std::string> names =
+        moved_names(instant.blow_equations(), instant.blow(), direction, 0, instant.blow_equations().unknowns());
+    return "the blow does not fix " + listed(names, "and") +
+           (names.size() > 1 ? " one by one" : ": state it under instants: {after: ...}");
+  }
   // This is a motion after a blow that does not determine how it starts.
   if (!instant.forces_solved()) return "the blow does not fix all velocities after it";
   const auto& equations = instant.motion_equations();

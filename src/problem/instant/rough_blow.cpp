@@ -64,7 +64,8 @@ double kinetic_energy_with(solve::MechanismState& state, const std::vector<doubl
 }
 
 // Whether all cords and contacts that act pull or push at every part of the blow, and the others part.
-bool others_agree(const RoughBlowSetting& setting, const Responses& by, const Course& course) {
+// speed: of what moves before.
+bool others_agree(const RoughBlowSetting& setting, const Responses& by, const Course& course, double speed) {
   const Mechanism<double>& mechanism = setting.before.mechanism();
   const std::vector<double>& v = setting.before.state().v;
   const auto total = [&](std::size_t unknown, const Vector& impulse) {
@@ -85,6 +86,8 @@ bool others_agree(const RoughBlowSetting& setting, const Responses& by, const Co
     if (constraint.action < 0 || constraint.action == setting.blow.impacts.front().action ||
         setting.acting[static_cast<std::size_t>(constraint.action)])
       continue;
+    if (setting.touching && !(*setting.touching)[static_cast<std::size_t>(constraint.action)]) continue;
+    if (!constraint.normal && !is_cord_length(constraint)) continue;
     if (constraint.kind == VelocityConstraintKind::led_cord && !constraint.keeps_length) continue;
     const std::vector<double> row = solve::constraint_coefficients(setting.before, constraint);
     for (const Vector& point : course.way) {
@@ -95,7 +98,7 @@ bool others_agree(const RoughBlowSetting& setting, const Responses& by, const Co
         size += std::abs(term);
       }
       if (is_cord_length(constraint)) rate = -rate;
-      if (rate < -solved_to * size) return false;
+      if (rate < -solved_to * (size + speed)) return false;
     }
   }
   return true;
@@ -106,10 +109,13 @@ bool is_alone(const RoughBlowSetting& setting) {
   solve::Blow nothing;
   nothing.held_coordinates = setting.blow.held_coordinates;
   const std::vector<double>& v = setting.before.state().v;
-  const std::vector<double> after =
-      solve::solve_impulse(setting.before, setting.scales, nothing, {}, setting.acting).value;
+  const solve::LinearSolution solved =
+      solve::solve_impulse(setting.before, setting.scales, nothing, {}, setting.acting);
+  const std::vector<double>& after = solved.value;
   double largest = 0, jump = 0;
   for (std::size_t k = 0; k < v.size(); ++k) {
+    // What moves no mass, as the turning of a particle, is whatever it was.
+    if (!solved.determined(k)) continue;
     const double unit =
         solve::coordinate_turns(setting.before.mechanism().tree, static_cast<int>(k)) ? setting.scales.length : 1;
     largest = std::max(largest, unit * std::abs(v[k]));
@@ -157,7 +163,7 @@ RoughBlowResult follow_rough_blow(const RoughBlowSetting& setting) {
     result.hint = "reduce the friction";
     return result;
   }
-  if (!others_agree(setting, by, rough.course)) {
+  if (!others_agree(setting, by, rough.course, speed)) {
     result.words = "in the course of the blow a cord or another contact begins or ceases to act, which is not followed";
     result.hint = "leave out the friction, or what gives way";
     result.by_others = true;

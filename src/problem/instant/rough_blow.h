@@ -33,6 +33,8 @@ struct RoughBlowSetting {
   const solve::Scales& scales;
   const solve::Blow& blow;          // with one impact, and nothing else that is sudden
   const std::vector<bool>& acting;  // for each action
+  // For each action whether it touched or pulled before, so that what does not act must part; all if null.
+  const std::vector<bool>* touching = nullptr;
 };
 
 // Why a blow cannot be followed; empty if `found` has what was.

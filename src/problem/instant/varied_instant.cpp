@@ -4,6 +4,7 @@
 
 #include "poinsot/engine/solve/instant/closure.h"
 #include "problem/language/scalar_value.h"
+#include "problem/quantities/tooth_flanks.h"
 
 namespace poinsot::problem {
 namespace {
@@ -92,6 +93,7 @@ void VariedInstant::strike() {
       throw std::domain_error("impulses that are followed along a blow have no derivatives");
     put_friction(blow_, *before_, *base_.rough_blow_);
   }
+  put_flanks(machine_.mechanism, base_.blow_flanks_);
   const StatedConditions<Varied> stated = blow_conditions(view(), blow_);
   expect_same(InstantSystem::blow, stated.nonlinear);
   systems_[InstantSystem::blow] =
@@ -105,6 +107,13 @@ void VariedInstant::strike() {
 }
 
 void VariedInstant::set_forces() {
+  put_flanks(machine_.mechanism, flanks_of(base_.machine_.mechanism));
+  turn_against_slip(machine_, *mechanism_state_);
+  // By how much |V| varies is told by its direction alone (quantities/joint_pressing.h).
+  for (std::size_t k = 0; k < machine_.rough_contacts.size(); ++k)
+    for (std::size_t i = 0; i < machine_.rough_contacts[k].pressing.size(); ++i)
+      if (const auto& toward = base_.machine_.rough_contacts[k].pressing[i].toward)
+        machine_.rough_contacts[k].pressing[i].toward = lifted<Varied>(*toward);
   const StatedConditions<Varied> stated = force_conditions(view(), base_.facts_, true);
   expect_same(InstantSystem::motion, stated.nonlinear);
   systems_[InstantSystem::motion] = solve::motion_equations(*mechanism_state_, base_.scales_, stated.linear);

@@ -2,6 +2,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "problem/keys/keys.h"
 
@@ -17,8 +19,13 @@ class VectorsOfPlane {
     for (auto& [name, value] : entry.members) {
       const LanguageKey* key = find_key(object, name.text);
       if (!key && (object == "body" || object == "part")) key = find_key("shape", name.text);
-      if (object == "problem" && (name.text == "points" || name.text == "directions")) {
+      if (object == "problem" && (name.text == "points" || name.text == "directions" || name.text == "given")) {
         for (auto& [point, place] : value.members) complete(place);
+      } else if (object == "problem" && name.text == "gravity") {
+        if (value.is_map())
+          complete_map(value, "gravity");
+        else
+          complete(value);
       } else if (key && key->type == KeyType::vector) {
         complete(value);
       } else if (key && key->type == KeyType::named && !key->object_name.empty()) {
@@ -40,7 +47,42 @@ class VectorsOfPlane {
       zero.mark = entry.mark;
       entry.items.insert(entry.items.begin() + static_cast<std::ptrdiff_t>(normal_), std::move(zero));
     }
+    if (entry.is_scalar()) complete_text(entry.text);
     complete_items(entry);
+  }
+  // Lists of two within an expression, as in 'A + [a, b]'; those of max([a, b]) and the like are lists of numbers.
+  void complete_text(std::string& text) const {
+    struct Bracket {
+      std::size_t at = 0, comma = 0, commas = 0;
+      int parentheses = 0;
+      bool holds_list = false;
+    };
+    std::vector<Bracket> open;
+    int parentheses = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '(') ++parentheses;
+      if (text[i] == ')') --parentheses;
+      if (text[i] == '[') {
+        if (!open.empty()) open.back().holds_list = true;
+        open.push_back({i, 0, 0, parentheses, false});
+      }
+      if (open.empty()) continue;
+      Bracket& last = open.back();
+      if (text[i] == ',' && parentheses == last.parentheses) {
+        last.comma = i;
+        ++last.commas;
+      }
+      if (text[i] != ']') continue;
+      const std::string_view before = std::string_view(text).substr(0, last.at);
+      const bool numbers = before.ends_with("max(") || before.ends_with("min(");
+      if (last.commas == 1 && !last.holds_list && !numbers) {
+        const std::size_t at = normal_ == 0 ? last.at + 1 : normal_ == 1 ? last.comma + 1 : i;
+        const std::string_view zero = normal_ == 2 ? ", 0" : " 0,";
+        text.insert(at, zero);
+        i += zero.size();
+      }
+      open.pop_back();
+    }
   }
   // A list that is an item of a list is a vector: a corner, the side of a box.
   void complete_items(Entry& entry) const {

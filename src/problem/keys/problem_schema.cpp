@@ -34,7 +34,7 @@ Json type_of(const LanguageKey& key) {
                key.object_name.empty() ? Json(true) : Json{{"anyOf", {reference(key.object_name), expression, list}}}}};
     case KeyType::any:
       // What can be one expression may also be a map of its own.
-      return key.object_name.empty() ? Json::object() : Json{{"anyOf", {reference(key.object_name), expression}}};
+      return key.object_name.empty() ? Json::object() : Json{{"anyOf", {reference(key.object_name), expression, list}}};
   }
   return Json::object();
 }

@@ -33,6 +33,7 @@ constexpr std::array words{
     Word{dimensions::angular_acceleration, "an angular acceleration"},
     Word{dimensions::velocity, "a velocity"},
     Word{dimensions::acceleration, "an acceleration"},
+    Word{dimensions::gravitational_parameter, "a parameter of gravity"},
     Word{dimensions::force, "a force"},
     Word{Dimension::of(2, 1, -2, -1), "a torsional stiffness"},
     Word{dimensions::moment, "a moment or an energy"},

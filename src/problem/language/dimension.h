@@ -35,6 +35,7 @@ inline constexpr Dimension time = Dimension::of(0, 0, 1);
 inline constexpr Dimension frequency = Dimension::of(0, 0, -1);
 inline constexpr Dimension velocity = Dimension::of(1, 0, -1);
 inline constexpr Dimension acceleration = Dimension::of(1, 0, -2);
+inline constexpr Dimension gravitational_parameter = Dimension::of(3, 0, -2);
 inline constexpr Dimension angular_velocity = Dimension::of(0, 0, -1, 1);
 inline constexpr Dimension angular_acceleration = Dimension::of(0, 0, -2, 1);
 inline constexpr Dimension force = Dimension::of(1, 1, -2);

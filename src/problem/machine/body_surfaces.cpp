@@ -13,6 +13,13 @@
 #include "problem/machine/shape_row.h"
 
 namespace poinsot::problem {
+namespace {
+
+// Whether a place is on a corner, an edge or a flat side of one of the parts.
+template <class Scalar>
+bool lies_on_sides(const std::vector<Part>& parts, DataScope<Scalar>& data, const Vector3<double>& C);
+
+}  // namespace
 
 template <class Scalar>
 RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data, const Vector3<Scalar>& p_OC,
@@ -47,7 +54,9 @@ RollingSurface<Scalar> rolling_surface(const Body& body, DataScope<Scalar>& data
       const bool beside = norm(plain(r)) > rounding * (norm(plain(p_OC)) + norm(plain(center_of_mass)));
       return {ContactShape::round, foot, axis, beside ? norm(r) : Scalar(0), 0, {}, -1};
     }
-    return {ContactShape::unknown, {}, {}, Scalar(0), 0, {}, -1};
+    // It may have corners and flat sides by what is added to it.
+    const bool straight = lies_on_sides(body.added, data, plain(p_OC));
+    return {straight ? ContactShape::corner : ContactShape::unknown, {}, {}, Scalar(0), 0, {}, -1};
   }
   if (round_all_over)
     return {ContactShape::missed, {}, nearest_surface.axis, nearest_surface.radius, nearest_surface.gap, {}, -1};
@@ -131,6 +140,16 @@ double distance_to_side(const Side& side, const Vector& C) {
   const Vector normal = normalized(area);
   const double height = dot(C - side.front(), normal);
   return directions_on(side, C - height * normal) ? std::min(least, std::abs(height)) : least;
+}
+
+template <class Scalar>
+bool lies_on_sides(const std::vector<Part>& parts, DataScope<Scalar>& data, const Vector3<double>& C) {
+  return std::ranges::any_of(parts, [&](const Part& part) {
+    const ShapeRow<Scalar>& row = shape_row<Scalar>(part.shape.kind);
+    if (part.hole || !row.sides) return false;
+    const auto sides = row.sides(ShapeArguments<Scalar>(part.shape, data, part.name, false));
+    return std::ranges::any_of(sides, [&](const Side& side) { return directions_on(side, C).has_value(); });
+  });
 }
 
 }  // namespace

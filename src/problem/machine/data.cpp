@@ -228,7 +228,11 @@ Value<Scalar> DataScope<Scalar>::meaning(const Name& name, const Mark& mark, con
                      "the coordinates of point '" + name.name + "' are " + to_string(value.dimension) + ", not lengths",
                      "check the units of the data in them");
     if (!value.is_vector() || !(same_kind(value.dimension, dimensions::length) || value.bare))
-      evaluator.fail(point->value.mark(), "point '" + name.name + "' is no place", "write three lengths: [x, y, z]");
+      evaluator.fail(point->value.mark(), "point '" + name.name + "' is no place",
+                     situation_.plane ? "write two lengths: [x, y]"
+                     : value.is_list() && value.items.size() == 2
+                         ? "write three lengths: [x, y, z], or plane: [x, y] at the top if all moves in a plane"
+                         : "write three lengths: [x, y, z]");
     if (value.bare && plain(norm_squared(value.vector)) != 0)
       evaluator.fail(point->value.mark(), "the coordinates of point '" + name.name + "' have no unit",
                      "write lengths with their unit, such as [3 m, 0, 0] or [3 ft, 0, 0]; data in them need one too");

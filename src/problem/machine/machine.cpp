@@ -84,9 +84,11 @@ MachineOf<Scalar> build_machine(const Situation& situation, std::vector<BodyMass
   for (const Joint& joint : situation.joints) add_joint_actions(draft, joint);
   for (const Contact& contact : situation.contacts) add_contact(draft, contact);
   for (const Cord& cord : situation.cords) add_cord(draft, cord);
+  for (const Belt& belt : situation.belts) add_belt(draft, belt);
   for (const Gear& gear : situation.gears) add_gear(draft, gear);
   for_each_stated_law(situation, [&](const auto& law) { add_law(draft, law); });
   add_efforts_by_motion(draft);
+  add_attractions(draft);
   for (const Impulse& impulse : situation.impulses) add_impulse(draft, impulse);
   for (const Impact& impact : situation.impacts) add_impact(draft, impact);
   for (const Strike& strike : situation.strikes) add_strike(draft, strike);

@@ -89,6 +89,19 @@ struct ContactLimit {
 // The name of what holds the bodies of a planar problem in their plane. No file can name it.
 inline constexpr const char* hold_of_plane = "the plane";
 
+// What presses in a joint whose friction follows from what it carries: a vector V that is linear in the unknown forces,
+// of which the coefficient times |V| resists (quantities/joint_pressing.h).
+template <class Scalar>
+struct PressingPart {
+  enum class Form { across, along, end, thread };
+  Form form = Form::across;
+  int action = 0;                         // whose forces press
+  Scalar lever{1};                        // m for couples; of a guide 1
+  Scalar over_length{};                   // of an end at which it bears: 1/L or -1/L, for the couple that it carries
+  Scalar own{};                           // of a thread: what the couple of the friction itself adds
+  std::optional<Vector3<Scalar>> toward;  // V/|V|, on ground axes, as it was found last
+};
+
 // A contact with dry friction, in the state of it that is tried.
 template <class Scalar>
 struct RoughContactOf {
@@ -105,6 +118,48 @@ struct RoughContactOf {
   // of a contact that presses with one unit; its axis stands in the second of `motions`.
   int coordinate = -1;
   bool turning = false;
+  // Of a cord or belt on a wheel or post (engine/dynamics/capstan.h): the action of its straight part behind that,
+  // where `action` is of the part before it; the coefficients of friction, of which `resting` and `sliding` are tanh(mu
+  // beta/2) as drawn; and the angle beta as drawn. Its slip, the way the cord is led, is what the spans of the second
+  // of `motions` grow by, along the direction there.
+  int behind = -1;
+  bool of_belt = false;
+  Scalar friction_at_rest{}, friction_in_slip{}, wrap{};
+  // If the friction follows from what the joint carries: what presses, about or along the axis at this place. Then the
+  // coefficients are pure numbers, and what presses altogether stands in place of the unit.
+  std::vector<PressingPart<Scalar>> pressing{};
+  Place<Scalar> at{};
+  std::size_t drive = 0;               // its place among the drives
+  std::optional<Scalar> effort_known;  // while it moves: given in place of the law
+
+  bool on_cord() const { return behind >= 0; }
+  // Whether its couple or force while it moves is found with the reactions.
+  bool rubs_by_load() const { return !pressing.empty() && grip == Grip::slides; }
+  // Whether it moves in the sense of its axis.
+  bool goes_forward() const { return plain(dot(slip->vector, motions[1].along.vector)) > 0; }
+};
+
+// A straight part of a cord, belt or chain that is led over wheels, between two of these or of its ends as the
+// statement names them.
+struct CordPart {
+  std::string cord, from, to;
+  int action = 0;
+};
+
+// Where the teeth of two gears meet. The directions are those as drawn, on the axes of the body that carries both.
+template <class Scalar>
+struct ToothMeshOf {
+  // Of one of the wheels: along the motion of its teeth, away from its axis, and along that.
+  struct Side {
+    Vector3<Scalar> tangential{}, radial{}, axial{};
+    Vector3<Scalar> arm{};  // from its axis to where they meet; zero of a rack
+  };
+  std::string name;
+  int action = 0;
+  int carrier = ground;
+  Place<Scalar> at;
+  Side of, against;
+  Vector3<Scalar> thread{};  // along the teeth, where these rub
 };
 
 template <class Scalar>
@@ -125,6 +180,12 @@ struct MachineOf {
   std::optional<Model<Scalar>> struck_tree;
   std::vector<ContactLimit> contact_limits;
   std::vector<RoughContactOf<Scalar>> rough_contacts;
+  std::vector<CordPart> cord_parts;
+  std::vector<int> belt_actions;  // of the straight parts of belts and chains, which must not push
+  // Of each chain, the components of its sides: of those that the equations leave open the least is slack.
+  std::vector<std::vector<int>> chains;
+  std::vector<ToothMeshOf<Scalar>> tooth_meshes;
+  std::vector<std::string> line_contacts;  // contacts along a line that are taken as at one point of it
   std::map<std::string, JointPlaceOf<Scalar>> joints;
   std::vector<std::string> loop_joints;        // joints that close loops
   std::vector<std::string> constraint_joints;  // for each constraint the joint that it closes a loop by, "" if none

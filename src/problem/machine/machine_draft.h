@@ -101,6 +101,9 @@ Vector3<Scalar> support_place(const MachineDraft<Scalar>& draft, const Support& 
 // The steps in the order in which they are taken. All throw StatementError.
 template <class Scalar>
 void set_gravity(MachineDraft<Scalar>& draft);
+// The pull of a center on each part of each body that has mass.
+template <class Scalar>
+void add_attractions(MachineDraft<Scalar>& draft);
 template <class Scalar>
 void add_frame(MachineDraft<Scalar>& draft, const Frame& frame);
 // In a planar problem each body is held in the plane: it can be given a force across it and couples about axes in it,
@@ -127,10 +130,15 @@ void add_tree(MachineDraft<Scalar>& draft);
 // Adds what a joint carries, its drives, and the constraints if it closes a loop.
 template <class Scalar>
 void add_joint_actions(MachineDraft<Scalar>& draft, const Joint& joint);
+// The coefficients of friction at rest and while it slides, or the couples or forces of a joint.
+template <class Scalar>
+std::pair<Scalar, Scalar> friction_of(MachineDraft<Scalar>& draft, const Contact& contact, const Dimension& dimension);
 template <class Scalar>
 void add_contact(MachineDraft<Scalar>& draft, const Contact& contact);
 template <class Scalar>
 void add_cord(MachineDraft<Scalar>& draft, const Cord& cord);
+template <class Scalar>
+void add_belt(MachineDraft<Scalar>& draft, const Belt& belt);
 template <class Scalar>
 void add_gear(MachineDraft<Scalar>& draft, const Gear& gear);
 // The laws of force.

@@ -1,11 +1,14 @@
 // Gravity, the frames and the plane of a machine.
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "poinsot/engine/mass/composition.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/machine/machine_draft.h"
+#include "problem/machine/shapes.h"
 
 namespace poinsot::problem {
 
@@ -23,6 +26,40 @@ bool is_size_without_unit(const Expression& expression, const Value<Scalar>& val
   }
   constexpr double nearly = 1e-2;  // as a part of one: the numbers of a direction may be rounded
   return !whole && std::abs(plain(norm_squared(value.vector)) - 1) > nearly;
+}
+
+// From the mass center of a body to those of its parts. They are differences of places near each other, so that a
+// figure that is drawn far from the origin leaves no moment of the rounding of that distance about the mass center.
+template <class Scalar>
+std::vector<Vector3<Scalar>> arms_from_center(const BodyMassOf<Scalar>& body) {
+  std::vector<Vector3<Scalar>> arms;
+  Vector3<Scalar> sum = Vector3<Scalar>::zero();
+  Scalar mass(0);
+  for (const PulledPart<Scalar>& part : body.pulled) {
+    arms.push_back(part.properties.center - body.pulled.front().properties.center);
+    sum = sum + part.properties.mass * arms.back();
+    mass = mass + part.properties.mass;
+  }
+  if (plain(mass) > 0)
+    for (Vector3<Scalar>& arm : arms) arm = arm - sum / mass;
+  return arms;
+}
+
+// How far the matter of a part reaches from its mass center; of a body known by numbers how far it must reach at least.
+template <class Scalar>
+double reach_of(const MachineDraft<Scalar>& draft, const PulledPart<Scalar>& part, const std::string& owner) {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    const MassProperties<double>& own = part.properties;
+    if (!part.stated) {
+      const SymmetricMatrix3<double>& I = own.inertia_center;
+      return own.mass > 0 ? std::sqrt((I.xx + I.yy + I.zz) / (2 * own.mass)) : 0;
+    }
+    double reach = 0;
+    for (const Vector3<double>& vertex : shape_picture(part.stated->shape, draft.data, owner).vertices)
+      reach = std::max(reach, norm(vertex - own.center));
+    return reach;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -57,6 +94,49 @@ void set_gravity(MachineDraft<Scalar>& draft) {
     }
   }
   draft.builder.set_gravity(gravity);
+}
+
+template <class Scalar>
+void add_attractions(MachineDraft<Scalar>& draft) {
+  const Situation& situation = draft.situation;
+  if (!situation.central_gravity) return;
+  const CentralGravity& center = *situation.central_gravity;
+  if (!situation.strikes.empty())
+    fail(situation.file, situation.strikes.front().mark,
+         "what flies by itself is not pulled by the center, and would not know its velocity where it strikes",
+         "state it as a body of its own");
+  for (const Expression* one : {&center.toward, &center.parameter})
+    if (depends_on_time(situation, *one))
+      fail(situation.file, one->mark(), "the center that pulls is stated with data that change with time",
+           "it rests, and its parameter stays");
+  const Vector3<Scalar> O = draft.data.place(center.toward);
+  const Scalar parameter = draft.data.number(center.parameter, dimensions::gravitational_parameter);
+  if (!draft.options.lenient && !(plain(parameter) > 0))
+    fail(situation.file, center.parameter.mark(), "the parameter of a center that pulls is positive");
+  for (std::size_t i = 0; i < situation.bodies.size(); ++i) {
+    const Body& body = situation.bodies[i];
+    if (body.massless) continue;
+    const int on = draft.body(body.name);
+    const std::string owner = "body '" + body.name + "'";
+    AttractionLaw<Scalar> law{draft.add_action(ActionKind::attraction, name_of_gravity, "", on, ground),
+                              draft.machine.place(on, draft.masses[i].properties.center),
+                              Place<Scalar>{ground, O},
+                              parameter,
+                              {}};
+    const std::vector<Vector3<Scalar>> arms = arms_from_center(draft.masses[i]);
+    for (const PulledPart<Scalar>& part : draft.masses[i].pulled) {
+      const MassProperties<Scalar>& own = part.properties;
+      const double reach = reach_of(draft, part, owner), distance = norm(plain(Vector3<Scalar>(own.center - O)));
+      if (!(distance > reach))
+        fail(situation.file, body.mark,
+             "the center that pulls lies " + std::string(distance > 0 ? "within " : "in the middle of ") + owner +
+                 ", where its pull is not known",
+             "place it farther away: only from outside it is known how a center pulls");
+      law.parts.push_back(
+          {law.at.point + arms[law.parts.size()], own.mass, part.by_moments, own.inertia_center, reach});
+    }
+    draft.machine.mechanism.attractions.push_back(std::move(law));
+  }
 }
 
 template <class Scalar>
@@ -190,6 +270,7 @@ void hold_in_plane(MachineDraft<Scalar>& draft) {
 }
 
 template void set_gravity(MachineDraft<double>&);
+template void add_attractions(MachineDraft<double>&);
 template void add_frame(MachineDraft<double>&, const Frame&);
 template void hold_in_plane(MachineDraft<double>&);
 template bool lies_along_normal(const MachineDraft<double>&, const Vector3<double>&);
@@ -198,6 +279,7 @@ template void require_in_plane(const MachineDraft<double>&, const Vector3<double
 template void require_along_normal(const MachineDraft<double>&, const Vector3<double>&, const Mark&,
                                    const std::string&);
 template void set_gravity(MachineDraft<Dual<1>>&);
+template void add_attractions(MachineDraft<Dual<1>>&);
 template void add_frame(MachineDraft<Dual<1>>&, const Frame&);
 template void hold_in_plane(MachineDraft<Dual<1>>&);
 template bool lies_along_normal(const MachineDraft<Dual<1>>&, const Vector3<Dual<1>>&);
@@ -206,6 +288,7 @@ template void require_in_plane(const MachineDraft<Dual<1>>&, const Vector3<Dual<
 template void require_along_normal(const MachineDraft<Dual<1>>&, const Vector3<Dual<1>>&, const Mark&,
                                    const std::string&);
 template void set_gravity(MachineDraft<Formula>&);
+template void add_attractions(MachineDraft<Formula>&);
 template void add_frame(MachineDraft<Formula>&, const Frame&);
 template void hold_in_plane(MachineDraft<Formula>&);
 template bool lies_along_normal(const MachineDraft<Formula>&, const Vector3<Formula>&);

@@ -26,6 +26,11 @@ void add_law(MachineDraft<Scalar>& draft, const Load& load) {
   } else if (load.direction) {
     force.vector = draft.data.number(size, dimension) * draft.data.direction(*load.direction);
   } else {
+    if (const Value<Scalar> value = draft.data.value(size);
+        value.is_number() && !value.bare && same_kind(value.dimension, dimension))
+      fail(draft.situation.file, size.mark(), "load '" + load.name + "' states a size and no direction",
+           (load.couple ? "write about: z beside it, or the couple" : "write along: x beside it, or the force") +
+               std::string(draft.situation.plane ? " as [a, b]" : " as [a, b, c]"));
     force.vector = draft.data.vector(size, dimension);
   }
   if (force.couple)

@@ -14,7 +14,6 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/machine/shapes.h"
-#include "problem/machine/stated_inertia.h"
 #include "problem/machine/stated_sizes.h"
 
 namespace poinsot::problem {
@@ -110,8 +109,9 @@ class MassReader {
     if (amount.density) return density_of(*amount.density, shape.extent, false, owner) * shape.properties.measure;
     return density_of(*amount.specific_weight, shape.extent, true, owner) * shape.properties.measure;
   }
-  void append(BodyMassOf<Scalar>& whole, std::vector<MassProperties<Scalar>>& list, const ShapeValues<Scalar>& shape,
-              const Scalar& mass) const;
+  void append(BodyMassOf<Scalar>& whole, std::vector<MassProperties<Scalar>>& list, const Part& part,
+              const ShapeValues<Scalar>& shape, const Scalar& mass) const;
+  bool in_central_gravity() const { return data_.situation().central_gravity.has_value(); }
 
   const Body& body_;
   DataScope<Scalar>& data_;
@@ -121,9 +121,14 @@ class MassReader {
 };
 
 template <class Scalar>
-void MassReader<Scalar>::append(BodyMassOf<Scalar>& whole, std::vector<MassProperties<Scalar>>& list,
+void MassReader<Scalar>::append(BodyMassOf<Scalar>& whole, std::vector<MassProperties<Scalar>>& list, const Part& part,
                                 const ShapeValues<Scalar>& shape, const Scalar& mass) const {
   list.push_back(of_mass(shape.properties, mass));
+  if (in_central_gravity()) {
+    const bool round = part.shape.kind == "sphere" || part.shape.kind == "sphere_shell";
+    whole.pulled.push_back(
+        {list.back(), &part, shape.extent != Extent::point && !round, shape.particles.particles.size()});
+  }
   if (!wants_particles()) return;
   constexpr Work of_a_particle = 20;
   whole.particles.reserve(whole.particles.size() + shape.particles.particles.size());
@@ -188,13 +193,13 @@ BodyMassOf<Scalar> MassReader<Scalar>::of_shapes() {
     else
       mass =
           *shared_extent == Extent::point ? shared_mass : shared_mass * shapes[i].properties.measure / shared_measure;
-    append(whole, list, shapes[i], part.hole ? -mass : mass);
+    append(whole, list, part, shapes[i], part.hole ? -mass : mass);
   }
   for (const Part& part : body_.added) {
     const std::string part_owner = "the added '" + part.name + "' of " + owner;
     const ShapeValues<Scalar> shape = shape_values(part.shape, data_, part.name, wants_particles());
     if (!states(part.amount)) fail(file(), part.mark, part_owner + " has no mass", "write mass:");
-    append(whole, list, shape, Scalar(part.hole ? -1 : 1) * amount_of(part.amount, shape, part_owner));
+    append(whole, list, part, shape, Scalar(part.hole ? -1 : 1) * amount_of(part.amount, shape, part_owner));
   }
   whole.properties = sum(list);
   parts_ = std::move(list);
@@ -224,12 +229,14 @@ BodyMassOf<Scalar> MassReader<Scalar>::of_numbers() {
     if (const auto report = validate(plain(whole.properties), body_.name))
       fail(file(), body_.inertia ? body_.inertia->mark : body_.mark, report->message);
   if (wants_particles()) whole.particles = equivalent_particles(plain(whole.properties));
+  if (in_central_gravity())
+    whole.pulled.push_back({whole.properties, nullptr, body_.inertia.has_value(), whole.particles.size()});
   std::vector<MassProperties<Scalar>> list{whole.properties};
   for (const Part& part : body_.added) {
     const ShapeValues<Scalar> shape = shape_values(part.shape, data_, part.name, wants_particles());
     if (!states(part.amount))
       fail(file(), part.mark, "the added '" + part.name + "' of " + owner + " has no mass", "write mass:");
-    append(whole, list, shape,
+    append(whole, list, part, shape,
            Scalar(part.hole ? -1 : 1) * amount_of(part.amount, shape, "the added '" + part.name + "' of " + owner));
   }
   whole.properties = sum(list);
@@ -243,7 +250,7 @@ void MassReader<Scalar>::absorb(BodyMassOf<Scalar>& whole) {
   std::vector<MassProperties<Scalar>> list{whole.properties};
   for (const Part& part : body_.absorbed) {
     const ShapeValues<Scalar> shape = shape_values(part.shape, data_, part.name, wants_particles());
-    append(whole, list, shape, amount_of(part.amount, shape, "the particle of strike '" + part.name + "'"));
+    append(whole, list, part, shape, amount_of(part.amount, shape, "the particle of strike '" + part.name + "'"));
   }
   whole.properties = sum(list);
   parts_.insert(parts_.end(), list.begin() + 1, list.end());

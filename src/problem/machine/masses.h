@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "poinsot/engine/mass/mass_properties.h"
 #include "poinsot/engine/mass/particle_set.h"
+#include "poinsot/engine/math/algebra/matrix3.h"
 #include "problem/machine/data.h"
 
 namespace poinsot::problem {
@@ -13,11 +15,21 @@ namespace poinsot::problem {
 // Gives values for what is left open by `any`: a value in SI units for each dimension.
 using AnyValue = std::function<double(const Dimension&)>;
 
+// A part of a body that the gravity of a center pulls by itself.
+template <class Scalar>
+struct PulledPart {
+  MassProperties<Scalar> properties;
+  const Part* stated = nullptr;  // null for a body known by numbers
+  bool by_moments = false;       // else as a particle: it is one, or a sphere, or known by its mass alone
+  std::size_t particles = 0;     // how many of those of the body are its own
+};
+
 template <class Scalar>
 struct BodyMassOf {
-  MassProperties<Scalar> properties;        // on the axes of the ground, as drawn
-  Vector3<Scalar> center;                   // of mass, before particles were absorbed
-  std::vector<Particle<double>> particles;  // the same body for the check; only for doubles, and if wanted
+  MassProperties<Scalar> properties;         // on the axes of the ground, as drawn
+  Vector3<Scalar> center;                    // of mass, before particles were absorbed
+  std::vector<Particle<double>> particles;   // the same body for the check; only for doubles, and if wanted
+  std::vector<PulledPart<Scalar>> pulled{};  // under the gravity of a center alone; they refer to the body
 };
 using BodyMass = BodyMassOf<double>;
 
@@ -34,5 +46,20 @@ BodyMassOf<Scalar> body_mass(const Body& body, DataScope<Scalar>& data, const An
 // throws.
 template <class Scalar>
 std::vector<MassProperties<Scalar>> part_masses(const Body& body, DataScope<Scalar>& data);
+
+// The inertia that a statement gives a body by numbers: a matrix, moments and products, or radii of gyration. Whose it
+// is, with the values of the statement and of what it leaves open.
+template <class Scalar>
+struct InertiaSource {
+  const std::string& body;
+  DataScope<Scalar>& data;
+  const AnyValue& any;
+};
+
+// On the ground's axes, about the point that the statement names (the mass center when it names none). What is stated
+// as `any` becomes such as a body with the rest can have. Throws StatementError.
+template <class Scalar>
+SymmetricMatrix3<Scalar> stated_tensor(const StatedInertia& inertia, const Scalar& mass, const Vector3<Scalar>& center,
+                                       const InertiaSource<Scalar>& source);
 
 }  // namespace poinsot::problem

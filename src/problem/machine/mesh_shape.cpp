@@ -1,9 +1,8 @@
-#include "problem/machine/mesh_shape.h"
-
 #include <stdexcept>
 
 #include "problem/entries/read_meshes.h"
 #include "problem/language/exact_numbers.h"
+#include "problem/machine/shape_arguments.h"
 
 namespace poinsot::problem {
 

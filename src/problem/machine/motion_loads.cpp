@@ -30,9 +30,10 @@ bool is_mathematical(const std::string& function) {
 }
 
 // What follows from the loads, so that no load can follow from it.
-constexpr std::array<std::string_view, 9> follows_from_loads{"acceleration", "angular_acceleration", "force", "couple",
-                                                             "reaction",     "reaction_couple",      "drive", "tension",
-                                                             "load"};
+constexpr std::array<std::string_view, 12> follows_from_loads{
+    "tangential_force",     "radial_force", "axial_force", "acceleration",
+    "angular_acceleration", "force",        "couple",      "reaction",
+    "reaction_couple",      "drive",        "tension",     "load"};
 const std::vector<std::string> parts_of_motion{"position", "velocity", "angular_velocity", "center", "distance",
                                                "axis",     "mass"};
 

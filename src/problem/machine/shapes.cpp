@@ -6,7 +6,6 @@
 #include "poinsot/engine/mass/particles.h"
 #include "poinsot/engine/mass/shapes.h"
 #include "problem/language/exact_numbers.h"
-#include "problem/machine/mesh_shape.h"
 #include "problem/machine/shape_arguments.h"
 #include "problem/machine/shape_row.h"
 #include "problem/machine/shape_surfaces.h"

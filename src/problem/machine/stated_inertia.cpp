@@ -1,5 +1,3 @@
-#include "problem/machine/stated_inertia.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "poinsot/engine/math/algebra/plain.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
+#include "problem/machine/masses.h"
 #include "problem/machine/stated_sizes.h"
 
 namespace poinsot::problem {

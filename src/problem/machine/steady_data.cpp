@@ -61,6 +61,10 @@ void require_steady_data(const Situation& situation) {
       for (const auto* one : {&freedom.direction, &freedom.stiffness, &freedom.free_position, &freedom.damping})
         steady.require(*one, owner);
   }
+  for (const Gear& gear : situation.gears)
+    for (const auto* one :
+         {&gear.pressure_angle, &gear.normal_pressure_angle, &gear.helix_angle, &gear.lead, &gear.friction})
+      steady.require(*one, "gear '" + gear.name + "'");
   for_each_stated_law(situation, [&]<StatedLaw Law>(const Law& law) {
     if (Law::may_follow_time) return;
     law.for_each_part([&](LawPart, const std::optional<Expression>& part) {

@@ -190,8 +190,9 @@ ContactSurface<Scalar> circle_of(const ContactSurface<Scalar>& s, const Vector3<
 template <class Scalar>
 class PairReader {
  public:
-  PairReader(MachineDraft<Scalar>& draft, const Contact& contact, const Vector3<Scalar>& C, const Vector3<Scalar>& n)
-      : draft_(draft), contact_(contact), C_(C), n_(n) {}
+  PairReader(MachineDraft<Scalar>& draft, const Contact& contact, const Vector3<Scalar>& C, const Vector3<Scalar>& S,
+             const Vector3<Scalar>& n)
+      : draft_(draft), contact_(contact), C_(C), S_(S), n_(n) {}
 
   std::optional<TouchingSurfaces<Scalar>> read() {
     const Body* against = body_named(contact_.against);
@@ -201,12 +202,16 @@ class PairReader {
           return row.round != nullptr && row.other == OtherSurface::curved;
         }))
       return std::nullopt;
-    Touched<Scalar> on = touched_surface(*body_named(contact_.of), draft_.data, C_, Vector3<Scalar>(-n_));
+    Touched<Scalar> on;
+    if (contact_.corner)
+      on.surface = sphere_at(C_, Scalar(0));
+    else
+      on = touched_surface(*body_named(contact_.of), draft_.data, C_, Vector3<Scalar>(-n_));
     Touched<Scalar> from;
     if (against)
-      from = touched_surface(*against, draft_.data, C_, n_);
+      from = touched_surface(*against, draft_.data, S_, n_);
     else
-      from.surface = plane_at(C_, n_);
+      from.surface = plane_at(S_, n_);
     if (!contact_.inside.empty() && contact_.inside != contact_.of && !against)
       refuse(contact_.inside_mark, "'" + contact_.inside + "' has no inside",
              "weld a body with the shape to it, with mass: 0 kg if it has none, and state the contact against that");
@@ -216,21 +221,25 @@ class PairReader {
       if (!contact_.inside.empty()) unknown_inside();
       return std::nullopt;
     }
-    if (contact_.friction)
-      refuse(contact_.friction->mark,
-             "contact '" + contact_.name + "' has friction between curved surfaces, which is not solved",
-             "state no_slip: true if it rolls, or leave the friction out if it is smooth");
+    if constexpr (std::is_same_v<Scalar, Formula>)
+      if (contact_.friction) throw NoFormula("friction between curved surfaces is solved for numbers");
     on.surface->inside = contact_.inside == contact_.of;
     from.surface->inside = contact_.inside == contact_.against;
     TouchingSurfaces<Scalar> found{
         {*on.surface, *from.surface, *on.surface, *from.surface, 1, n_, {}}, on.end, from.end};
-    found.surfaces.tangent = across(n_).second;
-    settle_parallel(found.surfaces);
+    // A slip stays on its line where the surfaces turn about what lies across it.
+    found.surfaces.tangent =
+        contact_.slip ? normalized(cross(n_, draft_.data.direction(*contact_.slip))) : across(n_).second;
+    found.along_line = settle_parallel(found.surfaces);
     settle_sides(found.surfaces);
     if (std::is_same_v<Scalar, Formula> && !has_closed_form(found.surfaces.on, found.surfaces.from))
       return std::nullopt;
-    check_curvature(found.surfaces);
-    check_nearest(found.surfaces);
+    if (contact_.open) {
+      check_open(found);
+    } else {
+      check_curvature(found.surfaces);
+      check_nearest(found.surfaces);
+    }
     place(found);
     return found;
   }
@@ -287,20 +296,31 @@ class PairReader {
   }
 
   // Disks and cylinders with parallel axes touch along a line. Where they keep them parallel a sphere moves as the one
-  // does in the other, else the circle through the place touches.
-  void settle_parallel(CurvedContact<Scalar>& both) const {
+  // does in the other, else the circle through the place touches. Returns whether that is so.
+  bool settle_parallel(CurvedContact<Scalar>& both) const {
     ContactSurface<Scalar>&on = both.on, &from = both.from;
     const auto round = [](const ContactSurface<Scalar>& s) {
       return is_edge(s) || (s.kind == SurfaceKind::cylinder && plain(s.radius) > 0);
     };
+    // A point beside an edge is known where it stays in the plane of the edge.
+    const bool point = on.kind == SurfaceKind::sphere && plain(on.radius) == 0;
+    if (point && is_edge(from) && turns_about(plain(from.axis))) {
+      const bool hollow = from.inside;
+      both.shape_from = cylinder_about(from.center, from.axis, from.radius);
+      both.tangent = lifted<Scalar>(plain(from.axis));
+      if constexpr (std::is_same_v<Scalar, Formula>) both.tangent = from.axis;
+      from = sphere_at(from.center, from.radius);
+      from.inside = both.shape_from.inside = hollow;
+      return false;
+    }
     const bool beside_flat = on.kind == SurfaceKind::plane && round(from);
     if (!beside_flat && !(round(on) && round(from) && norm(cross(plain(on.axis), plain(from.axis))) <= parallel_sine)) {
       if (is_edge(on) && is_edge(from)) refuse_edges();
-      return;
+      return false;
     }
     both.shape_from = from;
     if (beside_flat) {
-      from = both.shape_from = circle_of(from, C_);
+      from = both.shape_from = circle_of(from, S_);
     } else {
       if (from.kind != SurfaceKind::cylinder && on.kind != SurfaceKind::cylinder && !turns_about(plain(on.axis)))
         refuse_edges();
@@ -316,13 +336,18 @@ class PairReader {
     const Vector axis = plain(from.axis);
     both.tangent = lifted<Scalar>(axis);
     if constexpr (std::is_same_v<Scalar, Formula>) both.tangent = from.axis;
-    if (!turns_about(axis)) return;
+    if (!turns_about(axis)) return true;
     ContactSurface<Scalar>& edge = is_edge(on) ? on : from;
     const bool hollow = edge.inside;
     edge = sphere_at(edge.center, edge.radius);
     edge.inside = hollow;
+    return false;
   }
   bool turns_about(const Vector& axis) const {
+    // What moves in a plane turns about its normal only.
+    if (const auto& plane = draft_.situation.plane;
+        plane && norm(cross(Vector::unit(plane->normal()), axis)) <= parallel_sine)
+      return true;
     return turn_about_only(draft_.machine.mechanism.tree, draft_.body(contact_.of), draft_.body(contact_.against),
                            axis);
   }
@@ -412,6 +437,18 @@ class PairReader {
            "they overlap, or touch elsewhere: correct the point, the normal or the sizes");
   }
 
+  // What does not touch yet may come from anywhere, so that a surface must have no end, and nearest places that are
+  // sure.
+  void check_open(const TouchingSurfaces<Scalar>& found) const {
+    const auto whole = [](const ContactSurface<Scalar>& s) {
+      return s.kind == SurfaceKind::sphere || s.kind == SurfaceKind::ellipsoid || s.kind == SurfaceKind::plane;
+    };
+    if (!found.end_on && !found.end_from && whole(found.surfaces.on) && whole(found.surfaces.from)) return;
+    refuse(contact_.mark,
+           "contact '" + contact_.name + "' is open between curved surfaces, of which one has an end or a ring",
+           "what meets later is followed for spheres, ellipsoids, planes, and disks that joints keep in one plane");
+  }
+
   // From the axes of the drawing to those of the bodies.
   void place(TouchingSurfaces<Scalar>& found) const {
     const auto placed = [&](int body, const ContactSurface<Scalar>& s) {
@@ -434,22 +471,26 @@ class PairReader {
 
   MachineDraft<Scalar>& draft_;
   const Contact& contact_;
-  const Vector3<Scalar>&C_, &n_;
+  const Vector3<Scalar>&C_, &S_, &n_;
 };
 
 }  // namespace
 
 template <class Scalar>
 std::optional<TouchingSurfaces<Scalar>> touching_surfaces(MachineDraft<Scalar>& draft, const Contact& contact,
-                                                          const Vector3<Scalar>& C, const Vector3<Scalar>& n) {
-  return PairReader<Scalar>(draft, contact, C, n).read();
+                                                          const Vector3<Scalar>& C, const Vector3<Scalar>& S,
+                                                          const Vector3<Scalar>& n) {
+  return PairReader<Scalar>(draft, contact, C, S, n).read();
 }
 
 template std::optional<TouchingSurfaces<double>> touching_surfaces(MachineDraft<double>&, const Contact&,
-                                                                   const Vector3<double>&, const Vector3<double>&);
+                                                                   const Vector3<double>&, const Vector3<double>&,
+                                                                   const Vector3<double>&);
 template std::optional<TouchingSurfaces<Dual<1>>> touching_surfaces(MachineDraft<Dual<1>>&, const Contact&,
-                                                                    const Vector3<Dual<1>>&, const Vector3<Dual<1>>&);
+                                                                    const Vector3<Dual<1>>&, const Vector3<Dual<1>>&,
+                                                                    const Vector3<Dual<1>>&);
 template std::optional<TouchingSurfaces<Formula>> touching_surfaces(MachineDraft<Formula>&, const Contact&,
-                                                                    const Vector3<Formula>&, const Vector3<Formula>&);
+                                                                    const Vector3<Formula>&, const Vector3<Formula>&,
+                                                                    const Vector3<Formula>&);
 
 }  // namespace poinsot::problem

@@ -71,6 +71,7 @@ void restrict_situation(Situation& situation) {
   const PlanarWords words(situation);
   give_axes(words, situation.loads);
   give_axes(words, situation.impulses);
+  give_axes(words, situation.excitations);
   for (Instant& instant : situation.instants) {
     for (Fact& fact : instant.facts) restrict_fact(words, fact);
     if (instant.found_when) instant.found_when = words.with_numbers(*instant.found_when);

@@ -17,8 +17,9 @@ bool one_of(std::string_view name, const std::array<std::string_view, N>& names)
   return std::ranges::find(names, name) != names.end();
 }
 
-constexpr std::array<std::string_view, 10> in_plane{"position", "center",   "velocity", "acceleration",  "momentum",
-                                                    "force",    "reaction", "impulse",  "slip_velocity", "friction"};
+constexpr std::array<std::string_view, 12> in_plane{"position",      "center",   "velocity",         "acceleration",
+                                                    "momentum",      "force",    "reaction",         "impulse",
+                                                    "slip_velocity", "friction", "tangential_force", "radial_force"};
 constexpr std::array<std::string_view, 7> along_normal{"angular_velocity",
                                                        "angular_acceleration",
                                                        "angular_momentum",
@@ -30,12 +31,12 @@ constexpr std::array<std::string_view, 7> along_normal{"angular_velocity",
 constexpr std::array<std::string_view, 10> of_vectors{"cross", "dot",       "norm", "unit",        "direction",
                                                       "angle", "component", "rate", "acute_angle", "distance"};
 // Quantities that say something of directions across the plane.
-constexpr std::array<std::string_view, 17> spatial{
+constexpr std::array<std::string_view, 18> spatial{
     "moments_of_inertia", "products_of_inertia", "inertia_matrix",    "principal_moments",
     "principal_axes",     "direction_angles",    "symmetry_axis",     "precession_axis",
     "precession_rate",    "precession_sense",    "spin_rate",         "body_cone",
     "space_cone",         "invariable_plane",    "poinsot_ellipsoid", "polhode",
-    "axis_stability"};
+    "axis_stability",     "axial_force"};
 
 constexpr int deepest = 200;  // names under define: that stand behind each other
 
@@ -63,6 +64,11 @@ Pointing PlanarWords::of_call(const Call& call, int depth) const {
   const std::string_view f = call.function;
   if (call.arguments.empty()) return Pointing::none;
   const Expression& first = call.arguments.front().value;
+  // Of a joint that turns it is a couple.
+  if (const Name* name = first.as<Name>(); name && f == "friction")
+    for (const Joint& joint : situation_.joints)
+      if (joint.name == name->name && !joint.freedoms.empty() && joint.freedoms.front().turning)
+        return Pointing::normal;
   if (one_of(f, in_plane)) return Pointing::in_plane;
   if (one_of(f, along_normal)) {
     if (f != "axis") return Pointing::normal;

@@ -27,6 +27,8 @@ Sides sides_of(const Situation& situation, const std::string& name) {
     if (contact.name == name) return {contact.of, contact.against};
   for (const Cord& cord : situation.cords)
     if (cord.name == name) return {cord.to, cord.from};
+  for (const Belt& belt : situation.belts)
+    if (belt.name == name) return {belt.over[0].name, belt.over[1].name};
   for (const Gear& gear : situation.gears)
     if (gear.name == name) return {gear.of, gear.against};
   for (const Load& load : situation.loads)

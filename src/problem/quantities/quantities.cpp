@@ -152,6 +152,16 @@ typename QuantityScope<Scalar, Base>::Riding QuantityScope<Scalar, Base>::riding
     const int body = machine_.index.at(name->name);
     return at(body, mass_center_of(body, expression, evaluator));
   }
+  if (const Name* name = plain_name(expression)) {
+    std::vector<std::string> bodies;
+    for (const Body& body : situation_.bodies) bodies.push_back(body.name);
+    if (std::ranges::find(situation_.points, name->name, &NamedExpression::name) != situation_.points.end())
+      evaluator.fail(expression.mark(), "of which body is the point '" + name->name + "' meant?",
+                     "write " + name->name + " of " + (bodies.size() == 1 ? bodies.front() : "plate") +
+                         ", with the body that it moves with");
+    if (const std::string hint = did_you_mean(name->name, bodies); !hint.empty())
+      evaluator.fail(expression.mark(), "there is no body '" + name->name + "'", hint);
+  }
   evaluator.fail(expression.mark(), "which point of which body is meant by '" + to_string(expression) + "'?",
                  "write A of plate for a point that moves with a body, or the body for its mass center");
 }

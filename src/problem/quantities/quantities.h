@@ -70,6 +70,10 @@ class QuantityScope : public Scope<Scalar> {
   using Linearise = std::function<const solve::Linearisation&(const Mark&, bool with_shapes)>;
   void set_linearisation(Linearise linearisation) { linearisation_ = std::move(linearisation); }
 
+  // The function that finds the amplitude and phase of response(X to F). Errors are reported at the mark.
+  using Respond = std::function<Value<double>(const Call&, const Mark&)>;
+  void set_response(Respond respond) { respond_ = std::move(respond); }
+
   // Sets where it is written down what is told of the model by plain numbers. It must outlive the scope.
   void set_told(std::vector<ToldQuantity>* told) { told_ = told; }
 
@@ -137,6 +141,8 @@ class QuantityScope : public Scope<Scalar> {
   Result force(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
   Result holding(const Call& call, const Evaluator<Scalar>& evaluator);
   Result friction(const Call& call, const Evaluator<Scalar>& evaluator);
+  // Nothing if there is no contact of this name.
+  std::optional<Result> push_of_smooth(const std::string& name, const Call& call, const Evaluator<Scalar>& evaluator);
   Result stability(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
   Result modes(const solve::Linearisation& near, int body);
   Result extreme_of_list(const Call& call, const Mark& mark, const Evaluator<Scalar>& evaluator);
@@ -154,6 +160,7 @@ class QuantityScope : public Scope<Scalar> {
   std::function<Value<Scalar>(const At&, const Mark&)> elsewhere_;
   const MotionFeatureValues* features_ = nullptr;
   Linearise linearisation_;
+  Respond respond_;
   bool has_accelerations_ = false;
   std::vector<Base> accelerations_;
   std::vector<FlyingParticle<Base>> flying_;

@@ -6,6 +6,7 @@
 #include "problem/language/words.h"
 #include "problem/quantities/quantities.h"
 #include "problem/quantities/quantity_values.h"
+#include "problem/quantities/rough_contact.h"
 
 namespace poinsot::problem {
 
@@ -56,6 +57,13 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
       wanted = of_joint || itself;
     if (wanted) actions.push_back(i);
   }
+  // A center pulls each body by itself.
+  if (actions.size() > 1 && mechanism.actions[actions[0]].kind == ActionKind::attraction)
+    if (const Expression* named = call.argument("on")) {
+      const int body = body_of(*named, evaluator);
+      std::erase_if(actions, [&](std::size_t i) { return mechanism.actions[i].on != body; });
+      if (actions.empty()) evaluator.fail(named->mark(), "gravity does not act on '" + to_string(*named) + "'");
+    }
   if (actions.empty()) {
     std::vector<std::string> known;
     for (const Action& action : mechanism.actions) {
@@ -81,6 +89,40 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
                            "' and '" + mechanism.actions[i].joint + "'",
                        "write reaction(" + name + " of " + mechanism.actions[i].joint + ")");
   }
+  if (const Expression* from = call.argument("from")) {
+    const Expression& to = *call.argument("to");
+    const auto part = [&](const Expression& begin, const Expression& end) {
+      std::vector<int> found;
+      for (const CordPart& one : machine_.cord_parts)
+        if (one.cord == name && one.from == to_string(begin) && one.to == to_string(end)) found.push_back(one.action);
+      return found;
+    };
+    std::vector<int> found = part(*from, to);
+    const bool closed = std::ranges::find(situation_.belts, name, &Belt::name) != situation_.belts.end();
+    if (found.empty() && !closed) found = part(to, *from);
+    if (found.size() != 1) {
+      std::string known;
+      for (const CordPart& one : machine_.cord_parts)
+        if (one.cord == name) known += (known.empty() ? "known: from " : ", from ") + one.from + " to " + one.to;
+      evaluator.fail(from->mark(),
+                     "'" + name + "' has " + (found.empty() ? "no" : "several") + " straight part" +
+                         (found.empty() ? "" : "s") + " from '" + to_string(*from) + "' to '" + to_string(to) + "'",
+                     known);
+    }
+    const Base tension = tension_of(*mechanism_state_, *unknowns_, found.front());
+    if (tells() && !tells_rates)
+      told_->push_back({.kind = ToldQuantity::Kind::tension,
+                        .body = mechanism.actions[static_cast<std::size_t>(found.front())].on,
+                        .from = mechanism.actions[static_cast<std::size_t>(found.front())].from,
+                        .actions = {static_cast<std::size_t>(found.front())},
+                        .value = {plain(tension), 0, 0},
+                        .words = call.function});
+    return number_value(lifted<Scalar>(tension), dimensions::force);
+  }
+  if (const auto belt = std::ranges::find(situation_.belts, name, &Belt::name);
+      f == "tension" && belt != situation_.belts.end())
+    evaluator.fail(name_mark, belt->words() + " has a tension on each of its sides",
+                   "write tension(" + name + " from " + belt->over[0].name + " to " + belt->over[1].name + ")");
   // Of a cord over wheels, what it does to one of the bodies: of its straight parts those that end there, all reversed
   // where they begin there.
   const bool led = actions.size() > 1 && act_together(mechanism.actions[actions[0]], mechanism.actions[actions[1]]);
@@ -105,6 +147,12 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
   for (std::size_t i : actions)
     wrench += sudden ? solve::action_impulse(*before_, *blow_, *impulses_, i)
                      : solve::action_wrench(*mechanism_state_, *unknowns_, i);
+  // Of what acts far from the ground's origin the moment about that has lost the digits of a couple.
+  const auto moment_about = [&](const Vector3<Base>& P) -> Vector3<Base> {
+    if (mechanism.actions[actions.front()].kind != ActionKind::attraction)
+      return wrench.moment - cross(P, wrench.force);
+    return mechanism_state_->known_wrench(static_cast<int>(actions.front()), P).moment;
+  };
   const Action& first = mechanism.actions[actions.front()];
   Base sign(1);
   int on = first.on;
@@ -157,10 +205,29 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
         return mechanism.components[k].follows < 0 ? static_cast<int>(k) : mechanism.components[k].follows;
     return -1;
   };
+  const auto slips_there = [&](std::size_t action) {
+    return std::ranges::any_of(mechanism.components, [&](const Component<Base>& component) {
+      return component.action == static_cast<int>(action) && !vanishes(component.gain);
+    });
+  };
   const auto differ = [&](const std::vector<std::size_t>& some, const std::vector<std::size_t>& others) {
-    return std::ranges::any_of(some, [&](std::size_t i) { return leader_of(i) != leader_of(some.front()); }) ||
+    return std::ranges::any_of(some, slips_there) || std::ranges::any_of(others, slips_there) ||
+           std::ranges::any_of(some, [&](std::size_t i) { return leader_of(i) != leader_of(some.front()); }) ||
            std::ranges::any_of(others, [&](std::size_t i) { return leader_of(i) != leader_of(some.front()); });
   };
+  if (f == "tangential_force" || f == "radial_force" || f == "axial_force") {
+    const auto mesh =
+        std::ranges::find(machine_.tooth_meshes, static_cast<int>(actions.front()), &ToothMeshOf<Base>::action);
+    if (mesh == machine_.tooth_meshes.end())
+      evaluator.fail(name_mark,
+                     "'" + name + "' is no place where the teeth of gears meet, of which " + call.function + "() tells",
+                     "ask for force(" + name + " on BODY)");
+    const auto& side = on == first.on ? mesh->of : mesh->against;
+    const Vector3<Base> u = now.direction({mesh->carrier, f == "tangential_force" ? side.tangential
+                                                          : f == "radial_force"   ? side.radial
+                                                                                  : side.axial});
+    return told(Kind::force_along, nowhere, dot(wrench.force, u) * u, dimensions::force, u);
+  }
   if (f == "tension") {
     // The component is along the cord and may be negative, so that a cord that would have to push shows a negative
     // tension.
@@ -169,9 +236,14 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
       if (component.one_sided &&
           std::ranges::find(actions, static_cast<std::size_t>(component.action)) != actions.end())
         pulls.push_back(component.action);
-    if (led && pulls.size() > 1 && !call.argument("on"))
-      evaluator.fail(name_mark, "cord '" + name + "' turns a wheel, so that it has several tensions",
-                     "write tension(" + name + " on BODY), the body that it holds or ends on");
+    const bool slips = std::ranges::any_of(mechanism.components, [&](const Component<Base>& component) {
+      return !vanishes(component.gain) &&
+             std::ranges::find(actions, static_cast<std::size_t>(component.action)) != actions.end();
+    });
+    if (led && (pulls.size() > 1 || slips) && !call.argument("on"))
+      evaluator.fail(name_mark, "cord '" + name + "' turns a wheel or has friction, so that it has several tensions",
+                     "write tension(" + name + " on BODY), the body that it holds or ends on, or tension(" + name +
+                         " from A to B)");
     for (std::size_t k = 0; k < mechanism.components.size(); ++k)
       if (mechanism.components[k].action == static_cast<int>(actions.front())) {
         if (begin_there.size() + actions.size() > 1 && call.argument("on") && differ(actions, begin_there))
@@ -211,7 +283,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     return told(Kind::impulsive_couple, P, wrench.moment - cross(P, wrench.force), dimensions::angular_momentum);
   }
   const Vector3<Base> P = f == "couple" ? as_base(place(*call.argument("about"), evaluator)) : own_place();
-  return told(Kind::couple, P, wrench.moment - cross(P, wrench.force), dimensions::moment);
+  return told(Kind::couple, P, moment_about(P), dimensions::moment);
 }
 
 template Value<double> QuantityScope<double>::force(const Call&, const Mark&, const Evaluator<double>&);

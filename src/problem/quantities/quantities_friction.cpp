@@ -4,20 +4,63 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/language/words.h"
+#include "problem/quantities/cord_grip.h"
 #include "problem/quantities/quantities.h"
 #include "problem/quantities/quantity_values.h"
 #include "problem/quantities/rough_contact.h"
 
 namespace poinsot::problem {
 
+// The part of a contact's force along its normal, which is that of its constraint in this pose.
+template <class Scalar, class Base>
+std::optional<Value<Scalar>> QuantityScope<Scalar, Base>::push_of_smooth(const std::string& name, const Call& call,
+                                                                         const Evaluator<Scalar>& evaluator) {
+  const Mechanism<Base>& mechanism = machine_.mechanism;
+  const auto action = std::ranges::find_if(
+      mechanism.actions, [&](const Action& one) { return one.kind == ActionKind::contact && one.name == name; });
+  if (action == mechanism.actions.end()) return std::nullopt;
+  const std::size_t number = static_cast<std::size_t>(action - mechanism.actions.begin());
+  if (!mechanism_state_ || !unknowns_)
+    evaluator.fail(call.arguments[0].value.mark(),
+                   call.function + "() cannot stand inside rate() or among what is known");
+  const auto touching = std::ranges::find_if(mechanism.constraints, [&](const VelocityConstraint<Base>& c) {
+    return c.normal && c.action >= 0 && static_cast<std::size_t>(c.action) == number;
+  });
+  // What has parted, or touches later, has no normal and no force.
+  if (touching == mechanism.constraints.end()) return number_value(Scalar(0), dimensions::force);
+  const Vector3<Base> n = mechanism_state_->direction(touching->along);
+  const Base push = dot(solve::action_wrench(*mechanism_state_, *unknowns_, number).force, n);
+  if (tells() && !tells_rates)
+    told_->push_back({.kind = ToldQuantity::Kind::normal_force,
+                      .body = action->on,
+                      .from = action->from,
+                      .actions = {number},
+                      .first = plain_vector(lifted<Scalar>(n)),
+                      .value = Vector3<double>{plain(push), 0, 0},
+                      .words = call.function});
+  return number_value(lifted<Scalar>(push), dimensions::force);
+}
+
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::friction(const Call& call, const Evaluator<Scalar>& evaluator) {
   const Expression& what = call.arguments[0].value;
   const std::vector<RoughContactOf<Base>>& rough = machine_.rough_contacts;
-  const auto found = std::ranges::find_if(rough, [&](const RoughContactOf<Base>& contact) {
-    return plain_name(what) && plain_name(what)->name == contact.name;
+  const auto found = std::ranges::find_if(
+      rough, [&](const RoughContactOf<Base>& contact) { return plain_name(what) && is_about(call, contact.name); });
+  const auto flying = std::ranges::find_if(situation_.contacts, [&](const Contact& contact) {
+    return contact.flies && plain_name(what) && plain_name(what)->name == contact.name;
   });
+  if (found == rough.end() && flying != situation_.contacts.end()) {
+    if (call.function == "slip_velocity")
+      evaluator.fail(what.mark(), "contact '" + flying->name + "' does not touch, and nothing slips there",
+                     "ask when it touches, or for the velocity of a point");
+    if (call.function == "normal_force") return number_value(Scalar(0), dimensions::force);
+    if (call.function == "friction") return vector_value(Vector::zero(), dimensions::force);
+    return Result::of_truth(call.function == "parting");
+  }
   if (found == rough.end()) {
+    if (call.function == "normal_force" && plain_name(what))
+      if (const auto push = push_of_smooth(plain_name(what)->name, call, evaluator)) return *push;
     std::vector<std::string> known;
     for (const RoughContactOf<Base>& contact : rough) known.push_back(contact.name);
     const std::string all = joined(known);
@@ -28,13 +71,27 @@ Value<Scalar> QuantityScope<Scalar, Base>::friction(const Call& call, const Eval
     if (smooth != situation_.contacts.end())
       evaluator.fail(what.mark(),
                      "contact '" + smooth->name + "' has no friction stated, of which " + call.function + "() tells",
-                     "ask for force(" + smooth->name + " on " + smooth->of + "), or state friction: 0.3");
+                     "ask for normal_force(" + smooth->name + ") or force(" + smooth->name + " on " + smooth->of +
+                         "), or state friction: 0.3");
     evaluator.fail(what.mark(), "there is no contact or joint '" + to_string(what) + "' with friction",
                    !hint.empty() ? hint
                    : all.empty() ? "state it at a contact, friction: 0.3, or at a joint, friction: 2 N*m"
                                  : "known: " + all);
   }
   const RoughContactOf<Base>& contact = *found;
+  if (contact.on_cord()) {
+    if (std::ranges::count_if(rough, [&](const auto& one) { return is_about(call, one.name); }) > 1)
+      evaluator.fail(what.mark(), "cord '" + to_string(what) + "' has friction in several places",
+                     "say on what: " + call.function + "(" + contact.name + ")");
+    if (call.function == "slip_velocity" || call.function == "normal_force" || call.function == "friction")
+      evaluator.fail(
+          what.mark(), "'" + contact.name + "' is the friction of a cord, which has no " + call.function,
+          "ask for its tensions on both sides, tension(CORD from A to B), or the force on what it is led over");
+  } else if (call.argument("on") && call.function != "friction") {
+    evaluator.fail(call.argument("on")->mark(),
+                   "'" + contact.name + "' " + "is not the friction of a cord on something",
+                   "write " + call.function + "(" + contact.name + ")");
+  }
   const Action& action = machine_.mechanism.actions[static_cast<std::size_t>(contact.action)];
   if (contact.coordinate >= 0 && (call.function == "slip_velocity" || call.function == "normal_force"))
     evaluator.fail(what.mark(), "'" + contact.name + "' is a joint, whose friction has no " + call.function,
@@ -69,7 +126,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::friction(const Call& call, const Eval
            .body = on,
            .from = on == action.on ? action.from : action.on,
            .actions = {static_cast<std::size_t>(contact.action)},
-           .first = plain_vector(lifted<Scalar>(mechanism_state_->direction(contact.normal))),
+           .first = plain_vector(lifted<Scalar>(direction_now(*mechanism_state_, contact, contact.normal))),
            .value = value.is_number() ? Vector3<double>{plain(value.number), 0, 0} : plain_vector(value.vector),
            .words = call.function});
     return value;
@@ -96,7 +153,12 @@ Value<Scalar> QuantityScope<Scalar, Base>::friction(const Call& call, const Eval
                      : call.function == "sliding" ? Grip::slides
                                                   : Grip::parts;
   // A contact is in its state only if all others are in theirs.
-  return Result::of_truth(contact.grip == asked && all_stay_in_state(*mechanism_state_, *unknowns_, rough));
+  const double size = largest_force(*mechanism_state_, *unknowns_);
+  const auto slips = [&](const RoughContactOf<Base>& one) {
+    return slips_in_truth(*mechanism_state_, *unknowns_, one, size);
+  };
+  return Result::of_truth(contact.grip == asked && all_stay_in_state(*mechanism_state_, *unknowns_, rough) &&
+                          std::ranges::none_of(rough, slips));
 }
 
 template Value<double> QuantityScope<double>::friction(const Call&, const Evaluator<double>&);

@@ -29,10 +29,35 @@ std::optional<Scalar> energy_of_springs(const Mechanism<Base>& mechanism, const 
     if (drive.stores() && (name.empty() || action_of(drive).joint == name))
       add(drive.template converted<Scalar>(to).stored_energy(state));
   for_each_law(mechanism, [&](const auto& law) {
+    if (action_of(law).kind == ActionKind::attraction) return;
     if (law.stores() && (name.empty() || action_of(law).name == name))
       add(law.template converted<Scalar>(to).stored_energy(model, workspace));
   });
   return energy;
+}
+
+// The potential energy of a body, or of all, in the pull of a center; zero infinitely far from it.
+template <class Scalar, class Base>
+Scalar energy_of_pulls(const Mechanism<Base>& mechanism, int body, const Model<Scalar>& model,
+                       const Workspace<Scalar>& workspace) {
+  const auto lift = [](const Base& x) { return lifted<Scalar>(x); };
+  const LawConverter<Scalar, decltype(lift)> to{lift};
+  Scalar energy(0);
+  for (const AttractionLaw<Base>& pull : mechanism.attractions)
+    if (body == whole_system || pull.at.body == body)
+      energy = energy + pull.template converted<Scalar>(to).stored_energy(model, workspace);
+  return energy;
+}
+// How hard a center pulls a body.
+template <class Scalar, class Base>
+Scalar size_of_pull(const Mechanism<Base>& mechanism, int body, const Model<Scalar>& model,
+                    const Workspace<Scalar>& workspace) {
+  const auto lift = [](const Base& x) { return lifted<Scalar>(x); };
+  const LawConverter<Scalar, decltype(lift)> to{lift};
+  Vector3<Scalar> force = Vector3<Scalar>::zero();
+  for (const AttractionLaw<Base>& pull : mechanism.attractions)
+    if (pull.at.body == body) force = force + pull.template converted<Scalar>(to).exerted(model, workspace).force;
+  return norm(force);
 }
 
 }  // namespace
@@ -99,6 +124,15 @@ Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Eval
     const Scalar mass = all ? Scalar(total_mass(model_) + flying_mass) : model_.body(body).inertia.mass;
     told_number(Kind::mass, mass);
     if (f == "mass") return number_value(mass, dimensions::mass);
+    if (situation_.central_gravity) {
+      if (all)
+        evaluator.fail(what.mark(),
+                       "the center pulls each body along a way of its own, and the whole has no one weight",
+                       "ask for the weight of a body, or for force(gravity on BODY)");
+      const Scalar pull = size_of_pull(machine_.mechanism, body, model_, workspace_);
+      told_number(Kind::weight, pull);
+      return number_value(pull, dimensions::force);
+    }
     const Scalar weight = mass * data_.gravity_size();
     told_number(Kind::weight, weight);
     return number_value(weight, dimensions::force);
@@ -122,6 +156,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Eval
     for (int i = 0; i < model_.body_count(); ++i)
       if ((all || i == body) && plain(model_.body(i).inertia.mass) > 0)
         sum = sum - model_.body(i).inertia.mass * dot(model_.gravity(), body_mass_center(model_, workspace_, i));
+    sum = sum + energy_of_pulls(machine_.mechanism, all ? whole_system : body, model_, workspace_);
     told_number(Kind::height_energy, sum);
     if (all)
       if (const auto energy = energy_of_springs(machine_.mechanism, "", model_, workspace_, state_)) {

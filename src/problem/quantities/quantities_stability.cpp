@@ -9,6 +9,7 @@
 #include "problem/language/words.h"
 #include "problem/quantities/quantities.h"
 #include "problem/quantities/quantity_values.h"
+#include "problem/quantities/rough_contact.h"
 
 namespace poinsot::problem {
 
@@ -36,6 +37,12 @@ Value<Scalar> QuantityScope<Scalar, Base>::holding(const Call& call, const Evalu
       least = acts ? std::min(least, push) : push;
       acts = true;
     }
+    for (const int side : machine_.belt_actions) {
+      if (mechanism.actions[static_cast<std::size_t>(side)].name != named.name) continue;
+      const double pull = plain(tension_of(*mechanism_state_, *unknowns_, side));
+      least = acts ? std::min(least, pull) : pull;
+      acts = true;
+    }
     constexpr double no_pull = 1e-12;  // of the largest force: the rounding of equations of a few dozen terms
     return Result::of_truth(acts && least >= -no_pull * largest);
   }
@@ -53,6 +60,12 @@ template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::stability(const Call& call, const Mark& mark,
                                                      const Evaluator<Scalar>& evaluator) {
   const Expression& what = call.arguments[0].value;
+  if (call.function == "response") {
+    if constexpr (std::is_same_v<Base, Formula>) throw NoFormula("no formula is known for response()");
+    if constexpr (std::is_same_v<Scalar, double>)
+      if (respond_) return respond_(call, mark);
+    evaluator.fail(mark, "response() cannot stand inside rate() or among what is known");
+  }
   const int asked = body_of(what, evaluator, true);
   if constexpr (std::is_same_v<Base, Formula>)
     if (!linearisation_) throw NoFormula("no formula is known for " + call.function + "()");

@@ -51,6 +51,7 @@ struct ToldQuantity {
     effort,        // the part along `first` of a couple
     normal_force,  // the part along `first` of a force
     friction,      // the part across it
+    force_along,   // the part along it, as a vector
   };
   Kind kind = Kind::center;
   int body = 0, from = -1;

@@ -128,7 +128,8 @@ struct ContactState {
   Grip grip = Grip::unknown;
   std::optional<Expression> slip{};  // if it slides: the direction
   bool from_rest = false;            // whether it begins to
-  bool in_joint = false;             // whether it is the friction in the joint of this name
+  bool in_joint = false;             // whether it is the friction in the joint of this name, or of a cord
+  bool idle = false;                 // whether it takes no part in a blow, which does not press it
 };
 
 struct Solution {

@@ -113,7 +113,7 @@ class AngleFinder {
     bool found = false;
     for (const Contact& contact : figure_.situation().contacts)
       or_none([&] {
-        if (found || contact.in_joint) return;
+        if (found || !contact.touches()) return;
         const VariedVector normal = data_.direction(contact.normal);
         const Vector3<double> turning = derivative(normal);
         // The slope turns with its normal, as fast as the angle grows.

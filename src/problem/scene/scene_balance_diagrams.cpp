@@ -119,7 +119,12 @@ class BalanceDiagrams {
     const UnknownForce& force = system_.plan.unknown[i];
     const InstantExplainer::Symbol& symbol = system_.unknown[i];
     if (!symbol.determined) return;
-    const double size = force.sign * (sudden() ? numbers().impulses : numbers().unknowns)[force.column];
+    // A side of a cord that follows another one has an unknown of its own behind that.
+    const int follows = force.kind == UnknownForce::Kind::component && mechanism().components[force.index].span
+                            ? mechanism().components[force.index].follows
+                            : -1;
+    const std::size_t column = force.column + (follows < 0 ? 0 : force.index - static_cast<std::size_t>(follows));
+    const double size = force.sign * (sudden() ? numbers().impulses : numbers().unknowns)[column];
     Wrench one{};
     int action = 0;
     Vector3<double> at;
@@ -148,6 +153,13 @@ class BalanceDiagrams {
     const std::string formula = symbol.shown.formula ? text(*symbol.shown.formula, Notation::with_sizes) : "";
     add_wrench(diagram, {size * one.moment, size * one.force}, what.name, place_on(what, force.sign, at),
                {symbol.tex, ExplanationTex::plain(symbol.tex)}, Number{symbol.value, formula}, false);
+    if (sudden() || what.kind != ActionKind::mesh || force.kind != UnknownForce::Kind::component) return;
+    // Its teeth push the wheels apart beside.
+    const Wrench both = wrench_with_parting(placed_, force.index);
+    const Wrench apart{size * (both.moment - one.moment), size * (both.force - one.force)};
+    if (norm(apart.force) > 0)
+      add_wrench(diagram, apart, "parting at " + what.name, place_on(what, force.sign, at),
+                 SceneFigure::indexed_symbol("R", what.name), std::nullopt, false);
   }
 
   // A contact that slides pushes along its normal and rubs against the slip: two arrows for its one unknown.
@@ -157,10 +169,10 @@ class BalanceDiagrams {
     const int action = mechanism().components[force.index].action;
     const std::vector<RoughContactOf<double>>& rough = figure_.machine().rough_contacts;
     const auto contact = std::ranges::find(rough, action, &RoughContactOf<double>::action);
-    if (contact == rough.end() || contact->grip != Grip::slides) return false;
+    if (contact == rough.end() || contact->grip != Grip::slides || contact->on_cord()) return false;
     const double size = force.sign * (sudden() ? numbers().impulses : numbers().unknowns)[force.column];
-    const Vector3<double> push = size * placed_.direction(contact->normal),
-                          friction = (-contact->sliding * size) * placed_.direction(*contact->slip);
+    const Vector3<double> push = size * direction_now(placed_, *contact, contact->normal),
+                          friction = (-contact->sliding * size) * direction_now(placed_, *contact, *contact->slip);
     const Action& what = mechanism().actions[static_cast<std::size_t>(action)];
     const std::string formula = symbol.shown.formula ? text(*symbol.shown.formula, Notation::with_sizes) : "";
     add_wrench(diagram, {cross(at, push), push}, what.name, place_on(what, force.sign, at),
@@ -192,6 +204,7 @@ class BalanceDiagrams {
       if (law.action != number) return;
       const PlacedForce<double> force = law.exerted(tree, placed_.workspace());
       Vector3<double> at = force.point;
+      if constexpr (requires { law.parts; }) at = placed_.position(law.at);
       if constexpr (requires { law.toward; })
         if (known.sign < 0) at = placed_.position(law.toward);
       if (norm(force.force) == 0) at = center_of(known.sign > 0 ? action.on : action.from);

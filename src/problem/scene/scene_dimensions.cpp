@@ -51,7 +51,7 @@ class Dimensions {
   // The coefficients of friction at the surfaces that are touched.
   void add_friction() {
     for (const Contact& contact : figure_.situation().contacts) {
-      if (!contact.friction || contact.in_joint) continue;
+      if (!contact.friction || !contact.touches()) continue;
       const auto symbol = std::ranges::find(figure_.scene().symbols, contact.name, &scene::Symbol::name);
       if (symbol == figure_.scene().symbols.end()) continue;
       std::string name;

@@ -30,6 +30,7 @@ class SceneFigure {
   void add_points();
   void add_symbols();
   void add_links();
+  void add_pitch_circles();
   // Hinges whose place on their axis tells nothing stand where the axis is nearest to both bodies, if these are drawn
   // by their arms alone.
   void stand_hinges_at_bodies();

@@ -1,6 +1,10 @@
 // What holds the bodies of a figure: joints, supports, contacts, cords, springs.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "problem/keys/joint_kinds.h"
 #include "problem/language/diagnostic.h"
@@ -87,7 +91,7 @@ void SceneFigure::add_symbols() {
     scene_.symbols.push_back(symbol);
   };
   for (const Contact& contact : situation_.contacts)
-    if (!contact.open && !contact.in_joint)
+    if (!contact.open && contact.touches())
       add_touching(contact.no_slip || contact.grip == Grip::sticks ? SymbolKind::rolling_contact : SymbolKind::contact,
                    contact, contact.normal);
   for (const Impact& impact : situation_.impacts) add_touching(SymbolKind::contact, impact, impact.pushes);
@@ -145,6 +149,38 @@ void SceneFigure::add_joint_springs() {
   }
 }
 
+void SceneFigure::add_pitch_circles() {
+  // A wheel that meets several others has one circle.
+  const auto is_drawn = [&](int body, const Vector3<double>& center, double radius) {
+    constexpr double alike = 1e-6;
+    return std::ranges::any_of(scene_.curves, [&](const scene::Curve& curve) {
+      if (curve.kind != scene::CurveKind::pitch_circle || curve.body != scene_body(body)) return false;
+      Vector3<double> middle{};
+      for (const Vector3<double>& point : curve.points) middle += point / static_cast<double>(curve.points.size());
+      return norm(middle - center) <= alike * radius &&
+             std::abs(norm(curve.points.front() - middle) - radius) <= alike * radius;
+    });
+  };
+  for (const ToothMeshOf<double>& mesh : machine_.tooth_meshes) {
+    const Gear& gear = *std::ranges::find(situation_.gears, mesh.name, &Gear::name);
+    const Vector3<double> P = state_.position(mesh.at);
+    for (const auto& [side, body] :
+         {std::pair{&mesh.of, machine_.index.at(gear.of)}, std::pair{&mesh.against, machine_.index.at(gear.against)}}) {
+      const double radius = norm(side->arm);
+      if (radius == 0) continue;  // a rack
+      const Vector3<double> arm = state_.direction({mesh.carrier, side->arm}),
+                            round = radius * state_.direction({mesh.carrier, side->tangential});
+      scene::Curve circle{scene::CurveKind::pitch_circle, mesh.name, scene_body(body), true, {}};
+      constexpr int count = 72;
+      for (int i = 0; i < count; ++i) {
+        const double angle = 2 * std::numbers::pi * i / count;
+        circle.points.push_back(riding(body, P - arm + std::cos(angle) * arm + std::sin(angle) * round).at);
+      }
+      if (!is_drawn(body, riding(body, P - arm).at, radius)) scene_.curves.push_back(std::move(circle));
+    }
+  }
+}
+
 void SceneFigure::add_links() {
   for (const Cord& cord : situation_.cords) {
     scene::Link link;
@@ -169,6 +205,21 @@ void SceneFigure::add_links() {
     }
     scene_.links.push_back(link);
   }
+  for (const Belt& belt : situation_.belts) {
+    std::set<int> drawn;
+    for (const Component<double>& part : machine_.mechanism.components) {
+      if (!part.span || machine_.mechanism.actions[static_cast<std::size_t>(part.action)].name != belt.name ||
+          !drawn.insert(part.action).second)
+        continue;
+      scene::Link link;
+      link.kind = scene::LinkKind::cord;
+      link.name = belt.name;
+      link.from = scene_place(part.at);
+      link.to = scene_place(*part.toward);
+      scene_.links.push_back(link);
+    }
+  }
+  add_pitch_circles();
   for (const Spring& spring : situation_.springs) {
     scene::Link link;
     link.name = spring.name;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
+#include "poinsot/engine/dynamics/cord_span.h"
 #include "poinsot/engine/work/work.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
@@ -170,17 +172,42 @@ class SceneMotion {
 
   void add_poses() {
     begin_velocities();
+    begin_links();
     solve::MechanismState state(figure_.mechanism());
     for (const double time : motion_.times) {
       const MotionState at = course_.at(time);
       state.set_positions(at.q);
       state.set_velocities(at.v);
       add_velocities(state);
+      add_links(state);
       std::vector<scene::Pose> poses;
       for (std::size_t k = 0; k < figure_.scene().bodies.size(); ++k)
         poses.push_back(figure_.pose_of(figure_.tree_body(static_cast<int>(k)), state));
       motion_.poses.push_back(std::move(poses));
       positions_.push_back(at.q);
+    }
+  }
+
+  // The straight parts of cords over wheels stand among the links in their order (SceneFigure::add_links).
+  void begin_links() {
+    const Mechanism<double>& mechanism = figure_.mechanism();
+    std::map<std::string, std::size_t> next;
+    for (const Component<double>& part : mechanism.components) {
+      if (!part.span) continue;
+      const std::string& cord = mechanism.actions[static_cast<std::size_t>(part.action)].name;
+      const std::vector<scene::Link>& links = figure_.scene().links;
+      std::size_t& link = next[cord];
+      while (link < links.size() && links[link].name != cord) ++link;
+      if (link == links.size()) continue;
+      motion_.links.push_back({link++, {}, {}});
+      spans_.push_back(*part.span);
+    }
+  }
+  void add_links(const solve::MechanismState& state) {
+    for (std::size_t k = 0; k < spans_.size(); ++k) {
+      const SpanLine<double> line = line_of(figure_.mechanism().tree, state.workspace(), spans_[k]);
+      motion_.links[k].from.push_back(line.end);
+      motion_.links[k].to.push_back(line.start);
     }
   }
 
@@ -311,6 +338,7 @@ class SceneMotion {
   std::vector<const Ask*> tables_, asks_;
   double until_ = 0;
   std::vector<std::vector<double>> positions_;
+  std::vector<CordSpan<double>> spans_;  // of the links of the motion
   scene::Motion motion_;
 };
 

@@ -45,7 +45,7 @@ class PointBodies {
         for (const Support& support : joint.supports) at(support.at, joint.to);
       }
       for (const Contact& contact : situation.contacts)
-        if (!contact.in_joint) at(contact.at, contact.of);
+        if (contact.touches()) at(contact.at, contact.of);
       for (const Cord& cord : situation.cords) {
         at(cord.end, cord.to);
         at(cord.at, cord.from);

@@ -317,6 +317,10 @@ void add_stand_ins(SceneFigure& figure) {
   for (std::size_t k = 0; k < figure.situation().bodies.size(); ++k) {
     scene::Body& drawn = figure.scene().bodies[k];
     if (drawn.massless || !drawn.shapes.empty()) continue;
+    // What stands on corners is no round solid: arms from its center to them show it.
+    if (std::ranges::any_of(figure.situation().contacts,
+                            [&](const Contact& contact) { return contact.corner && contact.of == drawn.name; }))
+      continue;
     if (std::optional<scene::Shape> shape = stand_in(figure, static_cast<int>(k), figure.situation().bodies[k],
                                                      figure.machine().masses[k].second.properties);
         shape && !holds_another(figure, k, *shape))

@@ -54,7 +54,7 @@ inline std::span<const std::string_view> words_of(scene::DiagramKind) {
 }
 
 inline std::span<const std::string_view> words_of(scene::CurveKind) {
-  static constexpr std::array<std::string_view, 4> words{"path", "polhode", "herpolhode", "axis_path"};
+  static constexpr std::array<std::string_view, 5> words{"path", "polhode", "herpolhode", "axis_path", "pitch_circle"};
   return words;
 }
 

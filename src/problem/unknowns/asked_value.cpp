@@ -161,7 +161,8 @@ class AskedTable {
     auto found = std::make_shared<Statement>(statement);
     for (std::size_t i = 0; i < found->situations.size(); ++i) {
       Situation& situation = found->situations[i];
-      if (!situation.has_friction()) continue;
+      // In a steady motion they stick, which is looked at in each row.
+      if (!situation.has_friction() || situation.steady) continue;
       const HeldStates held = states_that_hold(with_states_open(situation), i, all[i], false);
       if (!held.doubts.empty() || held.all.size() != 1)
         throw UnansweredError(situation.file, ask_.mark,
@@ -178,8 +179,11 @@ class AskedTable {
 
   void add(const NamedExpression& column, const Value<double>& value) {
     if (value.is_list() && std::ranges::all_of(value.items, &Value<double>::is_number)) {
-      for (std::size_t i = 0; i < value.items.size(); ++i)
-        add_number(column, column.name + "_" + std::to_string(i + 1), value.items[i]);
+      // The parts of a record have names, those of a list numbers.
+      for (std::size_t i = 0; i < value.items.size(); ++i) {
+        const std::string& part = value.items[i].text;
+        add_number(column, column.name + "_" + (part.empty() ? std::to_string(i + 1) : part), value.items[i]);
+      }
       return;
     }
     if (!value.is_number())

@@ -40,11 +40,10 @@ std::size_t situation_of(const Statement& statement, const Ask& ask) {
 
 bool leaves_states_open(const Situation& situation, const Extremum& extremum) {
   return std::ranges::any_of(situation.contacts, [&](const Contact& contact) {
-    if (!contact.friction) return false;
+    if (!contact.rubs()) return false;
     return contact.grip != Grip::sticks || std::ranges::none_of(extremum.conditions, [&](const Expression& condition) {
              const Call* call = condition.as<Call>();
-             const Name* of = call && call->function == "sticking" ? call->arguments[0].value.as<Name>() : nullptr;
-             return of && of->name == contact.name;
+             return call && call->function == "sticking" && is_about(*call, contact.name);
            });
   });
 }

@@ -3,10 +3,12 @@
 // That these forces are those which the bodies need is the check with particles.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "poinsot/engine/solve/instant/constraint_check.h"
 #include "problem/instant/instant.h"
+#include "problem/keys/joint_kinds.h"
 
 namespace poinsot::problem {
 
@@ -20,11 +22,14 @@ double SolvedInstant::misfit_in_joint(const RoughContactOf<double>& contact) con
   const Vector3<double> axis = mechanism_state_->direction(contact.motions[1].along),
                         friction = rough_force(*mechanism_state_, unknowns_, contact).friction;
   const double effort = dot(friction, axis);
-  const double limit = data_->number(contact.grip == Grip::sticks ? stated.resting : stated.sliding, dimension);
-  if (!(limit > 0)) return effort == 0 ? 0 : 1;
+  const double coefficient = data_->number(contact.grip == Grip::sticks ? stated.resting : stated.sliding,
+                                           stated.bearing ? dimensions::none : dimension);
+  const LimitsOfFriction limits =
+      stated.bearing ? limits_in_bearing(contact, joint, coefficient) : LimitsOfFriction{coefficient, coefficient};
+  const double size = largest_force(*mechanism_state_, unknowns_) * (contact.turning ? scales_.length : 1);
   if (contact.grip == Grip::sticks)
-    return std::max(0.0, std::abs(effort) - limit) /
-           std::max(limit, largest_force(*mechanism_state_, unknowns_) * (contact.turning ? scales_.length : 1));
+    return std::max({0.0, effort - limits.forward, -effort - limits.backward}) /
+           std::max({limits.forward, limits.backward, size});
   // How `to` turns over `from`, or how a point of it slides.
   const int on = machine_.index.at(joint.to), from = machine_.index.at(joint.from);
   const Workspace<double>& w = mechanism_state_->workspace();
@@ -39,13 +44,132 @@ double SolvedInstant::misfit_in_joint(const RoughContactOf<double>& contact) con
   constexpr double rest = 1e-9;  // of the pace
   if (std::abs(rate) <= rest * (contact.turning ? 1 : scales_.length) * pace())
     rate = mechanism_state_->accelerations()[static_cast<std::size_t>(contact.coordinate)];
+  // It resists motion backwards forwards.
+  const double limit = rate > 0 ? limits.backward : limits.forward;
+  if (stated.bearing) return size > 0 ? std::abs(effort + (rate > 0 ? limit : -limit)) / std::max(limit, size) : 0;
+  if (!(limit > 0)) return effort == 0 ? 0 : 1;
   return std::abs(effort + (rate > 0 ? limit : -limit)) / limit;
 }
 
-double SolvedInstant::friction_misfit() const {
+// What a bearing resists with at most, from the force and the moment that it carries: at two ends as the moments about
+// each of them tell, and on a thread as the textbooks have it, with t = h/r, the force X on the screw along its axis
+// and k = cos b_n: turned against X the thread takes the couple r |X| (k t + m)/(k - m t) in all, and turned with it r
+// |X| (m - k t)/(k + m t).
+SolvedInstant::LimitsOfFriction SolvedInstant::limits_in_bearing(const RoughContactOf<double>& contact,
+                                                                 const Joint& joint, double coefficient) const {
+  const Bearing& bearing = *joint.freedoms.front().friction->bearing;
+  const auto length = [&](const std::optional<Expression>& stated) {
+    return stated ? data_->number(*stated, dimensions::length) : 0.0;
+  };
+  const Vector3<double> axis = mechanism_state_->direction(contact.motions[1].along),
+                        P = mechanism_state_->position(machine_.joints.at(contact.name).at);
+  const auto across = [&](const Vector3<double>& v) { return norm(cross(axis, v)); };
+  double pressed = 0;
+  for (const std::size_t i : machine_.actions_of(joint.name)) {
+    const ActionKind kind = machine_.mechanism.actions[i].kind;
+    if (kind != ActionKind::joint && kind != ActionKind::support) continue;
+    const SpatialForce<double> wrench = solve::action_wrench(*mechanism_state_, unknowns_, i);
+    const double along = dot(wrench.force, axis);
+    if (joint.kind->advances) {
+      const double h = data_->value(*joint.pitch).number, r = length(bearing.radius), t = std::abs(h) / r;
+      const double half = bearing.thread_angle ? data_->number(*bearing.thread_angle, dimensions::angle) / 2 : 0.0;
+      const double k = 1 / std::hypot(1.0, std::tan(half) / std::hypot(1.0, t));
+      // A friction beside the couple -h X of a smooth thread. What no couple turns has no limit.
+      const double of_smooth = t * std::abs(along) * r;
+      const double against = k > coefficient * t
+                                 ? r * std::abs(along) * (k * t + coefficient) / (k - coefficient * t) - of_smooth
+                                 : INFINITY,
+                   with = r * std::abs(along) * (coefficient - k * t) / (k + coefficient * t) + of_smooth;
+      // Turned forwards it goes against the load where X and h have one sign, and is resisted backwards.
+      return along * h > 0 ? LimitsOfFriction{with, against} : LimitsOfFriction{against, with};
+    }
+    if (bearing.length) {
+      const double L = length(bearing.length);
+      for (const double end : {0.5, -0.5}) {
+        // The moment about the other end is that of the force at this one.
+        const Vector3<double> other = P - end * L * axis;
+        pressed +=
+            across(wrench.moment - cross(other, wrench.force)) / L * (contact.turning ? length(bearing.radius) : 1);
+      }
+    } else if (bearing.radius || !contact.turning) {
+      pressed += across(wrench.force) * (contact.turning ? length(bearing.radius) : 1);
+    }
+    if (bearing.thrust_radius) pressed += std::abs(along) * length(bearing.thrust_radius);
+  }
+  return {coefficient * pressed, coefficient * pressed};
+}
+
+// How contacts come apart, and how their bodies move where they touch along the three axes of one of them: the normal
+// that is not theirs is told by the surfaces.
+std::vector<VelocityConstraint<double>> SolvedInstant::ways_of_contacts() const {
   std::vector<VelocityConstraint<double>> ways;
-  for (const RoughContactOf<double>& contact : machine_.rough_contacts)
-    if (contact.coordinate < 0) ways.insert(ways.end(), contact.motions.begin(), contact.motions.end());
+  for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
+    if (contact.coordinate >= 0 || contact.on_cord()) continue;
+    ways.push_back(contact.motions.front());
+    for (int k = 0; k < 3; ++k) {
+      ways.push_back(contact.motions.front());
+      ways.back().normal = false;
+      ways.back().along.vector = Vector3<double>::unit(k);
+    }
+  }
+  return ways;
+}
+
+// Of the four ways of a contact: the slip, by their rates or by the changes of these.
+Vector3<double> SolvedInstant::slip_of(const solve::ContactRate* way, int from, bool change) const {
+  Vector3<double> motion{};
+  for (int k = 0; k < 3; ++k)
+    motion +=
+        (change ? way[k + 1].change : way[k + 1].rate) * mechanism_state_->direction({from, Vector3<double>::unit(k)});
+  return motion - dot(motion, way->normal) * way->normal;
+}
+
+// Of a cord on a wheel: its angle round that from where it comes to it to where it leaves it, and the tension followed
+// along it by small steps of Gauss's rule of order four for dT = mu T dtheta.
+double SolvedInstant::misfit_on_cord(const RoughContactOf<double>& contact, double slip, double slip_rate,
+                                     double force_size) const {
+  const auto part_of = [&](int action) {
+    return std::ranges::find(machine_.mechanism.components, action, &Component<double>::action);
+  };
+  const auto before = part_of(contact.action), behind = part_of(contact.behind);
+  if (before == machine_.mechanism.components.end() || behind == machine_.mechanism.components.end()) return 1;
+  const auto at = [&](const Place<double>& place) { return mechanism_state_->position(place); };
+  const Vector3<double> comes = normalized(at(before->at) - at(*before->toward)),
+                        leaves = normalized(at(behind->at) - at(*behind->toward)), C = at(behind->span->from.center);
+  double angle = 0;
+  if (behind->span->from.reach == 0) {
+    angle = std::acos(std::clamp(dot(comes, leaves), -1.0, 1.0));
+  } else {
+    const Vector3<double> in = at(before->at) - C, out = at(*behind->toward) - C, axis = cross(in, comes);
+    angle = std::atan2(dot(axis, cross(in, out)) / norm(axis), dot(in, out));
+    if (angle < 0) angle += 2 * std::numbers::pi;
+  }
+  // How often it goes round besides is as stated.
+  double drawn = contact.wrap;
+  for (const Cord& cord : situation_.cords)
+    for (const CordWheel& wheel : cord.over)
+      if (contact.name == cord.name + " on " + wheel.name && wheel.turns)
+        drawn = 2 * std::numbers::pi * data_->number(*wheel.turns, dimensions::none);
+  angle += 2 * std::numbers::pi * std::round((drawn - angle) / (2 * std::numbers::pi));
+  const Friction& stated = *std::ranges::find(situation_.contacts, contact.name, &Contact::name)->friction;
+  const bool sticks = contact.grip == Grip::sticks;
+  const double mu = data_->number(sticks ? stated.resting : stated.sliding, dimensions::none);
+  constexpr int steps = 20000;
+  constexpr double as_good_as_held = 40;  // e to it is beyond what doubles tell apart
+  const double half = std::min(mu * angle, as_good_as_held) / steps / 2;
+  double ratio = 1;
+  for (int i = 0; i < steps; ++i) ratio *= (1 + half + half * half / 3) / (1 - half + half * half / 3);
+  const auto tension = [&](int action) {
+    return norm(solve::action_wrench(*mechanism_state_, unknowns_, static_cast<std::size_t>(action)).force);
+  };
+  const double T = tension(contact.action), T_behind = tension(contact.behind);
+  if (sticks) return std::max(0.0, std::max(T, T_behind) - ratio * std::min(T, T_behind)) / force_size;
+  const bool forward = (slip != 0 ? slip : slip_rate) > 0;
+  return std::abs(forward ? T_behind - ratio * T : T - ratio * T_behind) / force_size;
+}
+
+double SolvedInstant::friction_misfit() const {
+  const std::vector<VelocityConstraint<double>> ways = ways_of_contacts();
   const solve::ConstraintClaim claim{scales_.length, pace(), true, {}};
   const std::vector<solve::ContactRate> rates =
       solve::contact_rates(machine_.links, ways, claim, machine_.q, v_, mechanism_state_->accelerations());
@@ -65,12 +189,30 @@ double SolvedInstant::friction_misfit() const {
       worst = std::max(worst, misfit_in_joint(contact));
       continue;
     }
-    const RoughForce<double> force = rough_force(*mechanism_state_, unknowns_, contact);
+    if (contact.on_cord()) {
+      // A belt does not slip: that its wheels go as its sides do is told by its constraints.
+      solve::ContactRate way{};
+      if (!contact.of_belt)
+        way = solve::contact_rates(machine_.links, {contact.motions[1]}, claim, machine_.q, v_,
+                                   mechanism_state_->accelerations())
+                  .front();
+      constexpr double none = 1e-9;  // of the pace: a slip that is rounding has no sense
+      const double slip = std::abs(way.rate) > none * speed ? way.rate : 0;
+      if (contact.grip == Grip::sticks) {
+        vanishes(way.rate, speed);
+        vanishes(way.change, acceleration);
+      }
+      worst = std::max(worst, misfit_on_cord(contact, slip, way.change, force_size));
+      continue;
+    }
     const Friction& stated = *std::ranges::find(situation_.contacts, contact.name, &Contact::name)->friction;
-    const auto* way = std::exchange(next, next + 3);
-    const auto direction = [&](std::size_t k) { return mechanism_state_->direction(contact.motions[k].along); };
-    const Vector3<double> slip = way[1].rate * direction(1) + way[2].rate * direction(2),
-                          slip_rate = way[1].change * direction(1) + way[2].change * direction(2);
+    const auto* way = std::exchange(next, next + 4);
+    const int from = contact.motions.front().along.body;
+    const Vector3<double> slip = slip_of(way, from, false), slip_rate = slip_of(way, from, true);
+    const Vector3<double> whole =
+        solve::action_wrench(*mechanism_state_, unknowns_, static_cast<std::size_t>(contact.action)).force;
+    const double push = dot(whole, way->normal);
+    const RoughForce<double> force{push, whole - push * way->normal};
     vanishes(std::min(0.0, force.push), force_size);
     if (contact.grip == Grip::parts) {
       vanishes(norm(force.friction) + force.push, force_size);
@@ -102,9 +244,7 @@ double SolvedInstant::friction_misfit() const {
 
 // The same for the impulses of a blow that starts from rest, and the velocities after it.
 double SolvedInstant::blow_friction_misfit() const {
-  std::vector<VelocityConstraint<double>> ways;
-  for (const RoughContactOf<double>& contact : machine_.rough_contacts)
-    ways.insert(ways.end(), contact.motions.begin(), contact.motions.end());
+  const std::vector<VelocityConstraint<double>> ways = ways_of_contacts();
   const solve::ConstraintClaim claim{scales_.length, pace(), false, {}};
   const std::vector<solve::ContactRate> rates =
       solve::contact_rates(machine_.links, ways, claim, machine_.q, v_, std::vector<double>(v_.size(), 0.0));
@@ -114,15 +254,17 @@ double SolvedInstant::blow_friction_misfit() const {
   if (!(largest > 0)) return 0;
   const double speed = scales_.length * claim.pace;
   double worst = 0;
-  for (std::size_t i = 0; i < machine_.rough_contacts.size(); ++i) {
-    const RoughContactOf<double>& contact = machine_.rough_contacts[i];
+  const auto* next = rates.data();
+  for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
+    // What is limited has no impulse.
+    if (contact.coordinate >= 0 || contact.on_cord()) continue;
+    const auto* way = std::exchange(next, next + 4);
     const Friction& stated = *std::ranges::find(situation_.contacts, contact.name, &Contact::name)->friction;
-    const auto direction = [&](std::size_t k) { return before_->direction(contact.motions[k].along); };
     const Vector3<double> impulse =
         solve::action_impulse(*before_, blow_, impulses_, static_cast<std::size_t>(contact.action)).force;
-    const double push = dot(impulse, direction(0)), apart = rates[3 * i].rate / speed;
-    const Vector3<double> friction = impulse - push * direction(0);
-    const Vector3<double> slip = rates[3 * i + 1].rate * direction(1) + rates[3 * i + 2].rate * direction(2);
+    const double push = dot(impulse, way->normal), apart = way->rate / speed;
+    const Vector3<double> friction = impulse - push * way->normal;
+    const Vector3<double> slip = slip_of(way, contact.motions.front().along.body, false);
     worst = std::max({worst, -push / largest, -apart});
     // Either it parts, and nothing acts, or it stays, and its friction is that of its slip.
     worst = std::max(worst, std::min(std::abs(push) / largest + norm(friction) / largest, std::abs(apart)));

@@ -27,6 +27,24 @@ SpatialForce<double> left_over(const solve::LinearSystem& system, const solve::L
   return {moment + cross(point, force), force};
 }
 
+// What was solved of a body about its mass center; unknowns: null if forces were not.
+solve::CheckBody::Within within(const solve::MechanismState& state, int body, const std::vector<double>* unknowns) {
+  const Mechanism<double>& mechanism = state.mechanism();
+  const SpatialInertia<double>& I = mechanism.tree.body(body).inertia;
+  const Vector3<double> c = I.first_moment / I.mass, G = body_mass_center(mechanism.tree, state.workspace(), body);
+  const BodyMotion<double>& motion = state.workspace().motion[static_cast<std::size_t>(body + 1)];
+  const SymmetricMatrix3<double> own = I.inertia - I.mass * unit_mass_inertia(c);
+  solve::CheckBody::Within found;
+  found.angular_momentum = motion.R * (own * transpose_times(motion.R, motion.w));
+  for (std::size_t i = 0; unknowns && i < mechanism.actions.size(); ++i) {
+    const Action& action = mechanism.actions[i];
+    const Vector3<double> moment = solve::action_wrench(state, *unknowns, i, G).moment;
+    if (action.on == body) found.moment += moment;
+    if (action.from == body) found.moment = found.moment - moment;
+  }
+  return found;
+}
+
 }  // namespace
 
 SolvedInstant::Residuals SolvedInstant::check() const {
@@ -35,9 +53,11 @@ SolvedInstant::Residuals SolvedInstant::check() const {
     Mechanism<double> near;
     residuals.stability = solve::spectrum_misfit(steady_motion({1, 1}, near), *linearisation_);
   }
+  residuals.response = response_misfit_;
   std::vector<solve::CheckBody> bodies;
   double impulse_size = 0, impulse_moment_size = 0, impulse_misfit = 0, impulse_moment_misfit = 0;
   const Mechanism<double>& mechanism = machine_.mechanism;
+  const bool attracted = !mechanism.attractions.empty();
   std::vector<double> a(v_.size(), 0.0);
   if (motion_) a = mechanism_state_->accelerations();
   for (const auto& [index, mass] : machine_.masses) {
@@ -68,6 +88,8 @@ SolvedInstant::Residuals SolvedInstant::check() const {
         if (action.from == index) body.wrench += -1.0 * wrench;
       }
     }
+    if (const double m = mechanism.tree.body(index).inertia.mass; attracted && !choice_.trial && m > 0)
+      body.within = within(*mechanism_state_, index, motion_ ? &unknowns_ : nullptr);
     // What trial values leave of the equations is known: the particles must need just that besides.
     if (motion_ && choice_.trial) {
       const SpatialForce<double> left =
@@ -114,7 +136,8 @@ SolvedInstant::Residuals SolvedInstant::check() const {
   const double impulse_scale = std::max(impulse_size, impulse_moment_size / scales_.length);
   if (impulse_scale > 0)
     residuals.impulse = std::max(impulse_misfit, impulse_moment_misfit / scales_.length) / impulse_scale;
-  residuals.particles = solve::check_with_particles(machine_.links, bodies, machine_.q, v_, a);
+  residuals.particles =
+      solve::check_with_particles(machine_.links, bodies, machine_.q, v_, a, attracted ? scales_.length : 0);
   if (!mechanism.constraints.empty()) {
     solve::ConstraintClaim claim{scales_.length, pace(), motion_.has_value(), {}};
     if (before_) {
@@ -126,7 +149,7 @@ SolvedInstant::Residuals SolvedInstant::check() const {
   if (motion_ && !machine_.rough_contacts.empty()) residuals.friction = friction_misfit();
   if (rough_blow_) residuals.blow = rough_blow_misfit();
   if (before_ && !moving_ && !machine_.rough_contacts.empty()) residuals.friction = blow_friction_misfit();
-  if (motion_) residuals.laws = law_misfit();
+  if (motion_) residuals.laws = std::max(law_misfit(), tooth_misfit());
   return residuals;
 }
 

@@ -150,7 +150,13 @@ double SolvedInstant::rough_blow_misfit() const {
       W(j, k) = columns.col(static_cast<Eigen::Index>(j)).head(rows).dot(moved.head(rows)) / mass_unit;
   }
   const Vector3<double> u = solve::impact_velocity(*before_, impact);
-  const solve::RoughImpactLaw law{impact.restitution, *impact.friction, impact.hypothesis};
+  solve::RoughImpactLaw law{impact.restitution, *impact.friction, impact.hypothesis};
+  // Where contacts meet later, as stated.
+  if (const auto stated = std::ranges::find(situation_.contacts, impact.name, &Contact::name);
+      moving_ && stated != situation_.contacts.end() && stated->friction) {
+    law.friction = data_->number(stated->friction->sliding, dimensions::none);
+    law.restitution = stated->restitution ? data_->number(*stated->restitution, dimensions::none) : 0;
+  }
   const Steps steps{W, {dot(u, rough.axes[0]), dot(u, rough.axes[1]), dot(u, rough.axes[2])}, law};
   // The error of a step is of first order: so is extrapolated from twice as many.
   constexpr int count = 5'000;

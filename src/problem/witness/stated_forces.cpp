@@ -6,9 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
+#include <string>
 
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
+#include "problem/witness/stated_attraction.h"
 #include "problem/witness/stated_motion.h"
 #include "problem/witness/stated_springs.h"
 
@@ -31,6 +35,8 @@ class StatedForces {
     for (const Joint& joint : situation.joints)
       for (const Freedom& freedom : joint.freedoms)
         if (freedom.effort || freedom.stiffness || freedom.damping) take([&] { return of(joint, freedom); });
+    for (std::size_t i = 0; situation.central_gravity && i < machine_.masses.size(); ++i)
+      take([&] { return of_center(i); });
     return std::move(found_);
   }
 
@@ -124,6 +130,21 @@ class StatedForces {
     return found;
   }
 
+  std::optional<StatedForce> of_center(std::size_t body) {
+    const std::vector<Action>& actions = machine_.mechanism.actions;
+    const auto action = std::ranges::find_if(actions, [&](const Action& one) {
+      return one.kind == ActionKind::attraction && one.on == machine_.masses[body].first;
+    });
+    const std::optional<StatedAttraction> pull = stated_attraction(paths_, machine_, data_, body);
+    if (action == actions.end() || !pull) return std::nullopt;
+    StatedForce found{static_cast<std::size_t>(action - actions.begin())};
+    found.force = pull->force;
+    found.couple = pull->couple;
+    found.at = pull->at;
+    found.couple_size = pull->couple_size;
+    return found;
+  }
+
   int link_of(int coordinate) const {
     const auto moves = [&](const solve::CheckLink& link) {
       return link.velocity == coordinate &&
@@ -155,18 +176,52 @@ std::vector<StatedForce> stated_forces(const solve::ParticlePaths& paths, const 
   return StatedForces(paths, machine, data, v, loads).all();
 }
 
+// Of belts and chains, as a part of the largest tension: how far the work is from zero that their sides do against
+// their initial tension, each pulled out by as much as it is long; and what the slackest side of a chain pulls, round
+// wheels on one body.
+double SolvedInstant::belt_misfit() const {
+  double worst = 0;
+  for (const Belt& belt : situation_.belts) {
+    double work = 0, length = 0, most = 0, least = std::numeric_limits<double>::infinity();
+    const double initial = belt.tension ? data_->number(*belt.tension, dimensions::force) : 0;
+    for (std::size_t i = 0; i < machine_.mechanism.actions.size(); ++i) {
+      const auto part =
+          std::ranges::find(machine_.mechanism.components, static_cast<int>(i), &Component<double>::action);
+      if (machine_.mechanism.actions[i].name != belt.name || part == machine_.mechanism.components.end() || !part->span)
+        continue;
+      const Vector3<double> way = mechanism_state_->position(*part->toward) - mechanism_state_->position(part->at);
+      const double tension = dot(solve::action_wrench(*mechanism_state_, unknowns_, i).force, normalized(way));
+      work += (tension - initial) * norm(way);
+      length += norm(way);
+      most = std::max(most, std::abs(tension));
+      least = std::min(least, tension);
+    }
+    if (!(most > 0)) continue;
+    if (belt.tension) worst = std::max(worst, std::abs(work) / (length * most));
+    std::set<std::string> carriers;
+    for (const CordWheel& wheel : belt.over)
+      for (const Joint& joint : situation_.joints)
+        if (joint.to == wheel.name) carriers.insert(joint.from);
+    if (belt.chain && carriers.size() == 1) worst = std::max(worst, std::abs(least) / most);
+  }
+  return worst;
+}
+
 // The check with particles takes the forces as the laws tell them: it sees no load that was read with the wrong sign.
 std::optional<double> SolvedInstant::law_misfit() const {
   using solve::ParticlePaths;
   const Mechanism<double>& mechanism = machine_.mechanism;
-  const bool any_law = !mechanism.forces.empty() || !mechanism.springs.empty() || !mechanism.torsions.empty();
+  const bool any_law = !mechanism.forces.empty() || !mechanism.springs.empty() || !mechanism.torsions.empty() ||
+                       !mechanism.attractions.empty();
   const auto stated = [](const Freedom& freedom) { return freedom.effort || freedom.stiffness || freedom.damping; };
-  if (!any_law && std::ranges::none_of(situation_.joints,
-                                       [&](const Joint& joint) { return std::ranges::any_of(joint.freedoms, stated); }))
+  if (!any_law && situation_.belts.empty() && std::ranges::none_of(situation_.joints, [&](const Joint& joint) {
+        return std::ranges::any_of(joint.freedoms, stated);
+      }))
     return std::nullopt;
   std::vector<ParticlePaths::Body> bodies;
   for (const auto& [link, mass] : machine_.masses) bodies.push_back({link, &mass.particles});
-  const ParticlePaths paths(machine_.links, bodies, machine_.q, v_, mechanism_state_->accelerations());
+  const ParticlePaths paths(machine_.links, bodies, machine_.q, v_, mechanism_state_->accelerations(),
+                            mechanism.attractions.empty() ? 0 : scales_.length);
   const std::size_t stage = built_stage_.value_or(0);
   const auto acting = stage < situation_.stages.size() ? situation_.stages[stage].loads : std::nullopt;
   // What cancels leaves rounding of its terms, of which other forces and those that turn the motion round in its own
@@ -182,8 +237,14 @@ std::optional<double> SolvedInstant::law_misfit() const {
     if (const Real misfit = norm(off); misfit != 0) worst = std::max(worst, static_cast<double>(misfit / size));
   };
   for (const StatedForce& force : stated_forces(paths, machine_, *data_, v_, acting)) {
-    const SpatialForce<double> known = mechanism_state_->known_wrench(static_cast<int>(force.action));
-    const Vector moment = widened(known.moment) - cross(force.at, widened(known.force));
+    // Of a body that a center pulls about its own mass center.
+    const int body = mechanism.actions[force.action].on;
+    const Vector3<double> about = force.couple_size
+                                      ? body_mass_center(mechanism.tree, mechanism_state_->workspace(), body)
+                                      : Vector3<double>::zero();
+    const SpatialForce<double> known = mechanism_state_->known_wrench(static_cast<int>(force.action), about);
+    const Vector arm = force.couple_size ? Vector::zero() : force.at;
+    const Vector moment = widened(known.moment) - cross(arm, widened(known.force));
     const Real force_size = norm(widened(known.force)) + norm(force.force) + force.size + unseen * beside,
                moment_size = norm(widened(known.moment)) + norm(force.couple) + force.size + length * force_size;
     if (force.only_about) {
@@ -191,9 +252,17 @@ std::optional<double> SolvedInstant::law_misfit() const {
       continue;
     }
     compare(widened(known.force) - force.force, force_size);
+    if (force.couple_size) {
+      // Its arms from the origin of the body are known to twenty units in the last place.
+      const Real arms =
+          norm(widened(mechanism.tree.body(body).inertia.first_moment)) / mechanism.tree.body(body).inertia.mass;
+      constexpr Real rounding = 20 * std::numeric_limits<double>::epsilon() / 1e-8L;
+      compare(moment - force.couple, *force.couple_size + rounding * arms * norm(force.force));
+      continue;
+    }
     compare(moment - force.couple, moment_size);
   }
-  return worst;
+  return std::max(worst, belt_misfit());
 }
 
 }  // namespace poinsot::problem

@@ -1,5 +1,6 @@
-// What loads, springs, dampers and motors exert as they are stated, by the places and velocities of the bodies on their
-// way from the figure: a second road to the laws of force (engine/dynamics/force_law.h) and to how they were read.
+// What loads, springs, dampers, motors and a center that pulls exert as they are stated, by the places and velocities
+// of the bodies on their way from the figure: a second road to the laws of force (engine/dynamics/force_law.h) and to
+// how they were read.
 #pragma once
 
 #include <optional>
@@ -21,10 +22,13 @@ struct StatedForce {
   // Of a motor within gimbals: only the couple about its own axis is stated.
   std::optional<Vector> only_about{};
   Real size = 0;  // of the terms of either
+  // Of the pull of a center, whose couple is small beside the moment of its force: what is to be seen of it, about the
+  // place where the force acts.
+  std::optional<Real> couple_size{};
 };
 
-// Of each load, spring and motor that is known and to which this road leads. loads: those that act; all of them if left
-// out. v: the rates of the coordinates.
+// Of each load, spring, motor and pull of a center that is known and to which this road leads. loads: those that act;
+// all of them if left out. v: the rates of the coordinates.
 std::vector<StatedForce> stated_forces(const solve::ParticlePaths& paths, const Machine& machine,
                                        DataScope<double>& data, const std::vector<double>& v,
                                        const std::optional<std::vector<std::string>>& loads);

@@ -11,6 +11,7 @@
 #include "problem/instant/instant.h"
 #include "problem/witness/free_motion_witness.h"
 #include "problem/witness/spring_witness.h"
+#include "problem/witness/stated_attraction.h"
 
 namespace poinsot::problem {
 namespace {
@@ -69,6 +70,7 @@ class ToldCheck {
     if (told.kind == Kind::force || told.kind == Kind::impulse) return {force, size};
     const LongVector normal = wide(told.first);
     if (told.kind == Kind::normal_force) return number(dot(force, normal), size);
+    if (told.kind == Kind::force_along) return {dot(force, normal) * normal, size};
     if (told.kind == Kind::friction) return {cross(normal, cross(force, normal)), size};
     if (told.kind == Kind::tension) return number(std::copysign(norm(force), Real(told.value.x)), size);
     const LongVector couple = moment - cross(wide(told.place), force), along = wide(told.first);
@@ -208,7 +210,16 @@ class ToldCheck {
 
 bool of_forces(Kind kind) {
   return kind == Kind::force || kind == Kind::couple || kind == Kind::tension || kind == Kind::effort ||
-         kind == Kind::normal_force || kind == Kind::friction || in_blow(kind);
+         kind == Kind::normal_force || kind == Kind::friction || kind == Kind::force_along || in_blow(kind);
+}
+
+// How hard a center pulls a body.
+std::optional<Witness> pulled_weight(const ParticlePaths& paths, const Machine& machine, DataScope<double>& data,
+                                     int body) {
+  for (std::size_t i = 0; i < machine.masses.size(); ++i)
+    if (const auto pull = stated_attraction(paths, machine, data, i); pull && machine.masses[i].first == body)
+      return number(norm(pull->force), norm(pull->force));
+  return std::nullopt;
 }
 
 }  // namespace
@@ -232,7 +243,8 @@ SolvedInstant::ToldMisfit SolvedInstant::misfit_of_told() const {
     taken_up.push_back({{mass, data_->place(strike.at)}});
     bodies.push_back({machine_.index.at(strike.hits), &taken_up.back()});
   }
-  const ParticlePaths paths(machine_.links, bodies, machine_.q, v_, a);
+  const bool attracted = !mechanism.attractions.empty();
+  const ParticlePaths paths(machine_.links, bodies, machine_.q, v_, a, attracted ? scales_.length : 0);
   std::optional<ParticlePaths> before;
   if (before_)
     before.emplace(machine_.links, bodies_before, machine_.q, before_->state().v, std::vector<double>(v_.size(), 0.0));
@@ -267,11 +279,17 @@ SolvedInstant::ToldMisfit SolvedInstant::misfit_of_told() const {
     }
     if (of_force && is_driven(told.body)) continue;
     const ParticlePaths::Vector value = ToldCheck::wide(told.as_rate ? told.value_rate : told.value);
-    const std::optional<Witness> witness = told.kind == Kind::spring_energy
-                                               ? spring_energy(told, paths, machine_, *data_, v_)
-                                           : of_force     ? std::optional(check.force(told, balance(told)))
-                                           : told.as_rate ? check.rate(told)
-                                                          : check.of(told);
+    std::optional<Witness> witness = told.kind == Kind::spring_energy ? spring_energy(told, paths, machine_, *data_, v_)
+                                     : of_force                       ? std::optional(check.force(told, balance(told)))
+                                     : told.as_rate                   ? check.rate(told)
+                                                                      : check.of(told);
+    if (attracted && told.kind == Kind::weight && !told.as_rate)
+      witness = pulled_weight(paths, machine_, *data_, told.body);
+    if (attracted && told.kind == Kind::height_energy && witness) {
+      const StatedPotential pull = stated_potential(paths, machine_, *data_, told.body, told.as_rate);
+      witness->value.x += pull.value;
+      witness->size += pull.size;
+    }
     if (!witness) continue;
     ++worst.checked;
     const Real off = norm(value - witness->value);

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/dynamics/random_trees.h"
@@ -180,6 +182,53 @@ struct Moving {
     return moved;
   }
 };
+
+// Long and flat ellipsoids beside each other, beside other surfaces and within each other, laid where they have a given
+// normal in common.
+TEST(ContactSurface, TheNormalIsFoundWhereverTwoTouch) {
+  Random random(77);
+  int tried = 0;
+  const auto long_ellipsoid = [&] {
+    Surface s = made(random, ellipsoid, 1);
+    for (Vector& a : s.semi_axes) a = random.uniform(0.05, 0.6) * normalized(a);
+    s.center = Vector::zero();
+    return s;
+  };
+  const auto check = [&](Surface on, const Surface& from, const Vector& n, const Vector& place) {
+    on.center = place - detail::support_point(on, Vector(-n));
+    const Touching<double> now = nearest_points(on, from, 1.0);
+    EXPECT_LE(norm(now.normal - n), 1e-9) << tried;
+    EXPECT_LE(norm(now.on - place), 1e-7) << tried;
+    ++tried;
+  };
+  for (int i = 0; i < 200; ++i) {
+    Vector n = random.direction();
+    const Surface other = long_ellipsoid();
+    check(long_ellipsoid(), other, n, detail::support_point(other, n));
+    Surface tire = made(random, torus, 0.5);
+    tire.center = Vector::zero();
+    const Vector across = normalized(cross(tire.axis, n));
+    n = normalized(Vector(across + random.uniform(-0.9, 0.9) * tire.axis));
+    check(long_ellipsoid(), tire, n, tire.radius * across + tire.tube * n);
+    Surface pipe = made(random, cylinder, 0.5);
+    pipe.center = Vector::zero();
+    n = normalized(cross(pipe.axis, n));
+    check(long_ellipsoid(), pipe, n, pipe.radius * n + random.uniform(-1, 1) * pipe.axis);
+    // Inside it must bend more everywhere.
+    Surface bowl = long_ellipsoid(), stone = long_ellipsoid();
+    const auto sizes = [](const Surface& s) {
+      const double a = norm(s.semi_axes[0]), b = norm(s.semi_axes[1]), c = norm(s.semi_axes[2]);
+      return std::pair{std::min({a, b, c}), std::max({a, b, c})};
+    };
+    const auto [low, high] = sizes(bowl);
+    const auto [flat, wide] = sizes(stone);
+    for (Vector& a : stone.semi_axes) a = 0.9 * (low * low / high) / (wide * wide / flat) * a;
+    bowl.inside = true;
+    n = random.direction();
+    check(stone, bowl, n, detail::support_point(bowl, Vector(-n)));
+  }
+  EXPECT_EQ(tried, 800);
+}
 
 TEST(ContactSurface, RateGapAndBiasFitTheirDifferencesAtRandomPoses) {
   Random random(6);

@@ -72,6 +72,12 @@ Mechanism<double> with_all_laws(RandomNumbers& random) {
                                 random.number(0.1, 1)});
   mechanism.torsions.push_back(
       {action(2, ground), 2, {ground, normalized(random.vector(1))}, random.number(1, 9), 0.3, 0});
+  mechanism.attractions.push_back(
+      {action(2, ground),
+       {2, random.vector(0.5)},
+       {ground, 9.0 * normalized(random.vector(1))},
+       random.number(50, 90),
+       {{random.vector(0.5), 2, true, SymmetricMatrix3<double>{2, 3, 2.5, 0.4, -0.3, 0.2}}, {random.vector(0.5), 1}}});
   return mechanism;
 }
 
@@ -117,7 +123,7 @@ TEST(ForceLaw, PowerIsWhatTheStoreGivesAndWhatIsNotStored) {
       ++tried;
     });
   });
-  EXPECT_EQ(tried, 50 * 5);
+  EXPECT_EQ(tried, 50 * 6);
 }
 
 TEST(ForceLaw, GeneralisedForcesAtRestAreTheDownhillSlopesOfThePotential) {

@@ -256,7 +256,7 @@ TEST(Friction, in_letters_tells_its_conditions) {
 TEST(Friction, of_a_smooth_contact_is_told_to_be_its_force) {
   EXPECT_NE(refusal("points: {C: [0, 0, 0]}\nbodies: {block: {particle: C, mass: 1 kg}}\n"
                     "contacts: {floor: {of: block, at: C, normal: y}}\ngravity: -y\ninstants: {now: rest}\n"
-                    "ask: {N: normal_force(floor)}\n")
+                    "ask: {F: friction(floor on block)}\n")
                 .find("contact 'floor' has no friction stated"),
             std::string::npos);
 }
@@ -265,18 +265,22 @@ TEST(Friction, is_refused_where_it_is_not_solved) {
   const std::string block =
       "points: {C: [0, 0, 0]}\nbodies: {block: {particle: C, mass: 1 kg}}\n"
       "contacts: {floor: {of: block, at: C, normal: y, friction: 0.3}}\ngravity: -y\ninstants: {now: rest}\n";
-  EXPECT_NE(refusal("points: {C: [0, 0, 0], G: [1 m, 0, 0]}\nbodies: {arm: {rod: [C, G], mass: 1 kg}}\n"
-                    "joints: {pin: {revolute: z, at: C, to: arm, friction: 1 N*m}}\ngravity: -y\n"
-                    "impulses: {hit: {value: [0, '1 N*s', 0], at: G, body: arm}}\ninstants: {before: rest}\n"
-                    "ask: {w: angular_velocity(arm)}\n")
-                .find("blow with friction in a joint is not solved"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal("points: {C: [0, 0, 0], G: [1 m, 0, 0]}\nbodies: {arm: {rod: [C, G], mass: 1 kg}}\n"
+              "joints: {pin: {revolute: z, at: C, to: arm, friction: {coefficient: 0.2, radius: 10 mm}}}\n"
+              "gravity: -y\nimpulses: {hit: {value: [0, '1 N*s', 0], at: G, body: arm}}\ninstants: {before: rest}\n"
+              "ask: {w: angular_velocity(arm)}\n")
+          .find("a blow is not solved beside joint 'pin'"),
+      std::string::npos);
   std::string later = block;
   later.replace(later.find("{now: rest}"), 11, "{now: rest, 2 s: {velocity(block): [0, 0, 0]}}");
   EXPECT_NE(refusal(later + "ask: {v: velocity(block)}\n").find("nothing is found from what is stated of later"),
             std::string::npos);
-  EXPECT_NE(refusal(block + "ask: {s: stable(block)}\n").find("stable() is not told where contacts have friction"),
-            std::string::npos);
+  std::string sliding = block;
+  sliding.replace(sliding.find("rest"), 4, "{velocity(block): [1 m/s, 0, 0]}");
+  EXPECT_NE(
+      refusal(sliding + "ask: {s: stable(block)}\n").find("told where all that has friction are contacts that stick"),
+      std::string::npos);
   EXPECT_NE(refusal(block + "claim: {c: acceleration(block).x == 0}\n").find("claims are not decided"),
             std::string::npos);
   EXPECT_NE(refusal("points: {C: [0, 0, 0]}\nbodies: {block: {particle: C, mass: 1 kg}}\n"

@@ -133,11 +133,20 @@ TEST(FrictionInJoints, MistakesAreTold) {
   };
   says(hinge("revolute: z, at: O, rate: 1 rad/s, accel: 0, friction: 2 N*m", ""), "rate:, accel: and friction");
   says(hinge("ball: O, friction: 2 N*m", ""), "friction is stated at joints that only turn or only slide");
-  says(hinge("revolute: z, at: O, rate: 0, friction: 0.3", ""), "expected");
+  says(hinge("revolute: z, at: O, rate: 0, friction: 0.3", ""), "states a pure number as its friction");
   says(hinge("revolute: z, at: O, rate: 0, friction: -2 N*m", ""), "joint 'hinge' has a negative friction");
-  says(hinge("revolute: z, at: O, rate: 0, friction: 2 N*m",
-             "impulses: {hit: {body: arm, at: A, value: [0, 1 N*s, 0]}}\n"),
-       "a blow with friction in a joint is not solved");
+}
+
+// A couple that is limited has no impulse: after the blow it brakes, J L/Q long.
+TEST(FrictionInJoints, TakesNoPartInABlow) {
+  const SolvedText solved(
+      "given: {m: 2 kg, L: 1 m, J: 3 N*s, Q: 0.5 N*m}\npoints: {O: [0, 0, 0], P: [0, -L, 0]}\n"
+      "bodies: {rod: {rod: [O, P], mass: m}}\njoints: {pin: {revolute: z, at: O, to: rod, angle: th, friction: Q}}\n"
+      "impulses: {hit: {body: rod, at: P, value: [J, 0, 0]}}\ngravity: none\ninstants: {before: rest}\n"
+      "ask: {w: th', stops: {first_time: sticking(pin)}, th: th @ 100 s}\n");
+  EXPECT_NEAR(solved.number("w"), 4.5, 1e-10);
+  EXPECT_NEAR(solved.number("stops"), 6, 1e-9);
+  EXPECT_NEAR(solved.number("th"), 13.5, 1e-8);
 }
 
 }  // namespace friction_in_joints_test

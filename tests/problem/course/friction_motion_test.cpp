@@ -167,11 +167,36 @@ TEST(FrictionMotion, TimesOfStatesAreTold) {
             std::string::npos);
 }
 
-TEST(FrictionMotion, WhatIsNotFollowedIsSaid) {
-  const SolvedText lifted(particle("v: 3 m/s", "0.5") +
+TEST(FrictionMotion, WhatIsLiftedIsLost) {
+  const SolvedText lifted(particle("v: 3 m/s", "0.1") +
                           "loads: {lift: {force: [0, '(10 N/s)*time', 0], at: C, body: block}}\n"
-                          "instants: {start: {velocity(block): [v, 0, 0]}}\nask: {a: position(block) @ 3 s}\n");
-  EXPECT_TRUE(lifted.reason("a").starts_with("contact 'slope' presses no more at 1.96133 s")) << lifted.reason("a");
+                          "instants: {start: {velocity(block): [v, 0, 0]}}\n"
+                          "ask: {t: {first_time: parting(slope)}, v: velocity(block).x @ 3 s, "
+                          "y: position(block).y @ 3 s}\n");
+  // m g = k t, then y'' = k (t - t0)/m; until then the friction took mu g t0/2 of the speed.
+  const double left = 2 * g / 10, flight = 3 - left;
+  EXPECT_NEAR(lifted.number("t"), left, 1e-9);
+  EXPECT_NEAR(lifted.number("v"), 3 - 0.1 * g * left / 2, 1e-9);
+  EXPECT_NEAR(lifted.number("y"), 10 * std::pow(flight, 3) / 12, 1e-9);
+}
+
+// With the largest friction a blow and what follows are rolling, with none they are smooth.
+TEST(FrictionMotion, WithoutFrictionItIsSmoothAndWithALotOfItRolls) {
+  const auto bounced = [](const std::string& friction) {
+    return SolvedText(
+        "title: t\npoints: {C: [0, 0.3 m, 0], G: [0, 0.4 m, 0], O: [0, 0, 0]}\n"
+        "bodies: {ball: {sphere: {center: G, radius: 0.1 m}, mass: 2 kg}}\ngravity: -y\n"
+        "contacts: {floor: {of: ball, at: C, normal: y, open: true, surface: O" +
+        friction +
+        "}}\ninstants: {start: {velocity(ball): [1 m/s, 0, 0], angular_velocity(ball): [0, 0, 0]}}\n"
+        "ask: {x: position(ball).x @ 2 s, w: angular_velocity(ball).z @ 2 s}\n");
+  };
+  const SolvedText smooth = bounced(""), none = bounced(", friction: 0"), rolls = bounced(", friction: 1e6");
+  EXPECT_NEAR(none.number("x"), smooth.number("x"), 1e-9);
+  EXPECT_NEAR(none.number("w"), 0, 1e-12);
+  const double fall = std::sqrt(0.6 / g);
+  EXPECT_NEAR(rolls.number("x"), fall + 5.0 / 7 * (2 - fall), 1e-9);
+  EXPECT_NEAR(rolls.number("w"), -50.0 / 7, 1e-9);
 }
 
 }  // namespace friction_motion_test

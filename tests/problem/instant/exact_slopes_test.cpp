@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 
+#include "example_files.h"
 #include "problem/language/units.h"
 #include "problem/unknowns/hidden_data.h"
 #include "problem/unknowns/unknown_equations.h"
@@ -122,9 +123,8 @@ Statement read_example(const std::filesystem::path& path) {
 // What the examples seek, at places in its range.
 TEST(ExactSlopes, UnknownsOfTheExamples) {
   Count count;
-  for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/examples/textbook")) {
-    if (entry.path().extension() != ".yaml") continue;
-    const Statement statement = read_example(entry.path());
+  for (const std::filesystem::path& file : poinsot::testing::example_files("textbook", 1)) {
+    const Statement statement = read_example(file);
     std::vector<Unknown> unknowns;
     for (const Situation& situation : statement.situations)
       for (const Unknown& unknown : situation.find)
@@ -133,8 +133,7 @@ TEST(ExactSlopes, UnknownsOfTheExamples) {
     if (unknowns.empty()) continue;
     const AllSettings none(statement.situations.size());
     UnknownEquations equations(statement, whole_system(statement, unknowns), none, {}, unknowns);
-    for (const std::vector<double>& x : equations.places(6))
-      compare(equations, x, entry.path().filename().string(), count);
+    for (const std::vector<double>& x : equations.places(6)) compare(equations, x, file.filename().string(), count);
   }
   EXPECT_GT(count.places, 50u);
   EXPECT_EQ(count.exact, count.places);
@@ -145,9 +144,8 @@ TEST(ExactSlopes, UnknownsOfTheExamples) {
 TEST(ExactSlopes, EveryDatumOfTheExamples) {
   std::size_t files = 0;
   Count count;
-  for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/examples/textbook")) {
-    if (entry.path().extension() != ".yaml") continue;
-    const Statement statement = read_example(entry.path());
+  for (const std::filesystem::path& file : poinsot::testing::example_files("textbook")) {
+    const Statement statement = read_example(file);
     ++files;
     Settings letters;
     std::vector<Unknown> unknowns;
@@ -176,7 +174,7 @@ TEST(ExactSlopes, EveryDatumOfTheExamples) {
     for (std::size_t i = 0; i < statement.situations.size(); ++i)
       if (!system.has({i, Aspect::forces})) system.groups.push_back({i, Aspect::forces});
     UnknownEquations equations(statement, system, AllSettings(statement.situations.size(), letters), {}, all);
-    if (!unknowns.empty()) compare(equations, x, entry.path().filename().string(), count);
+    if (!unknowns.empty()) compare(equations, x, file.filename().string(), count);
   }
   EXPECT_GT(count.places, files / 3);
   EXPECT_EQ(count.exact, count.places);

@@ -48,6 +48,18 @@ TEST(SoughtEfforts, AreNamedWhereNothingFixesThem) {
   EXPECT_NE(open.reason("M").find("not"), std::string::npos) << open.reason("M");
 }
 
+TEST(SoughtEfforts, AreProposedWhereNothingDrivesWhatIsStated) {
+  std::string text =
+      arm("any", "any", "instants: {now: {acceleration(P of two).x: 1 m/s^2, acceleration(P of two).y: 0}}\n",
+          "M: drive(turn).z");
+  for (const std::string& stated : {std::string(", couple: any"), std::string(", force: any")})
+    text.erase(text.find(stated), stated.size());
+  const std::string told = failure_of_text(text);
+  EXPECT_NE(told.find("if motors make it move so, write couple: any at joint 'turn', force: any at joint 'slide')"),
+            std::string::npos)
+      << told;
+}
+
 TEST(SoughtEfforts, AreNotKnownAlongTheMotion) {
   const std::string facts = "instants: {start: {angular_acceleration(one).z: 2 rad/s^2}}\n";
   const SolvedText later(arm("any", "0", facts, "w: angular_velocity(one).z @ 1 s"));

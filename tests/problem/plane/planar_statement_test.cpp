@@ -106,6 +106,37 @@ TEST(PlanarStatement, HoldsAFreeBodyInThePlane) {
   EXPECT_GT(found.at("w").value.number, 3);
 }
 
+// Lists of two are vectors in quotes and within expressions, and lists of numbers where these are asked for.
+TEST(PlanarStatement, TakesListsInQuotesForVectors) {
+  for (const char* axes : {"[x, y]", "[y, z]", "[z, x]"}) {
+    const std::string first(1, axes[1]), second(1, axes[4]);
+    const auto file = [&](const std::string& B, const std::string& force, const std::string& velocity) {
+      return "title: t\nplane: " + std::string(axes) + "\ngiven: {a: 0.3 m, b: 0.2 m}\npoints: {A: [a, b], B: " + B +
+             "}\nbodies: {bar: {rod: [A, B], mass: 2 kg}}\nloads: {push: {force: " + force +
+             ", at: B, body: bar}}\ngravity: none\ninstants: {now: {velocity(bar): " + velocity +
+             ", angular_velocity(bar): 'max([1, 2])*1 rad/s'}}\nask: {a: acceleration(B of bar), w: "
+             "angular_velocity(bar)}\n";
+    };
+    const auto plain = answers(file("[3*a, 2*b]", "[3 N, 4 N]", "[1 m/s, 2 m/s]"));
+    const auto quoted = answers(file("'A + 2*[a, (b + 0 m)/2]'", "'[3 N, 4 N]'", "'[1 m/s, 2 m/s]'"));
+    ASSERT_EQ(plain.at("a").value.items.size(), 2U) << axes;
+    for (std::size_t k = 0; k < 2; ++k)
+      EXPECT_NEAR(quoted.at("a").value.items[k].number, plain.at("a").value.items[k].number, 1e-12) << axes << k;
+    EXPECT_EQ(quoted.at("w").value.number, 2) << axes;
+  }
+}
+
+// What moves in a plane keeps disks parallel: they roll on each other as circles do.
+TEST(PlanarStatement, LetsDisksTouchEachOther) {
+  const auto found = answers(
+      "title: t\nplane: [x, y]\ngiven: {r: 0.1 m, R: 0.6 m}\npoints: {O: [0, 0], C: [0, -R], G: [0, r - R]}\n"
+      "bodies: {drum: {ring: {center: O, normal: z, radius: R}, mass: 0 kg}, roll: {disk: {center: G, normal: z, "
+      "radius: r}, mass: 3 kg}}\njoints: {stand: {weld: O, to: drum}}\ncontacts: {c: {of: roll, against: drum, at: C, "
+      "normal: y, inside: drum, no_slip: true}}\ngravity: -y\ninstants: {now: rest}\nask: {f: frequencies(roll)}\n");
+  ASSERT_EQ(found.at("f").value.items.size(), 1U);
+  EXPECT_NEAR(found.at("f").value.items[0].number, std::sqrt(2 * 9.80665 / (3 * 0.5)), 1e-9);
+}
+
 TEST(PlanarStatement, RefusesWhatPointsOutOfThePlane) {
   const std::string bar =
       "title: t\nplane: [x, y]\npoints: {O: [0, 0], P: [1 m, 0]}\nbodies: {bar: {rod: [O, P], mass: 3 kg}}\ngravity: "

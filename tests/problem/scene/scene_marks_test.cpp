@@ -281,6 +281,35 @@ TEST(SceneMarks, cords_that_go_slack_are_events_of_the_motion) {
   EXPECT_NEAR(height, z, 0.02);
 }
 
+// A heavy wheel turns, but the straight parts of its cord stay where they come to it.
+TEST(SceneMarks, cords_do_not_turn_with_the_wheels_that_they_turn) {
+  const Document document = illustrated(
+      "title: t\ngiven: {r: 0.2 m}\npoints: {O: [0, 0, 0], A: [-r, -1 m, 0], B: [r, -1 m, 0]}\nbodies: {a: {particle: "
+      "A, mass: 1 kg}, b: {particle: B, mass: 2 kg}, wheel: {disk: {center: O, normal: z, radius: r}, mass: 1 kg}}\n"
+      "joints: {axle: {revolute: z, at: O, to: wheel}}\ncords: {rope: {from: a, at: A, over: [wheel], to: b, end: "
+      "B}}\ngravity: -y\ninstants: {start: rest}\nask: {v: velocity(a).y @ 0.3 s}\n");
+  const scene::Scene& scene = scene_of(document);
+  const scene::Motion& motion = scene.motion.value();
+  ASSERT_EQ(motion.links.size(), 2U);
+  std::size_t compared = 0;
+  for (const scene::MovingLink& moving : motion.links) {
+    ASSERT_EQ(scene.links.at(moving.link).name, "rope");
+    ASSERT_EQ(moving.from.size(), motion.times.size());
+    for (std::size_t k = 0; k < motion.times.size(); ++k) {
+      // The one end is at a block, wherever it has come; the other at the wheel's side, to the left or right.
+      for (const Vector& end : {moving.from[k], moving.to[k]}) {
+        const bool left = end.x < 0;
+        EXPECT_NEAR(end.x, left ? -0.2 : 0.2, 1e-9);
+        const scene::Pose& block = motion.poses[k][left ? 0 : 1];
+        const double height = (block.R * scene.bodies[left ? 0 : 1].center + block.p).y;
+        EXPECT_LE(std::min(std::abs(end.y), std::abs(end.y - height)), 1e-9) << motion.times[k];
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 100U);
+}
+
 TEST(SceneMarks, long_cords_are_cut_off_by_the_size_of_the_figure) {
   for (const double size : {0.01, 1.0, 300.0}) {
     const Document document =

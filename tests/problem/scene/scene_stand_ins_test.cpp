@@ -120,5 +120,18 @@ TEST(SceneStandIns, a_cone_stands_for_a_top_whose_cylinder_would_swallow_the_tip
   EXPECT_NEAR(high.z, 0.5 / 0.75, 1e-12);
 }
 
+TEST(SceneStandIns, what_stands_on_a_corner_has_no_round_solid_for_it) {
+  const auto shapes = [](const std::string& place) {
+    const Document document = illustrated(
+        "title: t\npoints: {A: [0, 0, 0], G: [0, 0, 0.5 m]}\nbodies: {crate: {mass: 5 kg, center: G, inertia: "
+        "{axis: y, "
+        "axial: 0.4 kg*m^2, transverse: 0.3 kg*m^2}}}\ncontacts: {foot: {of: crate, " +
+        place + ": A, normal: z}}\ngravity: -z\ninstants: {now: rest}\nask: {T: kinetic_energy(crate)}\n");
+    return scene_of(document).bodies.at(0).shapes.size();
+  };
+  EXPECT_EQ(shapes("corner"), 0U);
+  EXPECT_EQ(shapes("at"), 1U);
+}
+
 }  // namespace scene_stand_ins_test
 }  // namespace poinsot

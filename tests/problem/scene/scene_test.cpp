@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "example_files.h"
 #include "poinsot/problem.h"
 #include "poinsot/rendering.h"
 
@@ -28,17 +29,16 @@ struct Case {
   Document document;
 };
 
-// Solved once for all tests, but for what takes very long.
+// But for what takes very long.
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = [] {
     std::vector<Case> list;
     for (const char* folder : {"textbook", "published"})
-      for (const auto& entry : fs::directory_iterator(fs::path(POINSOT_SOURCE_DIR) / "examples" / folder)) {
-        if (entry.path().extension() != ".yaml") continue;
+      for (const fs::path& file : testing::example_files(folder)) {
         constexpr std::chrono::milliseconds most(15000);
-        const Problem problem = Problem::from_file(entry.path().string());
+        const Problem problem = Problem::from_file(file.string());
         Document document = problem.illustrate({}, Budget().end_after(most));
-        if (!document.ended) list.push_back({entry.path().filename().string(), std::move(document)});
+        if (!document.ended) list.push_back({file.filename().string(), std::move(document)});
       }
     return list;
   }();
@@ -82,8 +82,8 @@ const Diagram& diagram_of(const Scene& scene, DiagramKind kind) {
   throw std::out_of_range("no such diagram");
 }
 
-TEST(Scene, every_example_has_one_that_is_whole) {
-  std::size_t scenes = 0, without_bodies = 0;
+void expect_whole_scenes() {
+  int scenes = 0, without_bodies = 0;
   for_each_scene([&](const Case&, const Solution&, const Scene& scene) {
     ++scenes;
     if (scene.bodies.empty()) {
@@ -118,13 +118,13 @@ TEST(Scene, every_example_has_one_that_is_whole) {
         EXPECT_FALSE(arrow.text.empty());
       }
   });
-  EXPECT_GT(scenes, 190U);
-  EXPECT_LE(without_bodies, 2U);
+  EXPECT_GT(scenes, testing::at_least(190));
+  EXPECT_LE(without_bodies, 2);
 }
 
 // Sum of forces and of moments about the ground's origin, of each group of diagrams.
-TEST(Scene, what_acts_equals_what_it_does_to_the_momenta) {
-  std::size_t balances = 0, blows = 0;
+void expect_that_what_acts_equals_what_it_does_to_the_momenta() {
+  int balances = 0, blows = 0;
   for_each_scene([&](const Case& one, const Solution&, const Scene& scene) {
     // Squares that are neglected are missing on one side; what is not determined is not drawn.
     static const std::set<std::string> neglecting{"18.084.yaml", "18.118.yaml"};
@@ -152,8 +152,8 @@ TEST(Scene, what_acts_equals_what_it_does_to_the_momenta) {
       ++(diagrams.size() == 3 ? blows : balances);
     }
   });
-  EXPECT_GT(balances, 80U);
-  EXPECT_GT(blows, 20U);
+  EXPECT_GT(balances, testing::at_least(80));
+  EXPECT_GT(blows, testing::at_least(20));
 }
 
 std::vector<double> numbers(const Datum& datum) {
@@ -164,8 +164,8 @@ std::vector<double> numbers(const Datum& datum) {
   return list;
 }
 
-TEST(Scene, arrows_of_answers_are_the_answers) {
-  std::size_t compared = 0;
+void expect_arrows_of_answers_to_be_the_answers() {
+  int compared = 0;
   for_each_scene([&](const Case&, const Solution& solution, const Scene& scene) {
     for (const Diagram& diagram : scene.diagrams) {
       if (diagram.kind != DiagramKind::answers) continue;
@@ -186,11 +186,11 @@ TEST(Scene, arrows_of_answers_are_the_answers) {
         }
     }
   });
-  EXPECT_GT(compared, 60U);
+  EXPECT_GT(compared, testing::at_least(60));
 }
 
-TEST(Scene, motions_go_through_the_shown_positions_and_keep_bodies_rigid) {
-  std::size_t motions = 0;
+void expect_motions_through_the_shown_positions_with_rigid_bodies() {
+  int motions = 0;
   for_each_scene([&](const Case&, const Solution&, const Scene& scene) {
     if (!scene.motion) return;
     ++motions;
@@ -208,7 +208,15 @@ TEST(Scene, motions_go_through_the_shown_positions_and_keep_bodies_rigid) {
       for (const auto& line : plot.values) EXPECT_EQ(line.size(), motion.times.size());
     }
   });
-  EXPECT_GT(motions, 20U);
+  EXPECT_GT(motions, testing::at_least(20));
+}
+
+// One test, so that the examples are solved once.
+TEST(Scene, of_every_example) {
+  expect_whole_scenes();
+  expect_that_what_acts_equals_what_it_does_to_the_momenta();
+  expect_arrows_of_answers_to_be_the_answers();
+  expect_motions_through_the_shown_positions_with_rigid_bodies();
 }
 
 TEST(Scene, what_is_asked_at_several_times_is_plotted_once) {

@@ -41,6 +41,16 @@ export class Track {
     turn.slerpQuaternions(this.from, this.to, part);
   }
 
+  // Brings the ends of the links that have places of their own there.
+  links(time: number, put: (link: number, from: Vector3, to: Vector3) => void): void {
+    const { index, part } = placeInTimes(this.motion.times, time);
+    const place = (flat: number[]): Vector3 => {
+      const at = new Vector3().fromArray(flat, 3 * index);
+      return part === 0 ? at : at.lerp(new Vector3().fromArray(flat, 3 * (index + 1)), part);
+    };
+    for (const { link, from, to } of this.motion.links ?? []) put(link, place(from), place(to));
+  }
+
   private recorded(body: number, index: number, position: Vector3, turn: Quaternion): void {
     const track = this.motion.bodies[body];
     if (!track) return;

@@ -145,6 +145,11 @@ export class Stage {
       const node = this.links[i];
       if (node) stretch(node, this.whereIs(link.from), this.whereIs(link.to));
     });
+    if (time !== null)
+      this.track?.links(time, (link, from, to) => {
+        const node = this.links[link];
+        if (node) stretch(node, from, to);
+      });
   }
 
   // Everything that is seen at any time, but no farther away than three sizes of the scene.

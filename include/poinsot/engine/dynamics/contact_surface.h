@@ -363,14 +363,29 @@ Vector3<Scalar> sought_normal(const ContactSurface<Scalar>& on, const ContactSur
       best.first = near.first;
     }
   };
-  for (int x = -1; x <= 1; ++x)
-    for (int y = -1; y <= 1; ++y)
-      for (int z = -1; z <= 1; ++z)
-        if (x != 0 || y != 0 || z != 0) {
+  // Where they touch the distance is nothing, and worse at every other such normal. Of two that touch from outside the
+  // way between their centers is near it, else the most promising of many directions, and last any of them.
+  const double touching = 1e-7 * norm(on_0.center - from_0.center);
+  if (sign > 0) try_from(normalized(on_0.center - from_0.center));
+  if (!(best_gap >= -touching)) {
+    std::array<std::pair<double, Vector3<double>>, 26> starts;
+    std::size_t count = 0;
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z) {
+          if (x == 0 && y == 0 && z == 0) continue;
           // A little aside, so that no start lies on an axis of symmetry.
           constexpr double aside = 0.1234;
-          try_from(normalized(Vector3<double>{x + aside * y, y + aside * z, z - aside * x}));
+          NearNormals<double> near = best;
+          near.first = normalized(Vector3<double>{x + aside * y, y + aside * z, z - aside * x});
+          near.first = near.at(0, 0);
+          starts[count++] = {-sign * dot(near.first, between_supports(on_0, from_0, near.first)), near.first};
         }
+    std::sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    constexpr std::size_t most_promising = 5;
+    for (std::size_t i = 0; i < count && (i < most_promising || !(best_gap >= -touching)); ++i)
+      try_from(starts[i].second);
+  }
   const NormalStep step = normal_step(on_0, from_0, best);
   const NearNormals<Scalar> near{best.straight ? (of_on ? &on : &from) : nullptr, of_on, best.first};
   Scalar a(0), b(0);

@@ -33,6 +33,12 @@ Mechanism<Target> convert_mechanism(const Mechanism<Source>& source, Convert con
     if (c.span) component.span = c.span->template converted<Target>(to);
     component.follows = c.follows;
     component.part = to(c.part);
+    component.offset = to(c.offset);
+    component.gain = to(c.gain);
+    component.wrap = to(c.wrap);
+    component.parts_wheels = c.parts_wheels;
+    component.flank = c.flank;
+    component.rubs = c.rubs;
     target.components.push_back(std::move(component));
   }
   for (const VelocityConstraint<Source>& c : source.constraints) {

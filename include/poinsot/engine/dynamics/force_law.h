@@ -1,4 +1,4 @@
-// What a law of force says: the law that a spring, a damper, a load or a torsional spring obeys.
+// What a law of force says: the law that a spring, a damper, a load, a torsional spring or the pull of a center obeys.
 //
 // A law belongs to an action (mechanism.h) and follows from the state of the mechanism alone. It exerts a force and a
 // couple on body `on` of its action and the reverse on body `from`. Part of its power may come out of a store, the
@@ -50,6 +50,10 @@ struct LawConverter {
   }
   template <class Source>
   Vector3<Target> operator()(const Vector3<Source>& a) const {
+    return detail::converted<Target>(a, convert);
+  }
+  template <class Source>
+  SymmetricMatrix3<Target> operator()(const SymmetricMatrix3<Source>& a) const {
     return detail::converted<Target>(a, convert);
   }
   template <class Source>

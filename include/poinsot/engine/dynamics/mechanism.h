@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/engine/dynamics/attraction_law.h"
 #include "poinsot/engine/dynamics/contact_surface.h"
 #include "poinsot/engine/dynamics/cord_span.h"
 #include "poinsot/engine/dynamics/drive_law.h"
@@ -22,15 +23,30 @@
 
 namespace poinsot {
 
-enum class ActionKind { joint, support, drive, contact, mesh, cord, spring, load, impulse, impact, friction };
+enum class ActionKind {
+  joint,
+  support,
+  drive,
+  contact,
+  mesh,
+  cord,
+  spring,
+  load,
+  impulse,
+  impact,
+  friction,
+  attraction
+};
 
 // Whether a law of force (force_law.h) says what it exerts; a drive's law says a part of it.
-constexpr bool has_law(ActionKind kind) { return kind == ActionKind::spring || kind == ActionKind::load; }
+constexpr bool has_law(ActionKind kind) {
+  return kind == ActionKind::spring || kind == ActionKind::load || kind == ActionKind::attraction;
+}
 
 // What one thing exerts on body `on`, and with opposite sign on body `from`.
 struct Action {
   ActionKind kind = ActionKind::load;
-  std::string name;   // of the joint, support, contact, cord, spring or load
+  std::string name;   // of the joint, support, contact, cord, spring or load; "gravity" for the pull of a center
   std::string joint;  // for supports, drives and friction in joints: the joint that they belong to
   int on = ground;
   int from = ground;
@@ -58,6 +74,20 @@ struct Component {
   // the index of that component, which stands before it with none but its like between them, and the part.
   int follows = -1;
   Scalar part{1};
+  // What it is beyond that part: the sides of a belt together keep its initial tension.
+  Scalar offset{};
+  // Where it follows across a wheel on which the cord slips (capstan.h): mu, or -mu where it slips back; and the angle
+  // round that wheel as drawn.
+  Scalar gain{}, wrap{};
+  // Of teeth, whose flanks lean and rub, so that what they exert beside the force that turns the wheels is a part of
+  // its size, whichever way that acts: the sign of that force, by which it is known which flanks carry. 0 where it is
+  // not known: then this one has a size of its own.
+  bool parts_wheels = false;
+  int flank = 1;
+  bool rubs = false;  // whether it is the friction of teeth that slide; what only pushes wheels apart does no work
+
+  // Which part of the other's value its own is.
+  Scalar followed_part() const { return parts_wheels ? Scalar(flank) * part : part; }
 };
 
 // Calls visit with each component that follows a component, and with that itself.
@@ -129,6 +159,7 @@ struct Mechanism {
   std::vector<KnownForce<Scalar>> forces;
   std::vector<SpringLaw<Scalar>> springs;
   std::vector<TorsionLaw<Scalar>> torsions;
+  std::vector<AttractionLaw<Scalar>> attractions;
 };
 
 // Visits the lists of laws, of several mechanisms side by side: the one place that names them all.
@@ -137,6 +168,7 @@ void for_each_law_list(Visit&& visit, Mechanisms&... mechanisms) {
   visit(mechanisms.forces...);
   visit(mechanisms.springs...);
   visit(mechanisms.torsions...);
+  visit(mechanisms.attractions...);
 }
 
 // Visits every law of force.

@@ -40,6 +40,11 @@ template <class Scalar>
 SpatialForce<Scalar> wrench_of(const PlacedForce<Scalar>& f) {
   return {f.couple + cross(f.point, f.force), f.force};
 }
+// The same about a point, of which no large distance from the origin takes digits.
+template <class Scalar>
+SpatialForce<Scalar> wrench_about(const PlacedForce<Scalar>& f, const Vector3<Scalar>& point) {
+  return {f.couple + cross(f.point - point, f.force), f.force};
+}
 
 // Its power, W, on body `on` and, reversed, on body `from`: f . (v_on - v_from) + c . (w_on - w_from), the velocities
 // those of the bodies' points at the place of the force. After update_velocities.

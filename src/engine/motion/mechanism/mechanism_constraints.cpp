@@ -67,17 +67,17 @@ void MechanismDynamics::Parts::factor_rows(const std::vector<int>& constraints, 
   for (std::size_t c = 0; c < constraints.size(); ++c) {
     const auto i = static_cast<std::size_t>(constraints[c]);
     const double* const J = row.data() + constraints[c] * n;
-    double* const out = qr.column(static_cast<int>(c));
+    const auto out = [&](std::size_t f) -> double& { return qr.entry(static_cast<int>(f), static_cast<int>(c)); };
     double natural = 0, scaled = 0;
     for (std::size_t f = 0; f < free.size(); ++f) {
       const double entry = J[free[f]];
-      out[f] = entry * scale[f];
-      scaled += out[f] * out[f];
+      out(f) = entry * scale[f];
+      scaled += out(f) * out(f);
       natural += std::pow(entry * (turns[free[f]] ? 1 : length), 2);
     }
     const bool empty = !(std::sqrt(natural) > empty_row * unit_of(constraints[c]));
     row_size[i] = std::sqrt(scaled);
-    for (std::size_t f = 0; f < free.size(); ++f) out[f] = empty ? 0 : out[f] / row_size[i];
+    for (std::size_t f = 0; f < free.size(); ++f) out(f) = empty ? 0 : out(f) / row_size[i];
     classes[c] = positions_first && binds_positions(mechanism.constraints[i]);
   }
   qr.factor(tolerance, std::span<const char>(classes.data(), constraints.size()), most);

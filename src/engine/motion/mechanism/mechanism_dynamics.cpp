@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/motion/mechanism/mechanism_parts.h"
+#include "poinsot/engine/dynamics/capstan.h"
 #include "poinsot/engine/dynamics/constraint.h"
 #include "poinsot/engine/dynamics/hybrid_dynamics.h"
 #include "poinsot/engine/dynamics/inverse_dynamics.h"
@@ -88,6 +89,10 @@ void MechanismDynamics::Parts::find_known_forces() {
   for_each_law(mechanism, [&](const auto& law) {
     add_generalised(*range++, law.exerted(mechanism.tree, workspace), 1, known.data());
   });
+  // What the sides of belts pull however they are loaded. Belts have constraints, so that all axes are known here.
+  for (const int k : with_offset)
+    add_generalised(of_component[static_cast<std::size_t>(k)], force_of_component(k),
+                    mechanism.components[static_cast<std::size_t>(k)].offset, known.data());
 }
 
 void MechanismDynamics::Parts::find_accelerations(std::span<double> result) {
@@ -147,8 +152,7 @@ void MechanismDynamics::Parts::split_mass() {
     }
   if (qr.rank() == 0) return;
   for (int pass = 0; pass < 2; ++pass) {
-    for (std::size_t j = 0; j < size; ++j) qr.apply_transposed(split.data() + j * size);
-    if (pass == 1) break;
+    qr.apply_transposed(split.data(), static_cast<int>(size));
     for (std::size_t j = 0; j < size; ++j)
       for (std::size_t i = 0; i < j; ++i) std::swap(split[j * size + i], split[i * size + j]);
   }
@@ -158,6 +162,7 @@ void MechanismDynamics::Parts::find_under_constraints(std::span<double> result) 
   const std::size_t size = free.size();
   update_accelerations<double>(mechanism.tree, workspace, state, given);
   find_axes();
+  if (capstans) update_capstans(mechanism, workspace);
   find_known_forces();
   inverse_dynamics<double>(mechanism.tree, workspace, state, given, bias_force);
   find_mass();
@@ -220,17 +225,19 @@ void MechanismDynamics::Parts::find_with_unknown_forces() {
   const auto rank = static_cast<std::size_t>(qr.rank());
   const std::size_t left = size - rank;
   force_qr.resize(static_cast<int>(size), static_cast<int>(left + acting_columns.size()));
-  for (std::size_t j = 0; j < left; ++j)
-    std::copy_n(split.data() + (rank + j) * size, size, force_qr.column(static_cast<int>(j)));
+  const auto set_column = [&](std::size_t j, const double* x) {
+    for (std::size_t i = 0; i < size; ++i) force_qr.entry(static_cast<int>(i), static_cast<int>(j)) = x[i];
+  };
+  for (std::size_t j = 0; j < left; ++j) set_column(j, split.data() + (rank + j) * size);
   for (std::size_t c = 0; c < acting_columns.size(); ++c) {
     const auto component = static_cast<std::size_t>(acting_columns[c]);
     double* const C = column.data() + component * static_cast<std::size_t>(n);
     std::fill(C, C + n, 0.0);
     for_each_follower(mechanism.components, component, [&](std::size_t k) {
-      const double part = mechanism.components[k].follows < 0 ? 1 : mechanism.components[k].part;
+      const double part = mechanism.components[k].follows < 0 ? 1 : mechanism.components[k].followed_part();
       add_generalised(of_component[k], force_of_component(static_cast<int>(k)), -part, C);
     });
-    double* const out = force_qr.column(static_cast<int>(left + c));
+    double* const out = rest.data();
     double sum = 0;
     for (std::size_t f = 0; f < size; ++f) {
       out[f] = scale[f] * C[free[f]];
@@ -240,6 +247,7 @@ void MechanismDynamics::Parts::find_with_unknown_forces() {
     if (sum > 0)
       for (std::size_t f = 0; f < size; ++f) out[f] /= column_size[component];
     qr.apply_transposed(out);
+    set_column(left + c, out);
   }
   for (std::size_t i = 0; i < size; ++i) {
     rest[i] = right[i];
@@ -344,7 +352,8 @@ double MechanismDynamics::component_force(std::size_t component) const {
   const Parts& p = *parts_;
   detail::require_index("component_force", "component", static_cast<std::ptrdiff_t>(component), p.links.size());
   const Component<double>& own = p.mechanism.components[component];
-  if (own.follows >= 0) return own.part * component_force(static_cast<std::size_t>(own.follows));
+  if (own.follows >= 0)
+    return own.followed_part() * component_force(static_cast<std::size_t>(own.follows)) + own.offset;
   const Parts::Link& link = p.links[component];
   if (p.by_tree || !link.works || !p.acting[p.mechanism.components[component].action]) return 0;
   if (p.forces_unknown) return p.component_size[component];

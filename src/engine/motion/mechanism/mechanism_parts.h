@@ -108,6 +108,8 @@ struct MechanismDynamics::Parts {
   std::vector<std::vector<Range>> of_spans;      // of each constraint: those of a cord led over wheels
   std::vector<std::optional<Vector>> free_axis;  // of each constraint
   std::vector<Link> links;                       // of each component
+  std::vector<int> with_offset;                  // components that are more than a part of another
+  bool capstans = false;                         // whether a cord slips with friction
 
   // What acts now.
   std::vector<char> acting;         // each action

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/motion/mechanism/mechanism_parts.h"
+#include "poinsot/engine/dynamics/capstan.h"
 #include "poinsot/engine/dynamics/mass_matrix.h"
 
 namespace poinsot {
@@ -75,6 +76,9 @@ MechanismDynamics::Parts::Parts(const Mechanism<double>& stated, std::span<const
   }
   acting.assign(mechanism.actions.size(), 1);
   links.resize(mechanism.components.size());
+  capstans = has_capstans(mechanism);
+  for (std::size_t k = 0; k < mechanism.components.size(); ++k)
+    if (mechanism.components[k].offset != 0) with_offset.push_back(static_cast<int>(k));
   find_couplings();
 
   for (std::vector<Vector>* list : {&angular, &linear, &origin}) list->assign(size, Vector::zero());
@@ -141,7 +145,12 @@ bool MechanismDynamics::Parts::enforces(const Component<double>& component, cons
   // wheels is no force's own.
   if (component.span) {
     sign = -1;
-    return c.action == component.action && c.spans.size() == parts_with(component) && component.follows < 0;
+    bool alike = true;  // Where it slips with friction its parts pull with forces of their own.
+    for_each_follower(mechanism.components, static_cast<std::size_t>(&component - mechanism.components.data()),
+                      [&](std::size_t k) {
+                        alike = alike && mechanism.components[k].gain == 0 && mechanism.components[k].offset == 0;
+                      });
+    return alike && c.action == component.action && c.spans.size() == parts_with(component) && component.follows < 0;
   }
   const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
   if (action.on != c.on || action.from != c.from || (c.action >= 0 && c.action != component.action)) return false;
@@ -232,7 +241,7 @@ void MechanismDynamics::Parts::find_structure() {
     force_qr.resize(static_cast<int>(free.size()), static_cast<int>(free.size()));
     for (std::size_t j = 0; j < free.size(); ++j)
       for (std::size_t i = 0; i < free.size(); ++i)
-        force_qr.column(static_cast<int>(j))[i] =
+        force_qr.entry(static_cast<int>(i), static_cast<int>(j)) =
             without_inertia[i] || without_inertia[j] ? 0 : scale[i] * scale[j] * mass_entry(free[i], free[j]);
     force_qr.factor(1e-12);
     inertia_singular = inertia_singular && force_qr.rank() < force_qr.rows();

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "engine/solve/instant/singular_pose.h"
+#include "poinsot/engine/dynamics/capstan.h"
 #include "poinsot/engine/dynamics/velocity_constraint.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "poinsot/engine/math/formula/formula.h"
@@ -223,6 +224,8 @@ void update_contacts(Mechanism<Scalar>& mechanism, const MechanismStateOf<Scalar
     component.at = place(component.at.body, line.end);
     component.toward = place(component.toward->body, line.start);
   }
+  // In formulas no cord slips with friction.
+  if constexpr (!std::is_same_v<Scalar, Formula>) update_capstans(mechanism, w);
   for (VelocityConstraint<Scalar>& c : mechanism.constraints) {
     if (c.kind == VelocityConstraintKind::touching) update_touching(mechanism, c, state);
     if (c.kind != VelocityConstraintKind::rolling) continue;

@@ -115,6 +115,14 @@ class BoundFinder {
   BoundFinder(const CarriedBodies& bodies, const std::vector<Constraint>& constraints)
       : bodies_(bodies), constraints_(constraints) {}
 
+  // The normal of a contact, by its surfaces.
+  Vector3<double> normal(std::size_t index) const {
+    const Constraint& c = constraints_[index];
+    const Vector n = c.kind == VelocityConstraintKind::touching ? nearest_now(c).normal
+                                                                : bodies_.direction(c.along.body, c.along.vector, 0);
+    return {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)};
+  }
+
   Bound of(std::size_t index) const {
     const Constraint& c = constraints_[index];
     switch (c.kind) {
@@ -297,23 +305,25 @@ class BoundFinder {
         [&](const Vector3<double>& d) { return bodies_.direction(body, d, j); }, [](double x) { return Real(x); });
   }
 
+  std::pair<ContactSurface<Real>, ContactSurface<Real>> placed_at(const Constraint& c, int j) const {
+    return {placed(c.on, c.surfaces->shape_on, j), placed(c.from, c.surfaces->shape_from, j)};
+  }
+  static drawn::NearestPlace missing(const Vector& x) { return {x, x, std::numeric_limits<Real>::quiet_NaN()}; }
+  drawn::NearestPlace nearest_now(const Constraint& c) const {
+    const auto [on, from] = placed_at(c, 0);
+    const Vector guess = drawn::place_of_solver(placed(c.on, c.surfaces->on, 0), placed(c.from, c.surfaces->from, 0),
+                                                c.surfaces->branch);
+    return drawn::nearest_place(on, from, guess).value_or(missing(guess));
+  }
+
   // Two shapes by the equations of their surfaces. What does not slip has no relative velocity at all where it touches,
   // so that directions across may stay as they are.
   Bound touching(const Constraint& c) const {
-    const auto surfaces = [&](int j) {
-      return std::pair(placed(c.on, c.surfaces->shape_on, j), placed(c.from, c.surfaces->shape_from, j));
-    };
-    const auto [on, from] = surfaces(0);
-    const Vector guess = drawn::place_of_solver(placed(c.on, c.surfaces->on, 0), placed(c.from, c.surfaces->from, 0),
-                                                c.surfaces->branch);
-    const auto missing = [](const Vector& x) {
-      return drawn::NearestPlace{x, x, std::numeric_limits<Real>::quiet_NaN()};
-    };
-    const drawn::NearestPlace now = drawn::nearest_place(on, from, guess).value_or(missing(guess));
+    const drawn::NearestPlace now = nearest_now(c);
     const auto place = [&](int j) {
       if (j == 0) return now;
-      const auto [on_then, from_then] = surfaces(j);
-      return drawn::nearest_place(on_then, from_then, now.point).value_or(missing(guess));
+      const auto [on, from] = placed_at(c, j);
+      return drawn::nearest_place(on, from, now.point).value_or(missing(now.point));
     };
     Bound bound;
     bound.rate = over_time([&](int j) {
@@ -379,8 +389,9 @@ std::vector<ContactRate> contact_rates(const std::vector<CheckLink>& links, cons
   std::vector<ContactRate> rates;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Bound bound = finder.of(i);
-    rates.push_back(
-        {static_cast<double>((*bound.rate)[reach]), static_cast<double>(first_derivative(*bound.rate, bodies.h()))});
+    rates.push_back({static_cast<double>((*bound.rate)[reach]),
+                     static_cast<double>(first_derivative(*bound.rate, bodies.h())),
+                     contacts[i].normal ? finder.normal(i) : Vector3<double>{}});
   }
   return rates;
 }

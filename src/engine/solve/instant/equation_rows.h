@@ -67,17 +67,22 @@ void add_force_unknowns(LinearSystemOf<Scalar>& system, const Mechanism<Scalar>&
   }
 }
 
-// Adds that components which follow others are parts of these. column: of the first component.
+// Adds that components which follow others are parts of these, with their offsets unless they are impulses. column: of
+// the first component.
 template <class Scalar>
 void add_followed_components(LinearSystemOf<Scalar>& system, const Mechanism<Scalar>& mechanism, std::size_t column,
-                             double scale) {
+                             double scale, bool impulses = false) {
   for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
     const Component<Scalar>& component = mechanism.components[k];
-    if (component.follows < 0) continue;
+    if (component.follows < 0 || (component.parts_wheels && component.flank == 0)) continue;
     const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
-    const std::size_t row = system.add_equation({"what '", action.name, "' exerts on its other side"}, scale);
+    const std::size_t row =
+        system.add_equation({component.parts_wheels ? "what leaning teeth exert beside '" : "what '", action.name,
+                             component.parts_wheels ? "'" : "' exerts on its other side"},
+                            scale);
     system.add(row, column + k, Scalar(1));
-    system.add(row, column + static_cast<std::size_t>(component.follows), -component.part);
+    system.add(row, column + static_cast<std::size_t>(component.follows), -component.followed_part());
+    if (!impulses && !vanishes(component.offset)) system.add_right_side(row, component.offset);
   }
 }
 

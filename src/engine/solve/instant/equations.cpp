@@ -185,17 +185,20 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& state, c
       }
     });
   }
-  // Every wrench acts on one body and, reversed, on another. Bodies that take no part have no equations.
-  const auto on_both = [&](const Action& action, const Wrench& wrench, auto&& add) {
+  const auto about_ground = [](const Wrench& wrench) {
+    return PlacedForce<Scalar>{Vector::zero(), wrench.force, wrench.moment};
+  };
+  // Every force acts on one body and, reversed, on another. Bodies that take no part have no equations.
+  const auto on_both = [&](const Action& action, const PlacedForce<Scalar>& placed, auto&& add) {
     for (const auto& [body, sign] : {std::pair{action.on, Scalar(1)}, std::pair{action.from, Scalar(-1)}}) {
       if (body == ground || !mechanism.takes_part[static_cast<std::size_t>(body)]) continue;
       const std::size_t row = first_row[static_cast<std::size_t>(body)];
       const Vector& O = state.workspace().motion[static_cast<std::size_t>(body + 1)].p;
-      const Vector about_origin = wrench.moment - cross(O, wrench.force);
-      const double force = norm(plain(wrench.force));
-      const double couple = norm(plain(wrench.moment)) + norm(plain(O)) * force;
+      const Vector about_origin = placed.couple + cross(Vector(placed.point - O), placed.force);
+      const double force = norm(plain(placed.force));
+      const double couple = norm(plain(placed.couple)) + norm(plain(O)) * force;
       for (std::size_t k = 0; k < 3; ++k) {
-        add(row + k, sign * wrench.force[k], rounding * force);
+        add(row + k, sign * placed.force[k], rounding * force);
         add(row + 3 + k, sign * about_origin[k], rounding * couple);
       }
     }
@@ -205,18 +208,18 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& state, c
   };
   std::size_t column = unknowns.accelerations;
   for (const Component<Scalar>& component : mechanism.components) {
-    on_both(action_of(component), state.component_wrench(component),
+    on_both(action_of(component), about_ground(state.component_wrench(component)),
             [&](std::size_t row, const Scalar& value, double error) { system.add(row, column, -value, error); });
     ++column;
   }
   add_followed_components(system, mechanism, unknowns.accelerations, words.force_scale);
   for (std::size_t drive : unknowns.drive_of_effort) {
-    on_both(action_of(mechanism.drives[drive]), state.drive_wrench(mechanism.drives[drive]),
+    on_both(action_of(mechanism.drives[drive]), about_ground(state.drive_wrench(mechanism.drives[drive])),
             [&](std::size_t row, const Scalar& value, double error) { system.add(row, column, -value, error); });
     ++column;
   }
-  for (const auto& [action, wrench] : state.known_wrenches())
-    on_both(mechanism.actions[static_cast<std::size_t>(action)], wrench,
+  for (const auto& [action, force] : state.known_forces())
+    on_both(mechanism.actions[static_cast<std::size_t>(action)], force,
             [&](std::size_t row, const Scalar& value, double) { system.add_right_side(row, value); });
 
   for (std::size_t i = 0; i < mechanism.constraints.size(); ++i) {
@@ -232,10 +235,11 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& state, c
 
 template <class Scalar>
 SpatialForce<Scalar> action_wrench(const MechanismStateOf<Scalar>& state, const std::vector<Scalar>& unknowns,
-                                   std::size_t action) {
+                                   std::size_t action, const Vector3<Scalar>& about) {
   const ForceUnknowns order = force_unknowns(state.mechanism());
   const int index = static_cast<int>(action);
-  return unknown_wrench(state, unknowns, order.accelerations, order.drive_of_effort, index) + state.known_wrench(index);
+  const SpatialForce<Scalar> open = unknown_wrench(state, unknowns, order.accelerations, order.drive_of_effort, index);
+  return SpatialForce<Scalar>{open.moment - cross(about, open.force), open.force} + state.known_wrench(index, about);
 }
 
 template bool coordinate_turns(const Model<double>&, int);
@@ -245,7 +249,8 @@ template LinearSystemOf<double> velocity_equations(const MechanismStateOf<double
 template ForceUnknowns force_unknowns(const Mechanism<double>&);
 template LinearSystemOf<double> motion_equations(const MechanismStateOf<double>&, const Scales&,
                                                  const std::vector<ConditionOf<double>>&);
-template SpatialForce<double> action_wrench(const MechanismStateOf<double>&, const std::vector<double>&, std::size_t);
+template SpatialForce<double> action_wrench(const MechanismStateOf<double>&, const std::vector<double>&, std::size_t,
+                                            const Vector3<double>&);
 template bool coordinate_turns(const Model<Dual<1>>&, int);
 template Scales natural_scales(const Mechanism<Dual<1>>&);
 template LinearSystemOf<Dual<1>> velocity_equations(const MechanismStateOf<Dual<1>>&, const Scales&,
@@ -253,8 +258,8 @@ template LinearSystemOf<Dual<1>> velocity_equations(const MechanismStateOf<Dual<
 template ForceUnknowns force_unknowns(const Mechanism<Dual<1>>&);
 template LinearSystemOf<Dual<1>> motion_equations(const MechanismStateOf<Dual<1>>&, const Scales&,
                                                   const std::vector<ConditionOf<Dual<1>>>&);
-template SpatialForce<Dual<1>> action_wrench(const MechanismStateOf<Dual<1>>&, const std::vector<Dual<1>>&,
-                                             std::size_t);
+template SpatialForce<Dual<1>> action_wrench(const MechanismStateOf<Dual<1>>&, const std::vector<Dual<1>>&, std::size_t,
+                                             const Vector3<Dual<1>>&);
 template bool coordinate_turns(const Model<Formula>&, int);
 template Scales natural_scales(const Mechanism<Formula>&);
 template LinearSystemOf<Formula> velocity_equations(const MechanismStateOf<Formula>&, const Scales&,
@@ -262,7 +267,7 @@ template LinearSystemOf<Formula> velocity_equations(const MechanismStateOf<Formu
 template ForceUnknowns force_unknowns(const Mechanism<Formula>&);
 template LinearSystemOf<Formula> motion_equations(const MechanismStateOf<Formula>&, const Scales&,
                                                   const std::vector<ConditionOf<Formula>>&);
-template SpatialForce<Formula> action_wrench(const MechanismStateOf<Formula>&, const std::vector<Formula>&,
-                                             std::size_t);
+template SpatialForce<Formula> action_wrench(const MechanismStateOf<Formula>&, const std::vector<Formula>&, std::size_t,
+                                             const Vector3<Formula>&);
 
 }  // namespace poinsot::solve

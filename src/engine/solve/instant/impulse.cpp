@@ -133,7 +133,7 @@ LinearSystemOf<Scalar> impulse_equations(const MechanismStateOf<Scalar>& before,
     system.add(system.add_equation({"no impulse of '", action.name, "'"}, impulse_scale), unknowns.velocities + i,
                Scalar(1));
   }
-  add_followed_components(system, mechanism, unknowns.velocities, impulse_scale);
+  add_followed_components(system, mechanism, unknowns.velocities, impulse_scale, true);
   const auto hold = [&](int coordinate) {
     const auto k = static_cast<std::size_t>(coordinate);
     const std::size_t row = system.add_equation({mechanism.coordinate_names[k], " is held"},

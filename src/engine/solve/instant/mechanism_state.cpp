@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "poinsot/engine/dynamics/action_forces.h"
 #include "poinsot/engine/math/algebra/plain.h"
@@ -9,6 +10,31 @@
 #include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
+namespace {
+
+template <class Scalar, class Law>
+SpatialForce<Scalar> law_about(const Model<Scalar>& tree, const Workspace<Scalar>& w, const Law& law,
+                               const Vector3<Scalar>& point) {
+  return wrench_about(law.exerted(tree, w), point);
+}
+// The mass center of a body is known by the arm to it, however far both are from the origin of the ground: about it the
+// couple of a pull keeps its digits.
+template <class Scalar>
+SpatialForce<Scalar> law_about(const Model<Scalar>& tree, const Workspace<Scalar>& w, const AttractionLaw<Scalar>& law,
+                               const Vector3<Scalar>& point) {
+  const PlacedForce<Scalar> pull = law.exerted(tree, w);
+  const Vector3<Scalar> arm = direction_on_ground(tree, w, law.at.body, law.at.point), to_point = point - pull.point;
+  // Formulas are exact and hold no rounding.
+  if constexpr (std::is_same_v<Scalar, Formula>) return {pull.couple - cross(to_point, pull.force), pull.force};
+  // Of places and of the way to the center that pulls: a body that is carried round it is where it is but for that.
+  constexpr double rounding = 1e-14;
+  const Vector3<Scalar> way = point_position(tree, w, law.toward.body, law.toward.point) - pull.point;
+  const bool is_center =
+      norm(plain(Vector3<Scalar>(to_point - arm))) <= rounding * (norm(plain(point)) + norm(plain(way)));
+  return {pull.couple - cross(is_center ? arm : to_point, pull.force), pull.force};
+}
+
+}  // namespace
 
 template <class Scalar>
 MechanismStateOf<Scalar>::MechanismStateOf(const Mechanism<Scalar>& mechanism)
@@ -81,23 +107,28 @@ SpatialForce<Scalar> MechanismStateOf<Scalar>::drive_wrench(const Drive<Scalar>&
 }
 
 template <class Scalar>
-auto MechanismStateOf<Scalar>::known_wrenches() const -> std::vector<KnownWrench> {
-  std::vector<KnownWrench> wrenches;
-  for (const Drive<Scalar>& drive : mechanism_.drives)
-    wrenches.push_back({drive.action, drive.known_effort(state_) * drive_wrench(drive)});
+auto MechanismStateOf<Scalar>::known_forces() const -> std::vector<KnownForceOf> {
+  std::vector<KnownForceOf> forces;
+  for (const Drive<Scalar>& drive : mechanism_.drives) {
+    const SpatialForce<Scalar> wrench = drive.known_effort(state_) * drive_wrench(drive);
+    forces.push_back({drive.action, {Vector3<Scalar>::zero(), wrench.force, wrench.moment}});
+  }
   for_each_law(mechanism_, [&](const auto& law) {
-    wrenches.push_back({law.action, wrench_of(law.exerted(mechanism_.tree, workspace_))});
+    forces.push_back({law.action, law.exerted(mechanism_.tree, workspace_)});
   });
-  return wrenches;
+  return forces;
 }
 
 template <class Scalar>
-SpatialForce<Scalar> MechanismStateOf<Scalar>::known_wrench(int action) const {
+SpatialForce<Scalar> MechanismStateOf<Scalar>::known_wrench(int action, const Vector3<Scalar>& about) const {
   SpatialForce<Scalar> total = SpatialForce<Scalar>::zero();
-  for (const Drive<Scalar>& drive : mechanism_.drives)
-    if (drive.action == action) total += drive.known_effort(state_) * drive_wrench(drive);
+  for (const Drive<Scalar>& drive : mechanism_.drives) {
+    if (drive.action != action) continue;
+    const SpatialForce<Scalar> wrench = drive.known_effort(state_) * drive_wrench(drive);
+    total += SpatialForce<Scalar>{wrench.moment - cross(about, wrench.force), wrench.force};
+  }
   for_each_law(mechanism_, [&](const auto& law) {
-    if (law.action == action) total += wrench_of(law.exerted(mechanism_.tree, workspace_));
+    if (law.action == action) total += law_about(mechanism_.tree, workspace_, law, about);
   });
   return total;
 }

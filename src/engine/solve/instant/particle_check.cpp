@@ -27,16 +27,53 @@ Real ratio(Real misfit, Real size) {
   return size > 0 ? misfit / size : misfit > 0 ? 1 : 0;
 }
 
+// A particle of a body on its way.
+struct Moving {
+  Real mass = 0;
+  Vector place, velocity, acceleration;
+};
+
+// The largest misfit of the angular momentum about the mass center and of its rate, beside what the motion's own pace
+// would make of them.
+Real misfit_within(const CheckBody& body, const std::vector<Moving>& particles, Real pace) {
+  Real mass = 0;
+  Moving mean{0, Vector::zero(), Vector::zero(), Vector::zero()};
+  for (const Moving& one : particles) {
+    mass += one.mass;
+    mean.place += one.mass * one.place;
+    mean.velocity += one.mass * one.velocity;
+    mean.acceleration += one.mass * one.acceleration;
+  }
+  if (!(mass > 0)) return 0;
+  Vector H = Vector::zero(), M = Vector::zero();
+  Real spread = 0, drawn_far = 0;
+  for (const Moving& one : particles) {
+    const Vector arm = one.place - mean.place / mass;
+    H += one.mass * cross(arm, one.velocity - mean.velocity / mass);
+    M += one.mass * cross(arm, one.acceleration - mean.acceleration / mass);
+    spread += std::abs(one.mass) * norm_squared(arm);
+    drawn_far += std::abs(one.mass) * norm(arm) * norm(one.place);
+  }
+  // Places that are given in doubles far from the origin leave their rounding in the arms: twenty units in the last
+  // place of them are a part of the size that is allowed, 1e-8.
+  constexpr Real rounding = 20 * std::numeric_limits<double>::epsilon() / 1e-8L;
+  const Real size = spread + rounding * drawn_far;
+  const auto off = [](const Vector& a, const Vector3<double>& b) { return norm(a - widened(b)); };
+  return std::max(ratio(off(H, body.within->angular_momentum), pace * size),
+                  body.forces_known ? ratio(off(M, body.within->moment), pace * pace * size) : 0);
+}
+
 }  // namespace
 
 CheckResult check_with_particles(const std::vector<CheckLink>& links, const std::vector<CheckBody>& bodies,
                                  const std::vector<double>& q, const std::vector<double>& v,
-                                 const std::vector<double>& a) {
+                                 const std::vector<double>& a, double reach) {
   // The step of the differences is so short that no angle changes by more than a few hundredths in it.
   Real length = 0;
   for (const CheckBody& body : bodies)
     for (const auto& particle : body.particles) length = std::max(length, norm(widened(particle.position)));
-  const Real pace = drawn::pace_of(links, v, a, length > 0 ? length : 1);
+  const Real pace =
+      drawn::pace_of(links, v, a, std::max({length, Real(reach), length > 0 || reach > 0 ? Real(0) : Real(1)}));
   const Real h = drawn::step_of_pace / (pace > 0 ? pace : 1);
   std::array<std::vector<Displacement>, 9> at;
   for (int j = -4; j <= 4; ++j) at[static_cast<std::size_t>(j + 4)] = drawn::displacements(links, q, v, a, Real(j) * h);
@@ -47,6 +84,7 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
     const auto link = static_cast<std::size_t>(body.link);
     Vector L = Vector::zero(), H = Vector::zero(), F = Vector::zero(), M = Vector::zero();
     Real T = 0, L_size = 0, H_size = 0, T_size = 0, F_size = 0, M_size = 0;
+    std::vector<Moving> moving;
     for (const auto& particle : body.particles) {
       count_work(of_a_particle);
       const Vector x0 = widened(particle.position);
@@ -60,6 +98,7 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
         velocity += drawn::first_weights[j - 1] / h * (ahead - behind);
         acceleration += drawn::second_weights[j - 1] / (h * h) * (ahead + behind);
       }
+      if (body.within) moving.push_back({m, x, velocity, acceleration});
       L += m * velocity;
       H += m * cross(x, velocity);
       T += m * norm_squared(velocity) / 2;
@@ -82,6 +121,8 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
         std::max<double>(result.momentum, static_cast<double>(ratio(norm(H - widened(body.angular_momentum)), H_size)));
     result.energy =
         std::max<double>(result.energy, static_cast<double>(ratio(std::abs(T - Real(body.kinetic_energy)), T_size)));
+    if (body.within)
+      result.newton_euler = std::max(result.newton_euler, static_cast<double>(misfit_within(body, moving, pace)));
     if (!body.forces_known) continue;
     const Vector force = widened(body.wrench.force), moment = widened(body.wrench.moment);
     force_misfit = larger(norm(F - force), force_misfit);
@@ -96,7 +137,8 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
   if (length > 0) force_size = std::max(force_size, moment_size / length);
   moment_size = std::max(moment_size, force_size * length);
   result.newton_euler =
-      static_cast<double>(std::max(ratio(force_misfit, force_size), ratio(moment_misfit, moment_size)));
+      std::max(result.newton_euler,
+               static_cast<double>(std::max(ratio(force_misfit, force_size), ratio(moment_misfit, moment_size))));
   return result;
 }
 

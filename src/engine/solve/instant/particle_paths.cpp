@@ -14,12 +14,13 @@ constexpr Work of_a_particle = 500, of_a_moving_particle = 20;
 }  // namespace
 
 ParticlePaths::ParticlePaths(const std::vector<CheckLink>& links, std::vector<Body> bodies,
-                             const std::vector<double>& q, const std::vector<double>& v, const std::vector<double>& a)
+                             const std::vector<double>& q, const std::vector<double>& v, const std::vector<double>& a,
+                             double reach)
     : bodies_(std::move(bodies)), moving_(bodies_.size()) {
   for (const Body& body : bodies_)
     for (const auto& particle : *body.particles) length_ = std::max(length_, norm(drawn::widened(particle.position)));
   for (const CheckLink& link : links) length_ = std::max(length_, norm(drawn::widened(link.anchor)));
-  pace_ = drawn::pace_of(links, v, a, length_ > 0 ? length_ : 1);
+  pace_ = drawn::pace_of(links, v, a, std::max({length_, Real(reach), length_ > 0 || reach > 0 ? Real(0) : Real(1)}));
   step_ = drawn::step_of_pace / (pace_ > 0 ? pace_ : 1);
   for (std::size_t j = 0; j < at_.size(); ++j)
     at_[j] = drawn::displacements(links, q, v, a, (Real(j) - Real(now)) * step_);

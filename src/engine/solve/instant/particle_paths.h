@@ -19,9 +19,10 @@ class ParticlePaths {
     int link = 0;
     const std::vector<Particle<double>>* particles = nullptr;  // in the drawn pose, on ground axes
   };
-  // q, v, a: the coordinates, their rates and accelerations, in the order of State.
+  // q, v, a: the coordinates, their rates and accelerations, in the order of State. reach: the length of the mechanism
+  // where it is longer than its bodies tell, m.
   ParticlePaths(const std::vector<CheckLink>& links, std::vector<Body> bodies, const std::vector<double>& q,
-                const std::vector<double>& v, const std::vector<double>& a);
+                const std::vector<double>& v, const std::vector<double>& a, double reach = 0);
 
   // In the time 1/pace (s) everything moves by about its own size. The length (m) is that of the bodies.
   Real pace() const { return pace_; }

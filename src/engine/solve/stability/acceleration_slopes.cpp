@@ -177,6 +177,7 @@ AccelerationSlopes acceleration_slopes(const SteadyMotion& motion) {
 
   AccelerationSlopes slopes;
   slopes.a = column_of(a).value;
+  slopes.components = column_of(y).value;
   slopes.constraints = doubted(matrices.J, n);
   for (Doubted* each : {&slopes.by_position, &slopes.by_velocity}) *each = {Matrix::Zero(n, n), Matrix::Zero(n, n)};
   slopes.rates_by_position = {Matrix::Zero(constraints, n), Matrix::Zero(constraints, n)};

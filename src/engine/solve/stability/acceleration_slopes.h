@@ -15,7 +15,7 @@ constexpr Real computed = 100;
 
 // By deviations of coordinates and velocities, all measured like velocities.
 struct AccelerationSlopes {
-  Vector a;                          // along the motion itself
+  Vector a, components;              // along the motion itself
   Doubted by_position, by_velocity;  // a column for each coordinate, zero for those that are held
   // The constraints: J, how J v varies with each coordinate, and which of them bind positions too.
   Doubted constraints, rates_by_position;

@@ -114,6 +114,12 @@ Real RedundantBodies::turned_about(int on, int from, const Displacements& at, co
 }
 
 bool RedundantBodies::read() {
+  // What a velocity that was solved for has of the fastest turning is rounding.
+  Real fastest = turning_.norm();
+  for (const SteadyBody& body : bodies_) fastest = std::max(fastest, body.angular.norm());
+  const auto spins = [&](int body) {
+    return body != ground && bodies_[index(body)].moves && spin(index(body)).norm() > nothing * fastest;
+  };
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     // A body whose inertia goes round as it spins is in no steady motion on these axes.
     const Place3 s = spin(i);
@@ -121,19 +127,24 @@ bool RedundantBodies::read() {
     if (bodies_[i].moves && change.norm() > nothing * (s.norm() * bodies_[i].inertia.norm())) return false;
     if (bodies_[i].moves && !(read_joint(static_cast<int>(i)) && read_held(static_cast<int>(i)))) return false;
   }
-  const bool spins = std::ranges::any_of(bodies_, [&](const SteadyBody& body) {
-    return body.moves && (body.angular - turning_).norm() > nothing * (body.angular.norm() + turning_.norm());
-  });
   for_each_law(mechanism_, []<class Law>(const Law&) {
     static_assert(
         std::is_same_v<Law, KnownForce<double>> || std::is_same_v<Law, SpringLaw<double>> ||
-            std::is_same_v<Law, TorsionLaw<double>>,
+            std::is_same_v<Law, TorsionLaw<double>> || std::is_same_v<Law, AttractionLaw<double>>,
         "write the law's energy, pushes and dampers below on a road of its own, or return false where one is stated");
   });
-  const auto damps = [](const auto& law) { return law.damping != 0; };
-  if (spins && (std::ranges::any_of(mechanism_.springs, damps) || std::ranges::any_of(mechanism_.torsions, damps) ||
-                std::ranges::any_of(mechanism_.drives, damps)))
-    return false;
+  // What a damper on a body that spins loses is no matter of lengths and angles alone.
+  const auto damps_spin = [&](const auto& law, int on, int from) {
+    return law.damping != 0 && (spins(on) || spins(from));
+  };
+  for (const SpringLaw<double>& spring : mechanism_.springs)
+    if (damps_spin(spring, spring.at.body, spring.toward.body)) return false;
+  for (const TorsionLaw<double>& spring : mechanism_.torsions)
+    if (damps_spin(spring, spring.on, spring.along.body)) return false;
+  for (const Drive<double>& drive : mechanism_.drives) {
+    const Action& action = mechanism_.actions[static_cast<std::size_t>(drive.action)];
+    if (!drive.held && damps_spin(drive, action.on, action.from)) return false;
+  }
   for (const Drive<double>& drive : mechanism_.drives) {
     const JointType joint = mechanism_.tree.body(mechanism_.actions[static_cast<std::size_t>(drive.action)].on).joint;
     const bool single = joint == JointType::revolute || joint == JointType::prismatic;
@@ -209,6 +220,8 @@ bool RedundantBodies::read_held(int i) {
         std::ranges::any_of(motion_.unseen, [&](const UnseenMotion& one) { return one.coordinate == k; });
     if (!motion_.held[static_cast<std::size_t>(k)] && !unseen) continue;
     const int parent = body.parent;
+    if (body.joint == JointType::revolute || body.joint == JointType::prismatic)
+      held_gaps_.emplace_back(k, gaps_.size());
     if (body.joint == JointType::revolute) {
       gaps_.push_back([this, i, parent, z](const Displacements& at) { return turned_about(i, parent, at, z); });
     } else if (body.joint == JointType::prismatic) {
@@ -346,6 +359,12 @@ std::vector<Real> RedundantBodies::gaps(const Displacements& at) const {
   return found;
 }
 
+std::optional<std::size_t> RedundantBodies::gap_of(int coordinate) const {
+  const auto found = std::ranges::find(held_gaps_, coordinate, &std::pair<int, std::size_t>::first);
+  if (found == held_gaps_.end()) return std::nullopt;
+  return found->second;
+}
+
 std::vector<RedundantBodies::Touch> RedundantBodies::touches(const Displacements& at) const {
   std::vector<Touch> found;
   for (const VelocityConstraint<double>& c : mechanism_.constraints) {
@@ -370,6 +389,31 @@ std::vector<RedundantBodies::Touch> RedundantBodies::touches(const Displacements
   return found;
 }
 
+// A center that pulls rests in the frame as it does on the ground: it lies on the axis. What the energy is beyond that
+// of the motion itself is told without their difference, in which a turn of a small body would be lost:
+//
+//   1/r - 1/r0 = (r0^2 - r^2)/(r r0 (r + r0)),      r^2 - r0^2 = (2 r0 + d) . d.
+Real RedundantBodies::energy_of_pull(const AttractionLaw<double>& pull, const Displacements& at) const {
+  const int body = pull.at.body;
+  const Turn3 axes = wide(body_rotation(mechanism_.tree, w_, body));
+  const Place3 origin = wide(w_.motion[static_cast<std::size_t>(body + 1)].p);
+  const Place3& G = bodies_[index(body)].center;
+  const Displaced& displaced = at[index(body)];
+  Real V = 0;
+  for (const AttractedPart<double>& part : pull.parts) {
+    const Place3 arm = axes * wide(part.center), before = origin + arm - drawn(pull.toward);
+    const Place3 off = displaced.shift + (displaced.turn - Turn3::Identity()) * (origin - G + arm);
+    const Place3 now = before + off;
+    const Real r = now.norm(), r0 = before.norm();
+    V += pull.parameter * part.mass * (2 * before + off).dot(off) / (r * r0 * (r + r0));
+    if (!part.by_moments) continue;
+    const Turn3 I = axes * wide(part.inertia) * axes.transpose();
+    const Place3 seen = displaced.turn.transpose() * (now / r);
+    V -= pull.parameter * (I.trace() - 3 * seen.dot(I * seen)) / (2 * r * r * r);
+  }
+  return V;
+}
+
 Real RedundantBodies::energy(const Displacements& at) const {
   Real V = 0;
   const Place3 g = wide(mechanism_.tree.gravity());
@@ -387,6 +431,7 @@ Real RedundantBodies::energy(const Displacements& at) const {
     const Real turned = now + turned_about(spring.on, spring.along.body, at, drawn(spring.along));
     V += spring.stiffness * turned * turned / 2;
   }
+  for (const AttractionLaw<double>& pull : mechanism_.attractions) V += energy_of_pull(pull, at);
   for (const Drive<double>& drive : mechanism_.drives) {
     if (drive.held || !(drive.stores() || drive.feeds())) continue;
     const Action& action = mechanism_.actions[static_cast<std::size_t>(drive.action)];

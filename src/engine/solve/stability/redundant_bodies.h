@@ -46,8 +46,8 @@ struct SteadyBody {
 
 class RedundantBodies {
  public:
-  // The motion must outlive it. Nothing where this road does not lead: screws, dampers beside spins, bodies that lie
-  // flat on their circle.
+  // The motion must outlive it. Nothing where this road does not lead: screws, dampers on bodies that spin, bodies
+  // that lie flat on their circle.
   static std::unique_ptr<RedundantBodies> find(const SteadyMotion& motion);
 
   const std::vector<SteadyBody>& bodies() const { return bodies_; }
@@ -57,6 +57,8 @@ class RedundantBodies {
 
   // What must stay zero by positions, and V, the energy of weights, springs and constant efforts.
   std::vector<Real> gaps(const Displacements& at) const;
+  // Which of these is the angle or displacement of a held coordinate, in a joint of one freedom.
+  std::optional<std::size_t> gap_of(int coordinate) const;
   Real energy(const Displacements& at) const;
   // Lengths and angles that dampers act on, each with its coefficient.
   std::vector<std::pair<Real, Real>> damped(const Displacements& at) const;
@@ -78,6 +80,8 @@ class RedundantBodies {
   Place3 velocity(int body, const Displacements& at, const Place3& place, const Place3& rate, const Place3& turn) const;
 
   Place3 center(int body, const Displacements& at) const;
+  // A place of a body before anything is displaced.
+  Place3 drawn_place(const Place<double>& place) const { return drawn(place); }
 
  private:
   explicit RedundantBodies(const SteadyMotion& motion);
@@ -92,6 +96,7 @@ class RedundantBodies {
   Place3 moved(int body, const Displacements& at, const Place3& drawn) const;
   Place3 turned(int body, const Displacements& at, const Place3& drawn) const { return at[index(body)].turn * drawn; }
   Turn3 read_axes(int body) const;  // of its joint
+  Real energy_of_pull(const AttractionLaw<double>& pull, const Displacements& at) const;
   Place3 angular_velocity_of(int body, const Displacements& at, const DisplacedRates& rates) const;
   Place3 velocity_of(int body, const Displacements& at, const DisplacedRates& rates, const Place3& place) const;
   Real coordinate(int coordinate, bool rate, const Displacements& at, const DisplacedRates& rates) const;
@@ -113,6 +118,7 @@ class RedundantBodies {
   std::vector<SteadyBody> bodies_;
   Place3 turning_, axis_point_, drift_;
   std::vector<std::function<Real(const Displacements&)>> gaps_;
+  std::vector<std::pair<int, std::size_t>> held_gaps_;  // coordinates and their places among these
 };
 
 }  // namespace poinsot::solve

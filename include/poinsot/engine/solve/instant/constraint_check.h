@@ -32,6 +32,7 @@ double check_constraints(const std::vector<CheckLink>& links,
 // How fast what a constraint of a contact binds comes apart or slips, and the rate of that; by the same road.
 struct ContactRate {
   double rate = 0, change = 0;
+  Vector3<double> normal{};  // of a constraint that is a contact's normal: that of the surfaces, on ground axes
 };
 std::vector<ContactRate> contact_rates(const std::vector<CheckLink>& links,
                                        const std::vector<VelocityConstraint<double>>& contacts,

@@ -78,10 +78,10 @@ std::vector<Scalar> constraint_coefficients(const MechanismStateOf<Scalar>& stat
 template <class Scalar>
 bool coordinate_turns(const Model<Scalar>& tree, int coordinate);
 
-// The total wrench of one action on body `on`, on ground axes about the ground's origin (N, N m). unknowns: a
-// solution of the motion equations.
+// The total wrench of one action on body `on`, on ground axes about a point, the ground's origin if none is named (N,
+// N m). unknowns: a solution of the motion equations.
 template <class Scalar>
 SpatialForce<Scalar> action_wrench(const MechanismStateOf<Scalar>& state, const std::vector<Scalar>& unknowns,
-                                   std::size_t action);
+                                   std::size_t action, const Vector3<Scalar>& about = Vector3<Scalar>::zero());
 
 }  // namespace poinsot::solve

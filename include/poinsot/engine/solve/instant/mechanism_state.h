@@ -35,12 +35,12 @@ class MechanismStateOf {
   SpatialForce<Scalar> component_wrench(const Component<Scalar>& component) const;  // for a component of size one
   SpatialForce<Scalar> drive_wrench(const Drive<Scalar>& drive) const;              // for an effort of one
   // What the laws of force and the known parts of the drives' efforts exert: each, and of one action together.
-  struct KnownWrench {
+  struct KnownForceOf {
     int action = 0;
-    SpatialForce<Scalar> wrench{};
+    PlacedForce<Scalar> force{};
   };
-  std::vector<KnownWrench> known_wrenches() const;
-  SpatialForce<Scalar> known_wrench(int action) const;
+  std::vector<KnownForceOf> known_forces() const;
+  SpatialForce<Scalar> known_wrench(int action, const Vector3<Scalar>& about = Vector3<Scalar>::zero()) const;
 
  private:
   const Mechanism<Scalar>& mechanism_;

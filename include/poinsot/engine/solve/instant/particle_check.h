@@ -6,6 +6,7 @@
 // forces and moments must equal sum m a and sum r x m a.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,12 @@ struct CheckBody {
   bool forces_known = false;
   SpatialForce<double> wrench{};           // all forces on the body, about the ground's origin
   double force_size = 0, moment_size = 0;  // sums of the magnitudes of the single forces and moments
+  // Of a body on its way round a far center: about its mass center, where what turns it does not drown in the moments
+  // of that way.
+  struct Within {
+    Vector3<double> angular_momentum{}, moment{};
+  };
+  std::optional<Within> within{};
 };
 
 // Relative misfits. Those of forces are relative to the largest force on any body. They are zero where nothing moves
@@ -44,9 +51,10 @@ struct CheckResult {
   double newton_euler = 0;  // only for bodies with forces_known
 };
 
-// q, v, a: the coordinates of the tree, their rates and accelerations, in the order of State.
+// q, v, a: the coordinates of the tree, their rates and accelerations, in the order of State. reach: the length of the
+// mechanism where it is longer than its bodies tell, m.
 CheckResult check_with_particles(const std::vector<CheckLink>& links, const std::vector<CheckBody>& bodies,
                                  const std::vector<double>& q, const std::vector<double>& v,
-                                 const std::vector<double>& a);
+                                 const std::vector<double>& a, double reach = 0);
 
 }  // namespace poinsot::solve

@@ -63,7 +63,10 @@ Remainder<Scalar> remainder_of(const Mechanism<Scalar>& mechanism, const State<S
   update_accelerations<Scalar>(tree, workspace, state, a);
   for (std::size_t i = 0; i < y.size(); ++i) {
     const Component<Scalar>& component = mechanism.components[i];
-    const Scalar size = component.follows < 0 ? y[i] : component.part * y[static_cast<std::size_t>(component.follows)];
+    const Scalar size =
+        component.follows < 0
+            ? y[i]
+            : component.followed_part() * y[static_cast<std::size_t>(component.follows)] + component.offset;
     if (vanishes(size)) continue;
     const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
     PlacedForce<Scalar> force = touching_force(mechanism, workspace, component);
@@ -120,7 +123,7 @@ EquationMatrices<Scalar> equation_matrices(const Mechanism<Scalar>& mechanism, c
     const int follows = mechanism.components[j].follows;
     const std::size_t own = follows < 0 ? j : static_cast<std::size_t>(follows);
     for (std::size_t k = 0; k < n; ++k)
-      matrices.C[k][own] += follows < 0 ? column[k] : mechanism.components[j].part * column[k];
+      matrices.C[k][own] += follows < 0 ? column[k] : mechanism.components[j].followed_part() * column[k];
   }
   EquationsOfMotion<Scalar> constraints;
   add_constraint_rows(mechanism, workspace, constraints);
