@@ -119,6 +119,8 @@ def test_examples_begin_and_go_on_as_they_answer() -> None:
         model, state = start.model, engine.State(start.q, start.v)
         # Accelerations that are stated and are not zero would have to be given, and so would forces.
         follows = not start.others and "time" not in problem.text and "accel" not in problem.text.replace("accel: 0", "")
+        # How a free slender rod turns about its own line nothing tells.
+        follows = follows and np.linalg.cond(engine.mass_matrix(model, start.q)) < 1e14
         for instant in (0, 1) if follows else (0,):
             if instant == 1:
                 state = engine.advance(model, *state, np.zeros(model.nv), step / 20, steps=20)
