@@ -106,7 +106,25 @@ Base resting_of(const solve::MechanismStateOf<Base>& state, const RoughContactOf
   return ratio ? capstan_coefficient(*ratio) : contact.resting;
 }
 
-// By the velocities of a state, or by its accelerations, which stand in the bias of a constraint's row.
+// Along one way of a contact, by the velocities of a state, or by its accelerations, which stand in the bias of the
+// constraint's row. size grows to that of its largest term, beside which the rest is rounding.
+template <class Base>
+Base rate_along(const solve::MechanismStateOf<Base>& state, const VelocityConstraint<Base>& way, bool accelerations,
+                double& size) {
+  const std::vector<Base>& values = accelerations ? state.accelerations() : state.state().v;
+  const solve::ConstraintRow<Base> row = solve::constraint_row(state, way);
+  Base sum(0);
+  for (std::size_t k = 0; k < row.coefficients.size(); ++k) {
+    const Base term = row.coefficients[k] * values[k];
+    size = std::max(size, std::abs(plain(term)));
+    sum += term;
+  }
+  if (accelerations) sum = row.bias;
+  size = std::max(size, std::abs(plain(sum)));
+  return sum;
+}
+
+// By the velocities of a state, or by its accelerations.
 template <class Base>
 RoughMotion<Base> rough_motion(const solve::MechanismStateOf<Base>& state, const RoughContactOf<Base>& contact,
                                bool accelerations) {
@@ -120,34 +138,17 @@ RoughMotion<Base> rough_motion(const solve::MechanismStateOf<Base>& state, const
   }
   if (contact.on_cord()) {
     if (contact.motions[1].spans.empty()) return motion;  // a belt that does not slip
-    const solve::ConstraintRow<Base> row = solve::constraint_row(state, contact.motions[1]);
-    Base sum(0);
-    for (std::size_t k = 0; k < row.coefficients.size(); ++k) {
-      const Base term = row.coefficients[k] * values[k];
-      motion.size = std::max(motion.size, std::abs(plain(term)));
-      sum += term;
-    }
-    if (accelerations) sum = row.bias;
-    motion.size = std::max(motion.size, std::abs(plain(sum)));
-    motion.slip = sum * contact.motions[1].along.vector;
+    motion.slip = rate_along(state, contact.motions[1], accelerations, motion.size) * contact.motions[1].along.vector;
     return motion;
   }
   for (std::size_t i = 0; i < contact.motions.size(); ++i) {
     VelocityConstraint<Base> way = contact.motions[i];
     way.at = place_of(state.mechanism(), contact);
-    const solve::ConstraintRow<Base> row = solve::constraint_row(state, way);
-    Base sum(0);
-    for (std::size_t k = 0; k < row.coefficients.size(); ++k) {
-      const Base term = row.coefficients[k] * values[k];
-      motion.size = std::max(motion.size, std::abs(plain(term)));
-      sum += term;
-    }
-    if (accelerations) sum = row.bias;
-    motion.size = std::max(motion.size, std::abs(plain(sum)));
+    const Base rate = rate_along(state, way, accelerations, motion.size);
     if (i == 0)
-      motion.apart = sum;
+      motion.apart = rate;
     else
-      motion.slip += sum * direction_now(state, contact, contact.motions[i].along);
+      motion.slip += rate * direction_now(state, contact, contact.motions[i].along);
   }
   return motion;
 }
