@@ -48,6 +48,23 @@ constexpr std::array customs{
     Custom{"point", "at"},
     Custom{"location", "at"},
     Custom{"origin", "at"},
+    Custom{"stiffness", "spring"},
+    // belts, gears and centers that pull
+    Custom{"wheels", "over"},
+    Custom{"pulleys", "over"},
+    Custom{"sheaves", "over"},
+    Custom{"around", "over"},
+    Custom{"pretension", "tension"},
+    Custom{"initial_tension", "tension"},
+    Custom{"phi", "pressure_angle"},
+    Custom{"helix", "helix_angle"},
+    Custom{"mu", "parameter"},
+    Custom{"gm", "parameter"},
+    Custom{"gravitational_parameter", "parameter"},
+    Custom{"to", "toward"},
+    // what shakes
+    Custom{"harmonic", "excitations"},
+    Custom{"forcing", "excitations"},
     // bodies and their shapes
     Custom{"slender_rod", "rod"},
     Custom{"bar", "rod"},
@@ -89,6 +106,9 @@ constexpr std::array customs{
     Custom{"rolling", "no_slip"},
     Custom{"rolls", "no_slip"},
     Custom{"rough", "no_slip"},
+    Custom{"mu", "friction"},
+    Custom{"coefficient_of_friction", "friction"},
+    Custom{"friction_coefficient", "friction"},
     Custom{"e", "restitution"},
     Custom{"coefficient_of_restitution", "restitution"},
     // sections

@@ -53,6 +53,24 @@ ask: {a: mass(disk)}
 )",
        "test.yaml:4:18: error: unknown key 'hinge' in a joint (did you mean 'revolute'?)",
        {}},
+      {"ABeltOfOtherBooks",
+       R"(title: t
+points: {A: [0, 0, 0], B: [1 m, 0, 0]}
+bodies: {a: {disk: {center: A, normal: z, radius: 0.2 m}, mass: 3 kg}, b: {disk: {center: B, normal: z, radius: 0.2 m}, mass: 3 kg}}
+belts: {belt: {wheels: [a, b]}}
+ask: {a: mass(a)}
+)",
+       "test.yaml:4:16: error: unknown key 'wheels' in a belt (did you mean 'over'?)",
+       {}},
+      {"TheFrictionOfOtherPrograms",
+       R"(title: t
+points: {O: [0, 0, 0]}
+bodies: {block: {particle: O, mass: 3 kg}}
+contacts: {floor: {of: block, at: O, normal: y, mu: 0.3}}
+ask: {a: mass(block)}
+)",
+       "test.yaml:4:49: error: unknown key 'mu' in a contact (did you mean 'friction'?)",
+       {}},
       {"AnUnknownKeyOfAnAsk",
        R"(title: t
 points: {O: [0, 0, 0]}
