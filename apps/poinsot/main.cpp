@@ -39,7 +39,8 @@ std::string stray_message(const std::string& word, const CLI::App& program) {
   }
   if (!chosen.empty()) return fmt::format("{} takes no '{}'", command.get_name(), word);
   for (const CLI::App* known : program.get_subcommands({})) candidates.push_back(known->get_name());
-  const std::string hint = poinsot::did_you_mean(word, candidates);
+  const std::string hint =
+      word.ends_with(".yaml") ? fmt::format("write poinsot solve {}", word) : poinsot::did_you_mean(word, candidates);
   const std::string message =
       fmt::format("unknown command '{}': expected one of {}", word, fmt::join(candidates, ", "));
   return hint.empty() ? message : fmt::format("{} ({})", message, hint);
@@ -58,7 +59,11 @@ std::pair<std::string, std::string> split_setting(const std::string& text) {
   if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
     throw CLI::ValidationError("--set", fmt::format("'{}' should be NAME=VALUE, for example --set 'm=3 kg'", text));
   }
-  return {text.substr(0, sign), text.substr(sign + 1)};
+  const auto trimmed = [](const std::string& part) {
+    const std::size_t begin = part.find_first_not_of(' '), end = part.find_last_not_of(' ');
+    return begin == std::string::npos ? std::string() : part.substr(begin, end - begin + 1);
+  };
+  return {trimmed(text.substr(0, sign)), trimmed(text.substr(sign + 1))};
 }
 
 void add_sets(CLI::App& command, std::vector<std::string>& settings) {

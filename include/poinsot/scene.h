@@ -106,7 +106,8 @@ struct Link {
   LinkKind kind = LinkKind::cord;
   std::string name;
   Place from, to;
-  bool far = false;  // a cord that is so long that only its direction counts: `to` is a place on the way
+  std::string symbol{};  // TeX, of a straight part whose tension is asked for: "T_1"
+  bool far = false;      // a cord that is so long that only its direction counts: `to` is a place on the way
   bool slack = false;
 };
 
@@ -124,6 +125,9 @@ enum class Quantity {
   angular_momentum,          // H
   rate_of_momentum,          // m a
   rate_of_angular_momentum,  // dH/dt
+  displacement,              // how far a support is shaken
+  angular_displacement,
+  unbalance,  // m e, from the axis
 };
 
 // A vector of a diagram, never zero.
@@ -139,7 +143,8 @@ struct Arrow {
   std::string unit;
   // Of `value` in SI units, if letters have no value; else "". Of a vector of several components a list: "[0, a, b]".
   std::string formula{};
-  bool known = false;  // whether the statement gives it, as a load is given
+  bool known = false;   // whether the statement gives it, as a load is given
+  bool swings = false;  // whether it is an amplitude: it acts to and fro
 };
 
 enum class DiagramKind {
@@ -172,8 +177,10 @@ struct Dimension {
   Vector3<double> axis{};
 };
 
-// A curve in space, as points: the path of a point, a polhode, a herpolhode, the pitch circle of a gear.
-enum class CurveKind { path, polhode, herpolhode, axis_path, pitch_circle };
+// A curve in space, as points: the path of a point, a polhode, a herpolhode, the pitch circle of a gear, the circle of
+// a post that the ground holds; the center that pulls, as one point. A surface that is touched later is a segment: a
+// place on it and one beside that, along its normal.
+enum class CurveKind { path, polhode, herpolhode, axis_path, pitch_circle, post, surface, attractor };
 struct Curve {
   CurveKind kind = CurveKind::path;
   std::string name;

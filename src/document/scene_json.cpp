@@ -92,8 +92,10 @@ Json symbol_json(const scene::Symbol& symbol) {
 }
 
 Json link_json(const scene::Link& link) {
-  return {{"kind", word(link.kind)},   {"name", link.name}, {"from", place_json(link.from)},
-          {"to", place_json(link.to)}, {"far", link.far},   {"slack", link.slack}};
+  Json json{{"kind", word(link.kind)},   {"name", link.name}, {"from", place_json(link.from)},
+            {"to", place_json(link.to)}, {"far", link.far},   {"slack", link.slack}};
+  if (!link.symbol.empty()) json["symbol"] = link.symbol;
+  return json;
 }
 
 Json arrow_json(const scene::Arrow& arrow) {
@@ -108,6 +110,7 @@ Json arrow_json(const scene::Arrow& arrow) {
             {"unit", arrow.unit}};
   if (!arrow.formula.empty()) json["formula"] = arrow.formula;
   json["known"] = arrow.known;
+  if (arrow.swings) json["swings"] = true;
   return json;
 }
 

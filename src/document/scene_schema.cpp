@@ -157,7 +157,8 @@ std::string scene_definitions() {
         "from": {"$ref": "#/$defs/place"},
         "to": {"$ref": "#/$defs/place"},
         "far": {"type": "boolean", "description": "only its direction counts: `to` is a place on the way"},
-        "slack": {"type": "boolean"}
+        "slack": {"type": "boolean"},
+        "symbol": {"type": "string", "description": "TeX, of a part whose tension is asked for"}
       }
     },
     "diagram": {
@@ -190,7 +191,8 @@ std::string scene_definitions() {
         "value": {"type": "number", "description": "the size, or the component where the symbol stands for one, in unit"},
         "unit": {"type": "string"},
         "formula": {"type": "string", "description": "of value in SI units, if letters have no value"},
-        "known": {"type": "boolean", "description": "whether the statement gives it"}
+        "known": {"type": "boolean", "description": "whether the statement gives it"},
+        "swings": {"type": "boolean", "description": "whether it is an amplitude"}
       }
     },
     "scene_dimension": {

@@ -130,7 +130,7 @@ class TerminalText {
       case AnswerState::refused:
         return {painted(Role::failure, "refused: " + printable(answer.reason))};
     }
-    if (!answer.columns.empty()) return table_lines(answer.columns);
+    if (!answer.columns.empty()) return table_lines(answer.columns, answer.component_names);
     if (answer.claim) return claim_lines(*answer.claim);
     std::vector<std::string> lines =
         datum_lines(answer.value, printable(answer.unit), style_.digits, !answer.component_names.empty());
@@ -142,9 +142,14 @@ class TerminalText {
   }
 
   std::vector<std::string> claim_lines(const ClaimOutcome& claim) const {
+    int digits = style_.digits;
     const auto number = [&](double value, const std::string& unit) {
-      return datum_text({value}, printable(unit), style_.digits);
+      return datum_text({value}, printable(unit), digits);
     };
+    // Close to where a claim begins to fail its two sides, and so the letters, differ in later digits.
+    constexpr int all_digits = 17;
+    if (claim.sides.size() == 2 && claim.sides[0] != claim.sides[1] && !claim.difference)
+      while (digits < all_digits && number(claim.sides[0], "") == number(claim.sides[1], "")) ++digits;
     std::vector<std::string> lines;
     if (claim.holds) {
       lines.push_back("holds, " + claim.how);
@@ -186,11 +191,16 @@ class TerminalText {
     return lines;
   }
 
-  // The columns begin with names and units; numbers are right-aligned.
-  std::vector<std::string> table_lines(const std::vector<Column>& columns) const {
+  // The columns begin with names and units; numbers are right-aligned. Rows of components begin with their axis.
+  std::vector<std::string> table_lines(const std::vector<Column>& columns,
+                                       const std::vector<std::string>& axes = {}) const {
     std::size_t rows = 0;
     for (const Column& column : columns) rows = std::max(rows, column.value.size());
     std::vector<std::string> lines(rows + 2);
+    std::size_t widest = 0;
+    for (const std::string& axis : axes) widest = std::max(widest, display_width(printable(axis)));
+    for (std::size_t i = 0; !axes.empty() && i < lines.size(); ++i)
+      lines[i] = "  " + padded_right(i >= 2 && i - 2 < axes.size() ? printable(axes[i - 2]) : "", widest);
     for (const Column& column : columns) {
       std::vector<std::string> cells{printable(column.name), printable(column.unit)};
       std::ranges::move(rounded_column(column.value, style_.digits), std::back_inserter(cells));

@@ -58,6 +58,7 @@ export interface Link {
   to: Place;
   far: boolean;
   slack: boolean;
+  symbol?: string; // TeX, of a part whose tension is asked for
 }
 
 export interface Arrow {
@@ -72,6 +73,7 @@ export interface Arrow {
   unit: string;
   formula: string;
   known: boolean;
+  swings?: boolean; // whether it is an amplitude
 }
 
 export interface Diagram {

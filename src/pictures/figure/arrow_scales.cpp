@@ -33,6 +33,12 @@ Scale scale_of(Quantity quantity) {
       return Scale::acceleration;
     case Quantity::angular_acceleration:
       return Scale::angular_acceleration;
+    case Quantity::displacement:
+      return Scale::displacement;
+    case Quantity::angular_displacement:
+      return Scale::angular_displacement;
+    case Quantity::unbalance:
+      return Scale::unbalance;
   }
   return Scale::force;
 }
@@ -45,6 +51,7 @@ bool turns(Quantity quantity) {
     case Quantity::angular_acceleration:
     case Quantity::angular_momentum:
     case Quantity::rate_of_angular_momentum:
+    case Quantity::angular_displacement:
       return true;
     default:
       return false;

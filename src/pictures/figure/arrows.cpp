@@ -17,6 +17,7 @@ constexpr double end_on_part = 0.12;  // of its length: an arrow that is seen sh
 constexpr double head_length = 10, head_half_width = 3.4;
 constexpr double around = 0.42;  // where the curved arrow of a turning goes around its shaft, as a part of it
 constexpr double shortest_turning = 46;
+constexpr double to_and_fro = 0.6;  // of the length of what acts in one sense
 constexpr double past_symbol = 18;  // how far a symbol reaches from its middle
 
 enum class Head { full, open, hollow };
@@ -40,6 +41,8 @@ Style style_of(Quantity quantity) {
       return {.width = 2.6};
     case Quantity::velocity:
     case Quantity::angular_velocity:
+    case Quantity::displacement:
+    case Quantity::angular_displacement:
       return {.ink = Ink::motion, .head = Head::open};
     case Quantity::acceleration:
     case Quantity::angular_acceleration:
@@ -49,6 +52,8 @@ Style style_of(Quantity quantity) {
     case Quantity::rate_of_momentum:
     case Quantity::rate_of_angular_momentum:
       return {.ink = Ink::momentum, .head = Head::hollow, .dash = Dash::inertial};
+    case Quantity::unbalance:
+      return {.ink = Ink::black};
   }
   return {};
 }
@@ -112,10 +117,12 @@ class ArrowDrawer {
     const Vector direction = arrow.vector / size;
     const Point2 seen = panel_.projection.direction_of(direction);
     const Point2 at = panel_.paper(arrow.at);
+    if (arrow.quantity == Quantity::unbalance) return unbalance(arrow, at, pictures::direction(seen, {1, 0}));
     if (norm(seen) < end_on_part) return end_on(arrow, at, dot(direction, panel_.projection.view().viewer) > 0);
     // What is not to scale has its least length on the paper.
-    const Shaft shaft =
-        place(arrow, at, marked ? least_length(arrow.quantity) * pictures::direction(seen) : full * seen);
+    const Shaft shaft = place(arrow, at,
+                              (arrow.swings ? to_and_fro : 1) *
+                                  (marked ? least_length(arrow.quantity) * pictures::direction(seen) : full * seen));
     const Style style = style_of(arrow.quantity);
     const Point2 along = pictures::direction(shaft.tip - shaft.tail);
     const bool doubled = turns(arrow.quantity);
@@ -125,9 +132,10 @@ class ArrowDrawer {
     std::get<Stroke>(panel_.marks.back()).hint = hint_of(arrow);
     if (doubled) {
       draw_head(panel_, shaft.tip - 0.8 * head_length * along, along, style);
-      curved(shaft, direction, style);
+      curved(shaft, direction, style, arrow.swings);
     }
     draw_head(panel_, shaft.tip, along, style);
+    if (arrow.swings && !doubled) draw_head(panel_, shaft.tail, -along, style);
     if (marked) mark(shaft, style, doubled);
     drawn_.push_back(shaft);
     label(arrow, shaft, along);
@@ -161,6 +169,17 @@ class ArrowDrawer {
         best = shaft;
       }
     };
+    if (arrow.swings && !movable) {
+      // Both its heads are free: it stands beside the place, or beyond the body.
+      constexpr double aside = 22;
+      for (const double part : {0.0, 0.5, 1.0})
+        for (const double sense : {1.0, -1.0})
+          for (const double distance : {aside, 2 * aside}) {
+            const Point2 middle = at + sense * distance * side;
+            attempt({middle - part * arm, middle + (1 - part) * arm}, std::abs(part - 0.5) + 0.2 * distance / aside);
+          }
+      return best;
+    }
     attempt({at, at + arm}, arrives(arrow) ? 1.5 : 0);
     if (arrives(arrow)) attempt({at - arm, at}, 0);
     if (!belongs_to_body(arrow.quantity)) attempt({at - arm, at}, 0.1);
@@ -227,7 +246,7 @@ class ArrowDrawer {
   }
 
   // The arrow around the shaft by the rule of the right hand, open where it passes behind.
-  void curved(const Shaft& shaft, const Vector& axis, const Style& style) {
+  void curved(const Shaft& shaft, const Vector& axis, const Style& style, bool both_ways) {
     const double toward = dot(axis, panel_.projection.view().viewer);
     const Point2 shaft_along = direction(shaft.tip - shaft.tail);
     // Seen from the side a circle would be a stroke: it is drawn a little open.
@@ -241,11 +260,23 @@ class ArrowDrawer {
       const double angle = from + (to - from) * i / 30;
       points.push_back(center + radius * (std::cos(angle) * nearest + std::sin(angle) * onward));
     }
-    const Point2 along = direction(points[30] - points[28]);
     panel_.line(points, Role::arrow, 1.1, style.ink);
-    panel_.line({points[30] - 5.0 * along + 3.0 * turned_left(along), points[30],
-                 points[30] - 5.0 * along - 3.0 * turned_left(along)},
-                Role::arrowhead, 1.1, style.ink);
+    const auto small_head = [&](Point2 tip, Point2 along) {
+      panel_.line({tip - 5.0 * along + 3.0 * turned_left(along), tip, tip - 5.0 * along - 3.0 * turned_left(along)},
+                  Role::arrowhead, 1.1, style.ink);
+    };
+    small_head(points[30], direction(points[30] - points[28]));
+    if (both_ways) small_head(points[0], direction(points[0] - points[2]));
+  }
+
+  // A small heavy spot beside the axis, whatever its distance.
+  void unbalance(const scene::Arrow& arrow, Point2 at, Point2 along) {
+    constexpr double distance = 24, radius = 4;
+    const Shaft shaft{at, at + distance * along};
+    panel_.line({shaft.tail, shaft.tip}, Role::arrow, 0.9);
+    panel_.area(circle(shaft.tip, radius), color_of(Ink::black), Role::arrowhead);
+    drawn_.push_back(shaft);
+    add_label(arrow, {{shaft.tip, along, radius + 3, 0}, {shaft.tip, turned_left(along), radius + 3, 0.3}}, Ink::black);
   }
 
   // Two strokes across the shaft.
@@ -269,8 +300,10 @@ class ArrowDrawer {
       const double from = 0.6, sweep = to_viewer ? 4.4 : -4.4;
       std::vector<Point2> points = arc(at, radius, from, from + sweep);
       const Point2 tip = points.back(), along = direction(tip - points[points.size() - 3]);
+      const Point2 begin = points.front(), back = direction(begin - points[2]);
       panel_.line(std::move(points), Role::arrow, style.width, style.ink, style.dash);
       draw_head(panel_, tip + 3.0 * along, along, style);
+      if (arrow.swings) draw_head(panel_, begin + 3.0 * back, back, style);
       drawn_.push_back({tip - 8.0 * along, tip});
       return add_label(arrow, {{at + radius * Point2{0.7, -0.7}, {1, -1}, 4, 0}, {tip, {}, 6, 1}}, style.ink);
     }

@@ -17,9 +17,12 @@ enum class Scale {
   velocity,
   angular_velocity,
   acceleration,
-  angular_acceleration
+  angular_acceleration,
+  displacement,
+  angular_displacement,
+  unbalance
 };
-constexpr std::size_t scale_count = 8;
+constexpr std::size_t scale_count = 11;
 Scale scale_of(scene::Quantity quantity);
 // Whether it is a turning: drawn with a double head and a curved arrow around it.
 bool turns(scene::Quantity quantity);

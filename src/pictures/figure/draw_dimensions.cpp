@@ -21,6 +21,10 @@ Label equation_label(std::string_view text) {
   if (sign == std::string_view::npos) return name_label(text, 12);
   std::string value(text.substr(sign + 1));
   if (value.ends_with(" deg")) value.replace(value.size() - 4, 4, "°");
+  // Between the parts of a unit stands a dot: N·m.
+  if (const std::size_t unit = value.find_last_of(' '); unit != std::string::npos && unit > 0)
+    for (std::size_t at = value.find('*', unit); at != std::string::npos; at = value.find('*', at))
+      value.replace(at, 1, "·");
   // What stands for a value is a number with its unit, or a formula.
   const bool number = value.size() > 2 && (std::isdigit(static_cast<unsigned char>(value[2])) != 0 || value[2] == '-');
   Label right = number ? words_label(value, 12) : formula_label(value, 12);
@@ -134,14 +138,21 @@ void draw_length(Panel& panel, const scene::Dimension& dimension) {
   panel.line({from + (sign * 4) * side, a + (sign * 3) * side}, Role::dimension, 0.6, Ink::grey);
   panel.line({to + (sign * 4) * side, b + (sign * 3) * side}, Role::dimension, 0.6, Ink::grey);
   const Point2 middle = 0.5 * (a + b);
+  std::vector<Anchor> places{{middle, sign * side, 3, 0}, {middle, -sign * side, 3, 0.5}};
   if (length > 30) {
     plain_arrow(panel, middle, a, Role::dimension, 0.7, Ink::grey, 6);
     plain_arrow(panel, middle, b, Role::dimension, 0.7, Ink::grey, 6);
   } else {
-    plain_arrow(panel, a - 12.0 * along, a, Role::dimension, 0.7, Ink::grey, 6);
-    plain_arrow(panel, b + 12.0 * along, b, Role::dimension, 0.7, Ink::grey, 6);
+    const Point2 before = a - 12.0 * along, behind = b + 12.0 * along;
+    plain_arrow(panel, before, a, Role::dimension, 0.7, Ink::grey, 6);
+    plain_arrow(panel, behind, b, Role::dimension, 0.7, Ink::grey, 6);
+    // A label wider than its dimension may stand behind either arrow, or over it.
+    for (const auto& [tail, away] : {std::pair{before, -1.0 * along}, std::pair{behind, along}}) {
+      places.push_back({tail, away, 3, 0.6});
+      places.push_back({tail, sign * side, 3, 0.7});
+    }
   }
-  panel.labels.push_back({std::move(label), {{middle, sign * side, 3, 0}, {middle, -sign * side, 3, 0.5}}, 1.5});
+  panel.labels.push_back({std::move(label), std::move(places), 1.5});
 }
 
 void draw_angle(Panel& panel, const scene::Dimension& dimension) {
@@ -185,6 +196,11 @@ bool draw_number_of_surface(Panel& panel, const scene::Dimension& dimension) {
                             1.2});
     return true;
   }
+  // In a joint, on a post or between teeth it stands beside the place.
+  const Point2 paper = panel.projection(at);
+  constexpr double beside = 9;
+  panel.labels.push_back(
+      {label_of(dimension), {{paper, {0.7, 0.7}, beside, 0}, {paper, {-0.7, 0.7}, beside, 0.3}}, 1.2});
   return true;
 }
 

@@ -1,14 +1,17 @@
 // Cords, springs and dashpots.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "pictures/drawing/label_text.h"
 #include "pictures/figure/panel.h"
 
 namespace poinsot::pictures {
 namespace {
 
 constexpr double coil_pitch = 7, coil_radius = 5.5;
+constexpr int most_coils = 16;
 
 // Points along a segment with offsets across it.
 class Ruler {
@@ -22,7 +25,8 @@ class Ruler {
 
 void coil(Panel& panel, Point2 from, Point2 to) {
   const double length = norm(to - from), ends = std::min(12.0, length / 5);
-  const int turns = std::max(3, static_cast<int>((length - 2 * ends) / coil_pitch));
+  // More than readers count make a grey band.
+  const int turns = std::clamp(static_cast<int>((length - 2 * ends) / coil_pitch), 3, most_coils);
   const Ruler ruler(from, to);
   std::vector<Point2> points{ruler(0, 0), ruler(ends, 0)};
   const double step = (length - 2 * ends) / turns;
@@ -83,12 +87,65 @@ void end_on_ground(Panel& panel, Point2 at, Point2 other) {
   hatch(panel, at - 10 * side, at + 10 * side);
 }
 
+// Whether a cord goes on there, round a post or through an eyelet.
+bool goes_round(const Panel& panel, const scene::Link& link, const scene::Place& end) {
+  const double near = 1e-6 * panel.scene.length;
+  const auto is_here = [&](const scene::Place& place) { return place.body < 0 && norm(place.at - end.at) <= near; };
+  if (std::ranges::any_of(panel.scene.curves, [&](const scene::Curve& curve) {
+        if (curve.kind != scene::CurveKind::post) return false;
+        const double chord = norm(curve.points[1] - curve.points[0]);
+        return std::ranges::any_of(curve.points, [&](const Vector& p) { return norm(p - end.at) < chord; });
+      }))
+    return true;
+  return std::ranges::any_of(panel.links, [&](const scene::Link& other) {
+    return &other != &link && other.name == link.name && (is_here(other.from) || is_here(other.to));
+  });
+}
+
+// An eyelet that the ground holds: where two parts of a cord meet.
+void eyelet(Panel& panel, Point2 at) { panel.shape(circle(at, 4.5), "#ffffff", Role::symbol, 1.6); }
+
+// How far aside a spring or damper is drawn of another one between the same places, else 0.
+double beside_others(const Panel& panel, const scene::Link& link) {
+  constexpr double aside = 10;
+  const double near = 1e-9 * panel.scene.length;
+  const auto runs_so = [&](const scene::Link& other) {
+    return (other.kind == scene::LinkKind::spring || other.kind == scene::LinkKind::damper) &&
+           norm(panel.ground(other.from) - panel.ground(link.from)) <= near &&
+           norm(panel.ground(other.to) - panel.ground(link.to)) <= near;
+  };
+  if (!runs_so(link)) return 0;
+  const auto count = std::ranges::count_if(panel.links, runs_so);
+  if (count != 2) return 0;
+  return &*std::ranges::find_if(panel.links, runs_so) == &link ? aside : -aside;
+}
+
+void name_tension(Panel& panel, const scene::Link& link, Point2 from, Point2 to) {
+  if (link.symbol.empty() || norm(to - from) < 30) return;
+  const Point2 middle = 0.5 * (from + to), side = turned_left(direction(to - from));
+  Label label = tex_label(link.symbol);
+  label.ink = Ink::force;
+  panel.labels.push_back(
+      {std::move(label), {{middle, side, 4, 0}, {middle, -side, 4, 0}, {from + 0.25 * (to - from), side, 4, 0.4}}, 2});
+}
+
 }  // namespace
 
 void draw_links(Panel& panel) {
   for (const scene::Link& link : panel.links) {
     if (!panel.draws(link.from.body) || !panel.draws(link.to.body)) continue;
-    const Point2 from = panel.paper(link.from), to = panel.paper(link.to);
+    Point2 from = panel.paper(link.from), to = panel.paper(link.to);
+    if (const double aside = beside_others(panel, link); aside != 0) {
+      // Bars join what runs side by side.
+      const Point2 along = direction(to - from), side = aside * turned_left(along);
+      constexpr double bar_place = 9;
+      for (const Point2& end : {from + bar_place * along, to - bar_place * along})
+        panel.line({end, end + side}, Role::link, 1.2);
+      from = from + bar_place * along + side;
+      to = to - bar_place * along + side;
+      panel.line({from - side, from - side - bar_place * along}, Role::link, 1.2);
+      panel.line({to - side, to - side + bar_place * along}, Role::link, 1.2);
+    }
     switch (link.kind) {
       case scene::LinkKind::cord:
         cord(panel, link);
@@ -104,8 +161,16 @@ void draw_links(Panel& panel) {
         continue;
     }
     if (link.far) goes_on(panel, from, to);
-    if (link.from.body < 0) end_on_ground(panel, from, to);
-    if (link.to.body < 0 && !link.far) end_on_ground(panel, to, from);
+    name_tension(panel, link, from, to);
+    const auto end_at = [&](const scene::Place& place, Point2 at, Point2 other) {
+      if (place.body >= 0) return;
+      if (!goes_round(panel, link, place)) return end_on_ground(panel, at, other);
+      const bool on_post = std::ranges::any_of(
+          panel.scene.curves, [&](const scene::Curve& curve) { return curve.kind == scene::CurveKind::post; });
+      if (!on_post) eyelet(panel, at);
+    };
+    end_at(link.from, from, to);
+    if (!link.far) end_at(link.to, to, from);
   }
 }
 

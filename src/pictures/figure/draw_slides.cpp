@@ -59,6 +59,11 @@ void rails(Panel& panel, const scene::Symbol& symbol, Point2 at, const Vector& a
 }  // namespace
 
 void draw_slide(Panel& panel, const scene::Symbol& symbol, Point2 at, const Vector& axis, bool end_on) {
+  // Between bodies a spring along the way tells how they move.
+  const bool sprung = symbol.from >= 0 && std::ranges::any_of(panel.scene.links, [&](const scene::Link& link) {
+                        return link.name == symbol.name && link.to.body == symbol.to && link.from.body == symbol.from;
+                      });
+  if (sprung) return;
   if (!end_on) return rails(panel, symbol, at, axis);
   constexpr double half = 6;
   panel.loop({at + Point2{-half, -half}, at + Point2{half, -half}, at + Point2{half, half}, at + Point2{-half, half}},

@@ -40,7 +40,10 @@ Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest,
                    const std::vector<scene::Arrow>& momenta = {}) {
   // The cones are what is shown; the body tells how it is turned.
   constexpr double beside_cones = 0.4;
-  if (kind.symbols) draw_symbols(panel, Layer::behind_bodies);
+  if (kind.symbols) {
+    draw_posts(panel);
+    draw_symbols(panel, Layer::behind_bodies);
+  }
   draw_bodies(panel, kind.cones ? beside_cones : 1);
   if (kind.symbols) {
     draw_links(panel);
@@ -96,7 +99,9 @@ Drawing equation(const Scene& scene, const std::vector<const Diagram*>& diagrams
       if (body >= 0 && std::ranges::find(bodies, body) == bodies.end()) bodies.push_back(body);
   }
   for (const scene::Arrow& arrow : arrows) largest.include(arrow);
-  const View view = looks.view ? *looks.view : chosen_view(scene, bodies, arrows, poses);
+  // Of a planar problem all bodies are seen across its plane, also those that would be free to turn out of it.
+  const std::optional<View> across = looks.view ? looks.view : view_across_plane(scene, poses);
+  const View view = across ? *across : chosen_view(scene, bodies, arrows, poses);
   const Projection projection =
       fitted(view, places_of(scene, bodies, poses, arrows, false), size_of_panels(diagrams.size()));
   std::vector<Drawing> parts;

@@ -43,6 +43,13 @@ std::vector<Vector> places_of(const scene::Scene& scene, const std::vector<int>&
     for (const scene::Link& link : scene.links)
       for (const scene::Place& place : {link.from, link.to})
         if (drawn(place.body)) places.push_back(on_ground(place, poses));
+    for (const scene::Curve& curve : scene.curves) {
+      if (!drawn(curve.body)) continue;
+      if (curve.kind == scene::CurveKind::surface || curve.kind == scene::CurveKind::attractor)
+        places.push_back(curve.points.front());
+      if (curve.kind != scene::CurveKind::pitch_circle && curve.kind != scene::CurveKind::post) continue;
+      for (const Vector& point : curve.points) places.push_back(on_ground({curve.body, point}, poses));
+    }
     for (const scene::Point& point : scene.points)
       if (drawn(point.place.body)) places.push_back(on_ground(point.place, poses));
   }

@@ -69,6 +69,20 @@ Spread spread_of(const scene::Scene& scene, const std::vector<int>& bodies, cons
   return spread;
 }
 
+// Whether some body is seen to turn: of a ball that is not seen, and where nothing turns the way is all there is.
+bool turns_visibly(const scene::Scene& scene, const std::vector<std::size_t>& shown) {
+  constexpr double noticeable = 0.02;
+  const auto& poses = scene.motion->poses;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    if (std::ranges::all_of(scene.bodies[k].shapes, [](const scene::Shape& shape) { return shape.kind == "sphere"; }))
+      continue;
+    for (const std::size_t i : shown)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (norm((poses[i][k].R - poses[shown.front()][k].R) * Vector::unit(axis)) > noticeable) return true;
+  }
+  return false;
+}
+
 // Brings what runs between wheels to where it is at a time of the motion.
 void move_links(Panel& panel, const scene::Motion& motion, std::size_t time) {
   for (const scene::MovingLink& moving : motion.links) {
@@ -104,6 +118,7 @@ Drawing rows_of_poses(const scene::Scene& scene, const Looks& looks, const View&
       Panel panel(scene, bodies, motion.poses[shown[k]], Projection(view, scale, projections[k].center()));
       panel.values = looks.values;
       move_links(panel, motion, shown[k]);
+      if (!lost) draw_posts(panel);
       draw_symbols(panel, Layer::behind_bodies);
       draw_bodies(panel);
       if (!lost) draw_links(panel);
@@ -131,8 +146,9 @@ Drawing motion_figure(const scene::Scene& scene, const Looks& looks) {
   for (const std::size_t i : shown)
     std::ranges::move(places_of(scene, bodies, motion.poses[i], {}, i == shown.back()), std::back_inserter(places));
   const View view = looks.view ? *looks.view : chosen_view_of_motion(scene, bodies, motion.poses[shown.back()]);
-  if (const Spread spread = spread_of(scene, bodies, shown, view); spread.piled() || spread.lost())
-    return rows_of_poses(scene, looks, view, spread.lost());
+  const Spread spread = spread_of(scene, bodies, shown, view);
+  const bool lost = spread.lost() && turns_visibly(scene, shown);
+  if (spread.piled() || lost) return rows_of_poses(scene, looks, view, lost);
   const Projection projection = fitted(view, places, size_of_panels(1));
   std::vector<Mark> before;
   for (std::size_t k = 0; k + 1 < shown.size(); ++k) {
@@ -152,6 +168,7 @@ Drawing motion_figure(const scene::Scene& scene, const Looks& looks) {
   Panel panel(scene, bodies, motion.poses[shown.back()], projection);
   panel.marks = std::move(before);
   move_links(panel, motion, shown.back());
+  draw_posts(panel);
   draw_symbols(panel, Layer::behind_bodies);
   draw_bodies(panel);
   draw_links(panel);

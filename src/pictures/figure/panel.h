@@ -73,6 +73,8 @@ enum class Layer { behind_bodies, before_bodies };
 void draw_symbols(Panel& panel, Layer layer);
 void draw_center_lines(Panel& panel);
 void draw_links(Panel& panel);
+// Posts that cords are led round, and surfaces that are touched later.
+void draw_posts(Panel& panel);
 // The axes of the ground, from its origin where that is near, else in a corner.
 void draw_axes(Panel& panel, bool at_origin);
 // cut_free: of the ground's points only those at which something acts.

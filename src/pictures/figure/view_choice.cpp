@@ -39,6 +39,7 @@ struct Matter {
   std::vector<std::pair<Vector, double>> rods;  // directions, and how much they count
   std::vector<Plate> plates;
   std::vector<std::array<Vector, 3>> facets;
+  std::vector<std::array<Vector, 3>> uneven;  // those of what does not look alike from all sides, as balls do
   std::vector<Vector> joint_axes;
   std::vector<Vector> slides;       // ways of sliding
   std::vector<Vector> ways;         // of springs and cords, and of what moves
@@ -77,6 +78,17 @@ Vector longest_axis(const Solid& solid) {
   return axes.moments.y > longer * axes.moments.x ? axes.axes.column(0) : Vector{};
 }
 
+bool is_ball(const Solid& solid) {
+  if (solid.extent != scene::Extent::volume || solid.vertices.empty()) return false;
+  Vector middle{};
+  for (const Vector& p : solid.vertices) middle += p / static_cast<double>(solid.vertices.size());
+  const double radius = norm(solid.vertices.front() - middle);
+  constexpr double alike = 0.02;
+  return std::ranges::all_of(solid.vertices,
+                             [&](const Vector& p) { return std::abs(norm(p - middle) - radius) < alike * radius; }) &&
+         solid.vertices.size() > 20;
+}
+
 void add_solids(Matter& matter, const std::vector<Solid>& solids) {
   std::size_t facets = 0;
   for (const Solid& solid : solids) facets += solid.triangles.size();
@@ -84,6 +96,7 @@ void add_solids(Matter& matter, const std::vector<Solid>& solids) {
   for (const Solid& solid : solids) {
     Vector area{};
     double whole = 0;
+    const bool ball = is_ball(solid);
     for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
       const auto& v = solid.triangles[t];
       const std::array<Vector, 3> p{solid.vertices[v[0]], solid.vertices[v[1]], solid.vertices[v[2]]};
@@ -91,6 +104,7 @@ void add_solids(Matter& matter, const std::vector<Solid>& solids) {
       area += dot(normal, area) < 0 ? -normal : normal;
       whole += norm(normal);
       if (t % stride == 0 && !solid.hole) matter.facets.push_back(p);
+      if (t % stride == 0 && !solid.hole && !ball) matter.uneven.push_back(p);
     }
     if (solid.extent == scene::Extent::surface && norm(area) > 0.9 * whole && !solid.hole && whole > 0) {
       matter.plates.push_back({normalized(area), std::min(1.0, std::sqrt(whole) / matter.size * 3)});
@@ -161,6 +175,31 @@ Matter matter_of(const scene::Scene& scene, const std::vector<int>& bodies, cons
     if (norm(way) > 0) matter.ways.push_back(normalized(way));
   }
   for (const scene::Arrow& arrow : arrows) named.push_back(on_ground(arrow.at, poses));
+  for (const scene::Curve& curve : scene.curves) {
+    if (!drawn(curve.body)) continue;
+    if (curve.kind == scene::CurveKind::attractor) {
+      named.push_back(curve.points.front());
+      // What goes round a center moves in one plane with it.
+      for (const scene::Arrow& arrow : arrows) {
+        const Vector across = cross(on_ground(arrow.at, poses) - curve.points.front(), arrow.vector);
+        if (arrow.quantity == scene::Quantity::velocity && norm(across) > 0)
+          matter.joint_axes.push_back(normalized(across));
+      }
+    }
+    if (curve.kind == scene::CurveKind::surface) {
+      matter.touches = true;
+      named.push_back(curve.points[0]);
+      matter.normals.push_back(normalized(curve.points[1] - curve.points[0]));
+    }
+    // What goes round is seen from along its axis.
+    if ((curve.kind == scene::CurveKind::post || curve.kind == scene::CurveKind::pitch_circle) &&
+        curve.points.size() > 4) {
+      const auto at = [&](std::size_t i) { return on_ground({curve.body, curve.points[i]}, poses); };
+      const std::size_t quarter = curve.points.size() / 4;
+      matter.joint_axes.push_back(normalized(cross(at(quarter) - at(0), at(2 * quarter) - at(quarter))));
+      for (std::size_t i = 0; i < 4; ++i) all.push_back(at(i * quarter));
+    }
+  }
   all.insert(all.end(), named.begin(), named.end());
   if (all.empty()) all.emplace_back();
   for (const Vector& p : all) matter.center += p / static_cast<double>(all.size());
@@ -217,6 +256,9 @@ double cost_of(const View& view, const Matter& matter) {
   for (const auto& [rod, weight] : matter.rods)
     cost += 2.0 * weight * shortfall(length(rod)) / std::sqrt(static_cast<double>(matter.rods.size()));
   for (const Vector& leaning : matter.leanings) cost += 1.5 * (norm(leaning) - length(leaning));
+  // What is touched is seen from the side: the place is not on the front or the back of a round body.
+  constexpr double normal_seen = 0.9, normal_weight = 1.5;
+  for (const Vector& normal : matter.normals) cost += normal_weight * std::max(0.0, 1 - length(normal) / normal_seen);
   for (const Plate& plate : matter.plates)
     cost += 2 * plate.weight * shortfall(std::abs(dot(plate.normal, view.viewer)));
   // An angle is read where its plane is not seen askew.
@@ -258,7 +300,7 @@ double cost_of(const View& view, const Matter& matter) {
 // Whether the faces of solids lie across the plane or in it, as those of a crate that is drawn from the side.
 bool stands_across(const Matter& matter, const Vector& normal) {
   constexpr double askew = 1e-3;
-  return std::ranges::all_of(matter.facets, [&](const std::array<Vector, 3>& facet) {
+  return std::ranges::all_of(matter.uneven, [&](const std::array<Vector, 3>& facet) {
     const Vector face = unit_or(cross(facet[1] - facet[0], facet[2] - facet[0]), normal);
     const double part = std::abs(dot(face, normal));
     return part < askew || part > 1 - askew;
@@ -321,20 +363,23 @@ std::optional<Vector> planar_normal(const Matter& matter, const Expected& axes) 
   }
   if (high - low > 0.02 * matter.size) return std::nullopt;
   if ((matter.touches || straight) && stands_across(matter, normal)) return normal;
-  for (const auto& facet : matter.facets)
+  for (const auto& facet : matter.uneven)
     for (const Vector& p : facet)
       if (std::abs(dot(p - matter.center, normal)) > 0.12 * matter.size) return std::nullopt;
   return normal;
 }
 
+std::optional<View> across_plane(const scene::Scene& scene, const Matter& matter) {
+  const std::optional<Vector> normal = planar_normal(matter, expected_axes(scene));
+  if (!normal || !matter.cone_axes.empty()) return std::nullopt;
+  // From the side on which the axis of the plane points to the viewer.
+  const Vector to = normal->x + normal->y + normal->z < 0 ? -*normal : *normal;
+  return view_from(to, scene.up);
+}
+
 View best_view(const scene::Scene& scene, const Matter& matter) {
   const auto [up, front, right] = expected_axes(scene);
-  if (const std::optional<Vector> normal = planar_normal(matter, {up, front, right});
-      normal && matter.cone_axes.empty()) {
-    // From the side on which the axis of the plane points to the viewer.
-    const Vector to = normal->x + normal->y + normal->z < 0 ? -*normal : *normal;
-    return view_from(to, scene.up);
-  }
+  if (const std::optional<View> view = across_plane(scene, matter)) return *view;
   View best = view_from(front, up);
   double least = 1e300;
   for (const double elevation : {20.0, 33.0, 50.0})
@@ -362,6 +407,17 @@ View chosen_view(const scene::Scene& scene, const std::vector<int>& bodies, cons
                  const std::vector<scene::Pose>& poses) {
   if (scene.viewer) return view_from(*scene.viewer, scene.up);
   return best_view(scene, matter_of(scene, bodies, arrows, poses));
+}
+
+std::optional<View> view_across_plane(const scene::Scene& scene, const std::vector<scene::Pose>& poses) {
+  if (scene.viewer) return std::nullopt;
+  std::vector<int> bodies;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) bodies.push_back(static_cast<int>(i));
+  std::vector<scene::Arrow> arrows;
+  for (const scene::Diagram& diagram : scene.diagrams)
+    if (diagram.kind != scene::DiagramKind::answers)
+      arrows.insert(arrows.end(), diagram.arrows.begin(), diagram.arrows.end());
+  return across_plane(scene, matter_of(scene, bodies, arrows, poses));
 }
 
 View chosen_view_of_cones(const scene::Scene& scene, const std::vector<int>& bodies,

@@ -20,6 +20,22 @@ Vector nearest_on(const std::array<Vector, 2>& segment, const Vector& p) {
   return segment[0] + (square > 0 ? std::clamp(dot(p - segment[0], d) / square, 0.0, 1.0) : 0.0) * d;
 }
 
+// Whether the spring of a slide runs between the two bodies of it: then the one that carries the other needs no rail.
+bool springs_alone(const scene::Scene& scene, const scene::Symbol& symbol, const std::vector<scene::Pose>& poses) {
+  if (symbol.kind != scene::SymbolKind::prismatic || symbol.from < 0) return false;
+  const scene::Body& carrier = scene.bodies.at(static_cast<std::size_t>(symbol.from));
+  const double near = 1e-6 * scene.length;
+  return std::ranges::any_of(scene.links, [&](const scene::Link& link) {
+    if (link.name != symbol.name || link.from.body != symbol.from || link.to.body != symbol.to) return false;
+    const Vector end = on_ground(link.from, poses);
+    if (!carrier.massless && norm(on_ground({symbol.from, carrier.center}, poses) - end) < near) return true;
+    return std::ranges::any_of(scene.symbols, [&](const scene::Symbol& other) {
+      return &other != &symbol && (other.to == symbol.from || other.from == symbol.from) &&
+             norm(on_ground(other.place, poses) - end) < near;
+    });
+  });
+}
+
 // The places at which something holds the body, acts on it or is fixed to it, each once.
 std::vector<Vector> places_on(const scene::Scene& scene, int body, bool with_points,
                               const std::vector<scene::Pose>& poses) {
@@ -32,6 +48,7 @@ std::vector<Vector> places_on(const scene::Scene& scene, int body, bool with_poi
   };
   for (const scene::Symbol& symbol : scene.symbols) {
     const bool touched = symbol.kind == scene::SymbolKind::contact || symbol.kind == scene::SymbolKind::rolling_contact;
+    if (symbol.from == body && springs_alone(scene, symbol, poses)) continue;
     if (symbol.to == body || (symbol.from == body && !touched)) add(on_ground(symbol.place, poses));
   }
   for (const scene::Link& link : scene.links)

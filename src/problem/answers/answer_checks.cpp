@@ -12,6 +12,7 @@
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/quantities/quantity_functions.h"
+#include "problem/unknowns/asked_value.h"
 #include "problem/witness/attraction_bound.h"
 #include "problem/witness/particle_witness.h"
 
@@ -49,6 +50,43 @@ bool names_unknown(const Situation& situation, const Expression& expression) {
 bool looks_near_steady(const Ask& ask) {
   const auto looks = [](const Expression& expression) { return asks_stability(expression); };
   return std::ranges::any_of(ask.of, looks) || (ask.extremum && std::ranges::any_of(ask.extremum->conditions, looks));
+}
+
+// How large the residual of a check may be.
+double allowed(std::string_view check) {
+  // Gauss's rule leaves 1e-6 beside the pole of Eulerian angles; a wrong term of the equations is far more.
+  if (check == "motion_error" || check == "course") return motion_tolerance;
+  if (check == "facts") return fact_tolerance;
+  if (check == "blow") return blow_tolerance;
+  return check == stability_check || check == "response" ? solve::spectrum_tolerance : check_tolerance;
+}
+
+// Whether the motion is confirmed as far as one of several questions leads: others may lead to where it is so sensitive
+// that nothing is known of it.
+bool is_confirmed_alone(const Statement& statement, const Sample& all, const Ask& ask) {
+  const auto finds = [](const Situation& situation) { return !situation.find.empty(); };
+  if (statement.asks.size() < 2 || ask.extremum || std::ranges::any_of(statement.situations, finds)) return false;
+  try {
+    Sample alone(statement, all.settings(), all.choice());
+    asked_value(alone, ask);
+    Solution checked;
+    check_motions(
+        alone, [](const SolvedInstant&) {}, checked);
+    return std::ranges::all_of(checked.checks, [](const auto& check) { return check.second <= allowed(check.first); });
+  } catch (const StatementError&) {
+    return false;
+  }
+}
+
+// What can be done where a body is so small beside its orbit that rounding of the orbit hides how it turns.
+constexpr const char* beside_an_orbit =
+    ": where a body is far smaller than its orbit, hold its mass center in the frame that goes round, by a joint such "
+    "as "
+    "ball: G, from: the frame, and its turning alone is looked at";
+bool goes_round_center(const Statement& statement) {
+  return std::ranges::any_of(statement.situations, [](const Situation& situation) {
+    return situation.steady.has_value() && situation.central_gravity.has_value();
+  });
 }
 
 // Whether it is said of an instant, unasked, that its motion is stable.
@@ -219,20 +257,17 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
   }
   const std::map<std::string, std::string> doubts = check_motions(sample, check, result);
   for (const auto& [name, residual] : result.checks) {
-    const bool of_motion = name == "motion_error";
+    const bool of_motion = name == "motion_error", of_way = of_motion || name == "course" || name == "scan";
     const bool of_stability = name == stability_check;
-    // Gauss's rule leaves 1e-6 beside the pole of Eulerian angles; a wrong term of the equations is far more.
-    if (residual <= (of_motion || name == "course"        ? motion_tolerance
-                     : name == "facts"                    ? fact_tolerance
-                     : name == "blow"                     ? blow_tolerance
-                     : of_stability || name == "response" ? solve::spectrum_tolerance
-                                                          : check_tolerance))
-      continue;
+    if (residual <= allowed(name)) continue;
     // The digits of laws tell how closely a motion is known.
-    result.refused = result.refused || !(of_stability || of_motion);
+    if (!of_way) result.refused = result.refused || !of_stability;
     for (std::size_t i = 0; i < result.asks.size(); ++i) {
       SolvedAsk& ask = result.asks[i];
-      if (ask.state != AskState::found || (of_stability && !looks_near_steady(statement.asks[i]))) continue;
+      if (ask.state != AskState::found || (of_stability && !looks_near_steady(statement.asks[i])) ||
+          (of_way && is_confirmed_alone(statement, sample, statement.asks[i])))
+        continue;
+      result.refused = result.refused || (of_way && !of_motion);
       ask.state = AskState::refused;
       if (of_motion) {
         ask.reason = "the motion is so sensitive that it may be off by " + with_digits(residual, 1) +
@@ -258,7 +293,8 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
           : name == "quantities"
               ? "the bodies as particles do not confirm " + told.function + "() (off by " + size + ")"
           : of_stability
-              ? "the motion of its bodies, each by itself, does not confirm it (rates off by " + size + " of the pace)"
+              ? "the motion of its bodies, each by itself, does not confirm it (rates off by " + size +
+                    " of the pace)" + (goes_round_center(statement) ? beside_an_orbit : "")
               : "the independent check with particles does not confirm it (" + name + " off by " + size + ")";
     }
   }

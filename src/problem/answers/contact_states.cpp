@@ -1,5 +1,7 @@
 #include "problem/answers/contact_states.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -90,8 +92,13 @@ class ContactStates {
     }
     if (!draws_.none() && !result_.solutions.empty())
       for (const std::string& words : untold_states(statement_, settings_, all)) add_once(result_.warnings, words);
-    for (const std::string& doubt : doubts_)
-      add_once(result_.warnings, "a state of the contacts with friction could not be judged: " + doubt);
+    constexpr std::size_t listed = 2;
+    for (std::size_t k = 0; k < std::min(listed, doubts_.size()); ++k)
+      add_once(result_.warnings, "a state of the contacts with friction could not be judged: " + doubts_[k]);
+    if (doubts_.size() > listed)
+      add_once(result_.warnings,
+               fmt::format("{} other states of the contacts with friction could not be judged, either",
+                           doubts_.size() - listed));
     if (directions_sought_)
       add_once(
           result_.warnings,
@@ -327,6 +334,19 @@ class ContactStates {
     if (solved.ended) result_.ended = solved.ended;
   }
 
+  static bool asks_acceleration(const Expression& quantity) {
+    const Call* call = quantity.as<Call>();
+    return (call && (call->function == "acceleration" || call->function == "angular_acceleration")) ||
+           any_child(quantity, asks_acceleration);
+  }
+  bool states_accelerations() const {
+    return std::ranges::any_of(statement_.situations, [](const Situation& situation) {
+      return std::ranges::any_of(situation.instants, [](const Instant& instant) {
+        return std::ranges::any_of(instant.facts, [](const Fact& fact) { return asks_acceleration(fact.quantity); });
+      });
+    });
+  }
+
   [[noreturn]] void none_holds(bool searched) const {
     if (refusal_) throw StatementError(*refusal_);
     const Mark& mark = first_rough().friction->mark;
@@ -354,8 +374,11 @@ class ContactStates {
          "no state of the contacts with friction holds: sticking, sliding and parting each contradict Coulomb's law "
          "here" +
              std::string(draws_.none() ? "" : ", at all values that were tried for the letters"),
-         "rigid bodies with dry friction may have no solution (Painleve's paradox): reduce the friction, or correct "
-         "the data");
+         states_accelerations()
+             ? "leave stated accelerations to be found: friction is against the slip, and what is to roll along slides "
+               "if it is a particle"
+             : "rigid bodies with dry friction may have no solution (Painleve's paradox): reduce the friction, or "
+               "correct the data");
   }
 
   const Statement& statement_;

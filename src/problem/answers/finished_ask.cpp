@@ -44,6 +44,12 @@ SolvedAsk finished_extremum(const Statement& statement, const Ask& ask, const Va
   return solved;
 }
 
+// Phases are read in degrees, whatever units the data have.
+Unit unit_of_column(const Situation& situation, bool is_phase, const Dimension& dimension, bool energy) {
+  if (is_phase && dimension == dimensions::angle) return parse_unit("deg");
+  return situation.habits.unit_for(dimension, energy);
+}
+
 // The column of a name, or the list that has it among its columns, name_2.
 const NamedExpression& stated_column(const Table& table, const std::string& name, std::size_t columns) {
   for (const NamedExpression& column : table.columns) {
@@ -81,7 +87,8 @@ SolvedAsk finished_table(const Statement& statement, const Ask& ask, const Value
                  " is a unit of " + to_string(unit->second.dimension));
       column.unit = unit->second;
     } else {
-      column.unit = situation.habits.unit_for(dimension.value_or(dimensions::none), asks_energy(stated.value));
+      column.unit = unit_of_column(situation, column.name == stated.name + "_phase",
+                                   dimension.value_or(dimensions::none), asks_energy(stated.value));
     }
     solved.columns.push_back(std::move(column));
   }
@@ -95,7 +102,7 @@ bool has_records(const Value<double>& value) {
 
 // Modes are shown as a table with a row for each, as are the responses of components.
 SolvedAsk finished_modes(const Ask& ask, const Value<double>& value, const Situation& situation) {
-  const std::vector<Value<double>> rows = is_record(value) ? std::vector<Value<double>>{value} : value.items;
+  std::vector<Value<double>> rows = is_record(value) ? std::vector<Value<double>>{value} : value.items;
   const bool modes = rows.front().items.front().text == "growth_rate";
   if (ask.is_list)
     fail(situation.file, ask.mark, std::string(modes ? "modes()" : "response()") + " stand in a list with nothing else",
@@ -107,6 +114,16 @@ SolvedAsk finished_modes(const Ask& ask, const Value<double>& value, const Situa
   SolvedAsk solved;
   solved.words = describe(ask, situation, false);
   solved.value = value;
+  if (!modes && !is_record(value) && rows.size() == 3) {
+    solved.component_names.assign(situation.axes.begin(), situation.axes.end());
+    // Across the plane of a problem nothing is told.
+    if (situation.plane) {
+      const auto across = static_cast<std::ptrdiff_t>(situation.plane->normal());
+      rows.erase(rows.begin() + across);
+      solved.value.items.erase(solved.value.items.begin() + across);
+      solved.component_names.erase(solved.component_names.begin() + across);
+    }
+  }
   for (std::size_t c = 0; c < rows.front().items.size(); ++c) {
     SolvedColumn column;
     column.name = rows.front().items[c].text;
@@ -114,7 +131,7 @@ SolvedAsk finished_modes(const Ask& ask, const Value<double>& value, const Situa
     const Dimension& dimension = rows.front().items[c].dimension;
     // A shape is told by the ratio of its parts, which the units of radian and metre leave as it is.
     const bool amplitude = c > 2 && (c - 3) % 2 == 0;
-    column.unit = amplitude ? si_unit(dimension) : situation.habits.unit_for(dimension);
+    column.unit = amplitude ? si_unit(dimension) : unit_of_column(situation, column.name == "phase", dimension, false);
     solved.columns.push_back(std::move(column));
   }
   return solved;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "problem/answers/letter_draws.h"
+#include "problem/course/course.h"
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
 #include "problem/machine/data.h"
@@ -29,10 +30,9 @@ void refuse_situation(const Situation& situation) {
     fail(situation.file, slipping->friction->mark,
          "steady motions with friction of a cord are not sought: whether " + slipping->words() + " slips is not tried",
          "leave out the friction of the cord");
-  if (std::ranges::any_of(situation.instants, [&](const Instant& instant) {
-        return is_later(situation, instant) && (instant.rest || !instant.facts.empty());
-      }))
-    refuse("where " + rough->words() + " has friction, nothing is found from what is stated of later instants",
+  if (has_later_facts(situation))
+    refuse("where " + rough->words() +
+               " has friction, nothing is found from what is stated of later instants or of the motion",
            "state the start only, and ask of later instants");
   if (!situation.choose.empty())
     refuse("what is to be chosen is not sought where contacts have friction",

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "problem/entries/drawn_letters.h"
+#include "problem/formulas/formula_task.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {
@@ -22,6 +23,15 @@ std::vector<Letter> open_letters(const Statement& statement, const Settings& set
           std::none_of(open.begin(), open.end(), [&](const Letter& known) { return known.name == letter.name; }))
         open.push_back(letter);
   return open;
+}
+
+LetterDraws::LetterDraws(const Statement& statement, const Settings& settings)
+    : settings_(settings), letters_(open_letters(statement, settings)) {
+  if (letters_.empty()) return;
+  do
+    if (is_assumed(statement, AllSettings(statement.situations.size(), this->settings()))) return;
+  while (next());
+  draw_ = 0;
 }
 
 std::vector<Value<double>> LetterDraws::values(int after, int spread) const {

@@ -14,8 +14,8 @@ std::vector<Letter> open_letters(const Statement& statement, const Settings& set
 
 class LetterDraws {
  public:
-  LetterDraws(const Statement& statement, const Settings& settings)
-      : settings_(settings), letters_(open_letters(statement, settings)) {}
+  // The first draw is one at which what is assumed of letters alone holds, if there is any.
+  LetterDraws(const Statement& statement, const Settings& settings);
 
   const std::vector<Letter>& letters() const { return letters_; }
   bool none() const { return letters_.empty(); }

@@ -23,6 +23,7 @@
 #include "problem/formulas/formula_reach.h"
 #include "problem/formulas/formula_regimes.h"
 #include "problem/formulas/formula_search.h"
+#include "problem/formulas/formula_task.h"
 #include "problem/formulas/law_search.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
@@ -36,15 +37,19 @@ namespace poinsot::problem {
 namespace {
 
 constexpr Work most_draw_work = 8'000'000'000;
+// Draws of letters at which a motion is asked for what does not happen there, or an end for which there is none.
+constexpr int most_draws_for_answers = 6;
+constexpr Work most_work_for_answers = 400'000'000;
 
 // Draws values for letters, finds the unknowns and answers the asks for each root.
 class StatementSolver {
  public:
-  // exact: the settings as formulas.
-  StatementSolver(const Statement& statement, Settings settings, FormulaValues exact)
+  // exact: the settings as formulas. shown: whether what is found is shown, or only compared with it.
+  StatementSolver(const Statement& statement, Settings settings, FormulaValues exact, bool shown = true)
       : statement_(statement),
         settings_(std::move(settings)),
         exact_(std::move(exact)),
+        shown_(shown),
         search_(statement, settings_),
         draws_(statement, settings_) {}
 
@@ -146,7 +151,7 @@ class StatementSolver {
   // reason.
   RootsFound roots_at_draw(UnknownSearch& search, std::optional<StatementError>& refusal) {
     try {
-      return search.find_confirmed(draws_.settings());
+      return shown_ ? search.find_confirmed(draws_.settings()) : search.find(draws_.settings());
     } catch (const StatementError& error) {
       if (draws_.none()) throw;
       refused_alike_ = refused_alike_ && (!refusal || std::string_view(refusal->what()) == error.what());
@@ -157,7 +162,13 @@ class StatementSolver {
 
   // Unknowns found at random values of letters depend on the letters, and so do all answers.
   void leave_to_letters(Solution& solution) const {
-    for (SolvedAsk& ask : solution.asks) {
+    for (std::size_t i = 0; i < solution.asks.size(); ++i) {
+      SolvedAsk& ask = solution.asks[i];
+      // An end of the only letter does not hang on the value that was drawn for it.
+      const std::optional<Extremum>& extremum = statement_.asks[i].extremum;
+      if (extremum &&
+          std::ranges::all_of(draws_.letters(), [&](const Letter& letter) { return letter.name == extremum->name; }))
+        continue;
       ask.state = AskState::needs_letters;
       ask.letters.clear();
       for (const Letter& letter : draws_.letters()) ask.letters.push_back(letter.name);
@@ -254,6 +265,7 @@ class StatementSolver {
       natural_.push_back(finished.natural_size);
     }
     mark_letters(result);
+    mark_what_does_not_happen(result);
     undetermined_ = mark_undetermined(answers_found(), result);
     if (draws_.none()) refuse_unphysical(statement_, asked_, *sample_, result);
     check_answers(statement_, *sample_, asked_.extremal, result);
@@ -279,6 +291,22 @@ class StatementSolver {
     }
   }
 
+  // That something does not happen at the values drawn for letters says nothing of others.
+  void mark_what_does_not_happen(Solution& result) {
+    if (draws_.none()) return;
+    for (std::size_t i = 0; i < result.asks.size(); ++i) {
+      SolvedAsk& ask = result.asks[i];
+      if (!statement_.asks[i].when) continue;
+      if (ask.state == AskState::found && ask.value.is_list() && ask.value.items.empty()) {
+        ask.state = AskState::needs_letters;
+        ask.no_formula = "it does not happen at the values that were tried for the letters";
+        for (const Letter& letter : draws_.letters()) ask.letters.push_back(letter.name);
+      } else if (ask.state == AskState::undetermined) {
+        ask.reason = "at the values that were tried for the letters " + ask.reason;
+      }
+    }
+  }
+
   // Whether there are roots, and the statement can be solved at their letters.
   bool makes_sense(const RootsFound& found) {
     try {
@@ -299,6 +327,20 @@ class StatementSolver {
     const int most_draws = rough ? most_state_draws : 40;
     std::optional<StatementError> refusal;
     bool alike = true;
+    // Of draws at which something is not answered, that at which most is.
+    struct Partly {
+      std::unique_ptr<Sample> sample;
+      AllSettings settings;
+      AskValues values;
+    };
+    std::optional<Partly> partly;
+    int tried = 0;
+    const WorkLimit limit(most_work_for_answers);
+    const auto keep = [&](std::unique_ptr<Sample> sample, const AllSettings& settings) {
+      if (only || sample_) return;
+      sample_ = std::move(sample);
+      base_ = settings;
+    };
     for (int attempt = 0;; ++attempt) {
       AllSettings settings = base_;
       const std::vector<Value<double>> drawn =
@@ -309,6 +351,8 @@ class StatementSolver {
         if (!search_.unknowns().empty() || (only && *only != letter.name)) continue;
         for (Settings& one : settings) one[letter.name] = drawn[i];
       }
+      const bool drawn_here = !draws_.none() && search_.unknowns().empty();
+      if (drawn_here && !only && attempt < most_draws && !is_assumed(statement_, settings)) continue;
       try {
         auto sample = std::make_unique<Sample>(statement_, settings, OpenChoice{});
         sample->write_down_what_is_told();
@@ -323,16 +367,31 @@ class StatementSolver {
         }
         // Letters at which the contacts with friction are in other states say nothing of this one.
         if (rough && !draws_.none() && attempt < most_draws && !sample->contact_states_hold()) continue;
-        if (!only && !sample_) {
-          sample_ = std::move(sample);
-          base_ = settings;
+        // Nothing swings where a list of frequencies is empty.
+        const auto open = [](const AskValues& all) {
+          const auto empty = std::ranges::count_if(all.values, [](const std::optional<WatchedValue>& value) {
+            return value && value->answer.is_list() && value->answer.items.empty();
+          });
+          return all.unanswered.size() + all.no_extremum.size() + static_cast<std::size_t>(empty);
+        };
+        if (!only && !rough && drawn_here && !values.ended && open(values) > 0) {
+          if (!partly || open(values) < open(partly->values))
+            partly = Partly{std::move(sample), settings, std::move(values)};
+          if (++tried < most_draws_for_answers && attempt < most_draws && !limit.spent()) continue;
+          keep(std::move(partly->sample), partly->settings);
+          return std::move(partly->values);
         }
+        keep(std::move(sample), settings);
         return values;
       } catch (const StatementError& error) {
         if (draws_.none() || !search_.unknowns().empty()) throw;
         alike = alike && (!refusal || std::string_view(refusal->what()) == error.what());
         if (!refusal) refusal = error;
         if (attempt < most_draws) continue;
+        if (partly) {
+          keep(std::move(partly->sample), partly->settings);
+          return std::move(partly->values);
+        }
         if (alike) throw;
         throw draws_.told(*refusal, alike);
       }
@@ -342,6 +401,7 @@ class StatementSolver {
   const Statement& statement_;
   Settings settings_;
   FormulaValues exact_;
+  bool shown_;
   UnknownSearch search_;
   LetterDraws draws_;
   AllSettings base_;
@@ -423,6 +483,12 @@ SolvedStatement solve_statement(const Statement& statement,
 SolvedStatement solve_questions(const Statement& statement, const Settings& settings) {
   if (!open_letters(statement, settings).empty()) throw std::invalid_argument("solve_questions: a letter has no value");
   return StatementSolver(statement, settings, {}).solve();
+}
+
+SolvedStatement solve_to_compare(const Statement& statement, const Settings& settings) {
+  if (!open_letters(statement, settings).empty())
+    throw std::invalid_argument("solve_to_compare: a letter has no value");
+  return StatementSolver(statement, settings, {}, false).solve();
 }
 
 }  // namespace poinsot::problem

@@ -23,5 +23,8 @@ SolvedStatement solve_statement(const Statement& statement,
 // The questions of a statement without claims whose letters all have values. settings: of letters and data, in SI
 // units.
 SolvedStatement solve_questions(const Statement& statement, const Settings& settings);
+// The same for what is not shown, but compared with answers of another road: no scan vouches for the values of
+// unknowns.
+SolvedStatement solve_to_compare(const Statement& statement, const Settings& settings);
 
 }  // namespace poinsot::problem

@@ -16,13 +16,6 @@
 namespace poinsot::problem {
 namespace {
 
-// The formulas of a number or a vector; none of anything else.
-std::vector<Formula> formulas_of(const Value<Formula>& value) {
-  if (value.is_number()) return {value.number};
-  if (value.is_vector()) return {value.vector[0], value.vector[1], value.vector[2]};
-  return {};
-}
-
 class FormulaTracer {
  public:
   FormulaTracer(const SolvedStatement& solved, const std::vector<VariedDatum>& data, const std::vector<std::size_t>& by)
@@ -66,16 +59,14 @@ class FormulaTracer {
   void add_answers(const Solution& solution) {
     for (const SolvedAsk& ask : solution.asks) {
       if (!ask.regimes.empty()) throw std::domain_error("there are several, each for a part of the values");
-      if (ask.formula && (ask.formula->is_number() || ask.formula->is_vector())) {
-        for (const Formula& formula : formulas_of(*ask.formula)) outputs_.push_back(traced_one(formula));
-      } else if (ask.state == AskState::found && ask.value.is_number()) {
-        outputs_.emplace_back(ask.value.number);
-      } else if (ask.state == AskState::found && ask.value.is_vector()) {
-        for (std::size_t k = 0; k < 3; ++k) outputs_.emplace_back(ask.value.vector[k]);
+      if (const auto formulas = ask.formula ? numbers_in(*ask.formula) : std::vector<Formula>(); !formulas.empty()) {
+        for (const Formula& formula : formulas) outputs_.push_back(traced_one(formula));
+      } else if (const auto numbers = numbers_in(ask.value); ask.state == AskState::found && !numbers.empty()) {
+        for (const double number : numbers) outputs_.emplace_back(number);
       } else {
         throw std::domain_error(!ask.no_formula.empty() ? ask.no_formula
                                 : !ask.reason.empty()   ? ask.reason
-                                                        : "an answer is no number and no vector");
+                                                        : "an answer is no number, no vector and no list of numbers");
       }
     }
   }
@@ -105,7 +96,7 @@ class FormulaTracer {
         throw std::domain_error("they hold where " + words + ", of which there is no formula");
   }
   void add_assumed(const Value<Formula>& value) {
-    for (const Formula& formula : formulas_of(value)) {
+    for (const Formula& formula : numbers_in(value)) {
       for (const std::string& words : formula.assumptions()) told_.insert(words);
       for (const Formula& one : assumed_not_negative(formula)) outputs_.push_back(traced_one(one));
     }

@@ -13,6 +13,19 @@
 
 namespace poinsot::problem {
 
+// The numbers of a number, a vector or a list of numbers; nothing of anything else.
+template <class Scalar>
+std::vector<Scalar> numbers_in(const Value<Scalar>& value) {
+  if (value.is_number()) return {value.number};
+  if (value.is_vector()) return {value.vector.x, value.vector.y, value.vector.z};
+  std::vector<Scalar> numbers;
+  for (const Value<Scalar>& item : value.items) {
+    if (!item.is_number()) return {};
+    numbers.push_back(item.number);
+  }
+  return numbers;
+}
+
 class CaseFormulas {
  public:
   // solved: the statement with the data as letters. Nothing, and the reason, if not every question has a formula, or

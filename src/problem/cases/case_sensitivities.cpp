@@ -39,7 +39,8 @@ std::string CompiledCases::answers_at(const std::vector<double>& data, std::vect
       numbers = std::move(*found);
       return "";
     }
-  return solve_row(one, 0, numbers);
+  // Solutions beside those that are told.
+  return solve_row(one, 0, Purpose::compared, numbers);
 }
 
 std::string CompiledCases::differences(const Columns& data, std::size_t row, std::size_t datum,

@@ -30,10 +30,14 @@ constexpr std::uint64_t cases_to_a_check = 1000;
 constexpr double same_answer = 1e-7, cancelled = 1e-9;
 
 // The numbers of an answer; nothing if it has none.
-std::vector<double> numbers_of(const SolvedAsk& ask) {
-  if (ask.value.is_number()) return {ask.value.number};
-  if (ask.value.is_vector()) return {ask.value.vector[0], ask.value.vector[1], ask.value.vector[2]};
-  return {};
+std::vector<double> numbers_of(const SolvedAsk& ask) { return numbers_in(ask.value); }
+
+// Of each number of a value; nothing if it has none.
+template <class Scalar>
+std::vector<Dimension> dimensions_in(const Value<Scalar>& value) {
+  std::vector<Dimension> found(numbers_in(value).size(), value.dimension);
+  for (std::size_t k = 0; value.is_list() && k < found.size(); ++k) found[k] = value.items[k].dimension;
+  return found;
 }
 
 std::string reason_of(const SolvedAsk& ask) {
@@ -49,6 +53,16 @@ std::string reason_of(const SolvedAsk& ask) {
   return "";
 }
 
+// Whether dry friction leaves it to each case what state it is in: a whole solution finds that.
+bool has_states_to_find(const Statement& statement) {
+  return std::ranges::any_of(statement.situations, [](const Situation& situation) {
+    return situation.has_friction() ||
+           std::ranges::any_of(situation.contacts, [](const Contact& one) { return one.friction.has_value(); }) ||
+           std::ranges::any_of(situation.gears, [](const Gear& one) { return one.friction.has_value(); }) ||
+           std::ranges::any_of(situation.impacts, [](const Impact& one) { return one.friction.has_value(); });
+  });
+}
+
 }  // namespace
 
 CompiledCases::CompiledCases(const Statement& statement, CasesAsked asked)
@@ -58,30 +72,15 @@ CompiledCases::CompiledCases(const Statement& statement, CasesAsked asked)
       first_(std::move(asked.first)) {
   find_places(asked.sensitivities);
   if (statement_.asks.empty()) fail(statement_.file, Mark{1, 1}, "the file asks nothing", "write ask: {T: ...}");
-  for (const Situation& situation : statement.situations)
-    for (const Contact& contact : situation.contacts)
-      if (contact.friction)
-        fail(situation.file, contact.friction->mark,
-             "cases with friction are not solved: the states of the contacts may differ from case to case",
-             "solve each case by itself, with --set");
-  for (const Situation& situation : statement.situations)
-    for (const Gear& gear : situation.gears)
-      if (gear.friction)
-        fail(situation.file, gear.friction->mark(),
-             "cases with friction of teeth are not solved: the flanks that carry may differ from case to case",
-             "solve each case by itself, with --set");
-  for (const Situation& situation : statement.situations)
-    for (const Impact& impact : situation.impacts)
-      if (impact.friction)
-        fail(situation.file, impact.friction->mark(),
-             "cases with friction in a blow are not solved: it may slip in one case and stick in another",
-             "solve each case by itself, with --set");
-  if (asked.with_formulas)
+  const bool rough = has_states_to_find(statement_);
+  if (rough)
+    no_formulas_ = "what sticks or slides, or which flank carries, may differ from case to case";
+  else if (asked.with_formulas)
     find_formulas();
   else
     no_formulas_ = "they are not wanted";
   settings_ = read_settings(statement_, sets_);
-  all_have_values_ = no_letters_left();
+  all_have_values_ = no_letters_left() && !rough;
   by_instants_ = needs_instants_alone(statement_) && all_have_values_;
   if (!columns_.empty()) {
     if (!formulas_) make_program();
@@ -94,7 +93,7 @@ CompiledCases::CompiledCases(const Statement& statement, CasesAsked asked)
   formulas_.reset();
   std::vector<std::span<const double>> one;
   for (const double& value : first_) one.emplace_back(&value, 1);
-  const SolvedStatement solved = solved_in_full(one, 0);
+  const SolvedStatement solved = solved_in_full(one, 0, Purpose::told);
   if (solved.ended) throw BudgetEnded{*solved.ended};
   if (solved.solutions.empty())
     fail(statement_.file, Mark{1, 1}, "the first case has no solution",
@@ -126,7 +125,7 @@ void CompiledCases::make_program() {
   try {
     Columns one;
     for (const double& value : first_) one.emplace_back(&value, 1);
-    const SolvedStatement solved = solved_in_full(one, 0);
+    const SolvedStatement solved = solved_in_full(one, 0, Purpose::told);
     if (solved.ended) throw BudgetEnded{*solved.ended};
     if (solved.solutions.size() != 1) throw NoFormula(fmt::format("there are {} solutions", solved.solutions.size()));
     AllSettings settings = settings_at(one, 0);
@@ -163,28 +162,27 @@ void CompiledCases::find_formulas() {
 
 void CompiledCases::take_shape(const Solution& solution) {
   columns_.clear();
-  vectors_.clear();
+  sizes_.clear();
   std::vector<Dimension> of_answers;
   for (std::size_t i = 0; i < solution.asks.size(); ++i) {
     const SolvedAsk& ask = solution.asks[i];
     const std::string& name = statement_.asks[i].name;
-    const bool formula = ask.formula && (ask.formula->is_number() || ask.formula->is_vector());
-    const bool vector = formula ? ask.formula->is_vector() : ask.value.is_vector();
-    const Dimension& dimension = formula ? ask.formula->dimension : ask.value.dimension;
-    if (!formula && numbers_of(ask).empty()) {
+    const std::vector<Dimension> in_formula = ask.formula ? dimensions_in(*ask.formula) : std::vector<Dimension>();
+    const std::vector<Dimension> parts = in_formula.empty() ? dimensions_in(ask.value) : in_formula;
+    if (parts.empty() || !ask.columns.empty()) {
       columns_.clear();
       if (!ask.columns.empty() || ask.value.is_list() || ask.value.is_text())
-        fail(statement_.file, statement_.asks[i].mark, "'" + name + "' is no number and no vector",
+        fail(statement_.file, statement_.asks[i].mark, "'" + name + "' is no number, no vector and no list of numbers",
              "a study asks for numbers: leave it out by asks");
       return;
     }
-    vectors_.push_back(vector);
-    of_answers.insert(of_answers.end(), vector ? 3 : 1, dimension);
-    const std::string unit = format_unit(dimension, std::ranges::all_of(statement_.asks[i].of, asks_energy));
-    if (!vector) columns_.push_back({name, unit});
-    for (std::size_t k = 0; vector && k < 3; ++k) {
-      const std::string axis = k < ask.component_names.size() ? ask.component_names[k] : std::to_string(k + 1);
-      columns_.push_back({name + "." + axis, unit});
+    sizes_.push_back(parts.size());
+    of_answers.insert(of_answers.end(), parts.begin(), parts.end());
+    const bool energy = std::ranges::all_of(statement_.asks[i].of, asks_energy);
+    const bool number = in_formula.empty() ? ask.value.is_number() : ask.formula->is_number();
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const std::string part = k < ask.component_names.size() ? ask.component_names[k] : std::to_string(k + 1);
+      columns_.push_back({number ? name : name + "." + part, format_unit(parts[k], energy)});
     }
   }
   answers_ = columns_.size();
@@ -194,20 +192,24 @@ void CompiledCases::take_shape(const Solution& solution) {
           {columns_[k].name + " by " + data_[by].name, format_unit(of_answers[k] / data_[by].dimension)});
 }
 
-SolvedStatement CompiledCases::solved_in_full(const Columns& data, std::size_t row) const {
-  if (all_have_values_) return solve_questions(statement_, settings_at(data, row).front());
+SolvedStatement CompiledCases::solved_in_full(const Columns& data, std::size_t row, Purpose purpose) const {
+  if (all_have_values_) {
+    const Settings settings = settings_at(data, row).front();
+    return purpose == Purpose::told ? solve_questions(statement_, settings) : solve_to_compare(statement_, settings);
+  }
   std::vector<std::pair<std::string, std::string>> sets = sets_;
   for (std::size_t k = 0; k < data_.size(); ++k) sets.emplace_back(data_[k].name, setting_text(data_[k], data[k][row]));
   return solve_statement(statement_, sets);
 }
 
-std::string CompiledCases::solve_row(const Columns& data, std::size_t row, std::vector<double>& numbers) const {
+std::string CompiledCases::solve_row(const Columns& data, std::size_t row, Purpose purpose,
+                                     std::vector<double>& numbers) const {
   numbers.assign(answers_, missing);
   for (std::size_t k = 0; k < data_.size(); ++k)
     if (!std::isfinite(data[k][row])) return "'" + data_[k].name + "' has no value in this case";
   SolvedStatement solved;
   try {
-    solved = solved_in_full(data, row);
+    solved = solved_in_full(data, row, purpose);
   } catch (const StatementError& error) {
     return error.diagnostics().front().message;
   }
@@ -218,7 +220,7 @@ std::string CompiledCases::solve_row(const Columns& data, std::size_t row, std::
   std::size_t at = 0;
   const std::vector<SolvedAsk>& asks = solved.solutions.front().asks;
   for (std::size_t i = 0; i < asks.size(); ++i) {
-    const std::size_t size = vectors_[i] ? 3 : 1;
+    const std::size_t size = sizes_[i];
     std::string reason = reason_of(asks[i]);
     const std::vector<double> found = numbers_of(asks[i]);
     if (reason.empty() && found.size() != size) reason = "it has another form than in other cases";
@@ -234,11 +236,11 @@ std::string CompiledCases::solve_row(const Columns& data, std::size_t row, std::
 bool CompiledCases::is_refuted(const Columns& data, std::size_t row, const SolvedCases& found,
                                const std::vector<double>& sizes) const {
   std::vector<double> numbers;
-  if (!solve_row(data, row, numbers).empty()) return true;
+  if (!solve_row(data, row, Purpose::compared, numbers).empty()) return true;
   std::size_t at = 0;
-  for (const bool vector : vectors_) {
+  for (const std::size_t parts : sizes_) {
     double off = 0, size = 0, usual = 0;
-    for (const std::size_t end = at + (vector ? 3 : 1); at < end; ++at) {
+    for (const std::size_t end = at + parts; at < end; ++at) {
       off = std::max(off, std::fabs(found.columns[at][row] - numbers[at]));
       size = std::max(size, std::fabs(numbers[at]));
       usual = std::max(usual, sizes[at]);
@@ -308,7 +310,7 @@ void CompiledCases::solve_the_rest(const Columns& data, SolvedCases& found) cons
   std::vector<double> numbers;
   for (std::size_t row = 0; row < found.roads.size(); ++row) {
     if (found.roads[row] != CaseRoad::in_full) continue;
-    std::string reason = solve_row(data, row, numbers);
+    std::string reason = solve_row(data, row, Purpose::told, numbers);
     for (std::size_t k = 0; k < numbers.size(); ++k) found.columns[k][row] = numbers[k];
     if (!reason.empty()) found.reasons.emplace_back(row, std::move(reason));
   }

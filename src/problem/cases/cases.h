@@ -73,9 +73,11 @@ class CompiledCases {
 
  private:
   using Columns = std::vector<std::span<const double>>;
-  SolvedStatement solved_in_full(const Columns& data, std::size_t row) const;
+  // Whether a full solution is what is told of a case, or is held against what was found on another road.
+  enum class Purpose : std::uint8_t { told, compared };
+  SolvedStatement solved_in_full(const Columns& data, std::size_t row, Purpose purpose) const;
   // Writes the numbers of the answers in one case, NaN without answer; returns why one is missing, or "".
-  std::string solve_row(const Columns& data, std::size_t row, std::vector<double>& numbers) const;
+  std::string solve_row(const Columns& data, std::size_t row, Purpose purpose, std::vector<double>& numbers) const;
   // By a program that takes columns of data and room for results, and tells which cases it answers.
   template <class Program>
   static void go_by(const Program& program, CaseRoad road, const Columns& data, SolvedCases& found);
@@ -110,9 +112,9 @@ class CompiledCases {
   std::vector<CaseColumn> columns_;
   std::size_t answers_ = 0;       // how many of the columns are answers
   Settings settings_;             // those of sets_
-  bool all_have_values_ = false;  // whether no letter is left open
+  bool all_have_values_ = false;  // whether no letter is left open, nor the state of what rubs
   bool by_instants_ = false;
-  std::vector<bool> vectors_;  // of each question, whether it is one
+  std::vector<std::size_t> sizes_;  // how many numbers the answer to each question has
   std::optional<CaseFormulas> formulas_;
   std::string no_formulas_;
   std::optional<InstantProgram> program_;  // where there are no formulas

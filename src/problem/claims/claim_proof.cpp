@@ -67,6 +67,7 @@ class AssumptionWorker {
     start.equations = equations_;
     start.orders = orders_;
     take_ranges(start);
+    part_closed_ranges(start);
     // First the ranges of those letters for which no equation can be solved, as angles: with them it may show that
     // factors of the equations cannot vanish.
     work_in_ranges(start, false);
@@ -100,15 +101,18 @@ class AssumptionWorker {
   };
   struct Range {
     std::optional<Formula> low, high;
-    bool weak = false;
+    bool low_weak = false, high_weak = false;  // whether an end belongs to it
+
+    bool weak() const { return low_weak || high_weak; }
   };
   struct State {
     WorkedCase worked;
     std::vector<Formula> equations;  // each of these vanishes
     std::vector<Order> orders;
     std::map<std::string, Range> ranges;
-    std::set<std::string> parts;  // new letters, all positive
-    bool dropped = false;         // whether a case that branched off it was left out
+    std::set<std::string> parts;       // new letters, all positive
+    std::set<std::string> weak_parts;  // those that may vanish as well
+    bool dropped = false;              // whether a case that branched off it was left out
   };
 
   bool is_positive(const State& state, const std::string& letter) const {
@@ -144,10 +148,25 @@ class AssumptionWorker {
       const Formula bound = line->root();
       const bool rising = plain(line->slope) > 0;
       std::optional<Formula>& end = rising ? range.low : range.high;
-      if (!end || (rising ? plain(bound) > plain(*end) : plain(bound) < plain(*end))) end = bound;
-      range.weak = range.weak || order.weak;
+      bool& weak = rising ? range.low_weak : range.high_weak;
+      const bool narrower = !end || (rising ? plain(bound) > plain(*end) : plain(bound) < plain(*end));
+      weak = narrower ? order.weak : weak && (order.weak || plain(bound) != plain(*end));
+      if (narrower) end = bound;
     }
     state.orders = std::move(others);
+  }
+
+  // A new letter that vanishes is at one end of a range only. Where both belong to it, its upper end is a case.
+  void part_closed_ranges(State& state) {
+    for (auto& [letter, range] : state.ranges) {
+      if (!range.low || !range.high || !range.low_weak || !range.high_weak) continue;
+      State end = state;
+      end.ranges.at(letter).low_weak = false;
+      end.equations.push_back(Formula::letter(letter, poinsot::Sign::real) - *range.high);
+      part_closed_ranges(end);
+      follow(std::move(end), state);
+      range.high_weak = false;
+    }
   }
 
   // Replaces letters with ranges by positive new letters s. An angle b between 0 and at most 180 deg has tan(b/2)
@@ -167,11 +186,14 @@ class AssumptionWorker {
       if (state.worked.values_.contains(letter)) {
         // An equation has given the letter a value. Its range becomes an order for that value.
         const Formula x = state.worked.values_.at(letter);
-        if (range.low) state.orders.push_back({x - *range.low, range.weak});
-        if (range.high) state.orders.push_back({*range.high - x, range.weak});
+        const auto keep = [&](const Formula& difference, bool weak) {
+          if (!weak || !difference.is_zero()) state.orders.push_back({difference, weak});
+        };
+        if (range.low) keep(x - *range.low, range.low_weak);
+        if (range.high) keep(*range.high - x, range.high_weak);
       } else {
         set_range(state, letter, range);
-        state.worked.weak_ = state.worked.weak_ || range.weak;
+        state.worked.weak_ = state.worked.weak_ || range.weak();
       }
       entry = state.ranges.erase(entry);
     }
@@ -186,10 +208,13 @@ class AssumptionWorker {
       set(state, letter, *range.high - s);
       return;
     }
-    const Formula part = s / (Formula(1) + s);
-    if (range.low->is_zero() && *range.high == Formula::pi())
+    // An end that belongs to the range is where s vanishes.
+    const Formula part = (range.high_weak ? Formula(1) : s) / (Formula(1) + s);
+    if (range.low->is_zero() && *range.high == Formula::pi() && !range.high_weak)
       set(state, letter, Formula(2) * atan(s));
-    else if (range.low->is_zero() && plain(*range.high) < 3.1415 && plain(*range.high) > 0)
+    // An end that is a quotient of integers is that of a length, a mass or a ratio.
+    else if (range.low->is_zero() && !range.high->is_rational() && plain(*range.high) < 3.1415 &&
+             plain(*range.high) > 0)
       set(state, letter, Formula(2) * atan(tan(*range.high / Formula(2)) * part));
     else
       set(state, letter, *range.low + (*range.high - *range.low) * part);
@@ -257,8 +282,8 @@ class AssumptionWorker {
   }
 
   // Replaces letters so that the orders hold. Returns false if one of them cannot hold.
-  bool work_in_orders(State& state) const {
-    std::vector<Order> left = std::move(state.orders);
+  bool work_in_orders(State& state) {
+    std::vector<Order> left = state.orders;  // which stay for the cases that branch off
     for (bool progress = true; progress;) {
       progress = false;
       std::vector<Order> again;
@@ -281,7 +306,7 @@ class AssumptionWorker {
   }
 
   // Replaces a letter by which the order holds for all values. Returns whether there is one.
-  bool work_in_order(State& state, const Order& order) const {
+  bool work_in_order(State& state, const Order& order) {
     const Formula difference = sign_part(state.worked.apply(order.difference), order.weak);
     for (const std::string& letter : difference.letters()) {
       const auto line = line_in(difference, letter, sign_of(state, letter));
@@ -294,14 +319,25 @@ class AssumptionWorker {
         // letter > bound
         if (positive && !bound.is_zero() && seen_sign(bound).sign <= 0) continue;
         set(state, letter, bound + fresh_letter(state));
+        if (order.weak) state.weak_parts.insert(state.worked.letters_.back());
       } else if (!positive) {
         set(state, letter, bound - fresh_letter(state));
+        if (order.weak) state.weak_parts.insert(state.worked.letters_.back());
       } else {
         // 0 < letter < bound
         const SeenSign upper = bound.is_zero() ? SeenSign{} : seen_sign(bound);
         if (upper.sign <= 0 || !upper.strict) continue;
+        const bool both_ends = order.weak && state.weak_parts.contains(letter);
+        if (both_ends) {
+          // Where it vanishes stays within reach of the new letter, and where it is at its bound is a case.
+          State end = state;
+          end.equations.push_back(difference);
+          follow(std::move(end), state);
+        }
         const Formula s = fresh_letter(state);
-        set(state, letter, bound * s / (Formula(1) + s));
+        // If the bound belongs to its values, it is where s vanishes.
+        set(state, letter, bound * (order.weak && !both_ends ? Formula(1) : s) / (Formula(1) + s));
+        if (order.weak) state.weak_parts.insert(state.worked.letters_.back());
       }
       state.worked.weak_ = state.worked.weak_ || order.weak;
       return true;

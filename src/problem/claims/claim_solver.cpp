@@ -142,7 +142,7 @@ class ClaimSolver {
     const bool by_digits = formulas_->decisions().zeros_by_digits;
     const bool formulas_hold = decided_alike(drawn.point) && !by_digits;
     Verdict verdict = trials_->verdict(drawn);
-    if (verdict.close && verdict.holds && formulas_hold) return Outcome::skipped;
+    if (verdict.close && verdict.holds && !proved_ && formulas_hold) return Outcome::skipped;
     const bool check =
         !formulas_hold || !verdict.holds || (proved_ && confirmed_points < confirming_points) || !possible;
     if (!check) return proved_ ? Outcome::decided : Outcome::holds;
@@ -155,9 +155,10 @@ class ClaimSolver {
     } else if (!formulas_hold) {
       if (numbers->close) return Outcome::skipped;
       verdict = *numbers;
-    } else if ((verdict.difference && numbers->holds) || found_alike(*numbers, verdict)) {
+    } else if ((verdict.difference && numbers->holds) || found_alike(*numbers, verdict) ||
+               (proved_ && numbers->close && verdict.holds)) {
       // Rounding hides from the numbers what the exact formulas tell; or they have the same two sides, which count as
-      // equal beside forces that have no part in them.
+      // equal beside forces that have no part in them; or the sides are equal, as the proof tells.
     } else if (too_fine(*numbers, verdict)) {
       // Formulas that no number confirms refute nothing: another point has to show it.
       unconfirmed_ = true;

@@ -4,6 +4,7 @@
 
 #include "poinsot/engine/solve/instant/constraint_check.h"
 #include "problem/course/course.h"
+#include "problem/course/motion_piece.h"
 #include "problem/course/motion_witness.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
@@ -93,10 +94,11 @@ std::optional<WitnessedState> Course::witnessed(double time) {
   const MotionState now = probe_->state();
   const std::size_t n = now.v.size();
   WitnessedState state{now.q, now.v, std::vector<double>(now.q.size()), {}, std::vector<bool>(n, true)};
-  // What contacts hold at rest has the rounding of their forces, and no motion that could be compared.
-  constexpr double rounding = 1e-12;  // of the natural pace
+  // What is held at rest, as by wheels that lock one another, has the rounding of its forces and no motion that could
+  // be compared: of the natural pace a few last places, and what is left of their limits where contacts with friction
+  // hold.
+  const double rounding = situation_.has_friction() ? 1e-12 : 1e-15;
   const auto hold_at_rest = [&](std::vector<double>& rates, double pace) {
-    if (!situation_.has_friction()) return;
     const std::vector<double> sizes = natural_sizes().of_v;
     for (std::size_t k = 0; k < n; ++k)
       if (std::abs(rates[k]) < rounding * sizes[k] * pace) rates[k] = 0;
@@ -115,7 +117,8 @@ std::optional<WitnessedState> Course::witnessed(double time) {
 // Of the instant that the probe stands at: whether a cord pushes, a contact pulls, or what has parted overlaps.
 MotionDoubt Course::contact_doubt(double time) {
   const std::string when = " at " + with_digits(time, 6) + " s";
-  if (const std::vector<std::string> faults = probe_->unphysical(); !faults.empty()) return {1, faults.front() + when};
+  if (const std::vector<std::string> faults = probe_->unphysical(off_line * natural_speed()); !faults.empty())
+    return {1, faults.front() + when};
   const MotionState now = at(time);
   if (now.acting.empty()) return {};
   if (has_later_contacts_ && !whole_machine_) whole_machine_ = probe_->machine_at(time, std::nullopt);

@@ -166,9 +166,10 @@ void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, 
   for (const SolvedInstant::Met& one : all) {
     const Contact& contact = *later_contact(one.action);
     const double before = piece.gap_rate(one.action, now.v), leaves = piece.gap_rate(one.action, after);
-    // By the gaps of the motion, which are not in the equations of the blow.
+    // By the gaps of the motion, which are not in the equations of the blow, and the restitution as it is stated.
+    const double stated = contact.restitution ? start_->data_number(*contact.restitution, dimensions::none) : 0;
     if (!one.friction && before < 0)
-      blow_misfit_ = std::max(*blow_misfit_, std::abs(leaves + one.restitution * before) / -before);
+      blow_misfit_ = std::max(*blow_misfit_, std::abs(leaves + stated * before) / -before);
     double& first = approaches_[one.action];
     first = std::max(first, -before);
     speed = std::max(speed, -before);

@@ -37,29 +37,14 @@ std::optional<MotionError> Course::error(double until) {
   const bool nudged = std::any_of(situation_.instants.begin(), situation_.instants.end(),
                                   [](const Instant& instant) { return !instant.nudged.empty(); });
   if (nudged) return std::nullopt;
-  MotionError error;
-  if (in_closed_form_) {
-    // A closed form has only the rounding of its rates, which grows with time.
-    constexpr double noticed = 1e-9;  // of the size: beyond what answers are shown to
-    error.angle = error.relative = std::numeric_limits<double>::epsilon() * until / pace_time_;
-    return error.relative > noticed ? std::optional(error) : std::nullopt;
-  }
-  constexpr int instants = 200;  // at which the two motions are compared: some ten for each swing of a long motion
-  until = std::min(until, reached());
   const double length = start_->natural_size(dimensions::length);
-  try {
-    Course coarse(stated_, settings_, choice_);
-    follow_less_closely(coarse);
-    try {
-      until = std::min(until, coarse.follow(until));
-    } catch (const UnansweredError&) {
-      // Both motions can be followed equally far, up to their errors.
-      if (coarse.reached() < 0.99 * until) throw;
-      until = coarse.reached();
-    }
+  MotionError error;
+  // The largest differences from another motion up to a time.
+  const auto compare = [&](Course& other) {
+    constexpr int instants = 200;  // some ten for each swing of a long motion
     for (int i = 1; i <= instants; ++i) {
       const double time = i == instants ? until : until * i / instants;
-      const MotionState a = at(time), b = coarse.at(time);
+      const MotionState a = at(time), b = other.at(time);
       for (const auto& body : start_->machine().mechanism.tree.bodies()) {
         const auto q = static_cast<std::size_t>(body.q);
         const int size = position_size(body.joint);
@@ -79,11 +64,44 @@ std::optional<MotionError> Course::error(double until) {
         }
       }
     }
+    error.relative = std::max(error.angle, error.length / length);
+  };
+  if (in_closed_form_) {
+    // A closed form has only the rounding of its rates, which grows with time: slowly, but exponentially where the
+    // motion comes near an unstable equilibrium, as a pendulum that just reaches its highest place. A motion whose
+    // rates are off by that from the start, each another way, shows it.
+    constexpr double noticed = 1e-9;  // of the size: beyond what answers are shown to
+    constexpr double rounding = std::numeric_limits<double>::epsilon();
+    try {
+      Course beside(stated_, settings_, choice_);
+      beside.most_work_ = most_work_;
+      std::vector<double>& rates = beside.stages_.front().v;
+      for (std::size_t k = 0; k < rates.size(); ++k) rates[k] *= 1 + (k % 2 == 0 ? rounding : -rounding);
+      until = std::min(until, beside.follow(until));
+      compare(beside);
+    } catch (const StatementError&) {
+      // What the motion beside meets on its way, as the end of a stage, this one has not met.
+      error = {};
+    }
+    error.angle = std::max(error.angle, rounding * until / pace_time_);
+    error.relative = std::max(error.relative, error.angle);
+    return error.relative > noticed ? std::optional(error) : std::nullopt;
+  }
+  until = std::min(until, reached());
+  try {
+    Course coarse(stated_, settings_, choice_);
+    follow_less_closely(coarse);
+    try {
+      until = std::min(until, coarse.follow(until));
+    } catch (const UnansweredError&) {
+      // Both motions can be followed equally far, up to their errors.
+      if (coarse.reached() < 0.99 * until) throw;
+      until = coarse.reached();
+    }
+    compare(coarse);
   } catch (const StatementError&) {
     error.relative = std::numeric_limits<double>::infinity();
-    return error;
   }
-  error.relative = std::max(error.angle, error.length / length);
   return error;
 }
 

@@ -242,6 +242,9 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
   const std::optional<double> last = to ? to : motion_.end();
   double begun = from, until = to ? *to : from + 4 * motion_.pace_time();
   std::size_t waited = 0;
+  // Each try to come nearer to where a motion ends halves what is left.
+  constexpr int most_shortened = 40;
+  int shortened = 0;
   for (;; until = from + 2 * (until - from)) {
     if (last) until = std::min(until, *last);
     // If a motion cannot be followed further, what happens before is known nevertheless.
@@ -250,12 +253,23 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
       try {
         return number_.samples(begun, until);
       } catch (const UnansweredError& error) {
-        if (to || !(motion_.reached() > begun && motion_.reached() < until)) throw;
-        stopped = error;
-        until = motion_.reached();
-        return number_.samples(begun, until);
+        if (to) throw;
+        if (motion_.reached() > begun && motion_.reached() < until) {
+          stopped = error;
+          until = motion_.reached();
+          return number_.samples(begun, until);
+        }
+        // A motion that ends in the center that pulls it has been followed nowhere yet.
+        if (motion_.reached() > begun || ++shortened > most_shortened) throw;
+        until = begun + (until - begun) / 2;
+        return NumberSamples{};
       }
     }();
+    if (sampled.value.empty()) {
+      // Half as far: the step to the next stretch doubles it.
+      until = from + (until - from) / 2;
+      continue;
+    }
     double size = 0;
     for (double value : sampled.value) size = std::max(size, std::abs(value));
     const auto start_counts = [&] {

@@ -115,12 +115,13 @@ void Course::put_in_contact_states(std::size_t stage, const std::vector<ContactS
     const auto direction = [&](const Expression& slip) {
       return DataScope<double>(situation_, settings_, 0).direction(slip);
     };
+    // In a blow before the motion it may have parted already.
+    part = part || (state.grip == Grip::parts && !before->flies);
     constexpr double one_direction = 1e-6;
     if (before->grip == state.grip && (state.grip != Grip::slides || (before->slip_turns && !state.from_rest) ||
                                        norm(direction(*before->slip) - direction(*state.slip)) < one_direction))
       continue;
     any = true;
-    part = part || state.grip == Grip::parts;
     changes_.push_back({now.time, problem::words_of(state, situation_, settings_)});
     happenings_.push_back(changes_.back().words + " from " + with_digits(now.time, 6) + " s on");
     before->grip = state.grip;
@@ -129,7 +130,7 @@ void Course::put_in_contact_states(std::size_t stage, const std::vector<ContactS
     before->slip_turns = false;
   }
   now.states_fresh = true;
-  if (!any) return;
+  if (!any && !part) return;
   std::vector<bool> acting = acting_in(now);
   for (const ContactState& state : states)
     if (state.grip == Grip::parts) acting[action_of_contact(state.contact)] = false;

@@ -244,6 +244,7 @@ std::optional<std::size_t> Course::Piece::add_holds() {
     event_limit_.push_back(nullptr);
   }
   add_ends_of_surfaces();
+  add_ends_of_cords();
   return add_belts();
 }
 
@@ -297,6 +298,41 @@ void Course::Piece::add_ends_of_surfaces() {
     events_.push_back(std::move(event));
     event_action_.push_back(std::nullopt);
     event_limit_.push_back(&limit);
+  }
+}
+
+// A point at the end of a cord that comes to the wheel from which the cord leads to it has no straight part left.
+void Course::Piece::add_ends_of_cords() {
+  // Of the square of the radius: the straight part is then a ten thousandth of it. Nearer its direction turns faster
+  // than a motion can be followed.
+  constexpr double nothing = 1e-8;
+  for (const VelocityConstraint<double>& c : machine_.mechanism.constraints) {
+    if (c.kind != VelocityConstraintKind::led_cord || !acting_[static_cast<std::size_t>(c.action)]) continue;
+    for (const CordSpan<double>& span : c.spans) {
+      const double reach = span.from.reach - span.to.reach;
+      if ((span.from.reach == 0) == (span.to.reach == 0)) continue;
+      Event event;
+      event.name = "end of cord";
+      event.crossing = Crossing::falling;
+      event.terminal = true;
+      event.size = 1;
+      event.value = [this, &span, reach](double, std::span<const double> q, std::span<const double>) {
+        limit_state_.set_positions({q.begin(), q.end()});
+        const Model<double>& tree = limit_state_.mechanism().tree;
+        const Workspace<double>& w = limit_state_.workspace();
+        const auto center = [&](const CordEnd<double>& end) {
+          return point_position(tree, w, end.center.body, end.center.point);
+        };
+        const Vector3<double> e = direction_on_ground(tree, w, span.axis.body, span.axis.vector);
+        const Vector3<double> apart = center(span.to) - center(span.from);
+        const Vector3<double> in_plane = apart - dot(apart, e) * e;
+        return norm_squared(in_plane) / (reach * reach) - 1 - nothing;
+      };
+      event_cord_[events_.size()] = static_cast<std::size_t>(c.action);
+      events_.push_back(std::move(event));
+      event_action_.push_back(std::nullopt);
+      event_limit_.push_back(nullptr);
+    }
   }
 }
 

@@ -49,6 +49,11 @@ class Course::Piece {
   // it.
   const ContactLimit* end_of_surface(std::size_t event) const { return event_limit_[event]; }
   const ContactLimit* beyond_surface() const;
+  // The cord whose end comes to a wheel at an event; nothing if none does.
+  std::optional<std::size_t> end_of_cord(std::size_t event) const {
+    const auto found = event_cord_.find(event);
+    return found == event_cord_.end() ? std::nullopt : std::optional(found->second);
+  }
   // Adds the events at which contacts with friction cease to slide or come to the limit of what they hold at rest.
   void add_friction();
   // Whether a contact with friction ceases to slide or comes to its limit at an event; if it comes to that, all
@@ -59,6 +64,9 @@ class Course::Piece {
   bool slip_has_ended();
   // The contacts that slide otherwise than along the line that was taken for them on the way.
   std::vector<std::string> off_their_lines(const Trajectory& way);
+  // When those that begin to slide leave their lines; nothing if they slide from the start of the way.
+  std::optional<double> leave_their_lines(const Trajectory& way, const std::vector<std::string>& contacts);
+  bool is_off_its_line(const RoughContactOf<double>& contact, const State<double>& there);
   // Whether contacts slide with friction, and the power that they take.
   bool rubs() const;
   double rubbing_power(const State<double>& state);
@@ -96,6 +104,7 @@ class Course::Piece {
   void refresh(double time);
   std::optional<std::size_t> add_belts();
   void add_ends_of_surfaces();
+  void add_ends_of_cords();
   double inside(double time) const;
   Event slack(std::size_t component);
   std::pair<double, double> tensions(const RoughContactOf<double>& contact) const;
@@ -141,6 +150,7 @@ class Course::Piece {
   std::vector<std::optional<std::size_t>> event_action_;
   std::vector<const ContactLimit*> event_limit_;
   std::map<std::size_t, const RoughContactOf<double>*> event_contact_;
+  std::map<std::size_t, std::size_t> event_cord_;
   std::vector<double> acceleration_;
   bool slips_turn_ = false;
   std::vector<JointLoad> loads_on_joints_;

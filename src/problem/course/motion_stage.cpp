@@ -66,7 +66,30 @@ void Course::run(std::size_t stage, double until) {
   // An event is sought in growing intervals, until it happens or the motion was followed long enough.
   double span = 20 * pace_time_;
   double target = now.end ? std::min(until, *now.end) : ending ? std::min(until, now.time + span) : until;
+  // What is known in closed form is known from its start: rounding on the way would grow where the motion comes near an
+  // unstable equilibrium. So it is taken from there again, unless it goes on for a short while only, or for so long
+  // that the long steps would leave its first swings without looks.
+  constexpr double soon = 1e4;  // of the pace: what is sensitive is told for some forty
+  if (in_closed_form_ && target < soon * pace_time_ && !ending && !now.done && !now.pieces.empty() &&
+      !now.pieces.back().empty()) {
+    const double begun = now.pieces.back().start_time();
+    if (target - begun >= 2 * (now.time - begun)) {
+      const State<double> first = now.pieces.back().state(begun);
+      now.q = first.q;
+      now.v = first.v;
+      now.time = begun;
+      now.pieces.pop_back();
+      now.acting.pop_back();
+      now.states.pop_back();
+    }
+  }
   const WorkLimit work(most_work_);
+  // Contacts that begin to slide along their lines and then turn.
+  struct Turning {
+    double time;
+    std::vector<std::string> contacts;
+  };
+  std::optional<Turning> turning_from;
   while (!now.done && now.time < target) {
     if (now.slips) throw_slip(now);
     const Driving::Span smooth = smooth_span(stage, target);
@@ -102,15 +125,29 @@ void Course::run(std::size_t stage, double until) {
     if (const ContactLimit* limit = piece.beyond_surface()) comes_to_end(stage, *limit);
     piece.check_sides(nullptr);
     piece.add_friction();
-    IntegrationResult result = piece.follow(std::min(smooth.end, now.end.value_or(target)), work.left());
-    if (const std::vector<std::string> turning = piece.off_their_lines(result.trajectory); !turning.empty()) {
-      let_turn(stage, turning);
+    const double until_then = std::min(smooth.end, now.end.value_or(target));
+    IntegrationResult result =
+        piece.follow(turning_from ? std::min(until_then, turning_from->time) : until_then, work.left());
+    if (const std::vector<std::string> turning =
+            turning_from ? std::vector<std::string>() : piece.off_their_lines(result.trajectory);
+        !turning.empty()) {
+      if (const std::optional<double> leave = piece.leave_their_lines(result.trajectory, turning)) {
+        turning_from = {*leave, turning};
+        now.states_fresh = true;
+      } else {
+        let_turn(stage, turning);
+      }
       continue;
     }
     piece.check_sides(&result.trajectory);
     piece.check_winding(result.trajectory);
     piece.check_nearness(result.trajectory);
     keep(stage, piece, result);
+    if (turning_from) {
+      let_turn(stage, turning_from->contacts);
+      turning_from.reset();
+      if (result.ending != Ending::terminal_event) continue;
+    }
     if (result.ending == Ending::terminal_event) {
       if (piece.is_of_friction(result.hits.back().event)) {
         if (const std::vector<ContactState> starting = piece.at_their_limits(result.hits.back().event);
@@ -125,6 +162,12 @@ void Course::run(std::size_t stage, double until) {
           change_holds(stage, *action, piece);
       } else if (const ContactLimit* limit = piece.end_of_surface(result.hits.back().event)) {
         comes_to_end(stage, *limit);
+      } else if (const std::optional<std::size_t> cord = piece.end_of_cord(result.hits.back().event)) {
+        const std::string& name = piece.machine().mechanism.actions[*cord].name;
+        const auto stated = std::ranges::find(situation_.cords, name, &Cord::name);
+        stops(stage, stated == situation_.cords.end() ? mark_of(stage) : stated->mark,
+              "an end of the cord '" + name + "' comes to its wheel at " + with_digits(now.time, 6) +
+                  " s: what it does there is not followed");
       } else {
         now.end = now.time;
         now.done = true;

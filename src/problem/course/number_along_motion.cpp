@@ -96,6 +96,8 @@ double NumberAlongMotion::zero_between(double a, double b, double level) const {
     }
     return outside;
   }
+  // A number that is rounding changes its sign from one evaluation to the next.
+  if ((fa < 0) == (fb < 0)) return std::abs(fa) < std::abs(fb) ? a : b;
   std::uintmax_t iterations = 100;
   const auto bracket =
       boost::math::tools::toms748_solve(f, a, b, fa, fb, boost::math::tools::eps_tolerance<double>(52), iterations);

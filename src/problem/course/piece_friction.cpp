@@ -140,9 +140,19 @@ void Course::Piece::add_friction() {
     } else if (contact.grip == Grip::slides) {
       event.name = "slip vanishes";
       event.size = motion_.natural_speed() > 0 ? motion_.natural_speed() : 1;
-      event.value = [this, &contact](double, std::span<const double> q, std::span<const double> v) {
+      const auto along = [this, &contact](std::span<const double> q, std::span<const double> v) {
         const Vector3<double> u = slip(contact, q, v);
         return dot(u, direction_now(limit_state_, contact, *contact.slip));
+      };
+      // What begins to slide at its limit has no slip and next to no acceleration, which may point backwards by
+      // rounding. For a hundredth of the pace that is not the end of the slip; afterwards the end is as exact as ever.
+      const double none =
+          std::min(0.5 * off_line, std::max(slip_is_none, slip_ends * motion_.tolerance_)) * motion_.natural_speed();
+      const double slack = along(now_.q, now_.v) <= none ? none : 0, begun = now_.time,
+                   while_it_begins = 0.01 * motion_.pace_time_;
+      event.value = [along, slack, begun, while_it_begins](double time, std::span<const double> q,
+                                                           std::span<const double> v) {
+        return along(q, v) + slack * std::max(0.0, 1 - (time - begun) / while_it_begins);
       };
     } else if (contact.coordinate >= 0) {
       event.name = "friction at its limit";
@@ -250,25 +260,61 @@ bool Course::Piece::slip_has_ended() {
   });
 }
 
+namespace {
+
+constexpr int looks_at_lines = 4;  // in each step
+
+}  // namespace
+
+bool Course::Piece::is_off_its_line(const RoughContactOf<double>& contact, const State<double>& there) {
+  const Vector3<double> u = slip(contact, there.q, there.v), d = direction_now(limit_state_, contact, *contact.slip);
+  const double most = off_line * motion_.natural_speed();
+  return norm(cross(u, d)) > most || dot(u, d) < -most;
+}
+
+// At its limit a slip begins without acceleration, and with next to no slip there is no direction that could be
+// followed: friction against it turns the faster the less it is. So what it leaves its line by is waited for.
+std::optional<double> Course::Piece::leave_their_lines(const Trajectory& way,
+                                                       const std::vector<std::string>& contacts) {
+  std::vector<const RoughContactOf<double>*> turning;
+  for (const RoughContactOf<double>& contact : machine_.rough_contacts)
+    if (std::ranges::find(contacts, contact.name) != contacts.end()) turning.push_back(&contact);
+  const State<double> start = way.state(way.start_time());
+  for (const RoughContactOf<double>* contact : turning)
+    if (norm(slip(*contact, start.q, start.v)) > off_line * motion_.natural_speed()) return std::nullopt;
+  const auto any_off = [&](double time) {
+    const State<double> there = way.state(time);
+    return std::ranges::any_of(turning, [&](const auto* contact) { return is_off_its_line(*contact, there); });
+  };
+  double on = way.start_time(), off = way.end_time();
+  bool left = false;
+  for (std::size_t i = 0; i < way.step_count() && !left; ++i) {
+    const StepView step = way.step(i);
+    for (int k = 1; k <= looks_at_lines && !left; ++k) {
+      const double time = step.start + (step.end - step.start) * k / looks_at_lines;
+      left = any_off(time);
+      (left ? off : on) = time;
+    }
+  }
+  for (int halving = 0; halving < 50; ++halving) {
+    const double middle = 0.5 * (on + off);
+    (any_off(middle) ? off : on) = middle;
+  }
+  return on > way.start_time() ? std::optional(on) : std::nullopt;
+}
+
 std::vector<std::string> Course::Piece::off_their_lines(const Trajectory& way) {
   std::vector<std::string> names;
   if (!rubs()) return names;
-  constexpr int looks = 4;
-  const double speed = motion_.natural_speed();
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
     if (contact.grip != Grip::slides || contact.turns || contact.coordinate >= 0 || contact.on_cord() ||
         !(contact.sliding > 0))
       continue;
-    const auto is_off = [&](double time) {
-      const State<double> there = way.state(time);
-      const Vector3<double> u = slip(contact, there.q, there.v),
-                            d = direction_now(limit_state_, contact, *contact.slip);
-      return norm(cross(u, d)) > off_line * speed || dot(u, d) < -off_line * speed;
-    };
     bool off = false;
     for (std::size_t i = 0; i < way.step_count() && !off; ++i) {
       const StepView step = way.step(i);
-      for (int k = 1; k <= looks && !off; ++k) off = is_off(step.start + (step.end - step.start) * k / looks);
+      for (int k = 1; k <= looks_at_lines && !off; ++k)
+        off = is_off_its_line(contact, way.state(step.start + (step.end - step.start) * k / looks_at_lines));
     }
     if (off) names.push_back(contact.name);
   }

@@ -175,9 +175,20 @@ std::optional<CordWheel> read_winding(const Members& members, const char* key, c
   return wheel;
 }
 
+// What a cord or belt does on one of its wheels is said there.
+void refuse_at_wheels(const Entry& entry, const std::string& words, const std::string& file) {
+  if (entry.kind != Entry::Kind::map) return;
+  for (const auto& [key, value] : entry.members)
+    for (const char* of_wheel : {"friction", "radius", "side", "smooth", "turns"})
+      if (key.text == of_wheel)
+        fail(file, key.mark, words + " has no " + key.text + ": on each wheel its " + key.text + " may be another",
+             "state it at the wheel: over: [{wheel: {" + key.text + ": ...}}]");
+}
+
 }  // namespace
 
 Cord read_cord(const Key& name, const Entry& entry, const std::string& file) {
+  refuse_at_wheels(entry, "cord '" + name.text + "'", file);
   const Members members(entry, file, {"cord"});
   auto cord = begun<Cord>(name);
   if (members.find("holds")) {
@@ -217,6 +228,7 @@ Cord read_cord(const Key& name, const Entry& entry, const std::string& file) {
 }
 
 Belt read_belt(const Key& name, const Entry& entry, const std::string& file, bool chain) {
+  refuse_at_wheels(entry, std::string(chain ? "chain" : "belt") + " '" + name.text + "'", file);
   const Members members(entry, file, {chain ? "chain" : "belt"});
   auto belt = begun<Belt>(name);
   belt.chain = chain;

@@ -31,6 +31,14 @@ void check_stated_names(const Situation& situation) {
   const auto holder = [&](const std::string& name, Mark mark) { check(name, mark, holders, "body or frame"); };
   for (const Frame& frame : situation.frames)
     if (!frame.rides_on.empty()) body(frame.rides_on, frame.rides_on_mark);
+  for (const Joint& joint : situation.joints)
+    for (const Freedom& freedom : joint.freedoms) {
+      const std::string position = freedom.position ? to_string(*freedom.position) : "";
+      if (std::ranges::find(situation.axes, position) != situation.axes.end())
+        fail(situation.file, freedom.position->mark(),
+             "'" + position + "' is an axis of the figure, and so cannot be the name of a coordinate",
+             "give the coordinate another name");
+    }
   if (situation.steady) {
     holder(situation.steady->frame, situation.steady->frame_mark);
     for (const Spin& spin : situation.steady->spins) body(spin.body, spin.mark);
@@ -72,6 +80,15 @@ void check_stated_names(const Situation& situation) {
       named.may_be_frame ? holder(named.name, named.mark) : body(named.name, named.mark);
   });
   if (situation.central_gravity) {
+    // Written as the body itself, its center or a point of it.
+    const std::string toward = to_string(situation.central_gravity->toward);
+    for (const std::string& name : bodies)
+      if (toward == name || toward == "center(" + name + ")" || toward.ends_with(" of " + name))
+        fail(situation.file, situation.central_gravity->toward.mark(),
+             "gravity points towards a point of the ground, which rests, and '" + name + "' is a body that moves",
+             "state the point at which it rests, toward: O; of two bodies that pull each other the pull can be stated "
+             "as "
+             "loads that depend on the motion: force: -G*m*M*(center(a) - center(b))/norm(center(a) - center(b))^3");
     const auto keep_free = [&](const auto& list) {
       for (const auto& one : list)
         if (one.name == name_of_gravity)

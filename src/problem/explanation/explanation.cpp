@@ -117,6 +117,10 @@ class Explainer {
     LetterValues point;
     FormulaValues values = formula_values(home.situation, lettered, point);
     std::vector<std::string> open = numbers_.open_letters(home.situation);
+    // So is what was found at values of letters.
+    for (const SolvedUnknown& unknown : solution_.unknowns)
+      if (!open.empty() && unknown.is_of(home.situation) && unknown.formula && !letters_in(*unknown.formula).empty())
+        open.push_back(unknown.own_name);
     const std::vector<std::string> masses = letters_of_any_masses(lettered, values, point);
     const FormulaLimitScope limits({formula_terms, most_instant_work});
     const PlainPointScope decisions(point);

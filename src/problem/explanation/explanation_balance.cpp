@@ -123,12 +123,18 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
   force_list(free_body, system, across);
 
   ExplainedSection& equations = section(sudden() ? "Impulse and momentum" : "Component equations");
-  if (plane)
-    equations.steps.push_back(
-        {"Everything moves in the $" + tex_.axis((*plane + 1) % 3) + tex_.axis((*plane + 2) % 3) +
-             "$ plane, and nothing is known to act across it: of the six equations those of the plane are left, two of "
-             "forces and one of moments.",
-         {}});
+  if (plane) {
+    const auto all = bodies_with_mass();
+    const bool everything = moves_in_plane({all.begin(), all.end()}, *plane);
+    const std::string in_plane =
+        (everything ? "Everything moves" : names_of(bodies) + (bodies.size() > 1 ? " move" : " moves")) + " in the $" +
+        tex_.axis((*plane + 1) % 3) + tex_.axis((*plane + 2) % 3) +
+        "$ plane, and nothing is known to act across it: of the six equations those of the plane are left, two of "
+        "forces and one of moments.";
+    // For several bodies it is said once.
+    if (std::ranges::none_of(equations.steps, [&](const ExplainedStep& step) { return step.text == in_plane; }))
+      equations.steps.push_back({in_plane, {}});
+  }
   std::vector<std::string> met;
   for (const std::string& symbol : meet.symbols)
     if (!across.contains(symbol)) met.push_back("$" + symbol + "$");

@@ -159,7 +159,8 @@ class ClaimExplainer {
     std::vector<std::string> values;
     for (const SolvedClaim::Datum& datum : solved_.counterexample)
       values.push_back(datum.name + " $= " + tex_.with_unit(datum.value, datum.unit.dimension) + "$");
-    if (values.size() > most_values) values = {"the values that `poinsot solve` prints"};
+    const bool alike = sides_look_alike();
+    if (values.size() > most_values || alike) values = {"the values that `poinsot solve` prints"};
     std::string text = values.empty() ? "" : "Take " + listed(values);
     if (solved_.sides) {
       // The sides are given in the unit of the claim.
@@ -168,11 +169,19 @@ class ClaimExplainer {
       };
       text += std::string(text.empty() ? "The" : ": the") + " left side is $" + si(solved_.sides->first) +
               "$, the right $" + si(solved_.sides->second) + "$";
-      if (solved_.difference)
-        text += ", the left " + std::string(*solved_.difference < 0 ? "less" : "more") + " by $" +
-                si(std::abs(*solved_.difference)) + "$";
+      const double difference = solved_.difference.value_or(solved_.sides->first - solved_.sides->second);
+      if (solved_.difference || alike)
+        text +=
+            ", the left " + std::string(difference < 0 ? "less" : "more") + " by $" + si(std::abs(difference)) + "$";
     }
     if (!text.empty()) add(text + ".");
+  }
+
+  // Close to where a claim begins to fail its two sides, and so the letters, differ in later digits than are shown.
+  bool sides_look_alike() const {
+    if (!solved_.sides || solved_.sides->first == solved_.sides->second) return false;
+    const auto shown = [&](double number) { return tex_.with_unit(number, solved_.unit.dimension); };
+    return shown(solved_.sides->first) == shown(solved_.sides->second);
   }
 
   const Claim& stated_;

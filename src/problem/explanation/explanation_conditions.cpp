@@ -68,13 +68,14 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
       return impact.leaves ? *impact.leaves : -(impact.restitution * approach_of(*figures.before, impact));
     });
     const solve::Impact& impact = numbers.blow.impacts[i];
+    const Shown restitution = shown([&](const auto& figures) { return figures.blow.impacts[i].restitution; });
+    const std::string e = tex_.inline_value(restitution, dimensions::none);
     ExplainedStep step{
         impact.is_friction ? "The slip at *" + impact.name + "* has vanished after the blow:"
         : impact.leaves
-            ? "Followed along the blow with friction, with $e = " + tex_.number(impact.restitution, dimensions::none) +
-                  "$, the points at *" + impact.name + "* part along the push with:"
-            : "At *" + impact.name + "* the points part along the push with $e$ times the speed of approach, $e = " +
-                  tex_.number(impact.restitution, dimensions::none) + "$:",
+            ? "Followed along the blow with friction, with the restitution " + e + ", the points at *" + impact.name +
+                  "* part along the push with:"
+            : "At *" + impact.name + "* the points part along the push with " + e + " times the speed of approach:",
         tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length, natural_coefficient())};
     here.steps.push_back(std::move(step));
   }
@@ -116,6 +117,9 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
     });
     std::string words = constraint.words;
     std::replace(words.begin(), words.end(), '\'', '*');
+    // A direction in numbers is that of the letters that were drawn: then only what holds is named.
+    if (tex_.letters_open() && constraint.action >= 0 && words.back() == ']')
+      words = "*" + mechanism().actions[static_cast<std::size_t>(constraint.action)].name + "*";
     ExplainedStep step{
         "What holds the bodies: " + words + ":",
         tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length, natural_coefficient())};

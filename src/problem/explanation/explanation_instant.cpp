@@ -47,8 +47,12 @@ Shown InstantExplainer::confirmed(double number, const std::optional<Formula>& f
 ShownVector InstantExplainer::confirmed(const Vector3<double>& number,
                                         const std::optional<Vector3<Formula>>& formula) const {
   if (!formula) return {number, std::nullopt};
-  for (std::size_t k = 0; k < 3; ++k)
+  // A component that is nothing in letters has in numbers what products of the others leave: some 1e-16 of them each.
+  constexpr double left_by_products = 1e-13;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if ((*formula)[k].is_zero() && std::abs(number[k]) <= left_by_products * norm(number)) continue;
     if (!confirmed(number[k], (*formula)[k]).formula) return {number, std::nullopt};
+  }
   Vector3<double> clean = number;
   for (std::size_t k = 0; k < 3; ++k)
     if ((*formula)[k].is_zero()) clean[k] = 0;
@@ -138,6 +142,20 @@ bool InstantExplainer::rests(int body, const Vector3<double>& point) const {
                      (norm(earlier.w) + norm(motion.w)) * solved_.scales().length);
 }
 
+namespace {
+
+// Whether moments or products of inertia are stated as `any`.
+bool leaves_inertia_open(const Situation& situation, const std::string& body) {
+  const auto stated = std::ranges::find(situation.bodies, body, &Body::name);
+  if (stated == situation.bodies.end() || !stated->inertia) return false;
+  const StatedInertia& inertia = *stated->inertia;
+  const auto open = [](const std::optional<Expression>& one) { return one && is_any(*one); };
+  return inertia.rest_any || std::ranges::any_of(inertia.moments, open) ||
+         std::ranges::any_of(inertia.products, open) || open(inertia.axial) || open(inertia.transverse);
+}
+
+}  // namespace
+
 // Shows moments and products of inertia about the mass center or a fixed point, once for each.
 void InstantExplainer::inertia_step(ExplainedSection& section, int body, const ExplainedPoint* fixed, Plane plane) {
   if (!inertia_said_.insert(fixed ? body + 10000 : body).second) return;
@@ -158,7 +176,8 @@ void InstantExplainer::inertia_step(ExplainedSection& section, int body, const E
     if (tex_.can_show(mass)) step.text += ".";
     says_mass = tex_.can_show(mass);
   }
-  if (solved_.uses_any() && !any_said_ && tex_.is_known(mass)) {
+  const bool open = leaves_inertia_open(situation_, body_name(body));
+  if (solved_.uses_any() && !any_said_ && (tex_.is_known(mass) || open)) {
     any_said_ = true;
     section.steps.push_back({"What is given as `any` changes no answer; the lines below take one value for it.", {}});
   }
@@ -169,14 +188,24 @@ void InstantExplainer::inertia_step(ExplainedSection& section, int body, const E
     return;
   }
   if (says_mass) step.text += " ";
+  if (open) {
+    // The numbers taken for what is open are none of its.
+    step.text += "Of its moments and products of inertia only those that are stated are known.";
+    section.steps.push_back(std::move(step));
+    return;
+  }
   const std::string axes = "$" + tex_.axis(0) + ", " + tex_.axis(1) + ", " + tex_.axis(2) + "$";
   const std::string about = "$" + (fixed ? fixed->label : G.label) + "$";
+  // Where the mass center is on the axis nothing is moved.
+  Vector3<double> moved = fixed ? Vector3<double>(G.position.number - fixed->position.number) : Vector3<double>::zero();
+  if (plane) moved[*plane] = 0;
+  const std::string parallel = is_rounding(norm(moved), solved_.scales().length) ? "" : ", parallel axes";
   if (plane)
-    step.text += "Moment of inertia about the " + tex_.axis(*plane) + " axis through " + about + " (Eq. 18.5" +
-                 (fixed ? ", parallel axes" : "") + "):";
+    step.text +=
+        "Moment of inertia about the " + tex_.axis(*plane) + " axis through " + about + " (Eq. 18.5" + parallel + "):";
   else
     step.text += "Moments and products of inertia about " + about + " on axes parallel to " + axes +
-                 " (Eqs. 18.5, 18.6" + (fixed ? ", parallel axes" : "") + "):";
+                 " (Eqs. 18.5, 18.6" + parallel + "):";
   bool any_product = false;
   for (std::size_t k = 0; k < 3; ++k) {
     if (is_rounding(moment_on(numbers, k), size_of(numbers)) || (plane && k != *plane)) continue;
@@ -255,6 +284,55 @@ void InstantExplainer::explain_kinematics() {
   if (steps.empty()) return;
   ExplainedSection& here = section("Motion");
   for (ExplainedStep& step : steps) here.steps.push_back(std::move(step));
+}
+
+bool InstantExplainer::has_absorbed(int body) const {
+  return sudden() && std::ranges::any_of(figures_.numbers.blow.impulses, [&](const auto& impulse) {
+           return impulse.on == body && impulse.absorbed > 0;
+         });
+}
+
+// What particles that have stuck in a body add to what was said of it alone.
+ExplainedStep InstantExplainer::absorbed_step(const MomentumQuestion& question, int body,
+                                              const std::optional<ExplainedPoint>& about, const std::string& index) {
+  const ExplainedPoint G = mass_center(body);
+  const bool central = about && norm(about->position.number - G.position.number) <= 1e-9 * solved_.scales().length;
+  if (central || (question.angular && !about))
+    return {
+        "Particles that have stuck in it belong to it from the blow on: its mass center and what is about it are "
+        "those of both together, which are not written down here.",
+        {}};
+  ExplainedStep step{"Particles that have stuck in it belong to it from the blow on. With what they add:", {}};
+  if (question.energy) {
+    const Shown all = shown([&](const auto& figures) {
+      auto sum = body_kinetic_energy(figures.mechanism().tree, figures.now.workspace(), body);
+      for (const auto& impulse : figures.blow.impulses) {
+        if (impulse.on != body) continue;
+        const auto velocity = figures.now.velocity(impulse.at);
+        sum += impulse.absorbed * dot(velocity, velocity) / 2;
+      }
+      return sum;
+    });
+    if (tex_.can_show(all))
+      step.equations.push_back(
+          tex_.equation("T" + index + " + \\tfrac12\\textstyle\\sum m v^2", all, dimensions::energy));
+  }
+  const auto momentum = [&](const auto& figures) {
+    using Scalar = ScalarOf<decltype(figures)>;
+    const Vector3<Scalar> point = about ? position_of<Scalar>(*about) : Vector3<Scalar>::zero();
+    return as_wrench(momentum_of(figures.now, {body}, point)) +
+           absorbed_momentum(figures, figures.now, std::set<int>{body}, point);
+  };
+  const auto add = [&](const std::string& symbol, const ShownVector& vector, const Dimension& dimension) {
+    if (tex_.can_show(vector)) step.equations.push_back(tex_.equation(symbol, vector, dimension));
+  };
+  if (question.linear)
+    add("\\mathbf{L}" + index + " + \\textstyle\\sum m\\mathbf{v}",
+        shown_vector([&](const auto& figures) { return momentum(figures).force; }), dimensions::momentum);
+  if (question.angular)
+    add("\\mathbf{H}_{" + about->label + "}" + index + " + \\textstyle\\sum \\mathbf{r}\\times m\\mathbf{v}",
+        shown_vector([&](const auto& figures) { return momentum(figures).moment; }), dimensions::angular_momentum);
+  return step;
 }
 
 void InstantExplainer::explain_momenta() {
@@ -366,6 +444,7 @@ void InstantExplainer::explain_momentum(const MomentumQuestion& question) {
         step.equations.push_back(tex_.equation("T" + index, shown_energy, dimensions::energy, true));
       steps.push_back(std::move(step));
     }
+    if (has_absorbed(body)) steps.push_back(absorbed_step(question, body, about, index));
   }
   ExplainedSection& here = section(question.energy && !question.angular ? "Kinetic energy" : "Momentum");
   for (ExplainedStep& step : steps) here.steps.push_back(std::move(step));

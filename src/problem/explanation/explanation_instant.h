@@ -1,6 +1,7 @@
 // Explains one solved instant as steps of a worked solution.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -124,6 +125,9 @@ class InstantExplainer {
   // These are defined in explanation_instant.cpp.
   void explain_masses();
   void explain_momenta();
+  bool has_absorbed(int body) const;
+  ExplainedStep absorbed_step(const MomentumQuestion& question, int body, const std::optional<ExplainedPoint>& about,
+                              const std::string& index);
   void explain_momentum(const MomentumQuestion& question);
   void explain_kinematics();
   void motion_step(std::vector<ExplainedStep>& steps, int body, const std::string& index, bool with_velocity,
@@ -180,6 +184,7 @@ class InstantExplainer {
   Meeting meeting(const System& system, const MotionBalance<double>& numbers, bool held) const;
   void rate_step(ExplainedSection& section, int body, const ExplainedPoint& about, bool fixed);
   void force_list(ExplainedSection& section, const System& system, const std::set<std::string>& across) const;
+  std::string factor_in_tex(const Shown& value, const Dimension& dimension) const;
   std::string sliding_coefficient(std::size_t action) const;
   std::string words_of_cord(const std::string& name) const;
   std::string law_of_bearing(std::size_t action) const;
@@ -208,6 +213,12 @@ class InstantExplainer {
   std::set<int> inertia_said_, mass_said_;
   std::vector<Formula> conditions_;  // what rows without unknown forces say of the data
   std::set<std::string> motion_said_;
+  // By what is said of them, the step that tells of bodies whose accelerations are unknown.
+  struct OpenRates {
+    std::size_t step = 0;
+    std::vector<std::string> bodies;
+  };
+  std::map<std::string, OpenRates> open_rates_;
   bool any_said_ = false;
   std::set<std::string> across_;  // unknowns across the planes of motions, of which nothing is said
   std::vector<Formula> factors_;  // that terms of a condition may share

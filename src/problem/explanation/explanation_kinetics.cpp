@@ -125,15 +125,21 @@ void InstantExplainer::kinetic_steps(const std::string& heading, const System& s
     if (sudden()) continue;
     if (!system.open.empty()) {
       const auto& link = mechanism().tree.body(body);
-      std::string text =
-          "How fast the velocities of *" + body_name(body) + "* change is unknown; the right sides below ";
+      std::string text = " change is unknown; the right sides below ";
       if (link.parent == ground && link.joint == JointType::revolute && fixed)
         text += "have it as Eq. 18.29 for a fixed axis.";
       else if (fixed)
         text += "have it as Eq. 18.28 for the fixed point $" + point.label + "$.";
       else
         text += "have it as Eqs. 18.1 and 18.23 say.";
-      kinetic.steps.push_back({text, {}});
+      // Bodies of which the same is said are named in one sentence.
+      OpenRates& told = open_rates_[heading + text];
+      if (told.bodies.empty()) {
+        told.step = kinetic.steps.size();
+        kinetic.steps.emplace_back();
+      }
+      told.bodies.push_back("*" + body_name(body) + "*");
+      kinetic.steps[told.step].text = "How fast the velocities of " + listed(told.bodies, "and") + text;
       continue;
     }
     const ShownVector ma = shown_vector([&](const auto& figures) {

@@ -38,6 +38,8 @@ class Data {
   std::string amount(const Amount& amount) const {
     if (const Name* name = amount.mass ? amount.mass->as<Name>() : nullptr; name && name->name == "any")
       return "any mass";
+    if (const Number* zero = amount.mass ? amount.mass->as<Number>() : nullptr; zero && zero->value == 0)
+      return "no mass";
     if (amount.mass) return "mass " + number(*amount.mass, dimensions::mass);
     if (amount.weight) return "weight " + number(*amount.weight, dimensions::force);
     if (amount.density) return "density " + code(*amount.density);
@@ -198,6 +200,24 @@ std::string teeth_words(const Gear& gear) {
          stated(gear.friction, "friction") + law;
 }
 
+std::string shaking_words(const Excitation& excitation, const Data& data) {
+  const std::string at = excitation.at ? " at " + code(*excitation.at) : "";
+  const std::string frequency =
+      excitation.frequency ? ", with the frequency " + data.number(*excitation.frequency, dimensions::angular_velocity)
+                           : "";
+  if (!excitation.coordinate.empty())
+    return code(excitation.coordinate) + " is shaken by " + code(*excitation.by) + " to and fro, *" + excitation.name +
+           "*" + frequency;
+  if (excitation.unbalance)
+    return "*" + excitation.body + "* has the unbalance *" + excitation.name + "*, " + code(*excitation.unbalance) +
+           (excitation.direction ? " along " + code(*excitation.direction) : "") + at;
+  const Expression& size = excitation.couple ? *excitation.couple : *excitation.force;
+  return std::string(excitation.couple ? "the couple *" : "the force *") + excitation.name + "* shakes *" +
+         excitation.body + "*" + at + ": " + code(size) +
+         (excitation.direction ? (excitation.couple ? " about " : " along ") + code(*excitation.direction) : "") +
+         (excitation.turns ? ", which turns about " + code(*excitation.turns) : "") + frequency;
+}
+
 void add_actions(const Situation& situation, const Data& data, std::vector<std::string>& lines) {
   for (const Contact& contact : situation.contacts)
     lines.push_back(
@@ -206,8 +226,8 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
             ? friction_words(contact)
             : "*" + contact.of + (contact.open ? "* may later touch *" : "* touches *") + contact.against +
                   (contact.corner ? "* with its corner " : "* at ") + code(contact.at) + ", normal " +
-                  code(contact.normal) + (contact.inside.empty() ? "" : ", inside *" + contact.inside + "*") +
-                  slipping_words(contact) + (contact.surface ? ", through " + code(*contact.surface) : "") +
+                  code(contact.normal) + (contact.surface ? ", the surface through " + code(*contact.surface) : "") +
+                  (contact.inside.empty() ? "" : ", inside *" + contact.inside + "*") + slipping_words(contact) +
                   (contact.restitution ? ", restitution " + data.number(*contact.restitution, dimensions::none) : ""));
   for (const Cord& cord : situation.cords) {
     std::string over;
@@ -229,6 +249,7 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
   for (const Impulse& impulse : situation.impulses) {
     const Expression& size = impulse.value ? *impulse.value : impulse.force ? *impulse.force : *impulse.couple;
     lines.push_back("*" + impulse.body + "* gets the impulse *" + impulse.name + "*, " + code(size) +
+                    (impulse.direction ? " along " + code(*impulse.direction) : "") +
                     (impulse.lasts ? " for " + code(*impulse.lasts) : "") +
                     (impulse.at ? ", at " + code(*impulse.at) : ""));
   }
@@ -251,6 +272,7 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
     lines.push_back(none && none->name == "none" ? "weights are left out"
                                                  : "gravity acts along " + code(*situation.gravity));
   }
+  for (const Excitation& excitation : situation.excitations) lines.push_back(shaking_words(excitation, data));
   for (const Frame& frame : situation.frames)
     lines.push_back("the frame *" + frame.name + "*" +
                     (frame.turns ? " turns about " + code(*frame.turns) + " at " +

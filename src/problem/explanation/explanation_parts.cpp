@@ -132,7 +132,7 @@ void InstantExplainer::parts_step(ExplainedSection& section, int body, const Exp
     if (std::all_of(cells[c].begin(), cells[c].end(), [](const Shown& cell) { return cell.number == 0; })) continue;
     const bool known =
         std::all_of(cells[c].begin(), cells[c].end(), [&](const Shown& cell) { return tex_.is_known(cell); });
-    const std::string unit = known ? tex_.unit_tex(columns[c].dimension) : "";
+    const std::string unit = known ? tex_.unit_alone(columns[c].dimension) : "";
     head += " $" + columns[c].tex + "$" + (unit.empty() ? "" : " in $" + unit + "$") + " |";
     rule += "---|";
     for (std::size_t row = 0; row < lines.size(); ++row) {

@@ -1,6 +1,7 @@
 // The symbols of unknowns, and the external forces in words.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "problem/explanation/explanation_instant.h"
 #include "problem/keys/joint_kinds.h"
@@ -137,7 +138,20 @@ std::string InstantExplainer::sliding_coefficient(std::size_t action) const {
   const auto stated = std::ranges::find(situation_.contacts, sliding->name, &Contact::name);
   const Name* name =
       stated != situation_.contacts.end() && stated->friction ? stated->friction->sliding.as<Name>() : nullptr;
-  return name ? ExplanationTex::symbol(name->name) : tex_.number(sliding->sliding, dimensions::none);
+  if (name) return ExplanationTex::symbol(name->name);
+  const auto place = static_cast<std::size_t>(sliding - rough.begin());
+  return factor_in_tex(shown([&](const auto& figures) { return figures.machine->rough_contacts[place].sliding; }),
+                       dimensions::none);
+}
+
+// A number, or where it hangs on letters without value its formula, within a line of mathematics.
+std::string InstantExplainer::factor_in_tex(const Shown& value, const Dimension& dimension) const {
+  if (tex_.is_known(value)) return tex_.number(value.number, dimension);
+  const std::string text = tex_.inline_value(value, dimension);
+  if (text.size() < 3) return "\\ldots";
+  const std::string formula = text.substr(1, text.size() - 2);
+  const bool sum = formula.find(" + ") != std::string::npos || formula.find(" - ") != std::string::npos;
+  return sum ? "\\left(" + formula + "\\right)" : formula;
 }
 
 // What the friction of a joint that moves is by what the joint carries; "" for what else acts.
@@ -166,6 +180,9 @@ std::string InstantExplainer::words_of_cord(const std::string& name) const {
                                                     : "the belt *") +
          name + "*";
 }
+
+// What the initial tension leaves for the last side of a belt, which is no longer and no shorter than it was.
+constexpr const char* sum_of_sides = ", as $\\Sigma L_k T_k = T_0\\,\\Sigma L_k$ over the lengths of the sides";
 
 // Lists the external forces one by one, but for those across the plane of a problem.
 void InstantExplainer::force_list(ExplainedSection& here, const System& system,
@@ -210,19 +227,46 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
       items.back() += ", with the couple " + tex_.inline_vector(turning, dimensions::moment) + " about $" +
                       center_label(action.on) + "$";
   }
-  // The components of one action are listed together.
+  // The components of one action are listed together; what a side of a belt has of the initial tension and of the
+  // other sides is one sum.
   std::vector<std::pair<std::size_t, std::vector<std::string>>> held;
+  std::map<std::size_t, std::string> sums;
   for (std::size_t i = 0; i < system.plan.unknown.size(); ++i) {
     const UnknownForce& force = system.plan.unknown[i];
     const std::size_t action = action_of(force);
     if (across.contains(system.unknown[i].tex)) continue;
     std::string symbol = "$" + system.unknown[i].tex + "$";
+    if (force.kind == UnknownForce::Kind::impact) {
+      const ShownVector direction = shown_vector(
+          [&](const auto& figures) { return impact_wrench(*figures.before, figures.blow.impacts[force.index]).force; });
+      if (tex_.can_show(direction)) symbol += " along " + tex_.inline_vector(direction, dimensions::none);
+    }
     if (force.kind == UnknownForce::Kind::component) {
       const Component<double>& component = mechanism().components[force.index];
+      const double part = component.followed_part();
+      const std::string size_of_part =
+          std::abs(part) == 1 ? ""
+                              : factor_in_tex(shown([&](const auto& figures) {
+                                                using Scalar = ScalarOf<decltype(figures)>;
+                                                return Scalar(part < 0 ? -1 : 1) *
+                                                       figures.mechanism().components[force.index].followed_part();
+                                              }),
+                                              dimensions::none) +
+                                    "\\,";
       // What a cord with friction pulls behind a wheel, and what a side of a belt has of the initial tension.
       if (component.span && component.follows >= 0 && component.followed_part() != 1)
-        symbol = "$" + tex_.number(component.followed_part(), dimensions::none) + "\\," + system.unknown[i].tex + "$";
-      if (component.offset != 0) symbol = "$" + tex_.number(component.offset, dimensions::force) + "$ and " + symbol;
+        symbol = "$" + std::string(part < 0 ? "-" : "") + size_of_part + system.unknown[i].tex + "$";
+      if (component.span && component.follows >= 0 && (component.offset != 0 || sums.contains(action))) {
+        std::string& sum = sums[action];
+        if (component.offset != 0)
+          sum = factor_in_tex(
+                    shown([&](const auto& figures) { return figures.mechanism().components[force.index].offset; }),
+                    dimensions::force) +
+                sum;
+        sum += (part < 0 ? " - " : sum.empty() ? "" : " + ") + size_of_part + system.unknown[i].tex;
+        symbol = "$" + sum + "$";
+        if (!held.empty() && held.back().first == action) held.back().second.pop_back();
+      }
       const Vector3<double> along = figures_.numbers.now.direction(component.along);
       const bool on_axis = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)}) > 1 - 1e-9;
       const bool plain_name = mechanism().actions[action].kind != ActionKind::cord && !component.one_sided;
@@ -258,8 +302,12 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
                              : action.kind == ActionKind::support
                                  ? "the support *" + action.name + "* of *" + action.joint + "*"
                                  : "the joint *" + action.name + "*";
-    items.push_back(what + ": " + listed(symbols) + (reversed ? " (here with the opposite sign)" : "") +
-                    law_of_bearing(index));
+    const auto side =
+        std::ranges::find(figures_.numbers.machine->cord_parts, static_cast<int>(index), &CordPart::action);
+    const std::string between =
+        side == figures_.numbers.machine->cord_parts.end() ? "" : " from *" + side->from + "* to *" + side->to + "*";
+    items.push_back(what + between + ": " + listed(symbols) + (sums.contains(index) ? sum_of_sides : "") +
+                    (reversed ? " (here with the opposite sign)" : "") + law_of_bearing(index));
   }
   if (items.empty()) {
     here.steps.push_back({"Nothing acts from outside.", {}});
@@ -268,6 +316,9 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
   std::string text = sudden() ? "Impulses from outside:\n" : "From outside act:\n";
   for (const std::string& item : items) text += "\n* " + item;
   here.steps.push_back({text, {}});
+  if (std::ranges::any_of(system.plan.bodies, [&](int body) { return has_absorbed(body); }))
+    here.steps.push_back(
+        {"Particles that have stuck move on with their bodies: the momenta after have theirs as well.", {}});
 }
 
 void InstantExplainer::list_unknowns(const std::vector<Symbol>& unknowns) {
@@ -285,8 +336,7 @@ void InstantExplainer::list_unknowns(const std::vector<Symbol>& unknowns) {
   }
   ExplainedSection& here = section("Unknowns");
   if (!step.equations.empty()) here.steps.push_back(std::move(step));
-  if (!zero.empty())
-    here.steps.push_back({"Zero " + std::string(zero.size() > 1 ? "are " : "is ") + listed(zero) + ".", {}});
+  if (!zero.empty()) here.steps.push_back({listed(zero) + (zero.size() > 1 ? " are zero." : " is zero."), {}});
   if (!shared.empty())
     here.steps.push_back(
         {"What the equations leave open is not asked: only combinations of " + listed(shared) + " are determined.",

@@ -131,6 +131,11 @@ const Unit& ExplanationTex::unit(const Dimension& dimension) const {
 }
 
 std::string ExplanationTex::unit_tex(const Dimension& dimension, bool as_energy) const {
+  const std::string alone = unit_alone(dimension, as_energy);
+  return alone.empty() ? "" : "\\ " + alone;
+}
+
+std::string ExplanationTex::unit_alone(const Dimension& dimension, bool as_energy) const {
   std::string tex;
   const std::string text = as_energy ? habits_.unit_for(dimension, true).text : unit(dimension).text;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -145,7 +150,7 @@ std::string ExplanationTex::unit_tex(const Dimension& dimension, bool as_energy)
       tex += text[i];
     }
   }
-  return tex.empty() ? "" : "\\ \\mathrm{" + tex + "}";
+  return tex.empty() ? "" : "\\mathrm{" + tex + "}";
 }
 
 std::string ExplanationTex::number(double value, const Dimension& dimension) const {

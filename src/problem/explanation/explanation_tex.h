@@ -63,6 +63,8 @@ class ExplanationTex {
   // The unit in which a dimension is shown. All units are of one coherent system, so that equations in numbers need
   // no factors.
   const Unit& unit(const Dimension& dimension) const;
+  std::string unit_alone(const Dimension& dimension, bool as_energy = false) const;
+  // The same with the space before it.
   std::string unit_tex(const Dimension& dimension, bool as_energy = false) const;
   // The number in that unit with six digits, without the unit.
   std::string number(double value, const Dimension& dimension) const;

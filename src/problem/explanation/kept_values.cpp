@@ -84,7 +84,7 @@ double size_of_rate(const Vector3<Rate>& a) { return std::hypot(a[0].partial[0],
 // The energy, the angular momenta about axes and points fixed in the ground, and the spins of bodies of revolution.
 std::vector<Candidate> candidates(const Situation& situation, const Machine& machine, double length) {
   std::vector<Candidate> all{
-      {Candidate::Kind::energy, "kinetic and potential energy together", "T + V", dimensions::energy}};
+      {Candidate::Kind::energy, "the sum of kinetic and potential energy", "T + V", dimensions::energy}};
   for (const Joint& joint : situation.joints) {
     const auto place = machine.joints.find(joint.name);
     if (joint.from != "ground" || place == machine.joints.end()) continue;

@@ -2,12 +2,28 @@
 
 #include <algorithm>
 
+#include "poinsot/engine/math/formula/formula_constant.h"
 #include "poinsot/engine/math/formula/formula_domain.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/formulas/formula_words.h"
+#include "problem/language/unit_table.h"
 
 namespace poinsot::problem {
+
+namespace {
+
+// The shortest of the forms of a condition on a root.
+std::string words_of_root(const Formula& not_negative) {
+  std::string words = formula_words(not_negative);
+  // With the factors that have a part in the sign alone.
+  const Formula part = sign_part(not_negative, true);
+  for (const Formula& one : {part, with_plain_numbers(part, standard_gravity_digits)})
+    if (std::string own = formula_words(one); own.size() < words.size()) words = std::move(own);
+  return words + " >= 0";
+}
+
+}  // namespace
 
 std::vector<Formula> domain_of(const Value<Formula>& formula) {
   std::vector<Formula> all;
@@ -18,12 +34,31 @@ std::vector<Formula> domain_of(const Value<Formula>& formula) {
   return all;
 }
 
+std::vector<std::string> root_conditions_of(const Value<Formula>& formula) {
+  std::vector<std::string> all;
+  const auto add = [&](const Formula& x) {
+    for (const Formula& not_negative : assumed_not_negative(x)) all.push_back(words_of_root(not_negative));
+    for (const Formula& not_negative : not_negative_in_domain(x)) all.push_back(words_of_root(not_negative));
+  };
+  if (formula.is_number()) add(formula.number);
+  for (std::size_t k = 0; formula.is_vector() && k < 3; ++k) add(formula.vector[k]);
+  for (const Value<Formula>& item : formula.items)
+    for (std::string& words : root_conditions_of(item)) all.push_back(std::move(words));
+  return all;
+}
+
 std::vector<std::string> assumptions_of(const Value<Formula>& formula) {
   std::vector<std::string> all;
-  const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
-  if (formula.is_number()) add(formula.number.assumptions());
-  for (std::size_t k = 0; formula.is_vector() && k < 3; ++k) add(formula.vector[k].assumptions());
-  for (const Value<Formula>& item : formula.items) add(assumptions_of(item));
+  const auto add = [&](const Formula& x) {
+    const std::vector<std::string> roots = x.root_assumptions();
+    for (std::string& words : x.assumptions())
+      if (std::ranges::find(roots, words) == roots.end()) all.push_back(std::move(words));
+    for (const Formula& not_negative : assumed_not_negative(x)) all.push_back(words_of_root(not_negative));
+  };
+  if (formula.is_number()) add(formula.number);
+  for (std::size_t k = 0; formula.is_vector() && k < 3; ++k) add(formula.vector[k]);
+  for (const Value<Formula>& item : formula.items)
+    for (std::string& words : assumptions_of(item)) all.push_back(std::move(words));
   return all;
 }
 
@@ -57,6 +92,9 @@ std::string condition_words(const Formula& positive, const std::vector<Letter>& 
   const bool turns = std::ranges::any_of(open, [&](const Letter& letter) {
     return is_angle(letter) && std::ranges::find(letters, letter.name) != letters.end();
   });
+  const Formula gravity = Formula::number(std::string(standard_gravity_digits));
+  tried(with_plain_numbers(positive, standard_gravity_digits), best, words);
+  for (const Formula& factor : {gravity, Formula(1) / gravity}) tried(Formula(best) * factor, best, words);
   // Tangents of half angles, in which formulas are factored, are for sums only.
   if (!turns) tried(sign_part(positive, false), best, words);
   for (const Letter& letter : open) {

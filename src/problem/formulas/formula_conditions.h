@@ -23,6 +23,9 @@ struct HeldCondition {
 // What must not be negative where all numbers of a value have one.
 std::vector<Formula> domain_of(const Value<Formula>& formula);
 
+// What must not be negative where roots, acos and asin in a value have values: "k - m*w^2 >= 0".
+std::vector<std::string> root_conditions_of(const Value<Formula>& formula);
+
 // What was assumed when the numbers of a value were simplified: "m > 0".
 std::vector<std::string> assumptions_of(const Value<Formula>& formula);
 

@@ -9,6 +9,7 @@
 #include "poinsot/engine/solve/instant/closure.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/scalar_value.h"
+#include "problem/quantities/slip_constraint.h"
 #include "problem/quantities/tooth_flanks.h"
 
 namespace poinsot::problem {
@@ -181,6 +182,8 @@ void FormulaInstant::note_who_acts() const {
       note_sign(impulses_[n + k]);
   for (const VelocityConstraint<Formula>& constraint : mechanism.constraints) {
     if (constraint.action < 0 || acting[static_cast<std::size_t>(constraint.action)]) continue;
+    // What has parted may slip either way.
+    if (against_slipping(mechanism, constraint)) continue;
     const std::vector<Formula> row = solve::constraint_coefficients(*before_, constraint);
     Formula rate;
     for (std::size_t k = 0; k < n; ++k) rate += row[k] * impulses_[k];

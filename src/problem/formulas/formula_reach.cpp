@@ -5,12 +5,14 @@
 #include <numbers>
 #include <random>
 
+#include "poinsot/engine/math/formula/formula_domain.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
 #include "poinsot/engine/work/work.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/formulas/formula_conditions.h"
 #include "problem/formulas/letter_scan.h"
 #include "problem/language/expression_walk.h"
+#include "problem/machine/machine.h"
 #include "problem/machine/masses.h"
 #include "problem/quantities/quantity_functions.h"
 #include "problem/results/compare_values.h"
@@ -21,6 +23,7 @@ namespace {
 
 constexpr std::size_t most_points = 24;        // at which the statement is solved by numbers
 constexpr std::size_t most_scanned = 10;       // of these, where all letters are far from their ordinary values
+constexpr std::size_t most_near = 8;           // of these, where all are near them: far off there may be no such body
 constexpr std::size_t condition_points = 250;  // at which the formula of a condition is looked at
 constexpr int most_confirmations = 12;         // of what it shows, by numbers
 constexpr double branch_tolerance = 1e-6;  // relative difference of answers from which they are on different branches
@@ -33,6 +36,19 @@ struct FarPoint {
   LetterValues letters;
   std::string only;
 };
+
+// The same within half a decade of the ordinary values, where moments of inertia still are those of a body.
+LetterValues near_point(const std::vector<Letter>& open, const LetterValues& base, const LetterScan& scan,
+                        std::size_t index) {
+  LetterValues values = scan.point(index);
+  for (const Letter& letter : open) {
+    double& value = values[letter.name];
+    const double ordinary = std::abs(base.at(letter.name));
+    if (!is_angle(letter) && ordinary > 0)
+      value = std::copysign(ordinary * std::pow(std::abs(value) / ordinary, 1.0 / 6), value);
+  }
+  return values;
+}
 
 std::vector<FarPoint> far_points(const std::vector<Letter>& open, const LetterValues& base, const LetterScan& scan) {
   std::vector<FarPoint> single;
@@ -52,6 +68,7 @@ std::vector<FarPoint> far_points(const std::vector<Letter>& open, const LetterVa
   }
   std::vector<FarPoint> points;
   for (std::size_t k = 0; k < most_scanned; ++k) points.push_back({scan.point(k), ""});
+  for (std::size_t k = 0; k < most_near; ++k) points.push_back({near_point(open, base, scan, k), ""});
   if (points.size() + single.size() > most_points) {
     std::mt19937_64 random(6100);
     std::shuffle(single.begin(), single.end(), random);
@@ -133,14 +150,17 @@ class FarSearch {
   }
 
   // Solves the statement at a point and holds the answers against it, all of them if none are named.
-  void hold_at(const FarPoint& point, const std::vector<std::size_t>& asks) {
+  // Returns whether any of them has been.
+  bool hold_at(const FarPoint& point, const std::vector<std::size_t>& asks) {
     const std::optional<AllSettings> settings = settings_at(point.letters);
-    if (!settings) return;
+    if (!settings) return false;
+    bool held = false;
     Sample sample(task_.statement, *settings, OpenChoice{});
     for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
       if (!asks.empty() && std::ranges::find(asks, i) == asks.end()) continue;
       try {
         hold(i, point, sample);
+        held = true;
       } catch (const StatementError&) {
         // Either the statement makes no sense at this point, or what it states cannot be with these unknowns.
         if (has_formula(i) && is_in_states(point.letters) && makes_sense_but_for_what_is_stated(*settings, i))
@@ -149,6 +169,7 @@ class FarSearch {
         disagree(i, point);
       }
     }
+    return held;
   }
 
   // Whether the contacts with friction are in their states, outside which nothing is told.
@@ -164,7 +185,12 @@ class FarSearch {
       for (std::size_t k = 0; k < settings.size(); ++k) {
         const Situation& situation = task_.statement.situations[k];
         DataScope<double> data(situation, settings[k]);
-        for (const Body& body : situation.bodies) body_mass<double>(body, data, [](const Dimension&) { return 1.0; });
+        const AnyValue one = [](const Dimension&) { return 1.0; };
+        for (const Body& body : situation.bodies) body_mass<double>(body, data, one);
+        // Nor gears and joints, which no formula has a part in where nothing is to be found.
+        if (!task_.unknowns.empty()) continue;
+        DataScope<TimeJet> timed(situation, settings[k], time_jet(0.0));
+        build_machine(situation, data, timed, one, MachineOptions{});
       }
       Sample sample(task_.statement, settings, OpenChoice{.trial = true});
       asked_value(sample, task_.statement.asks[i]);
@@ -197,9 +223,22 @@ class FarSearch {
     }
   }
 
+  // Whether what a formula assumes of its roots, which is told with it, fails.
+  static bool is_beyond_its_roots(const Value<Formula>& formula, const LetterValues& letters) {
+    const auto beyond = [&](const Formula& x) {
+      return std::ranges::any_of(assumed_not_negative(x),
+                                 [&](const Formula& inside) { return value_at(inside, letters) < 0; });
+    };
+    if (formula.is_number()) return beyond(formula.number);
+    if (formula.is_vector()) return beyond(formula.vector.x) || beyond(formula.vector.y) || beyond(formula.vector.z);
+    return std::ranges::any_of(formula.items,
+                               [&](const Value<Formula>& item) { return is_beyond_its_roots(item, letters); });
+  }
+
   // The formula of an ask is another one at a point: either because something that was decided is otherwise there, or
   // because it holds for some values only.
   void disagree(std::size_t i, const FarPoint& point) {
+    if (solution_.asks[i].formula && is_beyond_its_roots(*solution_.asks[i].formula, point.letters)) return;
     std::vector<std::size_t> failing;
     for (std::size_t k = 0; k < conditions_.size(); ++k)
       if (std::ranges::find(conditions_[k].asks, i) != conditions_[k].asks.end() &&
@@ -232,12 +271,12 @@ class FarSearch {
     const auto fails = [&](const HeldCondition& one, const LetterValues& letters) {
       return value_at(one.positive, letters) <= 0;
     };
-    int confirmations = 0;
+    int confirmations = 0, heard = 0;
     // First where nothing else fails, so that what is seen comes from this condition.
-    for (const bool alone : {true, false})
+    const auto look = [&](bool alone, bool far) {
       for (std::size_t i = 0; i < condition_points && confirmations < most_confirmations; ++i) {
         if (condition.needed) return;
-        const LetterValues letters = scan_.point(most_scanned + i);
+        const LetterValues letters = far ? scan_.point(most_scanned + i) : near_point(task_.open, base_, scan_, i);
         if (!fails(condition, letters)) continue;
         // To look at a bound takes the formula alone. What was not looked at is told.
         if (limit_.spent() && !condition.bound) {
@@ -253,8 +292,16 @@ class FarSearch {
           continue;
         }
         ++confirmations;
-        hold_at({letters, ""}, condition.asks);
+        if (hold_at({letters, ""}, condition.asks)) ++heard;
       }
+    };
+    look(true, true);
+    look(false, true);
+    // Far off there may be no such body, however the condition is.
+    if (heard > 0 || condition.bound) return;
+    confirmations = 0;
+    look(true, false);
+    look(false, false);
   }
 
   std::vector<HeldCondition> told() const {

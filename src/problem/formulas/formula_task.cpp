@@ -4,6 +4,7 @@
 
 #include "problem/entries/drawn_letters.h"
 #include "problem/language/diagnostic.h"
+#include "problem/machine/data.h"
 #include "problem/quantities/quantity_functions.h"
 #include "problem/unknowns/asked_value.h"
 #include "problem/witness/particle_witness.h"
@@ -11,6 +12,20 @@
 namespace poinsot::problem {
 bool confirmed_by_particles(Sample& sample) {
   return std::ranges::all_of(sample.instants(), [](const auto& item) { return confirmed_by_particles(*item.second); });
+}
+
+bool is_assumed(const Statement& statement, const AllSettings& settings) {
+  for (std::size_t s = 0; s < settings.size(); ++s) {
+    const Situation& situation = statement.situations[s];
+    DataScope<double> data(situation, settings[s]);
+    for (const Expression& expression : situation.assume) try {
+        const Value<double> truth = data.value(expression);
+        if (truth.is_boolean() && !truth.truth) return false;
+      } catch (const StatementError&) {
+        // The assumption is about more than letters.
+      }
+  }
+  return true;
 }
 
 bool is_at_instant(const FormulaTask& task, const Ask& ask) {

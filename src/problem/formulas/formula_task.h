@@ -30,6 +30,9 @@ struct FormulaTask {
 // Whether an ask is about an instant that no motion leads to.
 bool is_at_instant(const FormulaTask& task, const Ask& ask);
 
+// Whether what the situations assume of the letters alone holds at these settings.
+bool is_assumed(const Statement& statement, const AllSettings& settings);
+
 // Whether the check with particles confirms every instant of a sample that was solved.
 bool confirmed_by_particles(Sample& sample);
 

@@ -85,6 +85,10 @@ class Reach {
     return points;
   }
 
+  static bool has_no_value(const Value<Formula>& law, const LetterValues& letters) {
+    if (law.is_number()) return !std::isfinite(value_at(law.number, letters));
+    return std::ranges::any_of(law.items, [&](const Value<Formula>& item) { return has_no_value(item, letters); });
+  }
   static bool stands_in(const std::string& letter, const Value<Formula>& law) {
     const auto in = [&](const Formula& x) { return std::ranges::count(x.letters(), letter) > 0; };
     if (law.is_list())
@@ -153,6 +157,8 @@ class Reach {
     for (std::size_t k = 0; k < laws_.size(); ++k) {
       const std::optional<Value<double>>& value = answers.at(laws_[k].answer);
       if (!value) continue;
+      // Nothing swings where what is under the root of a frequency is negative.
+      if (value->is_list() && value->items.empty() && has_no_value(laws_[k].law, letters)) continue;
       const double misfit = misfit_of(laws_[k].law, *value, letters, size_of(*value));
       const bool met = misfit <= tolerance_;
       if (!met && is_beyond_(letters)) continue;

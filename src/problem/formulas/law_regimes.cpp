@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "poinsot/engine/math/formula/formula_domain.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/formulas/formula_conditions.h"
@@ -142,6 +143,8 @@ class LawRegimes {
     if (bound) add(*bound);
     for (std::size_t i = 0; i < laws_.size(); ++i) {
       for (const Formula& inside : domain_of(laws_[i])) add(inside);
+      if (laws_[i].is_number())
+        for (const Formula& inside : assumed_not_negative(laws_[i].number)) add(inside);
       for (std::size_t j = 0; j < i && laws_[i].is_number(); ++j) add(laws_[i].number - laws_[j].number);
     }
     return all;

@@ -77,7 +77,12 @@ class LawSearch {
     for (const Letter& letter : task_.open) base[letter.name] = task_.settings.front().at(letter.name).number;
     const std::vector<std::string> names = all_letters();
     const Work before = work_done();
-    static_cast<void>(why_no_formula([&] { kept_answers_at(base); }));
+    try {
+      static_cast<void>(why_no_formula([&] { kept_answers_at(base); }));
+    } catch (const StatementError& error) {
+      for (const std::size_t i : wanted) solution_.asks[i].no_formula = error.diagnostics().front().message;
+      return;
+    }
     each_there_ = slower_there * (work_done() - before) + at_least_there;
     ScalingTrials trials(task_.open, base, !task_.unknowns.empty(), error_,
                          [this](const LetterValues& letters) { return kept_answers_at(letters); });
@@ -100,12 +105,21 @@ class LawSearch {
 
   void add_law(ScalingTrials& trials, std::size_t i) {
     SolvedAsk& ask = solution_.asks[i];
-    const auto reason = why_no_formula([&] {
-      const ScalingLaw law = scaling_law(trials, i, ask.letters);
-      hold_all_round(trials, i, law);
-      ask.formula = law.formula;
-      ask.formula_road = road_of(law);
-    });
+    const auto found = [&](const std::vector<std::string>& letters) {
+      return why_no_formula([&] {
+        const ScalingLaw law = scaling_law(trials, i, letters);
+        hold_all_round(trials, i, law);
+        ask.formula = law.formula;
+        ask.formula_road = road_of(law);
+      });
+    };
+    std::optional<std::string> reason = found(ask.letters);
+    // A letter may not matter at the values that were seen: of two the larger counts.
+    if (const std::vector<std::string> all = all_letters(); reason && ask.letters.size() < all.size() && !found(all)) {
+      reason.reset();
+      ask.letters.clear();
+      for (const std::string& letter : letters_in(*ask.formula)) ask.letters.push_back(letter);
+    }
     ask.no_formula = reason.value_or("");
   }
 
@@ -178,7 +192,16 @@ class LawSearch {
       if (!take_regimes(laws[n], reaches[n], base, solve, tolerance,
                         std::max(regimes_over_reach * most, least_regime_search)))
         take(laws[n], reaches[n]);
+    for (const HeldLaw& law : laws) tell_roots(law);
     solution_.checks["formulas"] = std::max(solution_.checks["formulas"], misfit);
+  }
+  // Where roots and inverse functions of a law have values.
+  void tell_roots(const HeldLaw& law) {
+    if (law.answer >= solution_.asks.size()) return;
+    const SolvedAsk& ask = solution_.asks[law.answer];
+    if (!ask.formula || ask.formula_road.empty() || !ask.regimes.empty()) return;
+    for (const std::string& words : root_conditions_of(*ask.formula))
+      solution_.assumptions.push_back(words + " for '" + task_.statement.asks[law.answer].name + "'");
   }
   // Looks for the laws where the first one fails. Whether all of them were found, with what parts them.
   bool take_regimes(const HeldLaw& first, const LawReach& reach, const LetterValues& base,
@@ -294,7 +317,7 @@ class LawSearch {
   ScalingTrials::Answers answers_at(const LetterValues& letters) {
     ScalingTrials::Answers answers(solution_.asks.size() + unknowns_.size());
     const std::optional<AllSettings> settings = settings_at(letters);
-    if (!settings || !is_assumed(*settings))
+    if (!settings || !is_assumed(task_.statement, *settings))
       fail(task_.statement.file, {1, 1}, "nothing is found at other values of the letters, or they are not assumed");
     const OpenChoice choice{.most_changes = most_changes_each};
     Sample sample(task_.statement, *settings, choice);
@@ -316,21 +339,6 @@ class LawSearch {
       answers[solution_.asks.size() + k] = (*settings)[unknowns_[k].situation].at(unknowns_[k].unknown->name);
     if (!confirmed_by_particles(sample)) throw NoFormula("the check on particles does not confirm its numbers");
     return answers;
-  }
-
-  // Whether the assumptions about the letters hold.
-  bool is_assumed(const AllSettings& settings) const {
-    for (std::size_t s = 0; s < settings.size(); ++s) {
-      const Situation& situation = task_.statement.situations[s];
-      DataScope<double> data(situation, settings[s]);
-      for (const Expression& expression : situation.assume) try {
-          const Value<double> truth = data.value(expression);
-          if (truth.is_boolean() && !truth.truth) return false;
-        } catch (const StatementError&) {
-          // The assumption is about more than letters.
-        }
-    }
-    return true;
   }
 
   // The settings with the unknowns found at these letters; nothing unless they have as many roots as at the first

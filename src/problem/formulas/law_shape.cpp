@@ -17,6 +17,19 @@ constexpr std::array independent{Factor::letter, Factor::half_sine, Factor::half
 
 constexpr int largest_divisor = 60;        // of a number that counts as a fraction
 constexpr double largest_numerator = 1e4;  // so that what is near a fraction by chance is rare
+// Of what is under a root or beside pi: there are a hundred thousand such numbers, so that one in a million others is
+// as near to one of them.
+constexpr double largest_numerator_known = 200;
+constexpr double closest_known = 1e-10;
+
+std::optional<Formula> fraction_near(double number, double tolerance, double largest) {
+  for (int below = 1; below <= largest_divisor; ++below) {
+    const double above = std::round(number * below);
+    if (above != 0 && std::abs(above) < largest && std::abs(above / below - number) <= tolerance * std::abs(number))
+      return Formula(static_cast<std::int64_t>(above)) / Formula(below);
+  }
+  return std::nullopt;
+}
 
 Formula decimal(double number, int places) {
   char text[64];
@@ -162,12 +175,27 @@ std::optional<Formula> simple_coefficient(double number, double tolerance) {
   const Formula gravity = Formula::number(std::string(standard_gravity_digits));
   for (const int power : {0, 1, 2, -1}) {
     const Formula factor = pow(gravity, power);
-    const double rest = number / plain(factor);
-    for (int below = 1; below <= largest_divisor; ++below) {
-      const double above = std::round(rest * below);
-      if (above != 0 && std::abs(above) < largest_numerator &&
-          std::abs(above / below - rest) <= tolerance * std::abs(rest))
-        return factor * Formula(static_cast<std::int64_t>(above)) / Formula(below);
+    if (const auto fraction = fraction_near(number / plain(factor), tolerance, largest_numerator))
+      return factor * *fraction;
+  }
+  return std::nullopt;
+}
+
+std::optional<Formula> known_coefficient(double number, double tolerance) {
+  if (const auto simple = simple_coefficient(number, tolerance)) return simple;
+  if (!(tolerance <= closest_known)) return std::nullopt;
+  const Formula gravity = Formula::number(std::string(standard_gravity_digits));
+  const Formula sign(number < 0 ? -1 : 1);
+  for (const int of_pi : {0, 1, -1}) {
+    const Formula beside = pow(Formula::pi(), of_pi);
+    const double rest = std::abs(number) / plain(beside);
+    for (const int of_gravity : {0, 1, -1}) {
+      const Formula factor = pow(gravity, of_gravity);
+      if (of_pi != 0)
+        if (const auto fraction = fraction_near(rest / plain(factor), tolerance, largest_numerator_known))
+          return sign * beside * factor * *fraction;
+      if (const auto square = fraction_near(rest * rest / plain(factor), 2 * tolerance, largest_numerator_known))
+        return sign * beside * sqrt(factor * *square);
     }
   }
   return std::nullopt;

@@ -52,6 +52,10 @@ std::optional<Term> term_of(const AngleSamples& samples, double tolerance);
 // number; nothing if there is none.
 std::optional<Formula> simple_coefficient(double number, double tolerance);
 
+// The same, or the root of such a fraction, or one of these times pi or over it: sqrt(2/3), 2*pi. Of what has few
+// digits nothing but fractions is taken, which could be so by chance.
+std::optional<Formula> known_coefficient(double number, double tolerance);
+
 // The number rounded to so many digits, which are counted from the first digit of `largest`.
 Formula rounded(double number, double largest, int digits);
 

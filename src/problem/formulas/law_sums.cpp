@@ -238,7 +238,7 @@ class SumSearch {
       if (digits < least_sum_digits) return std::nullopt;
       const Product& product = products[(*chosen)[k]];
       const double coefficient = found.value[k] / (product.of_number == 0 ? outside : 1);
-      const std::optional<Formula> simple = simple_coefficient(coefficient, within(digits));
+      const std::optional<Formula> simple = known_coefficient(coefficient, within(digits));
       if (!simple || outside != 1) law.digits = std::min(law.digits, digits);
       Formula term = simple.value_or(rounded(coefficient, coefficient, digits));
       for (const LawShape::Part& part : product.parts)
@@ -263,7 +263,7 @@ class SumSearch {
     law.formula = power == 1 ? sum : power == 2 ? sqrt(sum) : Formula(1) / sqrt(sum);
     if (outside != 1) {
       const double before = std::pow(outside, 1.0 / power);
-      law.formula *= simple_coefficient(before, within(law.digits)).value_or(rounded(before, before, law.digits));
+      law.formula *= known_coefficient(before, within(law.digits)).value_or(rounded(before, before, law.digits));
     }
     if (power != 1 && samples_.numbers.front() < 0) law.formula = -law.formula;
     return law;

@@ -20,6 +20,7 @@ constexpr int least_digits = 6;  // with fewer digits a law cannot be told from 
 constexpr double measured_over_actual = 16;
 constexpr double noise = 1e-9;             // size below which a component counts as zero beside its vector
 constexpr double exponent_to = 1e-4;       // how close a measured exponent must be to a multiple of one half
+constexpr std::size_t least_around = 10;   // points for a sum, which has three coefficients at most
 constexpr std::size_t least_along = 12;    // points for a quotient of polynomials, which may have eight coefficients
 constexpr double ratio_tolerance = 1e-10;  // of numbers that follow such a quotient
 constexpr std::size_t least_samples = 6;   // values of an angle at which an answer must exist
@@ -47,12 +48,46 @@ Value<Formula> shaped_like(const Value<double>& value) {
   return Value<Formula>::of_list(std::move(items));
 }
 
+// What is looked at in place of an angle: how far a pendulum swings follows from the cosine.
+enum class Seen { itself, cosine, tangent, versine, sine };
+
+double seen(Seen as, double angle) {
+  switch (as) {
+    case Seen::cosine:
+      return std::cos(angle);
+    case Seen::tangent:
+      return std::tan(angle);
+    case Seen::versine:
+      return 2 * std::pow(std::sin(angle / 2), 2);
+    case Seen::sine:
+      return std::sin(angle);
+    case Seen::itself:
+      break;
+  }
+  return angle;
+}
+Formula angle_of(Seen as, const Formula& value) {
+  switch (as) {
+    case Seen::cosine:
+      return acos(value);
+    case Seen::tangent:
+      return atan(value);
+    case Seen::versine:
+      return acos(Formula(1) - value);
+    case Seen::sine:
+      return asin(value);
+    case Seen::itself:
+      break;
+  }
+  return value;
+}
+
 // Finds the law of one number of an answer.
 class OneNumber {
  public:
   OneNumber(ScalingTrials& trials, std::size_t answer, std::size_t place, const Dimension& dimension,
-            const std::vector<std::string>& letters, ScalingLaw& law)
-      : trials_(trials), answer_(answer), place_(place), dimension_(dimension), law_(law) {
+            const std::vector<std::string>& letters, Seen as, ScalingLaw& law)
+      : trials_(trials), answer_(answer), place_(place), dimension_(dimension), as_(as), law_(law) {
     for (const Letter& letter : trials.letters()) {
       if (std::ranges::find(letters, letter.name) == letters.end()) continue;
       (letter.unit.dimension == dimensions::angle ? angles_ : sizes_).push_back(letter);
@@ -100,10 +135,12 @@ class OneNumber {
     SumSamples samples;
     for (const ScalingTrials::Point& point : trials_.around()) {
       const std::optional<double> number = at(point);
-      if (!number || *number == 0) return std::nullopt;
+      // Beyond a bound there may be none, as where nothing swings.
+      if (!number || *number == 0) continue;
       samples.letters.push_back(point.letters);
       samples.numbers.push_back(*number / shape_.product_at(point.letters));
     }
+    if (samples.numbers.size() < least_around) return std::nullopt;
     const std::optional<SumLaw> sum =
         sum_law(letters, dimension, units_, samples, tolerance_, trials_.error() / measured_over_actual);
     if (!sum) return std::nullopt;
@@ -185,7 +222,7 @@ class OneNumber {
     if (!value) return std::nullopt;
     const std::vector<double> numbers = all_numbers(*value);
     if (place_ >= numbers.size() || !std::isfinite(numbers[place_])) return std::nullopt;
-    return std::abs(numbers[place_]) <= noise * size_of(*value) ? 0 : numbers[place_];
+    return seen(as_, std::abs(numbers[place_]) <= noise * size_of(*value) ? 0 : numbers[place_]);
   }
   double at_base() const {
     const std::optional<double> number = at(trials_.base());
@@ -328,9 +365,17 @@ class OneNumber {
   }
   Formula written(double first, double slope, double size, int digits) const {
     const auto letter = [&](const std::string& name) { return formula_of(trials_.letter(name)).number; };
-    Formula result = rounded(first, size, digits);
-    if (shape_.term != Term::none)
-      result += rounded(slope, size, digits) * formula_of(shape_.term, letter(shape_.angle));
+    // Numbers that all points have in common, as the end of a search, may be off by more than these differ.
+    constexpr double off_in_common = 1e-11;
+    const double tolerance = std::max(3 * std::pow(10.0, -digits), off_in_common);
+    const auto number = [&](double x) {
+      constexpr double seen = 1e-6;  // of the larger number: what is less has too few digits to be told
+      const std::optional<Formula> known =
+          std::abs(x) > seen * size ? known_coefficient(x, tolerance * size / std::abs(x)) : std::nullopt;
+      return known ? *known : rounded(x, size, digits);
+    };
+    Formula result = number(first);
+    if (shape_.term != Term::none) result += number(slope) * formula_of(shape_.term, letter(shape_.angle));
     return result * formula_of_product();
   }
   Formula formula_of_product() const { return formula_of_product(shape_); }
@@ -344,6 +389,7 @@ class OneNumber {
   ScalingTrials& trials_;
   const std::size_t answer_, place_;
   const Dimension dimension_;
+  const Seen as_;
   ScalingLaw& law_;
   std::vector<Letter> sizes_, angles_;  // all letters but angles; the angles
   double tolerance_ = 1e-8;
@@ -352,6 +398,26 @@ class OneNumber {
   std::vector<int> halves_;                     // the exponents of sizes_, times two
   LawShape shape_;
 };
+
+Formula law_of_number(ScalingTrials& trials, std::size_t answer, std::size_t place, const Dimension& dimension,
+                      const std::vector<std::string>& letters, ScalingLaw& law) {
+  const ScalingLaw before = law;
+  try {
+    return OneNumber(trials, answer, place, dimension, letters, Seen::itself, law).formula();
+  } catch (const NoFormula&) {
+    if (dimension != dimensions::angle) throw;
+    for (const Seen as : {Seen::cosine, Seen::tangent, Seen::versine, Seen::sine}) {
+      law = before;
+      std::optional<Formula> found;
+      static_cast<void>(why_no_formula([&] {
+        found = angle_of(as, OneNumber(trials, answer, place, dimensions::none, letters, as, law).formula());
+      }));
+      if (found) return *found;
+    }
+    law = before;
+    throw;
+  }
+}
 
 }  // namespace
 
@@ -362,7 +428,7 @@ ScalingLaw scaling_law(ScalingTrials& trials, std::size_t answer, const std::vec
   const std::size_t count = all_numbers(*value).size();
   std::vector<Formula> numbers;
   for (std::size_t place = 0; place < count; ++place)
-    numbers.push_back(OneNumber(trials, answer, place, dimension_of(*value), letters, law).formula());
+    numbers.push_back(law_of_number(trials, answer, place, dimension_of(*value), letters, law));
   law.formula = shaped_like(*value);
   std::size_t next = 0;
   put_in(law.formula, numbers, next);

@@ -97,6 +97,13 @@ const std::vector<ScalingTrials::Point>& ScalingTrials::moved(const std::string&
       letters[name] = value;
       if (std::optional<Point> point = tried(letters)) points.push_back(std::move(*point));
     }
+    // So far away there may be no such body.
+    if (points.empty() && !near_ && letter(name).unit.dimension != dimensions::angle)
+      for (const double part : {0.87, 1.19}) {
+        LetterValues letters = base_letters_;
+        letters[name] *= part;
+        if (std::optional<Point> point = tried(letters)) points.push_back(std::move(*point));
+      }
     return points;
   });
 }
@@ -143,12 +150,14 @@ const std::vector<ScalingTrials::Point>& ScalingTrials::drawn() {
   return drawn_.get([&] {
     std::vector<Point> points;
     std::mt19937_64 random(7000);
-    for (int attempt = 0; attempt < most_attempts && points.size() < draws; ++attempt) {
+    for (int attempt = 0; attempt < 2 * most_attempts && points.size() < draws; ++attempt) {
+      // Where nothing was found all over the sizes of the units, it is sought near the first values.
+      const bool near = near_ || attempt >= most_attempts;
       LetterValues letters = base_letters_;
       for (const Letter& letter : letters_) {
         double& value = letters[letter.name];
         const double part = std::uniform_real_distribution<double>(0, 1)(random);
-        if (near_)
+        if (near)
           value *= 0.85 + 0.35 * part;
         else
           value = letter.unit.dimension == dimensions::angle ? 0.2 + part : letter.unit.factor * (0.5 + 1.5 * part);

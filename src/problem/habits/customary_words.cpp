@@ -111,6 +111,31 @@ constexpr std::array customs{
     Custom{"friction_coefficient", "friction"},
     Custom{"e", "restitution"},
     Custom{"coefficient_of_restitution", "restitution"},
+    Custom{"dynamic", "kinetic"},
+    Custom{"mu_k", "kinetic"},
+    Custom{"mu_s", "static"},
+    Custom{"massless", "mass"},
+    // loads and asks
+    Custom{"on", "body"},
+    Custom{"on", "against"},
+    Custom{"with", "against"},
+    Custom{"direction", "along"},
+    Custom{"minimum", "smallest"},
+    Custom{"min", "smallest"},
+    Custom{"least", "smallest"},
+    Custom{"minimize", "smallest"},
+    Custom{"maximum", "largest"},
+    Custom{"max", "largest"},
+    Custom{"most", "largest"},
+    Custom{"maximize", "largest"},
+    Custom{"when", "first_time"},
+    Custom{"time", "first_time"},
+    Custom{"until", "while"},
+    Custom{"condition", "while"},
+    Custom{"expression", "of"},
+    Custom{"quantity", "of"},
+    Custom{"frame", "axes"},
+    Custom{"in", "axes"},
     // sections
     Custom{"data", "given"},
     Custom{"parameters", "given"},
@@ -124,9 +149,28 @@ constexpr std::array customs{
     Custom{"outputs", "ask"},
     Custom{"connections", "joints"},
     Custom{"forces", "loads"},
+    Custom{"body", "bodies"},
+    Custom{"torques", "loads"},
+    Custom{"moments", "loads"},
+    Custom{"couples", "loads"},
+    Custom{"unknown", "find"},
+    Custom{"question", "ask"},
+    Custom{"output", "ask"},
+    Custom{"results", "ask"},
+    Custom{"bearings", "joints"},
+    Custom{"constraints", "joints"},
     Custom{"initial", "instants"},
     Custom{"initial_conditions", "instants"},
     Custom{"name", "title"},
+    Custom{"results", "ask"},
+    Custom{"calculate", "ask"},
+    Custom{"compute", "ask"},
+    Custom{"objects", "bodies"},
+    Custom{"links", "joints"},
+    Custom{"coordinates", "points"},
+    Custom{"definitions", "define"},
+    Custom{"prove", "claim"},
+    Custom{"claims", "claim"},
     // quantities and functions
     Custom{"speed", "norm(velocity(A of plate))"},
     Custom{"magnitude", "norm(v)"},
@@ -157,6 +201,7 @@ constexpr std::array customs{
     Custom{"arccos", "acos(x)"},
     Custom{"arctan", "atan(x)"},
     Custom{"arctan2", "atan2(y to x)"},
+    Custom{"log", "ln(x)"},
     Custom{"maximum", "max(X)"},
     Custom{"minimum", "min(X)"},
 };
@@ -180,6 +225,16 @@ std::string customary_key(std::string_view word, const std::vector<std::string>&
 }
 std::string customary_call(std::string_view word, const std::vector<std::string>& known) {
   return customary(word, known, true);
+}
+
+std::string customary_unit_of(std::string_view quantity) {
+  constexpr std::array units{Custom{"mass", "kg"},   Custom{"length", "m"},     Custom{"distance", "m"},
+                             Custom{"time", "s"},    Custom{"force", "N"},      Custom{"angle", "rad"},
+                             Custom{"speed", "m/s"}, Custom{"velocity", "m/s"}, Custom{"acceleration", "m/s^2"},
+                             Custom{"number", "1"},  Custom{"none", "1"},       Custom{"dimensionless", "1"},
+                             Custom{"-", "1"}};
+  const auto found = std::ranges::find(units, quantity, &Custom::elsewhere);
+  return found == units.end() ? "" : std::string(found->here);
 }
 
 }  // namespace poinsot::problem

@@ -241,10 +241,13 @@ class StateSearch {
       // Where nothing moves the terms are rounding themselves.
       const double size = std::max(then.size, instant.natural_size(dimensions::acceleration));
       slips.slip.push_back(norm(then.slip) > none_beside * size ? then.slip : Vector3<double>{});
-      // What touches along a motion parts only as it is moved apart: how fast it does so before is rounding.
+      // What touches parts only as it is moved apart: how fast it does so before is rounding, and where nothing moves
+      // its acceleration is, too.
       const RoughContactOf<double>& rough = instant.machine().rough_contacts[k];
-      if (reached_ && !leaves_[k] && rough.grip == Grip::parts && !(then.apart > none_beside * size))
-        slips.holds = false;
+      const bool leaves = reached_ ? leaves_[k]
+                                   : instant.rough_motion_as_drawn(k, false).apart >
+                                         none_beside * instant.natural_size(dimensions::velocity);
+      if (!leaves && rough.grip == Grip::parts && !(then.apart > none_beside * size)) slips.holds = false;
       // Likewise a slip that is taken for none begins only as it is moved.
       if (reached_ && rough.grip == Grip::slides && contacts_[k]->touches() && !(norm(slips_[k]) > 0) &&
           !(dot(slips.slip[k], rough.slip->vector) > 0))

@@ -1,22 +1,27 @@
 #include "problem/instant/contact_state_words.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "problem/instant/contact_state_search.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {
 
-std::string words_of(const ContactState& state, const std::optional<Vector3<double>>& along) {
+std::string words_of(const ContactState& state, const std::vector<double>& along) {
   const bool in_joint = state.in_joint;
   const std::string contact = std::string(in_joint ? "joint" : "contact") + " '" + state.contact + "'";
   if (state.grip == Grip::sticks) return contact + (in_joint ? " is held by its friction" : " sticks");
   if (state.grip == Grip::parts) return contact + " parts";
   std::string words = to_string(*state.slip);
   constexpr int digits = 6;
-  if (along)
-    words = "[" + with_digits(along->x, digits) + ", " + with_digits(along->y, digits) + ", " +
-            with_digits(along->z, digits) + "]";
+  constexpr double none = 1e-12;  // of the length of a direction: rounding
+  if (!along.empty()) {
+    words.clear();
+    for (const double part : along)
+      words += (words.empty() ? "[" : ", ") + with_digits(std::abs(part) > none ? part : 0, digits);
+    words += "]";
+  }
   if (in_joint)
     return contact + (state.from_rest ? " begins to move" : " moves") + " against its friction, along " + words;
   return contact + (state.from_rest ? " begins to slide along " : " slides along ") + words;
@@ -31,7 +36,11 @@ std::string words_of(const ContactState& state, const Situation& situation, cons
            (state.slip->as<Unary>() ? ", against the way it is led" : ", the way it is led");
   }
   if (!state.slip || !state.slip->as<List>() || state.in_joint) return words_of(state);
-  return words_of(state, DataScope<double>(situation, settings, 0).direction(*state.slip));
+  ContactState named = state;
+  if (name_direction(named, situation, settings)) return words_of(named);
+  const Vector3<double> d = DataScope<double>(situation, settings, 0).direction(*state.slip);
+  if (situation.plane) return words_of(state, {d[situation.plane->first], d[situation.plane->second]});
+  return words_of(state, {d.x, d.y, d.z});
 }
 
 bool name_direction(ContactState& state, const Situation& situation, const Settings& settings) {

@@ -10,8 +10,8 @@
 
 namespace poinsot::problem {
 
-// "contact 'floor' slides along x". along: the direction as numbers, if it slides in one without a name.
-std::string words_of(const ContactState& state, const std::optional<Vector3<double>>& along = std::nullopt);
+// "contact 'floor' slides along x". along: the components of the direction, if it slides in one without a name.
+std::string words_of(const ContactState& state, const std::vector<double>& along = {});
 // The same with numbers wherever the direction has no name.
 std::string words_of(const ContactState& state, const Situation& situation, const Settings& settings);
 

@@ -78,7 +78,9 @@ class ConeProgram {
         directions_(shares_.cols()) {
     for (const std::size_t k : one_sided) {
       size_ = std::max(size_, std::abs(solution.value[k]));
-      if (moves(k)) add(slopes_of(k), solution.value[k], true);
+      if (!moves(k)) continue;
+      add(slopes_of(k), solution.value[k], true);
+      pushes_.push_back(k);
     }
     for (const FrictionCone& cone : cones) {
       const std::vector<std::size_t> unknowns = unknowns_of(cone);
@@ -94,12 +96,17 @@ class ConeProgram {
   double size() const { return size_; }
 
   // The place of the largest margin, up to one, as multiples of the directions.
-  std::optional<VectorXd> middle() {
+  VectorXd middle() {
     VectorXd objective = VectorXd::Zero(directions_ + 1);
     objective[directions_] = 1;
     const std::optional<solve::LinearOptimum> found = climb(objective, true);
-    if (!found) return std::nullopt;
-    return VectorXd(size_ * found->x.head(directions_).cwiseQuotient(sizes_));
+    // Some margin, however far below zero, is always there: a program without an optimum was lost in its rounding.
+    VectorXd t = found ? VectorXd(found->x.head(directions_)) : VectorXd::Zero(directions_);
+    const double bound = found ? found->x[directions_] : 1;
+    // Where cones are round in many directions planes come to the largest margin slowly.
+    if (least_margin(t) < 0 && bound > -cone_rounding)
+      if (VectorXd inner = innermost(t); least_margin(inner) > least_margin(t)) t = std::move(inner);
+    return VectorXd(size_ * t.cwiseQuotient(sizes_));
   }
 
   // The largest value of slopes . t without a margin; infinite if nothing bounds it.
@@ -121,6 +128,89 @@ class ConeProgram {
     double constant = 0;  // in units of force
     bool margin = false;
   };
+
+  double force_at(std::size_t k, const VectorXd& t) const { return solution_.value[k] / size_ + slopes_of(k).dot(t); }
+  double least_margin(const VectorXd& t) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t k : pushes_) least = std::min(least, force_at(k, t));
+    for (const FrictionCone& cone : cones_) {
+      const auto [first, second] = friction_in(cone, [&](std::size_t k) { return force_at(k, t); });
+      least = std::min(least, cone.coefficient * force_at(cone.push, t) - std::hypot(first, second));
+    }
+    return least;
+  }
+
+  // The place of the largest margin s from within: the least of
+  //   -w s - sum log(N - s) - sum log((m N - s)^2 - F^2) - log(1 - s) - log(R^2 - t^2)
+  // by Newton's method for larger and larger w, by a start at which s is far below every margin. The place is within
+  // all cones by s at least, and s is known to some count/w (Boyd and Vandenberghe, Convex Optimization, ch. 11).
+  VectorXd innermost(const VectorXd& start) const {
+    struct Barrier {
+      double value = 0;
+      VectorXd slope;
+      MatrixXd bend;
+    };
+    const Index n = directions_ + 1;
+    const double reach = 10 * (1 + start.norm());
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const auto barrier = [&](const VectorXd& x, double weight) {
+      Barrier all{-weight * x[directions_], VectorXd::Zero(n), MatrixXd::Zero(n, n)};
+      all.slope[directions_] = -weight;
+      const auto t = x.head(directions_);
+      const double s = x[directions_];
+      // -log u, with the slopes and the bends of u.
+      const auto add_log = [&](double u, const VectorXd& slope, const MatrixXd& bend) {
+        all.value = u > 0 ? all.value - std::log(u) : infinite;
+        all.slope -= slope / u;
+        all.bend += slope * slope.transpose() / (u * u) - bend / u;
+      };
+      const MatrixXd straight = MatrixXd::Zero(n, n);
+      const auto slopes = [&](std::size_t k, double factor, double of_margin) {
+        VectorXd slope = VectorXd::Zero(n);
+        slope.head(directions_) = factor * slopes_of(k);
+        slope[directions_] = of_margin;
+        return slope;
+      };
+      for (const std::size_t k : pushes_) add_log(force_at(k, t) - s, slopes(k, 1, -1), straight);
+      for (const FrictionCone& cone : cones_) {
+        const double limit = cone.coefficient * force_at(cone.push, t) - s, first = force_at(cone.first, t),
+                     second = cone.second ? force_at(*cone.second, t) : 0;
+        if (!(limit > 0)) all.value = infinite;
+        const VectorXd of_limit = slopes(cone.push, cone.coefficient, -1), of_first = slopes(cone.first, 1, 0),
+                       of_second = cone.second ? slopes(*cone.second, 1, 0) : VectorXd::Zero(n);
+        add_log(limit * limit - first * first - second * second,
+                2 * (limit * of_limit - first * of_first - second * of_second),
+                2 * (of_limit * of_limit.transpose() - of_first * of_first.transpose() -
+                     of_second * of_second.transpose()));
+      }
+      add_log(1 - s, -VectorXd::Unit(n, directions_), straight);
+      VectorXd place = x;
+      place[directions_] = 0;
+      MatrixXd ball = -2 * MatrixXd::Identity(n, n);
+      ball(directions_, directions_) = 0;
+      add_log(reach * reach - t.squaredNorm(), -2 * place, ball);
+      return all;
+    };
+    VectorXd x(n);
+    x.head(directions_) = start;
+    x[directions_] = least_margin(start) - 1;
+    constexpr double last_weight = 1e12, well_inside = 1e-6;
+    constexpr int most_steps = 40, most_halvings = 40;
+    for (double weight = 1; weight <= last_weight && x[directions_] < well_inside; weight *= 5)
+      for (int step = 0; step < most_steps; ++step) {
+        const Barrier here = barrier(x, weight);
+        const VectorXd change = -here.bend.ldlt().solve(here.slope);
+        const double gain = -here.slope.dot(change);
+        constexpr double settled = 1e-4;
+        if (!(gain > settled)) break;
+        double part = 1;
+        for (int i = 0; i < most_halvings && !(barrier(x + part * change, weight).value < here.value); ++i) part /= 2;
+        const VectorXd next = x + part * change;
+        if (!(barrier(next, weight).value < here.value)) break;
+        x = next;
+      }
+    return x.head(directions_);
+  }
 
   bool moves(std::size_t k) const { return slopes_of(k).cwiseAbs().maxCoeff() > cone_rounding; }
   VectorXd slopes_of(std::size_t k) const { return shares_.row(static_cast<Index>(k)).transpose(); }
@@ -201,7 +291,8 @@ class ConeProgram {
   const VectorXd sizes_;   // of the directions
   const MatrixXd shares_;  // in units of these
   const Index directions_;
-  std::vector<FrictionCone> cones_;  // that open directions move
+  std::vector<std::size_t> pushes_;  // and cones that open directions move
+  std::vector<FrictionCone> cones_;
   std::vector<Row> rows_;
   double size_ = 0;
 };
@@ -215,9 +306,7 @@ void share_within_cones(solve::LinearSolution& solution, const std::vector<std::
   if (shares.cols() == 0) return;
   ConeProgram program(solution, one_sided, cones, shares);
   if (!program.has_cones()) return;
-  const std::optional<VectorXd> t = program.middle();
-  if (!t) return;
-  const VectorXd change = shares * *t;
+  const VectorXd change = shares * program.middle();
   for (std::size_t k = 0; k < solution.value.size(); ++k) solution.value[k] += change[static_cast<Index>(k)];
 }
 

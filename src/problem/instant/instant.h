@@ -173,10 +173,11 @@ class SolvedInstant {
     std::size_t action = 0;  // its place among the actions of the mechanism
     Holding broken = Holding::presses;
   };
-  // All of them. solve_forces() must be called before.
-  std::vector<OneSidedFault> one_sided_faults() const;
+  // All of them. solve_forces() must be called before. off_line: how fast what slides may slip across the line that is
+  // taken for it (m/s).
+  std::vector<OneSidedFault> one_sided_faults(double off_line = 0) const;
   // Describes them: "the cord 'AB' would have to push: it goes slack".
-  std::vector<std::string> unphysical() const;
+  std::vector<std::string> unphysical(double off_line = 0) const;
 
   // Of a contact with friction, by its place among those of the machine and on the axes of the figure as drawn: its
   // normal, and how it comes apart and slips, by the velocities or (after solve_forces()) by the accelerations.

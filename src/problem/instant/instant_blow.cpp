@@ -5,6 +5,8 @@
 #include "problem/instant/instant.h"
 #include "problem/instant/one_sided_shares.h"
 #include "problem/language/diagnostic.h"
+#include "problem/machine/contact_limits.h"
+#include "problem/quantities/slip_constraint.h"
 #include "problem/quantities/tooth_flanks.h"
 
 namespace poinsot::problem {
@@ -49,7 +51,8 @@ void SolvedInstant::solve_blow() {
       fail(situation_.file, impact_named(situation_, impact.name).mark,
            "nothing strikes at impact '" + impact.name +
                "': before it the two do not approach each other along the push",
-           "check the direction under pushes: and the motion before");
+           "check the direction under pushes: and the motion before; what strikes after another blow is a contact with "
+           "restitution: and open: true");
     }
   }
   StatedConditions<double> stated = blow_conditions(view(), blow_);
@@ -135,19 +138,37 @@ void SolvedInstant::solve_blow() {
       if (mechanism.components[k].one_sided && acting[action])
         good = solution.value[n + k] >= -rounding(solution.value);
     }
+    constexpr double of_terms = 1e-9;  // what sums of velocities leave that are solved for, to 1e-11 at worst
+    struct Rate {
+      double value = 0, rounding = 0;
+    };
+    const auto rate_of = [&](const VelocityConstraint<double>& constraint) {
+      const std::vector<double> row = solve::constraint_coefficients(*before_, constraint);
+      Rate rate;
+      for (std::size_t k = 0; k < n; ++k) {
+        rate.value += row[k] * solution.value[k];
+        rate.rounding += of_terms * std::abs(row[k] * solution.value[k]);
+      }
+      return rate;
+    };
+    const auto parts = [&](int action, double slip) {
+      return std::ranges::any_of(mechanism.constraints, [&](const VelocityConstraint<double>& constraint) {
+        if (constraint.action != action || !constraint.normal) return false;
+        const Rate rate = rate_of(constraint);
+        return rate.value > rate.rounding + of_terms * slip;
+      });
+    };
     for (std::size_t i = 0; good && i < mechanism.constraints.size(); ++i) {
       const VelocityConstraint<double>& constraint = mechanism.constraints[i];
       if (constraint.action < 0 || acting[static_cast<std::size_t>(constraint.action)]) continue;
-      const std::vector<double> row = solve::constraint_coefficients(*before_, constraint);
-      double rate = 0, size = 0;
-      for (std::size_t k = 0; k < n; ++k) {
-        rate += row[k] * solution.value[k];
-        size += std::abs(row[k] * solution.value[k]);
-      }
-      constexpr double of_terms = 1e-9;  // what sums of velocities leave that are solved for, to 1e-11 at worst
       // A part of a cord between wheels that it turns says nothing of the whole.
       if (constraint.kind == VelocityConstraintKind::led_cord && !constraint.keeps_length) continue;
-      good = is_cord_length(constraint) ? rate <= of_terms * size : rate >= -of_terms * size;
+      const Rate rate = rate_of(constraint);
+      // Of a contact that has parted nothing holds its sides from slipping; one that has not does not slip.
+      if (against_slipping(mechanism, constraint))
+        good = std::abs(rate.value) <= rate.rounding || parts(constraint.action, std::abs(rate.value));
+      else
+        good = is_cord_length(constraint) ? rate.value <= rate.rounding : rate.value >= -rate.rounding;
     }
     if (!good && !last && !choice_.trial) continue;
     if (!good && !choice_.trial) {
@@ -174,6 +195,11 @@ void SolvedInstant::solve_blow() {
            "the impact '" + blow_.impacts[k].name + "' would have to pull", "check the direction under pushes:");
   v_.assign(impulses_.begin(), impulses_.begin() + static_cast<std::ptrdiff_t>(n));
   mechanism_state_->set_velocities(v_);
+  if (choice_.trial) return;
+  for (const ContactLimit& limit : machine_.contact_limits)
+    if (blow_acting_[static_cast<std::size_t>(limit.action)] && !is_of_rod(limit, situation_) &&
+        leaves_plane(limit, *mechanism_state_, pace()))
+      fail(situation_.file, limit.mark, words_of_side(limit), hint_of_flat_side(limit));
 }
 
 }  // namespace poinsot::problem

@@ -62,6 +62,12 @@ void SolvedInstant::contradiction(System system, const solve::LinearSolution& so
   }
   if (mark.line == 1 && situation_.steady) mark = situation_.steady->mark;
   if (mark.line == 1 && !situation_.joints.empty()) mark = situation_.joints.front().mark;
+  // Of velocities it may be the angles alone that do not allow what the bodies could do.
+  if (const auto lock = system == System::velocities ? gimbal_lock(machine_, machine_.q) : std::nullopt)
+    throw ContradictionError(situation_.file, mark,
+                             (names.size() == 1 ? "this cannot hold: " : "these cannot all hold together: ") + all +
+                                 "; in this pose " + *lock + ", which leaves no turning about one of three lines",
+                             std::string("correct or remove it, or ") + beside_gimbal_lock);
   if (names.size() == 1)
     throw ContradictionError(situation_.file, mark,
                              "this cannot hold: " + all + "; how the bodies are held does not allow it",

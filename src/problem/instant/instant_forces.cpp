@@ -245,6 +245,12 @@ void SolvedInstant::solve_motion_equations(const std::vector<const Fact*>& nonli
   }
   const auto n = static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size());
   mechanism_state_->set_accelerations(std::vector<double>(unknowns_.begin(), unknowns_.begin() + n));
+  if (!choice_.trial && !moving_)
+    for (const ContactLimit& limit : machine_.contact_limits)
+      if (!is_of_rod(limit, situation_) && begins_to_leave_plane(limit, *mechanism_state_, pace())) {
+        motion_.reset();
+        throw UnansweredError(situation_.file, limit.mark, words_of_side(limit), hint_of_flat_side(limit));
+      }
 }
 
 std::vector<std::size_t> SolvedInstant::one_sided_unknowns(std::size_t first) const {
@@ -367,7 +373,7 @@ std::optional<std::vector<SolvedInstant::Between>> SolvedInstant::over_all_share
   return ranges;
 }
 
-std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults() const {
+std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults(double off_line) const {
   std::vector<OneSidedFault> found;
   const Mechanism<double>& mechanism = machine_.mechanism;
   const std::size_t first = solve::force_unknowns(mechanism).accelerations;
@@ -427,7 +433,8 @@ std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults() cons
                                   !(norm(rough_motion(*mechanism_state_, contact, false).slip) > begins * speed) &&
                                   !(dot(rough_motion(*mechanism_state_, contact, true).slip,
                                         direction_now(*mechanism_state_, contact, *contact.slip)) > 0);
-    if (slips && !begins_otherwise && stays_in_state(*mechanism_state_, unknowns_, contact, size, begins * speed) &&
+    if (slips && !begins_otherwise &&
+        stays_in_state(*mechanism_state_, unknowns_, contact, size, begins * speed, off_line) &&
         !slips_in_truth(*mechanism_state_, unknowns_, contact, size))
       continue;
     found.push_back({static_cast<std::size_t>(contact.action), contact.grip == Grip::sticks   ? Holding::sticks
@@ -437,9 +444,9 @@ std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults() cons
   return found;
 }
 
-std::vector<std::string> SolvedInstant::unphysical() const {
+std::vector<std::string> SolvedInstant::unphysical(double off_line) const {
   std::vector<std::string> words;
-  for (const OneSidedFault& fault : one_sided_faults()) {
+  for (const OneSidedFault& fault : one_sided_faults(off_line)) {
     const std::string& name = machine_.mechanism.actions[fault.action].name;
     switch (fault.broken) {
       case Holding::pulls:

@@ -5,6 +5,7 @@
 
 #include "poinsot/engine/mass/principal_axes.h"
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
+#include "poinsot/engine/solve/stability/changing_equations.h"
 #include "poinsot/engine/solve/stability/steady_loads.h"
 #include "problem/instant/accelerated_frame.h"
 #include "problem/instant/instant.h"
@@ -340,6 +341,11 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark, bool 
   refuse_unsteady_loads(situation_, mark, motion, pace());
   try {
     linearisation_ = solve::linearise(motion);
+  } catch (const solve::ChangingEquations& error) {
+    throw UnansweredError(
+        situation_.file, mark, error.what(),
+        "stability is told where all that spins are bodies of revolution, and all that acts from the ground on what "
+        "turns acts along the axis, or about it");
   } catch (const std::runtime_error& error) {
     throw UnansweredError(situation_.file, mark, error.what(), "say what holds or drives every freedom");
   }

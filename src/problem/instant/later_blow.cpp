@@ -5,6 +5,7 @@
 #include "poinsot/engine/dynamics/velocity_constraint.h"
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
+#include "problem/quantities/slip_constraint.h"
 #include "problem/quantities/tooth_flanks.h"
 
 namespace poinsot::problem {
@@ -82,6 +83,8 @@ void SolvedInstant::strike_later(const std::vector<Met>& met, const std::vector<
       const auto action = static_cast<std::size_t>(constraint.action);
       if (constraint.kind == VelocityConstraintKind::led_cord && !constraint.keeps_length) continue;
       if (!good || constraint.action < 0 || act[action] || !besides[action]) continue;
+      // What has parted may slip either way.
+      if (against_slipping(mechanism, constraint)) continue;
       const std::vector<double> row = solve::constraint_coefficients(*before_, constraint);
       double rate = 0, size = 0;
       for (std::size_t k = 0; k < n; ++k) {
@@ -98,7 +101,7 @@ void SolvedInstant::strike_later(const std::vector<Met>& met, const std::vector<
     mechanism_state_->set_velocities(v_);
     return;
   }
-  throw UnansweredError(situation_.file, mark, "at the blow " + why, "let the motion end before");
+  throw UnansweredError(situation_.file, mark, why, "let the motion end before");
 }
 
 }  // namespace poinsot::problem

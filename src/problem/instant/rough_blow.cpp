@@ -237,8 +237,8 @@ std::string words_of_blow(const RoughBlow& rough, const solve::Impact& impact) {
   else
     words += "slips" + turning(stretches.front()) + ", " +
              (stretches.back().sticks ? "then sticks" : "stops slipping and slips on in another direction");
-  if (impact.restitution > 0) {
-    const bool agree = rough.form != RoughBlow::Form::numbers;
+  // Where all hypotheses agree none is named.
+  if (impact.restitution > 0 && rough.form == RoughBlow::Form::numbers) {
     words += "; restitution by the ";
     switch (impact.hypothesis) {
       case solve::RestitutionLaw::energetic:
@@ -251,7 +251,6 @@ std::string words_of_blow(const RoughBlow& rough, const solve::Impact& impact) {
         words += "kinematic hypothesis (Newton's)";
         break;
     }
-    if (agree) words += ", here as by the others";
   }
   if (rough.gained > 0) words += ": the kinetic energy rises in it, which no real blow does";
   return words;

@@ -5,6 +5,7 @@
 
 #include "problem/habits/customary_words.h"
 #include "problem/keys/keys.h"
+#include "problem/language/foreign_signs.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {
@@ -32,6 +33,18 @@ Members::Members(const Entry& entry, const std::string& file, std::vector<std::s
     if (!key.text.empty() && key.text.front() >= '0' && key.text.front() <= '9')
       fail(file, key.mark, "a key is expected here, not '" + key.text + "'",
            "a decimal is written with a point: 0.8, not 0,8");
+    if (const std::size_t blank = key.text.find(' '); blank != std::string::npos && value.is_null())
+      if (const std::string word = key.text.substr(0, blank);
+          std::find(known.begin(), known.end(), word) != known.end() || !customary_key(word, known).empty())
+        fail(file, key.mark, "a ':' is missing behind '" + word + "'",
+             "write '" + word + ": " + key.text.substr(blank + 1) + "'");
+    // What stands beneath a key that has nothing yet, in the same column.
+    if (&key != &entry.members.front().first && custom.empty())
+      if (const auto& [above, none] = *std::prev(std::find_if(
+              entry.members.begin(), entry.members.end(), [&](const auto& member) { return &member.first == &key; }));
+          none.is_null() && above.mark.line < key.mark.line)
+        fail(file, key.mark, "unknown key '" + key.text + "' in " + with_article(object_),
+             "indent it farther if it belongs to '" + above.text + "'");
     fail(file, key.mark, "unknown key '" + key.text + "' in " + with_article(object_),
          near.empty() ? "known keys: " + joined(known) : "did you mean '" + near + "'?");
   }
@@ -88,6 +101,13 @@ void check_name(const std::string& name, Mark mark, const std::string& file) {
   const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; };
   bool good = !name.empty() && letter(name.front());
   for (char c : name) good = good && (letter(c) || std::isdigit(static_cast<unsigned char>(c)));
+  if (!name.empty() && std::isdigit(static_cast<unsigned char>(name.front())))
+    fail(file, mark, "a name is expected here, not '" + name + "'",
+         "names begin with a letter; a decimal is written with a point: 0.8, not 0,8");
+  for (std::size_t k = 0; !good && k < name.size(); ++k)
+    if (const ForeignSign foreign = foreign_sign_of_expression(std::string_view(name).substr(k));
+        foreign.hint.starts_with("names have"))
+      fail(file, mark, "'" + name + "' cannot be a name", foreign.hint);
   if (!good)
     fail(file, mark, "'" + name + "' cannot be a name", "names are letters, digits and _, and begin with a letter");
   for (const char* word : {"any", "pi", "time", "ground", "system", "rest", "none", "about", "along", "to", "with",
@@ -97,16 +117,30 @@ void check_name(const std::string& name, Mark mark, const std::string& file) {
 }
 
 std::vector<Expression> expression_list(const Entry& entry, const std::string& file) {
-  if (entry.kind != Entry::Kind::list) fail(file, entry.mark, "expected a list in brackets [..., ...]");
+  if (entry.kind != Entry::Kind::list)
+    fail(file, entry.mark, "expected a list in brackets [..., ...]",
+         entry.kind == Entry::Kind::scalar && entry.text.size() < 60 ? "write [" + entry.text + "]" : "");
   std::vector<Expression> items;
   for (const Entry& item : entry.items) items.push_back(parse_expression(item, file));
   return items;
 }
 
 Unit read_unit(const Entry& entry, const std::string& file) {
+  const std::string& text = scalar_text(entry, file, "a unit, such as kg, m or rad/s");
   try {
-    return parse_unit(scalar_text(entry, file, "a unit, such as kg, m or rad/s"));
+    return parse_unit(text);
   } catch (const std::invalid_argument& error) {
+    // What people write where only a unit belongs.
+    if (std::isdigit(static_cast<unsigned char>(text.front())) && text.find(' ') != std::string::npos)
+      fail(file, entry.mark, "'" + text + "' is a value, where a unit is expected",
+           "write the unit alone; what has a value stands under given:");
+    if (text.find('(') != std::string::npos && std::isalpha(static_cast<unsigned char>(text.front())) &&
+        text.find_first_of("^*/") == std::string::npos)
+      fail(file, entry.mark, "'" + text + "' is no unit", "what is asked stands under ask:");
+    if (text.starts_with("signed "))
+      fail(file, entry.mark, "'" + text + "' is no unit", "write {signed: " + text.substr(7) + "}");
+    if (const std::string unit = customary_unit_of(text); !unit.empty())
+      fail(file, entry.mark, "'" + text + "' is no unit", "write " + unit);
     fail(file, entry.mark, error.what());
   }
 }

@@ -25,6 +25,8 @@ const std::vector<FunctionForm>& mathematical_functions() {
       {"asin", "asin(x)"},
       {"acos", "acos(x)"},
       {"atan", "atan(x)"},
+      {"exp", "exp(x)"},
+      {"ln", "ln(x)"},
       {"atan2", "atan2(y to x)"},
       {"min", "min(x) for the smallest over the motion, min(a with b) or min([a, b, c])"},
       {"max", "max(x) for the largest over the motion, max(a with b) or max([a, b, c])"},

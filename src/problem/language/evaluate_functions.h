@@ -91,6 +91,17 @@ std::optional<Value<Scalar>> function_of_number(const Call& call, const Function
   if (f == "cos") return pure(cos(context.angle(call, argument)));
   if (f == "tan") return pure(tan(context.angle(call, argument)));
   if (f == "atan") return angle(atan(context.pure(call, argument)));
+  if (f == "exp" || f == "ln") {
+    const Scalar x = context.pure(call, argument);
+    if (f == "ln" && !(plain(x) > 0))
+      context.no_value("ln of " + number_text(plain(x)) + " does not exist: the argument must be positive");
+    if constexpr (is_exact<Scalar>) {
+      throw NoFormula(call.function + "() has no formula");
+    } else {
+      using std::exp, std::log;
+      return pure(f == "exp" ? exp(x) : log(x));
+    }
+  }
   if (f == "asin" || f == "acos") {
     Scalar x = context.pure(call, argument);
     // An argument that exceeds 1 by rounding counts as 1.

@@ -104,7 +104,8 @@ void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, b
   }
   if (token.kind == Token::Kind::preposition) {
     source.fail(token.begin, here + " cannot stand here",
-                "it joins the arguments of a call, as in component(v along u)");
+                token.text == "at" && !in_call ? "an instant stands behind '@': kinetic_energy(disk) @ 2 s"
+                                               : "it joins the arguments of a call, as in component(v along u)");
   }
   if (token.is_sign(".."))
     source.fail(token.begin, "a range cannot stand in a range", "write it as 0 s .. 2 s by 0.1 s");
@@ -121,6 +122,10 @@ void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, b
       before.kind == Token::Kind::literal && before.has_unit && token.kind == Token::Kind::literal && token.has_unit)
     source.fail(token.begin, "a sign is missing between " + source.quoted(before) + " and " + here,
                 "write '" + source.written(before) + " + " + source.written(token) + "' to add");
+  if (const Token& before = tokens.before();
+      before.kind == Token::Kind::literal && !before.has_unit && token.kind == Token::Kind::literal)
+    source.fail(token.begin, "two numbers stand side by side",
+                "a mixed number is written as a decimal or as one fraction: 1.5 or 3/2");
   const std::string repair = simple ? source.written(tokens.before()) + "*" + source.written(token) : "a*b";
   const bool two_names = tokens.before().kind == Token::Kind::name && token.kind == Token::Kind::name;
   const std::string call = two_names && tokens.before().primes == 0

@@ -252,7 +252,10 @@ class Parser {
                      now().kind == Token::Kind::end ? "units are written without one: 12 in"
                                                     : "components are those of vectors, v.x");
       }
-      if (now().kind != Token::Kind::name || now().primes > 0) {
+      if (now().kind == Token::Kind::name && now().primes > 0)
+        source_.fail(now().begin, "a prime stands behind a component",
+                     "write the component of the rate, v'.x, of a name v under define:");
+      if (now().kind != Token::Kind::name) {
         source_.fail(now().begin, "a name is missing after '.'", "write a component or part of something, v.x");
       }
       std::string name = now().text;

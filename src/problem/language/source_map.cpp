@@ -91,6 +91,14 @@ std::optional<SourceMap::Slip> SourceMap::slip_of_line(std::size_t offset) const
     if (equals) return Slip{looked_at->begin + name, "'=' stands where a ':' is expected", repair};
     return Slip{looked_at->begin + name, "a ':' and a blank are missing behind '" + key + "'", repair};
   }
+  if (here.words.starts_with("```"))
+    return Slip{here.begin, "a line of Markdown stands here", "leave out the lines that begin with ```"};
+  const bool heads_others = before && here.indent > before->indent && has_colon(here.words);
+  if (heads_others && std::ranges::all_of(before->words, [](char c) {
+        return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+      }))
+    return Slip{before->begin + before->words.size(), "a ':' is missing behind '" + std::string(before->words) + "'",
+                "write '" + std::string(before->words) + ":'"};
   if (before && here.indent > before->indent && has_colon(here.words) && has_colon(before->words) &&
       !before->words.ends_with(':') && !before->words.starts_with("-"))
     return Slip{here.begin, "this line is indented farther than the one before it, which has a value already",

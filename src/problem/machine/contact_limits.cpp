@@ -80,6 +80,30 @@ bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& state,
   });
 }
 
+// With w = a n + b s, which turns a straight side s within the plane and about itself, s'' has the part
+// (alpha x s + w x (w x s)) . n out of it; n turns with the body on the other side.
+bool begins_to_leave_plane(const ContactLimit& limit, const solve::MechanismState& state, double pace) {
+  const VelocityConstraint<double>* constraint = touching(limit, state.mechanism());
+  if (!constraint || limit.straight.empty() || constraint->carried_by) return false;
+  const Workspace<double>& now = state.workspace();
+  const Vector from = angular_velocity(now, constraint->from), w = angular_velocity(now, constraint->on) - from;
+  const Vector turning =
+      angular_acceleration(now, constraint->on) - angular_acceleration(now, constraint->from) - cross(from, w);
+  const Vector n = state.direction(constraint->along);
+  constexpr double rounding = 1e-7;  // of accelerations, whose forces are known to some 1e-10 of the largest
+  const double size = std::max({norm(turning), norm_squared(w), pace * pace});
+  return std::ranges::any_of(limit.straight, [&](const Vector& side) {
+    const Vector s = state.direction({constraint->on, side});
+    return std::abs(dot(cross(turning, s) + cross(w, cross(w, s)), n)) > rounding * size;
+  });
+}
+
+bool is_of_rod(const ContactLimit& limit, const Situation& situation) {
+  const auto body = std::ranges::find(situation.bodies, limit.body, &Body::name);
+  return body != situation.bodies.end() &&
+         std::ranges::any_of(body->parts, [](const Part& part) { return part.shape.kind == "rod"; });
+}
+
 std::string words_of_end(const ContactLimit& limit) {
   return "contact '" + limit.contact + "' is beyond the end of the " + (limit.end ? "" : "round ") + "surface of '" +
          limit.body + "'";
@@ -88,6 +112,12 @@ std::string words_of_end(const ContactLimit& limit) {
 std::string words_of_side(const ContactLimit& limit) {
   return "'" + limit.body + "' is straight where contact '" + limit.contact +
          "' is: turning as it does it would cut into a flat '" + limit.against + "'";
+}
+
+std::string hint_of_flat_side(const ContactLimit& limit) {
+  return "if '" + limit.body +
+         "' lies flat there, state contacts at the ends of that side, with corner: in place of at:; if it only "
+         "slides, make it a particle";
 }
 
 std::string hint_of_side(const ContactLimit& limit) {

@@ -18,10 +18,17 @@ bool goes_beyond(const ContactLimit& limit, const solve::MechanismState& state);
 // moves, 1/s; a turning that is rounding beside it is none.
 bool leaves_plane(const ContactLimit& limit, const solve::MechanismState& state, double pace);
 
+// Whether it begins to, by the accelerations of the state: a body that is pressed at one point of a flat side alone.
+bool begins_to_leave_plane(const ContactLimit& limit, const solve::MechanismState& state, double pace);
+
+// Whether it is one of a rod, which may touch a peg as well as a floor: while it is at rest both bear it alike.
+bool is_of_rod(const ContactLimit& limit, const Situation& situation);
+
 // The message "contact 'floor' is beyond the end of the round surface of 'half'".
 std::string words_of_end(const ContactLimit& limit);
 // The message about a side that leaves its plane, and the hint what to write instead.
 std::string words_of_side(const ContactLimit& limit);
+std::string hint_of_flat_side(const ContactLimit& limit);
 std::string hint_of_side(const ContactLimit& limit);
 
 }  // namespace poinsot::problem

@@ -96,6 +96,12 @@ Expression setting_expression(const std::string& name, const std::string& text) 
 
 Value<double> read_setting(const Situation& situation, const std::string& name, const std::string& text) {
   const std::string file = "--set " + name + "=" + text;
+  if (text.find('=') != std::string::npos)
+    fail(file, {}, "a second value stands in this one", "write --set before each: --set 'm=3 kg' --set 'L=2 m'");
+  for (std::size_t k = 1; k + 1 < text.size() && text.find('[') == std::string::npos; ++k)
+    if (text[k] == ',' && std::isdigit(static_cast<unsigned char>(text[k - 1])) &&
+        std::isdigit(static_cast<unsigned char>(text[k + 1])))
+      fail(file, {}, "a comma stands in a number", "a decimal is written with a point: 0.8, not 0,8");
   const Expression expression = setting_expression(name, text);
   Situation nothing;
   nothing.file = file;
@@ -124,7 +130,8 @@ Value<double> read_setting(const Situation& situation, const std::string& name, 
   }
   const bool zero = value.bare && (value.is_number() ? value.number == 0 : norm(value.vector) == 0);
   if (wanted && !same_kind(*wanted, value.dimension) && !zero)
-    fail(file, {}, name + " is " + to_string(*wanted) + ", but " + text + " is " + to_string(value.dimension));
+    fail(file, {}, name + " is " + to_string(*wanted) + ", but " + text + " is " + to_string(value.dimension),
+         value.bare ? "write " + name + "=" + text + " " + UnitHabits().unit_for(*wanted).text : "");
   if (wanted && *wanted == dimensions::angle && value.bare && !zero)
     fail(file, {}, name + " is an angle and " + text + " has no unit", "write " + text + " deg or " + text + " rad");
   if (wanted && zero) value.dimension = *wanted;

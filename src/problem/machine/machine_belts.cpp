@@ -28,6 +28,7 @@ class ClosedCord {
     const std::size_t first = first_that_turns();
     // The way is told before the wheels are put in another order: it is the one of the statement.
     way_.find_way(belt_.crossed);
+    check_crossing();
     rotate(first);
     add_sides();
     add_rubbings();
@@ -35,6 +36,20 @@ class ClosedCord {
 
  private:
   const std::vector<CordWheel>& wheels_in_order() const { return belt_.over; }
+
+  // By the straight parts as drawn: round two wheels a crossed belt goes from one side of the line of centers to the
+  // other, and an open one does not. Where sides are stated these tell it.
+  void check_crossing() const {
+    const auto has_side = [](const CordWheel& wheel) { return wheel.side.has_value(); };
+    if (way_.stops.size() != 2 || (!belt_.crossed && std::ranges::any_of(belt_.over, has_side))) return;
+    const Vector3<double> C = plain(way_.stops[0].center), D = plain(way_.stops[1].center) - C;
+    const auto side = [&](const Vector3<Scalar>& point) { return cross(D, Vector3<double>(plain(point) - C)); };
+    for (const SpanLine<Scalar>& line : way_.lines)
+      if ((dot(side(line.start), side(line.end)) < 0) != belt_.crossed)
+        way_.refuse(belt_.mark,
+                    belt_.crossed ? "is crossed, and as drawn it is open" : "is open, and as drawn it is crossed",
+                    "correct the sides of its wheels, or crossed:");
+  }
 
   // Sides begin at wheels that the belt turns.
   std::size_t first_that_turns() const {

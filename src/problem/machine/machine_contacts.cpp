@@ -366,10 +366,11 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
                             : VelocityConstraintKind::point;
   const auto surfaces = curved ? std::make_shared<const CurvedContact<Scalar>>(curved->surfaces) : nullptr;
   const auto forbid = [&](const Vector3<Scalar>& d, bool edge = false) {
-    const std::string words = std::string(contact.no_slip || edge        ? "rolling"
-                                          : contact.grip == Grip::sticks ? "sticking"
-                                                                         : "touching") +
-                              " at contact '" + contact.name + "' along " + draft.direction_name(d);
+    const std::string words =
+        std::string(contact.no_slip || edge                                          ? "rolling"
+                    : contact.grip == Grip::sticks && plain(norm(cross(d, n))) > 0.5 ? "sticking"
+                                                                                     : "touching") +
+        " at contact '" + contact.name + "' along " + draft.direction_name(d);
     VelocityConstraint<Scalar>& c = draft.add_constraint(kind, words, on, from, at, d);
     c.action = action;
     if (edge) c.along = {on, d};

@@ -261,7 +261,10 @@ void hold_in_plane(MachineDraft<Scalar>& draft) {
     const std::string words = "'" + body.name + "' in the plane";
     draft.add_component(action, situation.axes[plane.normal()], false, at, {ground, unit(plane.normal())});
     if (free) draft.add_constraint(VelocityConstraintKind::point, words, on, ground, at, unit(plane.normal()));
-    if (has_no_axes(body)) continue;
+    // A particle has no axes, unless a joint carries something on it.
+    const bool carries =
+        std::ranges::any_of(situation.joints, [&](const Joint& joint) { return joint.from == body.name; });
+    if (has_no_axes(body) && !carries) continue;
     for (const std::size_t axis : {plane.first, plane.second}) {
       draft.add_component(action, situation.axes[axis], true, at, {ground, unit(axis)});
       if (free) draft.add_constraint(VelocityConstraintKind::angular, words, on, ground, at, unit(axis));

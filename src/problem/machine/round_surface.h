@@ -189,8 +189,9 @@ std::vector<Candidate<Scalar>> candidates(const SphereSurface<Scalar>& s) {
 }
 template <class Scalar>
 std::vector<Candidate<Scalar>> candidates(const HemisphereSurface<Scalar>& s) {
+  // It ends at its rim alone: the farthest place from that is no end, and rounding must not make one of it.
   const double r = plain(s.radius);
-  return {{sphere_at(s.center, s.radius), r, ContactLimit::End{plain(s.center), plain(s.toward), r}},
+  return {{sphere_at(s.center, s.radius), r, ContactLimit::End{plain(s.center), plain(s.toward), 2 * r}},
           {torus_about(s.center, s.toward, s.radius, Scalar(0)), r}};
 }
 template <class Scalar>
@@ -225,8 +226,9 @@ template <class Scalar>
 std::vector<Candidate<Scalar>> candidates(const ArcSurface<Scalar>& s) {
   const double r = plain(s.radius), low = r * std::cos(s.half_angle);
   Candidate<Scalar> found{torus_about(s.center, s.axis, s.radius, Scalar(0)), r};
+  // Its ends lie at one height, and its middle, the farthest from them, is none.
   if (s.half_angle < std::numbers::pi)
-    found.end = ContactLimit::End{plain(s.center) + low * plain(s.middle), plain(s.middle), r - low};
+    found.end = ContactLimit::End{plain(s.center) + low * plain(s.middle), plain(s.middle), 2 * (r - low)};
   return {std::move(found)};
 }
 template <class Scalar>

@@ -140,6 +140,10 @@ std::string words_of(const Expression& expression, const Situation& situation) {
   if (const Member* member = expression.as<Member>();
       member && std::ranges::find(situation.axes, member->name) != situation.axes.end())
     return words_of(member->object, situation) + ", " + member->name + " component";
+  if (const Member* member = expression.as<Member>();
+      member && (member->name == "amplitude" || member->name == "phase"))
+    if (const Call* call = member->object.as<Call>(); call && call->function == "response")
+      return member->name + " of " + words_of(member->object, situation);
   if (const Name* name = expression.as<Name>()) {
     if (name->primes == 1) return "rate of " + name->name;
     if (name->primes == 2) return "second derivative of " + name->name;
@@ -151,11 +155,15 @@ std::string words_of(const Expression& expression, const Situation& situation) {
 // A condition in words; stable(plate) is "plate is stable".
 std::string condition_words(const Expression& condition, const Situation& situation) {
   const Call* call = condition.as<Call>();
-  if (call && call->arguments.size() == 1)
+  // "belt sticks on motor"
+  const bool on_wheel = call && call->arguments.size() == 2 && call->arguments[1].preposition == "on";
+  if (call && (call->arguments.size() == 1 || on_wheel))
     for (const auto& [function, verb] :
          {std::pair{"stable", " is stable"}, std::pair{"touching", " touches"}, std::pair{"taut", " is taut"},
           std::pair{"sticking", " sticks"}, std::pair{"sliding", " slides"}, std::pair{"parting", " parts"}})
-      if (call->function == function) return words_of(call->arguments[0].value, situation) + verb;
+      if (call->function == function)
+        return words_of(call->arguments[0].value, situation) + verb +
+               (on_wheel ? " on " + words_of(call->arguments[1].value, situation) : "");
   return to_string(condition);
 }
 

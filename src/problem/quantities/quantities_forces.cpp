@@ -89,6 +89,17 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
                            "' and '" + mechanism.actions[i].joint + "'",
                        "write reaction(" + name + " of " + mechanism.actions[i].joint + ")");
   }
+  // Of one straight part, whichever of its ends is asked.
+  const auto tell_tension = [&](int part, const Base& tension) {
+    if (!tells() || tells_rates) return;
+    const Action& action = mechanism.actions[static_cast<std::size_t>(part)];
+    told_->push_back({.kind = ToldQuantity::Kind::tension,
+                      .body = action.on,
+                      .from = action.from,
+                      .actions = {static_cast<std::size_t>(part)},
+                      .value = {plain(tension), 0, 0},
+                      .words = call.function});
+  };
   if (const Expression* from = call.argument("from")) {
     const Expression& to = *call.argument("to");
     const auto part = [&](const Expression& begin, const Expression& end) {
@@ -110,13 +121,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
                      known);
     }
     const Base tension = tension_of(*mechanism_state_, *unknowns_, found.front());
-    if (tells() && !tells_rates)
-      told_->push_back({.kind = ToldQuantity::Kind::tension,
-                        .body = mechanism.actions[static_cast<std::size_t>(found.front())].on,
-                        .from = mechanism.actions[static_cast<std::size_t>(found.front())].from,
-                        .actions = {static_cast<std::size_t>(found.front())},
-                        .value = {plain(tension), 0, 0},
-                        .words = call.function});
+    tell_tension(found.front(), tension);
     return number_value(lifted<Scalar>(tension), dimensions::force);
   }
   if (const auto belt = std::ranges::find(situation_.belts, name, &Belt::name);
@@ -252,7 +257,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
                              "' has tensions of their own",
                          "ask for one at an end of the cord, or for force(" + name + " on BODY)");
         const Base tension = (*unknowns_)[solve::force_unknowns(mechanism).accelerations + k];
-        told(Kind::tension, nowhere, {tension, Base(0), Base(0)}, dimensions::force);
+        tell_tension(static_cast<int>(actions.front()), tension);
         return number_value(lifted<Scalar>(tension), dimensions::force);
       }
     return number_value(Scalar(0), dimensions::force);  // slack

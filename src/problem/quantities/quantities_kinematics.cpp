@@ -81,10 +81,11 @@ Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Eva
 template <class Scalar, class Base>
 void QuantityScope<Scalar, Base>::tell_position(int body, const std::optional<Vector3<Base>>& drawn,
                                                 const Vector& position, const std::string& words) {
-  if (!tells() || !drawn) return;
-  told_->push_back({.kind = ToldQuantity::Kind::position,
+  if (!tells()) return;
+  // What is no place of the figure is the mass center of the body.
+  told_->push_back({.kind = drawn ? ToldQuantity::Kind::position : ToldQuantity::Kind::center,
                     .body = body,
-                    .first = plain_vector(lifted<Scalar>(*drawn)),
+                    .first = drawn ? plain_vector(lifted<Scalar>(*drawn)) : Vector3<double>::zero(),
                     .value = plain_vector(position),
                     .words = words,
                     .as_rate = tells_rates,

@@ -4,6 +4,7 @@
 #include <complex>
 #include <numbers>
 
+#include "poinsot/engine/math/formula/formula_decision.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/language/words.h"
@@ -179,7 +180,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::extreme_of_list(const Call& call, con
   const Result list = evaluator(call.arguments.front().value);
   if (list.items.empty())
     throw UnansweredError(situation_.file, mark, "there is no " + call.function + "() of a list that is empty");
-  const auto less = [](const Result& a, const Result& b) { return plain(a.number) < plain(b.number); };
+  const auto less = [](const Result& a, const Result& b) { return decided_negative(Scalar(a.number - b.number)); };
   return call.function == "min" ? *std::ranges::min_element(list.items, less)
                                 : *std::ranges::max_element(list.items, less);
 }

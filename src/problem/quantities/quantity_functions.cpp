@@ -1,6 +1,7 @@
 #include "problem/quantities/quantity_functions.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string_view>
 #include <unordered_map>
@@ -276,7 +277,9 @@ bool is_extreme_of_list(const Call& call) {
   Expression of = call.arguments.front().value;
   while (const At* at = of.as<At>()) of = at->expression;
   const Call* list = of.as<Call>();
-  return list && list->function == "frequencies";
+  constexpr std::array<std::string_view, 4> lists{"frequencies", "principal_moments", "moments_of_inertia",
+                                                  "products_of_inertia"};
+  return list && std::ranges::find(lists, std::string_view(list->function)) != lists.end();
 }
 
 bool asks_forces(const Situation& situation, const Expression& expression) {

@@ -210,10 +210,11 @@ double largest_force(const solve::MechanismStateOf<Base>& state, const std::vect
 }
 
 // Whether a contact that neither pulls nor pushes the wrong way stays in its state. force_size: the largest force.
-// slow: with less than this speed it does not come apart, but for rounding.
+// slow: with less than this speed it does not come apart, but for rounding. off_line: how fast it may slip across the
+// line that was taken for it.
 template <class Base>
 bool stays_in_state(const solve::MechanismStateOf<Base>& state, const std::vector<Base>& unknowns,
-                    const RoughContactOf<Base>& contact, double force_size, double slow = 0) {
+                    const RoughContactOf<Base>& contact, double force_size, double slow = 0, double off_line = 0) {
   // Of the forces and motions that meet in a contact: the rounding of equations of a few dozen terms, and what is left
   // of a limit to which an unknown was sought.
   constexpr double rounding = 1e-9;
@@ -243,7 +244,8 @@ bool stays_in_state(const solve::MechanismStateOf<Base>& state, const std::vecto
   const bool slips = norm(plain(now.slip)) > (contact.turns ? 0 : rounding * now.size);
   const Vector3<double> slip = plain(slips ? now.slip : then.slip);
   if (!(norm(slip) > (!slips ? rounding * then.size : contact.turns ? 0 : rounding * now.size))) return false;
-  return norm(normalized(slip) - plain(direction_now(state, contact, *contact.slip))) <= same_direction;
+  const double allowed = slips && !contact.turns ? std::max(same_direction, off_line / norm(slip)) : same_direction;
+  return norm(normalized(slip) - plain(direction_now(state, contact, *contact.slip))) <= allowed;
 }
 
 // Whether all of them do, and press as far as they touch.

@@ -9,7 +9,8 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr std::array<std::string_view, 8> functions{"sqrt", "abs", "sin", "cos", "tan", "asin", "acos", "atan"};
+constexpr std::array<std::string_view, 10> functions{"sqrt", "abs",  "sin",  "cos", "tan",
+                                                     "asin", "acos", "atan", "exp", "ln"};
 
 bool names(const std::vector<NamedExpression>& items, const std::string& name) {
   return std::any_of(items.begin(), items.end(), [&](const NamedExpression& item) { return item.name == name; });

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "poinsot/engine/dynamics/momentum.h"
 #include "poinsot/engine/math/algebra/rotation.h"
@@ -115,7 +116,7 @@ void ShakenInstant::put(double delay, double phase, double by) {
     for (const std::complex<double>& part : x) now.push_back((part * std::polar(1.0, phase)).real());
     return later(now, delay);
   };
-  const std::vector<double> dq = swung(response_.q), dv = swung(response_.v), da = swung(response_.a);
+  const std::vector<double> dq = swung(shown_.q), dv = swung(shown_.v), da = swung(shown_.a);
   std::vector<double> v = later(base_.v_, delay);
   std::vector<double> a = later(base_.mechanism_state_->accelerations(), delay);
   if (by != 0) {
@@ -192,6 +193,12 @@ ShakenInstant::Misfit ShakenInstant::balance_misfit() const {
     misfit = std::max(misfit, std::abs(left) / unit);
     size = std::max(size, terms / unit);
   }
+  // Known forces stand in the right sides as their sum, which is rounding of each where a slow swing is held by
+  // springs.
+  for (std::size_t i = 0; i < machine_.mechanism.actions.size(); ++i) {
+    const SpatialForce<Varied> wrench = solve::action_wrench(*state_, unknowns_, i);
+    size = std::max({size, norm(change_of(wrench.force)), norm(change_of(wrench.moment)) / length});
+  }
   return {misfit, size};
 }
 
@@ -248,7 +255,16 @@ void ShakenInstant::find_response() {
   if (response_.fault == solve::Response::Fault::contradicts)
     refuse("'" + stated_.coordinate + "' cannot swing alone: what is joined to it does not let it",
            "leave a freedom to what it moves");
+  // What is driven swings as it is stated.
+  if (excitation_.coordinate >= 0) {
+    const bool turns = solve::coordinate_turns(base_.machine_.mechanism.tree, excitation_.coordinate);
+    const double by = base_.data_->number(*stated_.by, turns ? dimensions::angle : dimensions::length);
+    const std::complex<double> swings = response_.motion.q[static_cast<std::size_t>(excitation_.coordinate)];
+    if (!(std::abs(swings - by) <= holds_closely * std::abs(by)))
+      refuse("'" + stated_.coordinate + "' does not swing in it as it is stated");
+  }
   build();
+  shown_ = response_.motion;
   const std::optional<solve::ResponseCheck> check = solve::check_response(motion_, excitation_, response_, near.pace);
   if (!check)
     refuse("no second road leads to the response here, and it is not told without one",
@@ -288,9 +304,9 @@ Value<Varied> ShakenInstant::value(const Expression& quantity, const std::option
 double ShakenInstant::natural_size(const Dimension& dimension) const {
   const double length = base_.scales_.length, w = std::max(excitation_.frequency, base_.pace());
   double moved = 0;
-  for (std::size_t k = 0; k < response_.q.size(); ++k)
+  for (std::size_t k = 0; k < response_.motion.q.size(); ++k)
     moved =
-        std::max(moved, std::abs(response_.q[k]) /
+        std::max(moved, std::abs(response_.motion.q[k]) /
                             (solve::coordinate_turns(base_.machine_.mechanism.tree, static_cast<int>(k)) ? 1 : length));
   double rates = 1;
   for (int order = 0; order <= 2; ++order, rates *= w) {
@@ -309,9 +325,9 @@ double ShakenInstant::natural_size(const Dimension& dimension) const {
 // way.
 void ShakenInstant::refuse_corners(const Expression& quantity, const std::optional<Expression>& axes, double size) {
   double moved = 0;
-  for (std::size_t k = 0; k < response_.q.size(); ++k) {
+  for (std::size_t k = 0; k < response_.motion.q.size(); ++k) {
     const bool turns = solve::coordinate_turns(base_.machine_.mechanism.tree, static_cast<int>(k));
-    moved = std::max(moved, std::abs(response_.q[k]) / (turns ? 1 : base_.scales_.length));
+    moved = std::max(moved, std::abs(response_.motion.q[k]) / (turns ? 1 : base_.scales_.length));
   }
   if (!(moved > 0)) return;
   // Of a radian or the length of the machine: what is smooth bends by about as little, and rounding is far less.
@@ -330,6 +346,28 @@ void ShakenInstant::refuse_corners(const Expression& quantity, const std::option
                  "': it has a corner in this motion, or changes with the square of what swings",
              "ask for a coordinate, a velocity, a force, or a component of one");
   }
+}
+
+// What nothing holds may lie anywhere at rest: only what does not depend on it has a deflection.
+void ShakenInstant::refuse_loose(const Expression& quantity, const std::optional<Expression>& axes) {
+  if (response_.loose.empty()) return;
+  const solve::ComplexVector3 force = std::exchange(excitation_.force, {}),
+                              couple = std::exchange(excitation_.couple, {});
+  constexpr double nothing = 1e-9;  // of a natural unit, for a displacement of one
+  bool depends = false;
+  for (const solve::Response::Motion& one : response_.loose) {
+    shown_ = one;
+    put(0, 0);
+    const Value<Varied> found = value(quantity, axes, unknowns_);
+    const double change = found.is_vector() ? norm(change_of(found.vector)) : std::abs(found.number.partial[0]);
+    depends = depends || !(change <= nothing * base_.natural_unit(found.dimension));
+  }
+  shown_ = response_.motion;
+  excitation_.force = force;
+  excitation_.couple = couple;
+  if (depends)
+    refuse("there is no deflection at rest of '" + to_string(quantity) + "': it depends on what nothing holds",
+           "state what holds it, or ask for what does not depend on it");
 }
 
 ShakenInstant::Swing ShakenInstant::swing(const Expression& quantity, const std::optional<Expression>& axes) {
@@ -389,6 +427,7 @@ ShakenInstant::Swing ShakenInstant::swing(const Expression& quantity, const std:
     }
   }
   refuse_corners(quantity, axes, size);
+  refuse_loose(quantity, axes);
   for (std::size_t k = 0; k < 3; ++k) {
     const auto clean = [&](double part) { return std::abs(part) <= no_swing * size ? 0 : part; };
     swing.parts[k] = {clean(real[k]), clean(imaginary[k])};

@@ -52,6 +52,7 @@ class ShakenInstant {
   // Sets the state after the frame and the spins have turned for a while, with what swings in a phase as the variable,
   // and displaced by a part of it.
   void put(double delay, double phase, double by = 0);
+  void refuse_loose(const Expression& quantity, const std::optional<Expression>& axes);
   void refuse_corners(const Expression& quantity, const std::optional<Expression>& axes, double size);
   bool turns() const;
   std::vector<double> later(const std::vector<double>& along, double delay) const;
@@ -78,6 +79,7 @@ class ShakenInstant {
   solve::SteadyMotion motion_;
   solve::Excitation excitation_;
   solve::Response response_;
+  solve::Response::Motion shown_;  // what the state is displaced by
   double misfit_ = 0, largest_force_ = 0;
 
   DataScope<Varied> data_;

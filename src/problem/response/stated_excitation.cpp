@@ -203,6 +203,10 @@ void ShakenInstant::read_force() {
            "'" + stated_.name + "' does not point across the axis about which it turns",
            "state a direction across the axis");
     amplitude = going_round(u, n);
+    // A quarter of a turn later it points where the axis turns it to.
+    const Vector later{-amplitude[0].imag(), -amplitude[1].imag(), -amplitude[2].imag()};
+    if (norm(later - rotation_about<double>(n, std::numbers::pi / 2) * u) > 1e-9 * norm(u))
+      refuse("'" + stated_.name + "' does not turn in it as it is stated");
   }
   if (stated_.couple) {
     excitation_.at = {body, Vector::zero()};
@@ -247,7 +251,15 @@ void ShakenInstant::read_unbalance() {
   const double quarter = std::numbers::pi / (2 * excitation_.frequency);
   const Vector now = force_of_going_round(u, s, motion_.turning, 0),
                before = force_of_going_round(u, s, motion_.turning, -quarter);
-  if (norm(fr - U * now) + norm(fi - U * before) > 1e-6 * (norm(fr) + norm(fi)))
+  // Its moment about P is that of its weight less what its acceleration takes, for a short arm that of P.
+  const double W = norm(motion_.turning), short_time = 1e-3;
+  const auto turned_by = [&](double angle) {
+    return W > 0 ? rotation_about<double>(motion_.turning / W, angle) * v : v;
+  };
+  const Vector falls = tree.gravity() - (W / (2 * short_time)) * (turned_by(short_time) - turned_by(-short_time));
+  const double couple_size = U * norm(falls) + norm(cr) + norm(ci);
+  if (norm(fr - U * now) + norm(fi - U * before) > 1e-6 * (norm(fr) + norm(fi)) ||
+      norm(cr - U * cross(real, falls)) + norm(ci - U * cross(imaginary, falls)) > 1e-5 * couple_size)
     refuse("the path of a particle does not confirm the force of the unbalance");
   for (std::size_t k = 0; k < 3; ++k) {
     excitation_.force[k] = {fr[k], fi[k]};
@@ -313,11 +325,17 @@ Value<double> SolvedInstant::response(const Call& call, const Mark& mark, const 
                                     number_value(phase, dimensions::angle)};
     both[0].text = "amplitude";
     both[1].text = "phase";
+    // As it is read: the swing A cos(w t + phase) at the phases 0 and 90 deg.
+    const double A = both[0].number, c = std::cos(both[1].number), s = std::sin(both[1].number);
+    constexpr double rounding = 1e-12;
+    if (!(std::hypot(A * c - part.real(), A * s - part.imag()) <= rounding * std::hypot(part.real(), part.imag())))
+      throw UnansweredError(situation_.file, mark, "amplitude and phase do not tell the swing that was found");
     return Value<double>::of_list(std::move(both));
   };
   if (!swing.vector) return record(swing.parts[0]);
   std::vector<Value<double>> rows;
-  for (const std::complex<double>& part : swing.parts) rows.push_back(record(part));
+  for (std::size_t k = 0; k < swing.parts.size(); ++k)
+    if (!situation_.plane || k != situation_.plane->normal()) rows.push_back(record(swing.parts[k]));
   return Value<double>::of_list(std::move(rows));
 }
 

@@ -19,6 +19,7 @@
 #include "problem/scene/scene_open_centers.h"
 #include "problem/scene/scene_points.h"
 #include "problem/scene/scene_stand_ins.h"
+#include "problem/scene/scene_wheels.h"
 
 namespace poinsot::problem {
 namespace {
@@ -108,6 +109,9 @@ class SceneMaker {
     figure.add_points();
     figure.add_symbols();
     figure.add_links();
+    name_tensions(figure, statement_);
+    add_wheels(figure);
+    add_later_surfaces(figure);
     add_stand_ins(figure);
     figure.stand_hinges_at_bodies();
     figure.add_world();

@@ -5,6 +5,7 @@
 
 #include "poinsot/engine/math/formula/formula_text.h"
 #include "problem/language/words.h"
+#include "problem/scene/scene_wheels.h"
 
 namespace poinsot::problem {
 namespace {
@@ -150,6 +151,7 @@ class BalanceDiagrams {
     if (force.sign < 0 && force.kind == UnknownForce::Kind::component && mechanism().components[force.index].toward)
       at = placed_.position(*mechanism().components[force.index].toward);
     if (force.kind == UnknownForce::Kind::component && add_sliding(diagram, i, at)) return;
+    if (force.kind == UnknownForce::Kind::component && !sudden() && add_side(diagram, force, one, at)) return;
     const std::string formula = symbol.shown.formula ? text(*symbol.shown.formula, Notation::with_sizes) : "";
     add_wrench(diagram, {size * one.moment, size * one.force}, what.name, place_on(what, force.sign, at),
                {symbol.tex, ExplanationTex::plain(symbol.tex)}, Number{symbol.value, formula}, false);
@@ -160,6 +162,36 @@ class BalanceDiagrams {
     if (norm(apart.force) > 0)
       add_wrench(diagram, apart, "parting at " + what.name, place_on(what, force.sign, at),
                  SceneFigure::indexed_symbol("R", what.name), std::nullopt, false);
+  }
+
+  // The tension of a side that follows that of others by a law of its own, as behind a wheel on which the cord slips
+  // and of the last side of a belt: one arrow of what all its parts come to, with a name of its own.
+  bool add_side(scene::Diagram& diagram, const UnknownForce& force, const Wrench& one,
+                const Vector3<double>& at) const {
+    const Component<double>& component = mechanism().components[force.index];
+    if (!component.span || component.follows < 0) return false;
+    const std::size_t first = force.column - static_cast<std::size_t>(component.follows);
+    std::vector<std::size_t> parts;
+    for (std::size_t k = 0; k < mechanism().components.size(); ++k)
+      if (mechanism().components[k].span && mechanism().components[k].action == component.action) parts.push_back(k);
+    if (parts.size() == 1 && component.followed_part() == 1 && component.offset == 0) return false;
+    if (parts.front() != force.index) return true;
+    double size = 0;
+    for (const std::size_t k : parts) size += numbers().unknowns[first + k];
+    const Action& what = mechanism().actions[static_cast<std::size_t>(component.action)];
+    std::string symbol;
+    std::size_t side = 0;
+    const std::vector<const Component<double>*> sides = straight_parts(mechanism(), what.name);
+    for (const scene::Link& link : figure_.scene().links) {
+      if (link.kind != scene::LinkKind::cord || link.name != what.name || side >= sides.size()) continue;
+      if (sides[side++]->action != component.action) continue;
+      symbol = link.symbol.empty() ? "T_{" + std::to_string(side) + "}" : link.symbol;
+      break;
+    }
+    const double signed_size = force.sign * size;
+    add_wrench(diagram, {signed_size * one.moment, signed_size * one.force}, what.name, place_on(what, force.sign, at),
+               {symbol, ExplanationTex::plain(symbol)}, Number{size, ""}, false);
+    return true;
   }
 
   // A contact that slides pushes along its normal and rubs against the slip: two arrows for its one unknown.
@@ -178,7 +210,8 @@ class BalanceDiagrams {
     add_wrench(diagram, {cross(at, push), push}, what.name, place_on(what, force.sign, at),
                {symbol.tex, ExplanationTex::plain(symbol.tex)}, Number{symbol.value, formula}, false);
     add_wrench(diagram, {cross(at, friction), friction}, "friction at " + what.name, place_on(what, force.sign, at),
-               SceneFigure::indexed_symbol("F", what.name), std::nullopt, false);
+               sudden() ? SceneFigure::impulse_symbol("F", what.name) : SceneFigure::indexed_symbol("F", what.name),
+               std::nullopt, false);
     return true;
   }
 

@@ -13,6 +13,7 @@
 #include "problem/language/words.h"
 #include "problem/machine/shapes.h"
 #include "problem/scene/scene_angles.h"
+#include "problem/scene/scene_wheels.h"
 
 namespace poinsot::problem {
 namespace {
@@ -43,18 +44,60 @@ class Dimensions {
               : is_open(name) || !told                            ? name
                                                                   : name + " = " + in_unit(value, unit);
       if (angle) return add_angle(figure_, {name, text_, value.number});
-      if (!between_points(name, value) && !of_shapes(name, value.number)) of_edges(name, value);
+      if (!between_points(name, value) && !of_shapes(name, value.number) && !of_wheels(name, value.number))
+        of_edges(name, value);
     } catch (const StatementError&) {
       // What has no value yet has no place in the figure.
     }
   }
-  // The coefficients of friction at the surfaces that are touched.
+  // Where friction acts: at a surface that is or will be touched, in a joint, on what a cord is led over.
+  std::optional<scene::Place> place_of_friction(const Contact& contact) {
+    const scene::Scene& scene = figure_.scene();
+    if (contact.on_cord) {
+      for (const SceneWheel& wheel : wheels_of(figure_)) {
+        const int tree_body = machine_body(contact.against);
+        if (tree_body == ground ? wheel.body != scene::ground : wheel.body != figure_.scene_body(tree_body)) continue;
+        if (tree_body == ground &&
+            norm(Vector3<double>(wheel.center - figure_.data().place(built(Name{contact.against}, Mark{})))) >
+                1e-6 * wheel.radius)
+          continue;
+        return wheel.body == scene::ground ? scene::Place{scene::ground, wheel.center}
+                                           : figure_.riding(tree_body, wheel.center);
+      }
+      return std::nullopt;
+    }
+    const auto symbol = std::ranges::find(scene.symbols, contact.name, &scene::Symbol::name);
+    if (symbol != scene.symbols.end()) return symbol->place;
+    for (const scene::Curve& curve : scene.curves)
+      if (curve.kind == scene::CurveKind::surface && curve.name == contact.name)
+        return scene::Place{curve.body, curve.points.front()};
+    return std::nullopt;
+  }
+  int machine_body(const std::string& name) const {
+    const auto found = figure_.machine().index.find(name);
+    return found == figure_.machine().index.end() ? ground : found->second;
+  }
+  // The coefficients of friction, or of a joint its couple or force.
   void add_friction() {
+    for (const Gear& gear : figure_.situation().gears) {
+      if (!gear.friction) continue;
+      text_ = coefficient_text(*gear.friction, "mu");
+      const auto mesh = std::ranges::find(figure_.machine().tooth_meshes, gear.name, &ToothMeshOf<double>::name);
+      if (mesh == figure_.machine().tooth_meshes.end()) continue;
+      const scene::Place at = figure_.scene_place(mesh->at);
+      put(to_string(*gear.friction), at, at);
+    }
     for (const Contact& contact : figure_.situation().contacts) {
-      if (!contact.friction || !contact.touches()) continue;
-      const auto symbol = std::ranges::find(figure_.scene().symbols, contact.name, &scene::Symbol::name);
-      if (symbol == figure_.scene().symbols.end()) continue;
+      if (!contact.friction) continue;
+      const std::optional<scene::Place> place = place_of_friction(contact);
+      if (!place) continue;
       std::string name;
+      if (contact.in_joint && !contact.friction->bearing) {
+        name = to_string(contact.friction->resting);
+        text_ = effort_text(contact.friction->resting);
+        put(name, *place, *place);
+        continue;
+      }
       text_.clear();
       for (const Expression* coefficient : {&contact.friction->resting, &contact.friction->sliding}) {
         if (coefficient == &contact.friction->sliding && !contact.friction->falls()) continue;
@@ -64,8 +107,16 @@ class Dimensions {
         name += (name.empty() ? "" : ", ") + to_string(*coefficient);
         text_ += (text_.empty() ? "" : ", ") + coefficient_text(*coefficient, letter);
       }
-      put(name, symbol->place, symbol->place);
+      put(name, *place, *place);
     }
+  }
+  // A datum with its value, or what stands for one.
+  std::string effort_text(const Expression& effort) {
+    const std::string written = to_string(effort);
+    const auto given = std::ranges::find(figure_.situation().given, written, &NamedExpression::name);
+    if (given == figure_.situation().given.end()) return "friction " + written;
+    if (is_open(written)) return written;
+    return written + " = " + to_string(given->value);
   }
   // Its value behind the letter that everybody writes for it; of what is to be found, of letters and of formulas what
   // the file has.
@@ -183,6 +234,37 @@ class Dimensions {
       return false;
     }
     return true;
+  }
+
+  // The radius of what a cord or belt is led over.
+  bool of_wheels(const std::string& name, double value) {
+    const auto names_it = [&](const CordWheel& wheel) {
+      const Name* datum = wheel.radius ? wheel.radius->as<Name>() : nullptr;
+      return datum != nullptr && datum->name == name;
+    };
+    const Situation& situation = figure_.situation();
+    const bool named =
+        std::ranges::any_of(situation.belts,
+                            [&](const Belt& belt) { return std::ranges::any_of(belt.over, names_it); }) ||
+        std::ranges::any_of(situation.cords, [&](const Cord& cord) {
+          return std::ranges::any_of(cord.over, names_it) || (cord.off_from && names_it(*cord.off_from)) ||
+                 (cord.on_to && names_it(*cord.on_to));
+        });
+    if (!named) return false;
+    for (const SceneWheel& wheel : wheels_of(figure_)) {
+      constexpr double exact = 1e-9;
+      if (std::abs(wheel.radius - value) > exact * value) continue;
+      const int tree_body = wheel.body == scene::ground ? ground : figure_.tree_body(wheel.body);
+      const scene::Place center = figure_.riding(tree_body, wheel.center);
+      const scene::Place rim =
+          figure_.riding(tree_body, wheel.center + value * cubature::Triad<double>(wheel.axis).first);
+      Vector3<double> axis = wheel.axis;
+      if (wheel.body != scene::ground)
+        axis = transpose_times(figure_.scene().bodies[static_cast<std::size_t>(wheel.body)].pose.R, wheel.axis);
+      put(name, center, rim, axis);
+      return true;
+    }
+    return false;
   }
 
   // A straight edge of a shape that is as long as the datum says, or twice as long, and grows as it does.

@@ -43,7 +43,13 @@ Dimension dimension_of(scene::Quantity quantity) {
     case Quantity::acceleration:
       return dimensions::acceleration;
     case Quantity::angular_acceleration:
-      break;
+      return dimensions::angular_acceleration;
+    case Quantity::displacement:
+      return dimensions::length;
+    case Quantity::angular_displacement:
+      return dimensions::angle;
+    case Quantity::unbalance:
+      return dimensions::mass * dimensions::length;
   }
   return dimensions::angular_acceleration;
 }

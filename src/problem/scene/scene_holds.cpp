@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "problem/keys/joint_kinds.h"
 #include "problem/language/diagnostic.h"
 #include "problem/scene/scene_figure.h"
+#include "problem/scene/scene_wheels.h"
 #include "problem/scene/scene_words.h"
 
 namespace poinsot::problem {
@@ -118,6 +118,31 @@ void SceneFigure::stand_hinges_at_bodies() {
   }
 }
 
+namespace {
+
+// Where along its axis the carrier of a slide is met, so that the spring of the joint runs from there: its center, or
+// where it is held itself. Nothing if it is met nowhere but at the slide.
+std::optional<Vector3<double>> met_on_axis(const SceneFigure& figure, int carrier, const Vector3<double>& at,
+                                           const Vector3<double>& way) {
+  const scene::Scene& scene = figure.scene();
+  if (carrier < 0) return std::nullopt;
+  std::optional<Vector3<double>> nearest;
+  constexpr double aside = 1e-6, apart = 0.05;  // of the figure
+  const auto offer = [&](const Vector3<double>& place) {
+    const Vector3<double> d = place - at;
+    if (norm(d) < apart * scene.length || norm(Vector3<double>(cross(d, way))) > aside * scene.length * norm(way))
+      return;
+    if (!nearest || norm(d) < norm(Vector3<double>(*nearest - at))) nearest = place;
+  };
+  const scene::Body& own = scene.bodies[static_cast<std::size_t>(carrier)];
+  if (!own.massless && !own.frame) offer(figure.on_ground({carrier, own.center}));
+  for (const scene::Symbol& symbol : scene.symbols)
+    if (symbol.to == carrier || symbol.from == carrier) offer(figure.on_ground(symbol.place));
+  return nearest;
+}
+
+}  // namespace
+
 void SceneFigure::add_joint_springs() {
   constexpr double part = 0.25;  // of the figure: how far from what slides its spring is held
   for (const Joint& joint : situation_.joints) {
@@ -144,8 +169,9 @@ void SceneFigure::add_joint_springs() {
       link.from = riding(place.from, end);
       scene_.links.push_back(link);
     };
-    if (freedom.stiffness) add(scene::LinkKind::spring, at - way);
-    if (freedom.damping) add(scene::LinkKind::damper, at + way);
+    const std::optional<Vector3<double>> met = met_on_axis(*this, scene_body(place.from), at, way);
+    if (freedom.stiffness) add(scene::LinkKind::spring, met.value_or(at - way));
+    if (freedom.damping) add(scene::LinkKind::damper, met.value_or(at + way));
   }
 }
 
@@ -182,19 +208,23 @@ void SceneFigure::add_pitch_circles() {
 }
 
 void SceneFigure::add_links() {
+  const auto add_parts = [&](const std::string& name) {
+    for (const Component<double>* part : straight_parts(machine_.mechanism, name)) {
+      scene::Link link;
+      link.name = name;
+      link.from = scene_place(part->at);
+      link.to = scene_place(*part->toward);
+      scene_.links.push_back(std::move(link));
+    }
+  };
   for (const Cord& cord : situation_.cords) {
+    if (cord.is_led()) {
+      add_parts(cord.name);
+      continue;
+    }
     scene::Link link;
     link.kind = scene::LinkKind::cord;
     link.name = cord.name;
-    if (cord.is_led()) {
-      for (const Component<double>& part : machine_.mechanism.components) {
-        if (!part.span || machine_.mechanism.actions[static_cast<std::size_t>(part.action)].name != cord.name) continue;
-        link.from = scene_place(part.at);
-        link.to = scene_place(*part.toward);
-        scene_.links.push_back(link);
-      }
-      continue;
-    }
     const Place<double> end = machine_.place(machine_.index.at(cord.to), data_.place(*cord.end));
     link.from = scene_place(end);
     if (cord.direction) {
@@ -205,20 +235,7 @@ void SceneFigure::add_links() {
     }
     scene_.links.push_back(link);
   }
-  for (const Belt& belt : situation_.belts) {
-    std::set<int> drawn;
-    for (const Component<double>& part : machine_.mechanism.components) {
-      if (!part.span || machine_.mechanism.actions[static_cast<std::size_t>(part.action)].name != belt.name ||
-          !drawn.insert(part.action).second)
-        continue;
-      scene::Link link;
-      link.kind = scene::LinkKind::cord;
-      link.name = belt.name;
-      link.from = scene_place(part.at);
-      link.to = scene_place(*part.toward);
-      scene_.links.push_back(link);
-    }
-  }
+  for (const Belt& belt : situation_.belts) add_parts(belt.name);
   add_pitch_circles();
   for (const Spring& spring : situation_.springs) {
     scene::Link link;

@@ -24,6 +24,7 @@ class ModelDiagram {
 
   scene::Diagram made() && {
     add_loads();
+    add_excitations();
     add_joint_rates();
     add_frames();
     add_spins();
@@ -83,6 +84,56 @@ class ModelDiagram {
     for (const Joint& joint : situation().joints)
       for (std::size_t k = 0; k < joint.freedoms.size(); ++k)
         if (joint.freedoms[k].effort) add_effort(joint, joint.freedoms[k]);
+  }
+
+  // What shakes a steady motion, by its amplitude.
+  void add_excitations() {
+    for (const Excitation& excitation : situation().excitations) try {
+        const std::size_t before = diagram_.arrows.size();
+        excitation.coordinate.empty() ? add_shaking(excitation) : add_shaken_coordinate(excitation);
+        if (diagram_.arrows.size() == before) continue;
+        scene::Arrow& arrow = diagram_.arrows.back();
+        arrow.swings = arrow.quantity != Quantity::unbalance;
+        // The same may be stated to turn ahead and back.
+        if (std::any_of(diagram_.arrows.begin(), diagram_.arrows.end() - 1, [&](const scene::Arrow& other) {
+              return other.symbol == arrow.symbol && other.quantity == arrow.quantity && other.body == arrow.body &&
+                     norm(Vector3<double>(other.vector - arrow.vector)) == 0;
+            }))
+          diagram_.arrows.pop_back();
+      } catch (const StatementError&) {
+        // What has no value yet is not drawn.
+      }
+  }
+  void add_shaking(const Excitation& excitation) {
+    const int body = figure_.machine().index.at(excitation.body);
+    const bool turning = excitation.couple.has_value();
+    const Expression& size = turning            ? *excitation.couple
+                             : excitation.force ? *excitation.force
+                                                : *excitation.unbalance;
+    const Quantity quantity = turning ? Quantity::couple : excitation.force ? Quantity::force : Quantity::unbalance;
+    DataScope<double>& data = figure_.data();
+    const Vector3<double> vector =
+        excitation.direction ? data.number(size, dimension_of(quantity)) * data.direction(*excitation.direction)
+                             : data.vector(size, dimension_of(quantity));
+    const int axes = excitation.unbalance ? body : figure_.machine().index.at(excitation.axes);
+    const scene::Place at = excitation.at
+                                ? figure_.scene_place(figure_.machine().place(body, data.place(*excitation.at)))
+                                : center_of(body);
+    add(quantity, excitation.name, at, state().on_ground_axes(axes, vector),
+        excitation.unbalance ? ArrowSymbol{ExplanationTex::upright(excitation.name), excitation.name}
+        : turning            ? symbol_of(size, couple(excitation.name))
+                             : symbol_of(size, force(excitation.name)));
+  }
+  void add_shaken_coordinate(const Excitation& excitation) {
+    const NamedCoordinate* coordinate = figure_.machine().coordinate(excitation.coordinate);
+    if (coordinate == nullptr) return;
+    for (const Drive<double>& drive : figure_.mechanism().drives) {
+      if (drive.coordinate != coordinate->velocity) continue;
+      const Quantity quantity = drive.turning ? Quantity::angular_displacement : Quantity::displacement;
+      const double size = figure_.data().number(*excitation.by, dimension_of(quantity));
+      return add(quantity, excitation.name, figure_.scene_place(drive.at), size * state().direction(drive.along),
+                 symbol_of(excitation.by, SceneFigure::indexed_symbol("\\mathbf{d}", excitation.name)));
+    }
   }
 
   void add_effort(const Joint& joint, const Freedom& freedom) {

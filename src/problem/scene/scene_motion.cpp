@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <set>
 
@@ -10,6 +9,7 @@
 #include "poinsot/engine/work/work.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
+#include "problem/scene/scene_wheels.h"
 
 namespace poinsot::problem {
 namespace {
@@ -137,6 +137,18 @@ class SceneMotion {
     state.set_positions(at.q);
     state.set_velocities(at.v);
     double largest = 0;
+    // What goes round a center that pulls turns about it.
+    if (const std::optional<CentralGravity>& central = figure_.situation().central_gravity) {
+      const Vector3<double> center = figure_.data().place(central->toward);
+      for (std::size_t k = 0; k < figure_.situation().bodies.size(); ++k) {
+        const int tree_body = figure_.tree_body(static_cast<int>(k));
+        const auto& motion = state.workspace().motion[static_cast<std::size_t>(tree_body + 1)];
+        const scene::Pose pose = figure_.pose_of(tree_body, state);
+        const Vector3<double> place = pose.R * figure_.scene().bodies[k].center + pose.p, arm = place - center;
+        const Vector3<double> velocity = motion.v + cross(motion.w, place - motion.p);
+        if (norm(arm) > 0) largest = std::max(largest, norm(Vector3<double>(cross(arm, velocity))) / norm_squared(arm));
+      }
+    }
     for (std::size_t k = 0; k < figure_.scene().bodies.size(); ++k)
       largest = std::max(
           largest,
@@ -191,16 +203,15 @@ class SceneMotion {
   // The straight parts of cords over wheels stand among the links in their order (SceneFigure::add_links).
   void begin_links() {
     const Mechanism<double>& mechanism = figure_.mechanism();
-    std::map<std::string, std::size_t> next;
-    for (const Component<double>& part : mechanism.components) {
-      if (!part.span) continue;
-      const std::string& cord = mechanism.actions[static_cast<std::size_t>(part.action)].name;
-      const std::vector<scene::Link>& links = figure_.scene().links;
-      std::size_t& link = next[cord];
-      while (link < links.size() && links[link].name != cord) ++link;
-      if (link == links.size()) continue;
-      motion_.links.push_back({link++, {}, {}});
-      spans_.push_back(*part.span);
+    const std::vector<scene::Link>& links = figure_.scene().links;
+    std::set<std::string> begun;
+    for (std::size_t link = 0; link < links.size(); ++link) {
+      if (links[link].kind != scene::LinkKind::cord || !begun.insert(links[link].name).second) continue;
+      std::size_t next = link;
+      for (const Component<double>* part : straight_parts(mechanism, links[link].name)) {
+        motion_.links.push_back({next++, {}, {}});
+        spans_.push_back(*part->span);
+      }
     }
   }
   void add_links(const solve::MechanismState& state) {

@@ -122,6 +122,9 @@ void leave_out_idle_points(SceneFigure& figure, const Statement& statement) {
       held.push_back(figure.on_ground(place));
   for (const scene::Body& body : scene.bodies)
     if (!body.frame && !body.massless) held.push_back(body.pose.R * body.center + body.pose.p);
+  for (const scene::Curve& curve : scene.curves)
+    if (curve.kind == scene::CurveKind::attractor || curve.kind == scene::CurveKind::surface)
+      held.push_back(curve.points.front());
   constexpr double same_place = 1e-6;
   std::erase_if(figure.scene().points, [&](const scene::Point& point) {
     if (point.place.body != scene::ground || asked.contains(point.name)) return false;

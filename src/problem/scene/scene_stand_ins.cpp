@@ -57,6 +57,32 @@ bool is_open(const StatedInertia& inertia) {
          std::any_of(inertia.moments.begin(), inertia.moments.end(), any);
 }
 
+// Whether a body turns about an axis of a joint through its center.
+std::optional<Vector3<double>> axis_of_turning(const scene::Scene& scene, int body, const Vector3<double>& center) {
+  using scene::SymbolKind;
+  for (const scene::Symbol& symbol : scene.symbols) {
+    const bool turns = symbol.kind == SymbolKind::revolute || symbol.kind == SymbolKind::journal ||
+                       symbol.kind == SymbolKind::thrust || symbol.kind == SymbolKind::hinge;
+    if (!turns || symbol.to != body || symbol.place.body != body || !(norm(symbol.axis) > 0)) continue;
+    const Vector3<double> axis = normalized(symbol.axis);
+    if (norm(Vector3<double>(cross(symbol.place.at - center, axis))) < 1e-6 * scene.length) return axis;
+  }
+  return std::nullopt;
+}
+
+// What only slides: a block of the moments, whose sides squared are 6 (I_2 + I_3 - I_1)/m.
+bool only_slides(const scene::Scene& scene, int body) {
+  using scene::SymbolKind;
+  bool slides = false;
+  for (const scene::Symbol& symbol : scene.symbols) {
+    if (symbol.to != body) continue;
+    if (symbol.kind != SymbolKind::prismatic && symbol.kind != SymbolKind::slot && symbol.kind != SymbolKind::screw)
+      return false;
+    slides = slides || symbol.kind != SymbolKind::screw;
+  }
+  return slides;
+}
+
 // Whether a body is held at a point that its solid would swallow. Where it turns about its axis the shaft comes out of
 // the solid, and at its center it may be held in gimbals; a top stands on a tip.
 bool swallows_a_holder(const scene::Scene& scene, int body, const Vector3<double>& center, const Vector3<double>& axis,
@@ -109,6 +135,14 @@ std::optional<scene::Shape> solid_of_revolution(const scene::Scene& scene, int n
       return std::nullopt;
     const double radius =
         touching_radius(scene, number, own.center, any_axis).value_or(std::sqrt(2.5 * moments.x / mass.mass));
+    if (const std::optional<Vector3<double>> turning = axis_of_turning(scene, number, own.center);
+        turning && held_on_axis(scene, number, own.center, *turning) &&
+        !touching_radius(scene, number, own.center, *turning)) {
+      // About its axis alone it is as a wheel.
+      constexpr double width = 0.2;  // of the radius
+      const double rim = std::sqrt(2 * moments.x / mass.mass);
+      return shape_of(picture(own.center, *turning, {rim, width * rim}), "cylinder");
+    }
     if (swallows_a_holder(scene, number, own.center, any_axis, {radius, 2 * radius})) return std::nullopt;
     outline = outlines::sphere(own.center, radius);
     kind = "sphere";
@@ -125,7 +159,10 @@ std::optional<scene::Shape> solid_of_revolution(const scene::Scene& scene, int n
       size.length = std::min(size.length, size.radius);
     }
     // What is longer than wide is a link rather than a rotor, and has arms to what it links.
-    if (size.length > 2 * size.radius || !held_on_axis(scene, number, own.center, axis)) return std::nullopt;
+    const std::optional<Vector3<double>> turning = axis_of_turning(scene, number, own.center);
+    const bool is_shaft = turning && norm(Vector3<double>(cross(*turning, axis))) < equal_moments * 1e3;
+    if ((size.length > 2 * size.radius && !is_shaft) || !held_on_axis(scene, number, own.center, axis))
+      return std::nullopt;
     if (swallows_a_holder(scene, number, own.center, axis, size)) return std::nullopt;
     outline = picture(own.center, axis, size);
     kind = outline.triangles.empty() ? "rod" : size.length < flat * size.radius ? "disk" : "cylinder";
@@ -210,6 +247,22 @@ std::optional<scene::Shape> cone_on_tip(const SceneFigure& figure, int body, con
   return shape_of(outlines::cone(places.front(), places.front() + height * axis, radius), "cone");
 }
 
+// The block of the moments.
+std::optional<scene::Shape> block(const scene::Body& own, const MassProperties<double>& mass,
+                                  const PrincipalAxes<double>& principal) {
+  const double sum = principal.moments.x + principal.moments.y + principal.moments.z;
+  Vector3<double> sides;
+  for (std::size_t k = 0; k < 3; ++k)
+    sides[k] = std::sqrt(std::max(0.0, 6 / mass.mass * (sum - 2 * principal.moments[k])));
+  const double longest = std::max({sides.x, sides.y, sides.z});
+  constexpr double flattest = 0.2;  // of the longest
+  if (!(longest > 0) || !std::isfinite(longest)) return std::nullopt;
+  for (std::size_t k = 0; k < 3; ++k) sides[k] = std::max(sides[k], flattest * longest);
+  return shape_of(outlines::box(own.center, sides.x * principal.axes.column(0), sides.y * principal.axes.column(1),
+                                sides.z * principal.axes.column(2)),
+                  "box");
+}
+
 // The ellipsoid of the moments. What holds or touches the body stands on it or outside of it.
 std::optional<scene::Shape> ellipsoid(const SceneFigure& figure, int body, const MassProperties<double>& mass,
                                       const PrincipalAxes<double>& principal,
@@ -278,6 +331,8 @@ std::optional<scene::Shape> stand_in(const SceneFigure& figure, int number, cons
   if (!(mass.mass > 0) || !body.inertia || !std::isfinite(norm(principal.moments))) return std::nullopt;
   const std::vector<Vector3<double>> places = held_places(figure, number);
   const bool solid = principal.moments.x > 0;
+  if (solid && only_slides(figure.scene(), number))
+    return block(figure.scene().bodies[static_cast<std::size_t>(number)], mass, principal);
   if (solid)
     if (std::optional<scene::Shape> shape = solid_of_revolution(figure.scene(), number, body, mass, principal))
       return shape;

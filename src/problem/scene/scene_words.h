@@ -31,7 +31,7 @@ inline std::span<const std::string_view> words_of(scene::LinkKind) {
 }
 
 inline std::span<const std::string_view> words_of(scene::Quantity) {
-  static constexpr std::array<std::string_view, 13> words{"force",
+  static constexpr std::array<std::string_view, 16> words{"force",
                                                           "weight",
                                                           "couple",
                                                           "impulse",
@@ -43,7 +43,10 @@ inline std::span<const std::string_view> words_of(scene::Quantity) {
                                                           "linear_momentum",
                                                           "angular_momentum",
                                                           "rate_of_momentum",
-                                                          "rate_of_angular_momentum"};
+                                                          "rate_of_angular_momentum",
+                                                          "displacement",
+                                                          "angular_displacement",
+                                                          "unbalance"};
   return words;
 }
 
@@ -54,7 +57,8 @@ inline std::span<const std::string_view> words_of(scene::DiagramKind) {
 }
 
 inline std::span<const std::string_view> words_of(scene::CurveKind) {
-  static constexpr std::array<std::string_view, 5> words{"path", "polhode", "herpolhode", "axis_path", "pitch_circle"};
+  static constexpr std::array<std::string_view, 8> words{"path",         "polhode", "herpolhode", "axis_path",
+                                                         "pitch_circle", "post",    "surface",    "attractor"};
   return words;
 }
 

@@ -57,10 +57,19 @@ ExtremumSearch::ExtremumSearch(const Statement& statement, const Ask& ask, const
       situation_(statement.situations[situation_of(statement, ask)]),
       seeks_states_(leaves_states_open(situation_, *ask.extremum)) {
   const std::string& name = ask.extremum->name;
-  for (const Letter& letter : situation_.letters)
+  std::vector<std::string> names;
+  for (const Letter& letter : situation_.letters) {
+    names.push_back(letter.name);
     if (letter.name == name) dimension_ = letter.unit.dimension;
-  for (const Unknown& unknown : situation_.find)
+  }
+  for (const Unknown& unknown : situation_.find) {
+    names.push_back(unknown.name);
     if (unknown.name == name) dimension_ = unknown.unit.dimension;
+  }
+  for (const NamedExpression& item : situation_.given) names.push_back(item.name);
+  if (std::ranges::find(names, name) == names.end())
+    fail(situation_.file, ask.extremum->name_mark, "'" + name + "' is no datum and no letter",
+         names.empty() ? "name what is varied under letters:" : "one of these is varied: " + joined(names));
   for (const NamedExpression& item : situation_.given)
     if (item.name == name) {
       DataScope<double> data(situation_, settings_[situation_of(statement, ask)]);
@@ -237,6 +246,29 @@ std::string ExtremumSearch::told_beyond(double inside, double outside) {
   return "beyond " + here + " the linearised equations do not decide";
 }
 
+double ExtremumSearch::border(double inside, double outside) {
+  while (std::abs(outside - inside) > 1e-9 * std::abs(inside)) {
+    const double middle = 0.5 * (inside + outside);
+    if (middle == inside || middle == outside) break;
+    (holds(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+std::string ExtremumSearch::told_before(const std::vector<double>& nearer) {
+  std::size_t failing = 0;
+  for (std::size_t i = nearer.size() - 1; i-- > 0;) {
+    const Truth there = truth_at(nearer[i]);
+    if (there == Truth::fails) failing = std::max(failing, i);
+    if (there != Truth::holds || failing == 0) continue;
+    const bool rising = ask_.extremum->largest;
+    const double end = border(nearer[i], nearer[i + 1]), again = border(nearer[failing + 1], nearer[failing]);
+    return "between " + number_text(end) + " and " + number_text(again) + " (SI) it does not hold: from " +
+           (rising ? "smaller values it holds up to " : "larger values it holds down to ") + number_text(end);
+  }
+  return "";
+}
+
 bool ExtremumSearch::is_at(double value) {
   const double side = ask_.extremum->largest ? 1 : -1;
   const Span range = span();
@@ -247,8 +279,58 @@ bool ExtremumSearch::is_at(double value) {
   return holds(at_end ? value : value - side * step) && (at_end || !holds(value + side * step));
 }
 
+// Whether contacts that stick at an end would do so beyond it as well, by the second road to the laws of friction. What
+// a state is found by is not that road, and at an end that lies too near it would be confirmed.
+bool ExtremumSearch::sticks_beyond(double end) try {
+  if (!situation_.has_friction() || choice_.trial) return false;
+  // So far beyond that the limit is passed by far more than the rounding to which it is reached at the end.
+  constexpr double beyond = 1e-3, clearly = 10, nothing_left = 1e-12;
+  const double further = end + (ask_.extremum->largest ? beyond : -beyond) * (end != 0 ? std::abs(end) : span().scale);
+  const auto friction_off = [](const Sample& sample) {
+    double off = 0;
+    for (const auto& [home, instant] : sample.instants()) off = std::max(off, instant->check().friction.value_or(0));
+    return off;
+  };
+  for (const AllSettings& root : settings_at(end))
+    for (const std::shared_ptr<const Statement>& statement : statements_at(root)) {
+      Sample here(statement, root, choice_);
+      if (!conditions_hold_in(here)) continue;
+      for (const AllSettings& beside : settings_at(further)) {
+        Sample there(statement, beside, choice_);
+        if (conditions_hold_in(there)) continue;
+        const Call* failed = failed_->as<Call>();
+        if (failed && failed->function == "sticking" &&
+            friction_off(there) <= clearly * friction_off(here) + nothing_left)
+          return true;
+      }
+      return false;
+    }
+  return false;
+} catch (const StatementError&) {
+  return false;  // What is stated ends there.
+}
+
 ExtremumFound ExtremumSearch::find() {
   ExtremumFound found = found_end();
+  if (found.value && found.note.empty() && sticks_beyond(found.value->number))
+    return {{},
+            "the laws of friction do not confirm that it ends at " + number_text(found.value->number) + " (SI)",
+            {},
+            {}};
+  if (!unconfirmed_ && found.value && !choice_.trial) {
+    const double value = found.value->number, side = ask_.extremum->largest ? 1 : -1;
+    for (const NamedExpression& item : situation_.given) {
+      if (item.name != ask_.extremum->name) continue;
+      DataScope<double> data(situation_, settings_[situation_of(statement_, ask_)]);
+      const double stated = data.value(item.value).number;
+      if (!(side * (value - stated) > 0)) continue;
+      constexpr int count = 24;
+      std::vector<double> nearer;
+      for (int i = 0; i <= count; ++i) nearer.push_back(i == count ? value : stated + i * (value - stated) / count);
+      if (const std::string before = told_before(nearer); !before.empty())
+        found.note += (found.note.empty() ? "" : "; ") + before;
+    }
+  }
   if (!unconfirmed_) return found;
   return {{}, "the bodies as particles do not confirm its conditions where they were tried", {}, {}};
 }
@@ -326,6 +408,7 @@ ExtremumFound ExtremumSearch::found_end() {
   } else if (at == grid.rbegin()) {
     found.value = Value<double>::of_number(*at, dimension_);
     found.sample = sample_at(*at);
+    found.note = "it holds at " + number_text(*at) + " (SI), where the values that are tried end";
     return found;
   }
   // Bisection finds the border between this value and the one before, if it is no end of stability that is found from

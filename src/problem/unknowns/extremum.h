@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "problem/unknowns/sample.h"
 #include "problem/unknowns/stability_end.h"
@@ -34,6 +35,7 @@ class ExtremumSearch {
 
  private:
   ExtremumFound found_end();
+  bool sticks_beyond(double end);
   void confirm(double value, const Sample& sample);
   struct Span {
     double lower = 0, upper = 0, scale = 1;
@@ -47,6 +49,10 @@ class ExtremumSearch {
   Truth truth_at(double value);
   bool holds(double value) { return truth_at(value) == Truth::holds; }
   std::string told_beyond(double inside, double outside);
+  // Explains that the conditions also end nearer than at the value told: they fail at some of the values on this side
+  // of it, and hold again nearer still. nearer: values from the nearest to the value told, at which they hold.
+  std::string told_before(const std::vector<double>& nearer);
+  double border(double inside, double outside);
   // The settings of all situations at a value, one for each root of the other unknowns.
   std::vector<AllSettings> settings_at(double value) const;
   std::unique_ptr<Sample> sample_at(double value);

@@ -123,6 +123,19 @@ bool has_twin(const std::vector<double>& point, const std::vector<std::vector<do
   });
 }
 
+// Whether something of a body is given as `any`: a value that is taken for it is none that was sought.
+bool has_open_mass(const Body& body) {
+  const auto any = [](const std::optional<Expression>& value) { return value && is_any(*value); };
+  if (any(body.amount.mass) || any(body.amount.weight)) return true;
+  if (const List* list = body.center ? body.center->as<List>() : nullptr;
+      list && std::ranges::any_of(list->items, is_any))
+    return true;
+  if (!body.inertia) return false;
+  const StatedInertia& inertia = *body.inertia;
+  return inertia.rest_any || std::ranges::any_of(inertia.moments, any) || std::ranges::any_of(inertia.products, any) ||
+         any(inertia.axial) || any(inertia.transverse);
+}
+
 }  // namespace
 
 RootsFound UnknownSearch::find_block(const UnknownSystem& system, const AllSettings& settings, bool explained,
@@ -295,6 +308,13 @@ std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solv
   if (result.search != solve::RootSearch::few_evaluations)
     if (const Balance balance = balance_of(equations); !balance.surplus.conditions.empty())
       how += "; " + surplus_in_words(balance.surplus);
+  const auto open = [&](std::size_t i) { return std::ranges::any_of(statement_.situations[i].bodies, has_open_mass); };
+  if (std::ranges::any_of(system.situations(), open)) {
+    how +=
+        "; for values that are given as `any` some were taken, and no others sought: what the conditions are to fix "
+        "stands under find:";
+    proved = false;
+  }
   const std::string conditions = conditions_in_words(statement_, system);
   const std::string names = joined(names_of(system.unknowns));
   std::string text = "no values of " + names + " in their ranges " +

@@ -144,13 +144,16 @@ double SolvedInstant::misfit_on_cord(const RoughContactOf<double>& contact, doub
     angle = std::atan2(dot(axis, cross(in, out)) / norm(axis), dot(in, out));
     if (angle < 0) angle += 2 * std::numbers::pi;
   }
-  // How often it goes round besides is as stated.
-  double drawn = contact.wrap;
+  // How often it goes round besides is as stated; else it may have passed the place where its angle begins anew.
+  constexpr double full = 2 * std::numbers::pi, alike = 0.5;
+  std::optional<double> turns;
   for (const Cord& cord : situation_.cords)
     for (const CordWheel& wheel : cord.over)
       if (contact.name == cord.name + " on " + wheel.name && wheel.turns)
-        drawn = 2 * std::numbers::pi * data_->number(*wheel.turns, dimensions::none);
-  angle += 2 * std::numbers::pi * std::round((drawn - angle) / (2 * std::numbers::pi));
+        turns = data_->number(*wheel.turns, dimensions::none);
+  const double drawn = turns ? full * *turns : contact.wrap, whole = full * std::round((drawn - angle) / full);
+  const bool may_pass = moving_ || whole < 0;
+  if (turns || (may_pass && std::abs(drawn - angle - whole) < alike)) angle += whole;
   const Friction& stated = *std::ranges::find(situation_.contacts, contact.name, &Contact::name)->friction;
   const bool sticks = contact.grip == Grip::sticks;
   const double mu = data_->number(sticks ? stated.resting : stated.sliding, dimensions::none);

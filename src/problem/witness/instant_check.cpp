@@ -5,6 +5,7 @@
 #include "poinsot/engine/solve/instant/constraint_check.h"
 #include "poinsot/engine/solve/stability/spectrum_check.h"
 #include "problem/instant/instant.h"
+#include "problem/witness/stated_forces.h"
 
 namespace poinsot::problem {
 namespace {
@@ -36,11 +37,14 @@ solve::CheckBody::Within within(const solve::MechanismState& state, int body, co
   const SymmetricMatrix3<double> own = I.inertia - I.mass * unit_mass_inertia(c);
   solve::CheckBody::Within found;
   found.angular_momentum = motion.R * (own * transpose_times(motion.R, motion.w));
+  found.angular_momentum_size = I.mass * norm_squared(c) * norm(motion.w);
   for (std::size_t i = 0; unknowns && i < mechanism.actions.size(); ++i) {
     const Action& action = mechanism.actions[i];
-    const Vector3<double> moment = solve::action_wrench(state, *unknowns, i, G).moment;
-    if (action.on == body) found.moment += moment;
-    if (action.from == body) found.moment = found.moment - moment;
+    if (action.on != body && action.from != body) continue;
+    const SpatialForce<double> wrench = solve::action_wrench(state, *unknowns, i, G);
+    if (action.on == body) found.moment += wrench.moment;
+    if (action.from == body) found.moment = found.moment - wrench.moment;
+    found.moment_size += norm(wrench.moment) + norm(c) * norm(wrench.force);
   }
   return found;
 }
@@ -150,6 +154,16 @@ SolvedInstant::Residuals SolvedInstant::check() const {
   if (rough_blow_) residuals.blow = rough_blow_misfit();
   if (before_ && !moving_ && !machine_.rough_contacts.empty()) residuals.friction = blow_friction_misfit();
   if (motion_) residuals.laws = std::max(law_misfit(), tooth_misfit());
+  if (linearisation_) {
+    const std::size_t stage = built_stage_.value_or(0);
+    const auto acting = stage < situation_.stages.size() ? situation_.stages[stage].loads : std::nullopt;
+    // So fast that springs and dampers tell: where all rests and nothing weighs as fast as it swings.
+    double fast = pace();
+    for (const solve::Mode& mode : linearisation_->modes)
+      fast = std::max(fast, std::hypot(mode.growth_rate, mode.frequency));
+    residuals.laws = std::max(residuals.laws.value_or(0),
+                              misfit_of_laws_beside(*mechanism_state_, machine_, *data_, acting, scales_.length, fast));
+  }
   return residuals;
 }
 

@@ -25,6 +25,23 @@ void add_six(Dense& matrix, Eigen::Index row, Eigen::Index column, double factor
   }
 }
 
+// Takes out of W and of the velocity u before a blow the direction across the push in which no impulse moves anything:
+// there no slip arises, and what is left of W is rounding.
+void take_out_immovable(Matrix3<double>& W, Vector3<double>& u) {
+  constexpr double rounding = 1e-10;  // of the mobility along the push
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(
+      (Eigen::Matrix2d() << W(1, 1), W(1, 2), W(2, 1), W(2, 2)).finished());
+  for (int k = 0; k < 2; ++k) {
+    if (principal.eigenvalues()[k] > rounding * W(0, 0)) continue;
+    const Vector3<double> d{0, principal.eigenvectors()(0, k), principal.eigenvectors()(1, k)};
+    Matrix3<double> without;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) without(i, j) = (i == j ? 1 : 0) - d[i] * d[j];
+    W = without * W * without;
+    u = without * u;
+  }
+}
+
 // The impulse after a blow by steps, of which `count` make the compression of a point that nothing couples.
 struct Steps {
   const Matrix3<double>& W;
@@ -157,7 +174,9 @@ double SolvedInstant::rough_blow_misfit() const {
     law.friction = data_->number(stated->friction->sliding, dimensions::none);
     law.restitution = stated->restitution ? data_->number(*stated->restitution, dimensions::none) : 0;
   }
-  const Steps steps{W, {dot(u, rough.axes[0]), dot(u, rough.axes[1]), dot(u, rough.axes[2])}, law};
+  Vector3<double> before{dot(u, rough.axes[0]), dot(u, rough.axes[1]), dot(u, rough.axes[2])};
+  take_out_immovable(W, before);
+  const Steps steps{W, before, law};
   // The error of a step is of first order: so is extrapolated from twice as many.
   constexpr int count = 5'000;
   const Vector3<double> expected = 2.0 * steps.follow(2 * count) - steps.follow(count);

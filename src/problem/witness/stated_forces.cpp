@@ -10,6 +10,8 @@
 #include <set>
 #include <string>
 
+#include "poinsot/engine/model/state.h"
+#include "poinsot/engine/solve/instant/equations.h"
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
 #include "problem/witness/stated_attraction.h"
@@ -208,8 +210,76 @@ double SolvedInstant::belt_misfit() const {
 }
 
 // The check with particles takes the forces as the laws tell them: it sees no load that was read with the wrong sign.
-std::optional<double> SolvedInstant::law_misfit() const {
+double misfit_of_laws(const solve::MechanismState& state, const Machine& machine, DataScope<double>& data,
+                      const std::optional<std::vector<std::string>>& loads, double unit, double force) {
   using solve::ParticlePaths;
+  const Mechanism<double>& mechanism = machine.mechanism;
+  std::vector<ParticlePaths::Body> bodies;
+  for (const auto& [link, mass] : machine.masses) bodies.push_back({link, &mass.particles});
+  const ParticlePaths paths(machine.links, bodies, state.state().q, state.state().v, state.accelerations(),
+                            mechanism.attractions.empty() ? 0 : unit);
+  // What cancels leaves rounding of its terms, of which other forces and those that turn the motion round in its own
+  // time give the size: less of them than this is not seen.
+  constexpr Real unseen = 1e-4L;
+  const Real length = std::max(Real(unit), paths.length());
+  Real beside = force;
+  for (int i = 0; i < mechanism.tree.body_count(); ++i)
+    beside = std::max(beside, mechanism.tree.body(i).inertia.mass *
+                                  (norm(widened(mechanism.tree.gravity())) + length * paths.pace() * paths.pace()));
+  double worst = 0;
+  const auto compare = [&](const Vector& off, Real size) {
+    if (const Real misfit = norm(off); misfit != 0) worst = std::max(worst, static_cast<double>(misfit / size));
+  };
+  for (const StatedForce& one : stated_forces(paths, machine, data, state.state().v, loads)) {
+    // Of a body that a center pulls about its own mass center.
+    const int body = mechanism.actions[one.action].on;
+    const Vector3<double> about =
+        one.couple_size ? body_mass_center(mechanism.tree, state.workspace(), body) : Vector3<double>::zero();
+    const SpatialForce<double> known = state.known_wrench(static_cast<int>(one.action), about);
+    const Vector arm = one.couple_size ? Vector::zero() : one.at;
+    const Vector moment = widened(known.moment) - cross(arm, widened(known.force));
+    const Real force_size = norm(widened(known.force)) + norm(one.force) + one.size + unseen * beside,
+               moment_size = norm(widened(known.moment)) + norm(one.couple) + one.size + length * force_size;
+    if (one.only_about) {
+      compare(dot(moment - one.couple, *one.only_about) * *one.only_about, moment_size);
+      continue;
+    }
+    compare(widened(known.force) - one.force, force_size);
+    if (one.couple_size) {
+      // Its arms from the origin of the body are known to twenty units in the last place.
+      const Real arms =
+          norm(widened(mechanism.tree.body(body).inertia.first_moment)) / mechanism.tree.body(body).inertia.mass;
+      constexpr Real rounding = 20 * std::numeric_limits<double>::epsilon() / 1e-8L;
+      compare(moment - one.couple, *one.couple_size + rounding * arms * norm(one.force));
+      continue;
+    }
+    compare(moment - one.couple, moment_size);
+  }
+  return worst;
+}
+
+// Springs that are free where all rests, dampers there and a center that pulls what is symmetric about its way exert
+// nothing: near a steady motion their laws count all the same.
+double misfit_of_laws_beside(const solve::MechanismState& state, const Machine& machine, DataScope<double>& data,
+                             const std::optional<std::vector<std::string>>& loads, double unit, double pace) {
+  const Model<double>& tree = machine.mechanism.tree;
+  std::vector<double> q = state.state().q, v = state.state().v, moved(v.size());
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    // A little, and each coordinate by another part.
+    const double size = solve::coordinate_turns(tree, static_cast<int>(k)) ? 1 : unit, place = static_cast<double>(k);
+    moved[k] = 0.1 * size * std::cos(1 + 2 * place);
+    v[k] += 0.1 * size * pace * std::cos(2 + 3 * place);
+  }
+  integrate_position<double>(tree, q, moved, 1);
+  Machine moved_machine = machine;
+  moved_machine.q = q;
+  solve::MechanismState there(moved_machine.mechanism);
+  there.set_positions(q);
+  there.set_velocities(v);
+  return misfit_of_laws(there, moved_machine, data, loads, unit, 0);
+}
+
+std::optional<double> SolvedInstant::law_misfit() const {
   const Mechanism<double>& mechanism = machine_.mechanism;
   const bool any_law = !mechanism.forces.empty() || !mechanism.springs.empty() || !mechanism.torsions.empty() ||
                        !mechanism.attractions.empty();
@@ -218,50 +288,10 @@ std::optional<double> SolvedInstant::law_misfit() const {
         return std::ranges::any_of(joint.freedoms, stated);
       }))
     return std::nullopt;
-  std::vector<ParticlePaths::Body> bodies;
-  for (const auto& [link, mass] : machine_.masses) bodies.push_back({link, &mass.particles});
-  const ParticlePaths paths(machine_.links, bodies, machine_.q, v_, mechanism_state_->accelerations(),
-                            mechanism.attractions.empty() ? 0 : scales_.length);
   const std::size_t stage = built_stage_.value_or(0);
   const auto acting = stage < situation_.stages.size() ? situation_.stages[stage].loads : std::nullopt;
-  // What cancels leaves rounding of its terms, of which other forces and those that turn the motion round in its own
-  // time give the size: less of them than this is not seen.
-  constexpr Real unseen = 1e-4L;
-  const Real length = std::max(Real(scales_.length), paths.length());
-  Real beside = largest_force(*mechanism_state_, unknowns_);
-  for (int i = 0; i < mechanism.tree.body_count(); ++i)
-    beside = std::max(beside, mechanism.tree.body(i).inertia.mass *
-                                  (norm(widened(mechanism.tree.gravity())) + length * paths.pace() * paths.pace()));
-  double worst = 0;
-  const auto compare = [&](const Vector& off, Real size) {
-    if (const Real misfit = norm(off); misfit != 0) worst = std::max(worst, static_cast<double>(misfit / size));
-  };
-  for (const StatedForce& force : stated_forces(paths, machine_, *data_, v_, acting)) {
-    // Of a body that a center pulls about its own mass center.
-    const int body = mechanism.actions[force.action].on;
-    const Vector3<double> about = force.couple_size
-                                      ? body_mass_center(mechanism.tree, mechanism_state_->workspace(), body)
-                                      : Vector3<double>::zero();
-    const SpatialForce<double> known = mechanism_state_->known_wrench(static_cast<int>(force.action), about);
-    const Vector arm = force.couple_size ? Vector::zero() : force.at;
-    const Vector moment = widened(known.moment) - cross(arm, widened(known.force));
-    const Real force_size = norm(widened(known.force)) + norm(force.force) + force.size + unseen * beside,
-               moment_size = norm(widened(known.moment)) + norm(force.couple) + force.size + length * force_size;
-    if (force.only_about) {
-      compare(dot(moment - force.couple, *force.only_about) * *force.only_about, moment_size);
-      continue;
-    }
-    compare(widened(known.force) - force.force, force_size);
-    if (force.couple_size) {
-      // Its arms from the origin of the body are known to twenty units in the last place.
-      const Real arms =
-          norm(widened(mechanism.tree.body(body).inertia.first_moment)) / mechanism.tree.body(body).inertia.mass;
-      constexpr Real rounding = 20 * std::numeric_limits<double>::epsilon() / 1e-8L;
-      compare(moment - force.couple, *force.couple_size + rounding * arms * norm(force.force));
-      continue;
-    }
-    compare(moment - force.couple, moment_size);
-  }
+  const double worst = misfit_of_laws(*mechanism_state_, machine_, *data_, acting, scales_.length,
+                                      largest_force(*mechanism_state_, unknowns_));
   return std::max(worst, belt_misfit());
 }
 

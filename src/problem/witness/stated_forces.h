@@ -33,4 +33,12 @@ std::vector<StatedForce> stated_forces(const solve::ParticlePaths& paths, const 
                                        DataScope<double>& data, const std::vector<double>& v,
                                        const std::optional<std::vector<std::string>>& loads);
 
+// By how much what the laws of force exert in a state is otherwise than stated. unit: a length of the machine; force:
+// the largest of its forces.
+double misfit_of_laws(const solve::MechanismState& state, const Machine& machine, DataScope<double>& data,
+                      const std::optional<std::vector<std::string>>& loads, double unit, double force);
+// The same beside a state, where all has moved a little and moves otherwise.
+double misfit_of_laws_beside(const solve::MechanismState& state, const Machine& machine, DataScope<double>& data,
+                             const std::optional<std::vector<std::string>>& loads, double unit, double pace);
+
 }  // namespace poinsot::problem

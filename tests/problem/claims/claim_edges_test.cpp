@@ -45,5 +45,30 @@ TEST(ClaimEdges, WhatHoldsUpToTheEdgeHolds) {
   EXPECT_TRUE(claim.holds);
 }
 
+// Of a body of revolution with I = J all sides are equal.
+TEST(ClaimEdges, SidesThatAreEqualUnderWhatIsAssumedAreNotLess) {
+  const auto claimed = [](const std::string& claim) {
+    return solve_statement(
+               read_statement("title: t\nletters: {I: kg*m^2, J: kg*m^2, p: {signed: rad/s}, q: {signed: rad/s}}\n"
+                              "points: {G: [0, 0, 0]}\n"
+                              "bodies: {b: {mass: 1 kg, center: G, inertia: {axis: z, axial: I, transverse: J}}}\n"
+                              "gravity: none\nfacts: {angular_velocity(b): [p, 0, q], velocity(b): [0, 0, 0]}\n"
+                              "define: {H: angular_momentum(b about G)}\nclaim: {a: {claim: '" +
+                                  claim + "', assume: [I == J]}}\n",
+                              "claims.yaml"),
+               {})
+        .solutions.at(0)
+        .claims.at(0);
+  };
+  for (const char* claim : {"kinetic_energy(b) >= norm(H)^2/(2*J)", "kinetic_energy(b) <= norm(H)^2/(2*J)"}) {
+    const SolvedClaim equal = claimed(claim);
+    ASSERT_EQ(equal.state, AskState::found) << claim << equal.reason;
+    EXPECT_TRUE(equal.holds) << claim;
+  }
+  const SolvedClaim less = claimed("kinetic_energy(b) < norm(H)^2/(2*J)");
+  ASSERT_EQ(less.state, AskState::found) << less.reason;
+  EXPECT_FALSE(less.holds);
+}
+
 }  // namespace claim_edges_test
 }  // namespace poinsot::problem

@@ -237,6 +237,14 @@ TEST(Claims, WhatIsFalseSomewhereIsNotProved) {
       {"(u - 1.23456 m)^2*(1 + nothing) > 0 m^2", ""},                // at one point alone
       {"(u - 1.23456 m)*(u - 1.2346 m)*(1 + nothing) >= 0 m^2", ""},  // in a narrow gap
       {"u^3*(1 + nothing) < 1000000 m^3", ""},                        // far away
+      // Only where what is assumed just holds.
+      {"a*(1 + nothing) < b", "\"a <= b\""},
+      {"L*(1 + nothing) < 1 m", "\"L <= 1 m\""},
+      {"L*(1 + nothing) < 1 m", "\"L >= 0.5 m\", \"L <= 1 m\""},
+      {"L*(1 + nothing) > 0.5 m", "\"L >= 0.5 m\", \"L <= 1 m\""},
+      {"u*(1 + nothing) < 1 m", "\"-1 m <= u <= 1 m\""},
+      {"u*(1 + nothing) > -1 m", "\"-1 m <= u <= 1 m\""},
+      {"u*v*(1 + nothing) < 1 m^2", "\"0 m <= u <= 1 m\", \"0 m <= v <= 1 m\""},
   };
   for (const auto& [claim, assume] : claims) {
     const SolvedClaim solved = of_letters(claim, assume);
@@ -254,6 +262,9 @@ TEST(Claims, WhatIsTrueOfSuchLettersIsProved) {
       {"a*(1 + nothing) > 2*b", "\"a > b\", \"a > 2*b\""},
       {"a*(1 + nothing) >= b", "\"a >= b\""},
       {"L*(1 + nothing) < 2 m", "\"L < 1 m\""},
+      {"L*(1 + nothing) <= 1 m", "\"0.5 m <= L <= 1 m\""},
+      {"u*(1 + nothing) <= 1 m", "\"-1 m <= u <= 1 m\""},
+      {"u*v*(1 + nothing) <= 1 m^2", "\"0 m <= u <= 1 m\", \"0 m <= v <= 1 m\""},
       {"max(u with v)*(1 + nothing) == u", "\"u > v\""},
       {"abs(u)*(1 + nothing) == -u", "\"u < 0 m\""},
       {"(u^2 + u*v + v^2)*(1 + nothing) >= 0 m^2", ""},

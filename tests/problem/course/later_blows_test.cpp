@@ -101,6 +101,20 @@ TEST(RoughBlows, OfASpinningBallAgreeWithClosedForms) {
   EXPECT_FALSE(refused.empty());
 }
 
+// A pin lets the point that is struck move along the push alone: no friction arises across it.
+TEST(RoughBlows, OfADoorOnItsPinHaveNoFriction) {
+  const SolvedText solved(
+      "title: t\npoints: {O: [0, 0, 0], B: [0, -0.9 m, 0], S: [0, -0.6 m, 0]}\n"
+      "bodies: {door: {rod: [O, B], mass: 3 kg}}\njoints: {pin: {revolute: z, at: O, to: door}}\n"
+      "impacts: {stop: {of: door, at: S, pushes: -x, restitution: 0.7, friction: 0.3}}\ngravity: none\n"
+      "instants: {before: {angular_velocity(door): [0, 0, 4 rad/s]}}\n"
+      "ask: {w: norm(velocity(B of door)), J: impulse(stop on door), P: norm(impulse(pin on door))}\n");
+  EXPECT_NEAR(solved.number("w"), 0.9 * 0.7 * 4, 1e-10);
+  EXPECT_NEAR(solved.vector("J").x, -3 * 0.9 * 0.9 / 3 * 1.7 * 4 / 0.6, 1e-9);
+  EXPECT_NEAR(solved.vector("J").y, 0, 1e-12);
+  EXPECT_NEAR(solved.number("P"), 0, 1e-9);  // at two thirds of the length, the center of percussion
+}
+
 TEST(RoughBlows, FindTheFrictionFromWhatIsStated) {
   const SolvedText solved(
       "title: t\npoints: {C: [0, 0, 0], G: [0, 0.1 m, 0]}\nbodies: {ball: {sphere: {center: G, radius: 0.1 m}, mass: 2 "

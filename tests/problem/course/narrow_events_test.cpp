@@ -62,5 +62,16 @@ TEST(NarrowEvents, AQuantityWithACornerComesNearZero) {
   }
 }
 
+// What is zero but for rounding has no first time, and no failure of the program either.
+TEST(NarrowEvents, ANumberThatIsRoundingIsNoBracket) {
+  const SolvedText solved(
+      "title: t\ngiven: {W: 3.542 lb, s: 6.563 in}\npoints: {A: ['-2*s', 0, 0], B: [2*s, 0, 0]}\n"
+      "bodies: {sheet: {weight: W, parts: {triangle: {polygon: [[s, 0, 0], B, [s, 0, '-s']]}}}}\n"
+      "joints: {bearings: {revolute: x, at: A, to: sheet, angle: turn, supports: {A: [y, z], B: [y, z]}},"
+      " like_it: {revolute: x, at: A, to: sheet}}\ninstants: {start: rest}\n"
+      "ask: {b: {first_time: reaction(A).z == 0, axes: sheet, unit: s}}\n");
+  EXPECT_FALSE(solved.reason("b").empty());
+}
+
 }  // namespace narrow_events_test
 }  // namespace poinsot::problem

@@ -111,5 +111,42 @@ TEST(TurningSlip, ATableTakesAPuckAlong) {
   EXPECT_GT(solved.number("E"), 0.5 * (I * 2) * (I * 2) / (I + m * 0.49));
 }
 
+// A slip that leaves its line by less than is seen counts as one on its line for the second road, too: beside a wind of
+// a millionth of the weight a ball rolls when and as fast as without it.
+TEST(TurningSlip, ThatIsTooLittleToBeSeenIsNone) {
+  int winds = 0;
+  for (const double wind : {1e-8, 1e-7, 2e-7, 4e-7, 8e-7}) {
+    const SolvedText solved(
+        fmt::format("title: t\npoints: {{C: [0, 0, 0], G: [0, 0.11 m, 0]}}\n"
+                    "bodies: {{ball: {{sphere: {{center: G, radius: 0.11 m}}, mass: 6 kg}}}}\n"
+                    "contacts: {{lane: {{of: ball, at: C, normal: y, friction: 0.12}}}}\ngravity: -y\n"
+                    "facts: {{velocity(ball): [5 m/s, 0, 0], angular_velocity(ball): [0, 0, 0]}}\n"
+                    "loads: {{wind: {{force: [0, 0, {} N], at: G, body: ball}}}}\n"
+                    "ask: {{rolls: {{first_time: sticking(lane)}}, v: velocity(ball).x @ 2 s}}\n",
+                    wind));
+    EXPECT_NEAR(solved.number("rolls"), 2 * 5 / (7 * 0.12 * g), 1e-6) << wind;
+    EXPECT_NEAR(solved.number("v"), 5 * 5.0 / 7, 1e-6) << wind;
+    ++winds;
+  }
+  EXPECT_EQ(winds, 5);
+}
+
+// On a sphere of ten kilometers a ball with spin slides as on a plane.
+TEST(TurningSlip, OnAVeryLargeSphereIsThatOnAPlane) {
+  const std::string motion =
+      "gravity: -y\nfacts: {velocity(ball): [0, 0, 3 m/s], angular_velocity(ball): [0, 10 rad/s, 0]}\n"
+      "ask: {rolls: {first_time: sticking(lane)}, v: norm(velocity(ball)) @ 2 s}\n";
+  const std::string ball =
+      "title: t\npoints: {C: [0, 0, 0], G: [0, 0.11 m, 0], O: [0, -10 km, 0]}\nbodies: {ball: {sphere: {center: G, "
+      "radius: 0.11 m}, mass: 6 kg}";
+  const SolvedText sphere(ball +
+                          ", earth: {sphere: {center: O, radius: 10 km}, mass: 0 kg}}\njoints: {stand: {weld: O, to: "
+                          "earth}}\ncontacts: {lane: {of: ball, against: earth, at: C, normal: y, friction: 0.12}}\n" +
+                          motion);
+  const double rolls = 2 * 3 / (7 * 0.12 * g);
+  EXPECT_NEAR(sphere.number("rolls"), rolls, 2e-3 * rolls);
+  EXPECT_NEAR(sphere.number("v"), 3 * 5.0 / 7, 0.02);
+}
+
 }  // namespace turning_slip_test
 }  // namespace poinsot::problem

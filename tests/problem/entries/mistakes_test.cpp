@@ -62,6 +62,26 @@ ask: {a: mass(a)}
 )",
        "test.yaml:4:16: error: unknown key 'wheels' in a belt (did you mean 'over'?)",
        {}},
+      {"TheFrictionOfABelt",
+       R"(title: t
+points: {A: [0, 0, 0], B: [1 m, 0, 0]}
+bodies: {a: {disk: {center: A, normal: z, radius: 0.2 m}, mass: 3 kg}, b: {disk: {center: B, normal: z, radius: 0.2 m}, mass: 3 kg}}
+belts: {drive: {over: [a, b], friction: 0.3}}
+ask: {a: mass(a)}
+)",
+       "test.yaml:4:31: error: belt 'drive' has no friction: on each wheel its friction may be another (state it at "
+       "the wheel: over: [{wheel: {friction: ...}}])",
+       {}},
+      {"TheTurnsOfACord",
+       R"(title: t
+points: {A: [0, 0, 0], B: [1 m, 0, 0], O: [0, 1 m, 0]}
+bodies: {a: {particle: A, mass: 3 kg}, b: {particle: B, mass: 3 kg}}
+cords: {rope: {from: a, at: A, over: [O], turns: 2, to: b, end: B}}
+ask: {a: mass(a)}
+)",
+       "test.yaml:4:43: error: cord 'rope' has no turns: on each wheel its turns may be another (state it at the "
+       "wheel: over: [{wheel: {turns: ...}}])",
+       {}},
       {"TheFrictionOfOtherPrograms",
        R"(title: t
 points: {O: [0, 0, 0]}
@@ -137,6 +157,184 @@ ask: {a: angular_velocity(bar)}
 )",
        "test.yaml:4:32: error: 'min' is not defined (it is a unit too: one stands behind its number and a blank, as in "
        "3 m/s or 180 rpm)",
+       {}},
+      {"ADecimalCommaInData",
+       R"(given: {m: 2,5 kg, L: 1 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies:
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+gravity: -y
+ask:
+  T: kinetic_energy(bar)
+)",
+       "test.yaml:1:14: error: a name is expected here, not '5 kg' (names begin with a letter; a decimal is written "
+       "with a point: 0.8, "
+       "not 0,8)",
+       {}},
+      {"AColonThatIsMissingInBraces",
+       R"(given: {m: 2 kg, L: 1 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies:
+  bar: {rod: [O, A], mass m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+gravity: -y
+ask:
+  T: kinetic_energy(bar)
+)",
+       "test.yaml:4:22: error: a ':' is missing behind 'mass' (write 'mass: m')",
+       {}},
+      {"AColonThatIsMissingBehindAHeading",
+       R"(given: {m: 2 kg, L: 1 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+gravity: -y
+ask:
+  T: kinetic_energy(bar)
+)",
+       "test.yaml:3:7: error: a ':' is missing behind 'bodies' (write 'bodies:')",
+       {}},
+      {"AnAskThatIsNotIndented",
+       R"(given: {m: 2 kg, L: 1 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies:
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+gravity: -y
+ask:
+T: kinetic_energy(bar)
+)",
+       "test.yaml:9:1: error: unknown key 'T' in a problem (indent it farther if it belongs to 'ask')",
+       {}},
+      {"APrimeBehindAComponent",
+       R"(given: {m: 2 kg, L: 1 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies:
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+define: {v: velocity(bar)}
+gravity: -y
+ask:
+  T: v.x'
+)",
+       "test.yaml:10:8: error: a prime stands behind a component (write the component of the rate, v'.x, of a name v "
+       "under define:)",
+       {}},
+      {"AMixedNumber",
+       R"(given: {m: 2 kg, L: 1 1/2 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies:
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+gravity: -y
+ask:
+  T: kinetic_energy(bar)
+)",
+       "test.yaml:1:23: error: two numbers stand side by side (a mixed number is written as a decimal or as one "
+       "fraction: 1.5 or 3/2)",
+       {}},
+      {"AnInstantBehindAWord",
+       R"(given: {m: 2 kg, L: 1 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies:
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+gravity: -y
+ask:
+  T: kinetic_energy(bar) at 2 s
+)",
+       "test.yaml:9:26: error: 'at' cannot stand here (an instant stands behind '@': kinetic_energy(disk) @ 2 s)",
+       {}},
+      {"AGreekName",
+       R"(given: {m: 2 kg, L: 1 m, ω: 2 rad/s}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies:
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+gravity: -y
+ask:
+  T: kinetic_energy(bar)
+)",
+       "test.yaml:1:26: error: 'ω' cannot be a name (names have plain letters: write omega)",
+       {}},
+      {"AValueForALetter",
+       R"(given: {m: 2 kg, L: 1 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies:
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+letters: {q: 3 kg}
+gravity: -y
+ask:
+  T: kinetic_energy(bar)
+)",
+       "test.yaml:7:14: error: '3 kg' is a value, where a unit is expected (write the unit alone; what has a value "
+       "stands under given:)",
+       {}},
+      {"AQuantityForAUnit",
+       R"(given: {m: 2 kg, L: 1 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies:
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+letters: {q: mass}
+gravity: -y
+ask:
+  T: kinetic_energy(bar)
+)",
+       "test.yaml:7:14: error: 'mass' is no unit (write kg)",
+       {}},
+      {"AnAskUnderFind",
+       R"(given: {m: 2 kg, L: 1 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies:
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+gravity: -y
+find:
+  T: kinetic_energy(bar)
+)",
+       "test.yaml:9:6: error: 'kinetic_energy(bar)' is no unit (what is asked stands under ask:)",
+       {}},
+      {"ALimitOfNoDatum",
+       R"(given: {m: 2 kg, L: 1 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies:
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+gravity: -y
+ask:
+  T: {largest: mass, while: kinetic_energy(bar) < 3 J}
+)",
+       "test.yaml:9:16: error: 'mass' is no datum and no letter (one of these is varied: m, L)",
+       {}},
+      {"MarkdownAroundIt",
+       R"(```yaml
+given: {m: 2 kg, L: 1 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies:
+  bar: {rod: [O, A], mass: m}
+joints:
+  pin: {revolute: z, at: O, to: bar, rate: 2 rad/s}
+gravity: -y
+ask:
+  T: kinetic_energy(bar)
+)",
+       "test.yaml:1:1: error: a line of Markdown stands here (leave out the lines that begin with ```)",
        {}},
       {"ADecimalCommaInBraces",
        R"(points: {O: [0, 0, 0], A: [1 m, 0, 0]}
@@ -864,7 +1062,7 @@ bodies: {disk: {disk: {center: O, normal: y, radius: r}, mass: 3 kg}}
 joints: {shaft: {revolute: y, at: O, to: disk, rate: 2 rad/s}}
 ask: {a: angular_momentum(disk about O)}
 )",
-       "--set r=3: error: r is a length, but 3 is a pure number",
+       "--set r=3: error: r is a length, but 3 is a pure number (write r=3 m)",
        {{"r", "3"}}},
       {"SetNoNumber",
        R"(given: {r: 0.2 m}

@@ -135,8 +135,8 @@ ask: {R: force(pin on bar).y}
 // Small swings lose little in joules, but it is all that they have.
 TEST(Explanation, TellsAKeptEnergyFromOneThatIsLostSlowly) {
   for (const double degrees : {60.0, 1.0, 0.01}) {
-    EXPECT_TRUE(says(explained(pendulum(degrees, 0)), "kinetic and potential energy together keep"));
-    EXPECT_FALSE(says(explained(pendulum(degrees, 0.003)), "kinetic and potential energy together"));
+    EXPECT_TRUE(says(explained(pendulum(degrees, 0)), "the sum of kinetic and potential energy keep"));
+    EXPECT_FALSE(says(explained(pendulum(degrees, 0.003)), "the sum of kinetic and potential energy"));
   }
 }
 
@@ -185,8 +185,57 @@ instants: {start: {a: 20 deg, a': 0, b: 10 deg, b': 0}}
 stages: {all: {lasts: 2 s}}
 ask: {top: max(a)}
 )");
-  EXPECT_TRUE(says(two, "kinetic and potential energy together keeps its value")) << two;
+  EXPECT_TRUE(says(two, "the sum of kinetic and potential energy keeps its value")) << two;
   EXPECT_FALSE(says(two, "its rate vanishes")) << two;
+}
+
+// A particle that sticks belongs to its body from the blow on: the energy that is worked out is that which is answered.
+TEST(Explanation, CountsWhatHasStuck) {
+  const std::string text = explained(R"(title: t
+letters: {m: kg, M: kg, L: m, v: m/s}
+points: {O: [0, 0, 0], A: [0, -L, 0]}
+bodies: {rod: {rod: [O, A], mass: M}}
+joints: {pin: {revolute: z, at: O, to: rod, angle: q}}
+strikes: {bullet: {mass: m, hits: rod, at: A, velocity: [v, 0, 0], stays: true}}
+gravity: -y
+instants: {before: rest}
+ask: {T: kinetic_energy(rod), p: impulse(pin)}
+)");
+  EXPECT_TRUE(says(text, "`3*m^2*v^2/(2*(M + 3*m))`")) << text;
+  EXPECT_TRUE(says(text, "\\sum m v^2 = \\frac{3 m^{2} v^{2}}{2 \\left(M + 3 m\\right)}")) << text;
+  EXPECT_TRUE(says(text, "the momenta after have theirs as well"));
+}
+
+// What is given as `any` has no value that could be told.
+TEST(Explanation, StatesNoInertiaThatIsOpen) {
+  const std::string text = explained(R"(title: t
+letters: {m: kg, P: {signed: kg*m^2}, I: kg*m^2, n: rad/s, M: N*m, L: m}
+points: {A: [0, 0, 0], B: [L, 0, 0]}
+bodies: {r: {mass: m, center: [L/2, 0, 0], inertia: {x: I, xy: P, zx: 0, rest: any}}}
+joints: {s: {revolute: x, at: A, to: r, rate: n, couple: M, supports: {A: [x, y, z], B: [y, z]}}}
+gravity: none
+ask: {A: reaction(A)}
+)");
+  EXPECT_FALSE(says(text, "I_{y}")) << text;
+  EXPECT_TRUE(says(text, "only those that are stated are known")) << text;
+  EXPECT_TRUE(says(text, "I\\,\\alpha_{s}")) << text;
+}
+
+// Letters are drawn until the statement makes sense, as where it was solved.
+TEST(Explanation, WorksOutAnUnknownInLettersThatMustFitTogether) {
+  const std::string text = explained(R"(title: t
+letters: {m: kg, c: m, I: kg*m^2, J: kg*m^2, b: rad, S: rad/s}
+find: {P: rad/s}
+points: {O: [0, 0, 0], G: '[c*sin(b), 0, c*cos(b)]'}
+frames: {figure: {turns: z, rate: P}}
+bodies: {top: {mass: m, center: G, inertia: {about: O, axis: O->G, axial: I, transverse: J}}}
+joints: {tip: {ball: O, to: top}}
+steady: {frame: figure, spins: {top: {about: O->G, rate: S}}}
+gravity: -z
+ask: {P: P, N: reaction(tip)}
+)");
+  EXPECT_FALSE(says(text, "The answers follow from the data")) << text;
+  EXPECT_TRUE(says(text, "\\Sigma M_{y}")) << text;
 }
 
 }  // namespace facts_of_explanations_test

@@ -240,6 +240,48 @@ TEST(Modes, SayWhatTheyDoNotTell) {
   }));
 }
 
+// A rotor in a sprung ring tilts with the inertia that it has across the axle. One that is not alike all round has
+// another as it turns, and so has one to whose side something is fastened: the equations change with time, and their
+// coefficients at an instant say nothing of stability.
+TEST(Modes, WhatSpinsUnevenlyHasNone) {
+  const auto rotor = [](const std::string& inertia, const std::string& more = "", const std::string& end = "") {
+    return "points: {O: [0, 0, 0], A: [0, 0.3 m, 0], B: [0, 0.3 m, 1 m]}\n"
+           "bodies: {ring: massless, rotor: {mass: 4 kg, center: O, inertia: {" +
+           inertia +
+           "}}}\njoints:\n"
+           "  tilt: {revolute: x, at: O, to: ring, angle: a, spring: {stiffness: 800 N*m/rad}}\n"
+           "  axle: {revolute: z, at: O, from: ring, to: rotor, rate: 30 rad/s, accel: 0}\n" +
+           more + "gravity: none\nsteady: {frame: ground, spins: {rotor: {about: z, rate: 30 rad/s}}}\n" + end +
+           "ask: {f: max(frequencies(system)), s: stable(system)}\n";
+  };
+  const std::string even = "axis: z, axial: 0.9 kg*m^2, transverse: 0.5 kg*m^2",
+                    uneven = "x: 0.5 kg*m^2, y: 0.02 kg*m^2, z: 0.52 kg*m^2",
+                    spring =
+                        "springs: {rod: {from: ground, at: B, to: rotor, end: A, stiffness: 90 N/m, tension: 0 N}}\n";
+  EXPECT_NEAR(SolvedText(rotor(even)).number("f"), 40, 1e-9);
+  for (const SolvedText& solved : {SolvedText(rotor(uneven)), SolvedText(rotor(even, spring))})
+    for (const char* ask : {"f", "s"})
+      EXPECT_NE(solved.reason(ask).find("change with time"), std::string::npos) << solved.reason(ask);
+  // From a turntable springs on the ground and a weight across its axis go round.
+  const auto table = [](const char* axis, const char* groove, const char* gravity, const char* holder) {
+    return fmt::format(
+        "points: {{O: [0, 0, 0], A: [1 m, 0, 0]}}\nbodies: {{table: massless, bob: {{particle: O, mass: 1 kg}}}}\n"
+        "joints:\n  axle: {{revolute: {}, at: O, to: table, rate: 3 rad/s, accel: 0}}\n"
+        "  groove: {{prismatic: {}, at: O, from: table, to: bob, displacement: s, spring: {{stiffness: 100 N/m}}}}\n"
+        "springs: {{k: {{from: {}, at: A, to: bob, end: O, stiffness: 50 N/m, tension: 0 N}}}}\n"
+        "gravity: {}\nsteady: {{frame: table}}\nask: {{f: max(frequencies(bob)), s: stable(bob)}}\n",
+        axis, groove, holder, gravity);
+  };
+  EXPECT_NEAR(SolvedText(table("z", "x", "-z", "table")).number("f"), std::sqrt(150.0 - 9), 1e-9);
+  for (const SolvedText& solved :
+       {SolvedText(table("z", "x", "-z", "ground")), SolvedText(table("x", "y", "-z", "table"))})
+    EXPECT_NE(solved.reason("f").find("change with time"), std::string::npos) << solved.reason("f");
+  // In a ring that cannot tilt its inertia is felt by nothing.
+  std::string held = rotor(uneven);
+  held.replace(held.find("angle: a, spring: {stiffness: 800 N*m/rad}"), 42, "angle: a, rate: 0, accel: 0");
+  EXPECT_TRUE(SolvedText(held.replace(held.find("f: max(frequencies(system)), "), 29, "")).found("s").value.truth);
+}
+
 }  // namespace modes_test
 }  // namespace
 }  // namespace poinsot::problem

@@ -184,6 +184,8 @@ TEST(Evaluate, FunctionsOfNumbers) {
   expect_number("asin(1/2)", pi / 6, dimensions::angle);
   expect_number("acos(-1)", pi, dimensions::angle);
   expect_number("atan(1)", pi / 4, dimensions::angle);
+  expect_number("exp(2)", std::exp(2), none);
+  expect_number("ln(2)", std::log(2), none);
   expect_number("atan2(-1 m to 0)", -pi / 2, dimensions::angle);
   expect_number("atan2(1 m to -1 m)", 3 * pi / 4, dimensions::angle);
   expect_number("min(1 ft with 1 m)", 0.3048, length);
@@ -266,6 +268,7 @@ TEST(Evaluate, WhatHasNoValueIsADomainError) {
       {"10^400", "f:1:3: error: the result is beyond the range of numbers or undefined"},
       {"1e300 + A.x/(1e-100 m)*1e300", "f:1:23: error: the result is beyond the range of numbers or undefined"},
       {"atan2(0 to 0)", "f:1:1: error: atan2 of two zeros has no direction"},
+      {"ln(-2)", "f:1:1: error: ln of -2 does not exist: the argument must be positive"},
       {"unit([0, 0, 0])", "f:1:6: error: the zero vector has no direction"},
       {"component(A along B - B)", "f:1:19: error: the zero vector has no direction"},
       {"angle(x to A - A)", "f:1:12: error: the zero vector has no direction"},
@@ -394,6 +397,8 @@ TEST(EvaluateDual, DerivativesAreExact) {
       {"asin(t/4)", 1 / std::sqrt(12)},
       {"acos(t/4)", -1 / std::sqrt(12)},
       {"atan(t)", 0.2},
+      {"exp(-t)", -std::exp(-2)},
+      {"ln(t)", 0.5},
       {"atan2(t to 1)", 0.2},
       {"abs(-t)", 1},
       {"max(t with 1)", 1},

@@ -103,6 +103,21 @@ const std::string rod_on_peg =
     "title: t\ngiven: {d: 0.3 m}\npoints: {C: [0, 0, 0], G: [d, 0, 0], A: G - 1 m * x, B: G + 1 m * x}\n"
     "bodies: {rod: {rod: [A, B], mass: 3 kg}}\ncontacts: {peg: {of: rod, at: C, normal: y}}\ngravity: -y\n";
 
+// The bottom of a bowl is as far from its rim as can be. On axes askew rounding took it for an end. Rolling from rest
+// at the angle b the ball has there v^2 = (10/7) g (R - r) (1 - cos b).
+TEST(ContactLimits, TheBottomOfABowlIsNoEnd) {
+  const SolvedText solved(
+      "title: t\ngiven: {R: 0.4934 m, r: 0.09093 m, b: 27.09 deg}\n"
+      "points: {O: [0, 0, 0], C: (R*sin(b))*hx + (-R*cos(b))*hy, G: (1 - r/R)*C}\n"
+      "directions: {in: (-sin(b))*hx + (cos(b))*hy, hx: [5/21, 20/21, 4/21], hy: [4/21, '-5/21', 20/21]}\n"
+      "bodies: {bowl: {hemisphere_shell: {center: O, toward: '-hy', radius: R}, mass: 0 kg},"
+      " ball: {sphere: {center: G, radius: r}, mass: 0.16 kg}}\njoints: {stand: {weld: O, to: bowl}}\n"
+      "contacts: {rolls: {of: ball, against: bowl, at: C, normal: in, inside: bowl, no_slip: true}}\n"
+      "gravity: '-hy'\ninstants: {now: rest}\nask: {fastest: max(norm(velocity(ball)))}\n");
+  EXPECT_NEAR(solved.number("fastest"),
+              std::sqrt(10.0 / 7 * g * (0.4934 - 0.09093) * (1 - std::cos(27.09 * M_PI / 180))), 1e-9);
+}
+
 TEST(ContactLimits, ARodTurnsOverNoFlatFloor) {
   const SolvedText solved(rod_on_peg +
                           "facts: {velocity(C of rod): [1.5 m/s, 0, 0], angular_velocity(rod): [0, 0, 2 rad/s]}\n"

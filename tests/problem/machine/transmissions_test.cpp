@@ -39,6 +39,25 @@ TEST(Transmissions, AtwoodsMachineAtRandom) {
   }
 }
 
+// Three gears in a ring lock one another: all rests, and each wheel takes its part of the couple M by its teeth. With
+// equal radii r the forces of the teeth satisfy F + H = M/r, F = G, G = H but for their senses.
+TEST(Transmissions, GearsThatLockOneAnotherRest) {
+  const SolvedText solved(
+      "title: t\ngiven: {r: 0.2 m}\npoints: {A: [0, 0, 0], B: [2*r, 0, 0], C: [r, r*sqrt(3), 0], P: [r, 0, 0],"
+      " Q: [r/2, r*sqrt(3)/2, 0], R: [3*r/2, r*sqrt(3)/2, 0]}\n"
+      "bodies: {a: {disk: {center: A, normal: z, radius: r}, mass: 2 kg}, b: {disk: {center: B, normal: z, radius: r},"
+      " mass: 2 kg}, c: {disk: {center: C, normal: z, radius: r}, mass: 2 kg}}\n"
+      "joints: {ja: {revolute: z, at: A, to: a, angle: q}, jb: {revolute: z, at: B, to: b},"
+      " jc: {revolute: z, at: C, to: c}}\n"
+      "gears: {m: {of: a, against: b, at: P}, n: {of: b, against: c, at: R}, o: {of: c, against: a, at: Q}}\n"
+      "loads: {M: {couple: 3 N*m, about: z, body: a}}\ngravity: none\ninstants: {now: rest}\n"
+      "ask: {w: angular_acceleration(b).z, F: norm(force(m on a)), G: norm(force(n on b)), later: q @ 1 s}\n");
+  EXPECT_NEAR(solved.number("w"), 0, 1e-12);
+  EXPECT_NEAR(solved.number("F"), 3 / 0.2 / 2, 1e-9);
+  EXPECT_NEAR(solved.number("G"), 3 / 0.2 / 2, 1e-9);
+  EXPECT_NEAR(solved.number("later"), 0, 1e-12);
+}
+
 // Two equal blocks on a cord over a wheel, one of them on a spring: w^2 = k/(2 m + I/r^2).
 TEST(Transmissions, BlocksOnASpringSwingWithTheWheelThatTheyTurn) {
   const auto frequency = [](const std::string& over) {

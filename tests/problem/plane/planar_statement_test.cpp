@@ -165,5 +165,19 @@ TEST(PlanarStatement, RefusesWhatPointsOutOfThePlane) {
       "point 'O' points out of the plane");
 }
 
+TEST(PlanarStatement, ResponsesOfVectorsHaveTwoComponents) {
+  const auto found = answers(
+      "title: t\nplane: [x, y]\npoints: {O: [0, 0]}\nbodies: {cart: {particle: O, mass: 2 kg}}\n"
+      "joints: {rail: {prismatic: x, at: O, to: cart, displacement: s, spring: {stiffness: 100 N/m}}}\n"
+      "excitations: {push: {force: 3 N, along: x, body: cart}}\ngravity: none\ninstants: {now: rest}\n"
+      "ask: {cart: response(center(cart) to push at 0 rad/s)}\n");
+  const SolvedAsk& cart = found.at("cart");
+  ASSERT_FALSE(cart.columns.empty());
+  ASSERT_EQ(cart.columns[0].values.size(), 2U);
+  EXPECT_NEAR(cart.columns[0].values[0], 0.03, 1e-12);
+  EXPECT_EQ(cart.columns[0].values[1], 0.0);
+  EXPECT_EQ(cart.columns[1].unit.text, "deg");
+}
+
 }  // namespace planar_statement_test
 }  // namespace poinsot::problem

@@ -204,6 +204,94 @@ ask:
   expect_near(swing_of(turning, "own", 1), Complex(0, 2 * 5 * 7) * slides, 1e-10, "guide");
 }
 
+// A chain of two carts, of which each holds the next: at the frequency zero and slowly, where the inertia is nothing
+// beside forces that balance, it is held as at rest.
+TEST(Response, OfASlowShakingIsThatAtRest) {
+  Random random(21);
+  for (int trial = 0; trial < 10; ++trial) {
+    const double k = random.uniform(50, 900), h = random.uniform(50, 900), F = random.uniform(1, 9);
+    const bool second = trial % 2 == 0;
+    const SolvedText solved(fmt::format(
+        "points: {{A: [0, 0, 0], B: [1 m, 0, 0]}}\n"
+        "bodies: {{one: {{particle: A, mass: 3 kg}}, two: {{particle: B, mass: {:.17g} kg}}}}\n"
+        "joints:\n"
+        "  ja: {{prismatic: x, at: A, to: one, displacement: s, spring: {{stiffness: {:.17g} N/m}}, damping: 4 "
+        "N*s/m}}\n"
+        "  jb: {{prismatic: x, at: B, from: one, to: two, displacement: u, spring: {{stiffness: {:.17g} N/m}}}}\n"
+        "excitations: {{push: {{force: {:.17g} N, along: x, body: {}}}}}\n"
+        "gravity: none\ninstants: {{now: rest}}\n"
+        "ask:\n  s: response(s to push at 0 rad/s)\n  u: response(center(two).x to push at 0 rad/s)\n"
+        "  t: response(s to push at 1e-5 rad/s)\n  f: response(force(ja on one).x to push at 1e-5 rad/s)\n",
+        random.uniform(0.5, 9), k, h, F, second ? "two" : "one"));
+    expect_near(swing_of(solved, "s"), F / k, 1e-11, "first");
+    expect_near(swing_of(solved, "u"), F / k + (second ? F / h : 0), 1e-11, "second");
+    expect_near(swing_of(solved, "t"), F / k, 1e-6, "slowly");
+    expect_near(swing_of(solved, "f"), -F, 1e-6, "force");
+  }
+}
+
+// Beside a wheel that turns as it likes a cart is held by its spring; where the wheel stands nothing says.
+TEST(Response, AtRestLeavesOutWhatNothingHolds) {
+  const SolvedText solved(R"(
+points: {O: [0, 0, 0], A: [1 m, 0, 0], D: [1.2 m, 0, 0]}
+bodies: {cart: {particle: O, mass: 2 kg}, wheel: {disk: {center: A, normal: z, radius: 0.2 m}, mass: 1 kg}}
+joints:
+  rail: {prismatic: x, at: O, to: cart, displacement: s, spring: {stiffness: 100 N/m}}
+  axle: {revolute: z, at: A, from: cart, to: wheel, angle: q}
+excitations: {push: {force: 3 N, along: x, body: cart}, turn: {couple: 1 N*m, about: z, body: wheel}}
+gravity: none
+instants: {now: rest}
+ask:
+  s: response(s to push at 0 rad/s)
+  hub: response(center(wheel) to push at 0 rad/s)
+  q: response(q to push at 0 rad/s)
+  rim: response(position(D of wheel) to push at 0 rad/s)
+  t: response(s to turn at 0 rad/s)
+)");
+  expect_near(swing_of(solved, "s"), 0.03, 1e-11, "cart");
+  expect_near(swing_of(solved, "hub", 0), 0.03, 1e-11, "hub");
+  EXPECT_EQ(swing_of(solved, "hub", 1), 0.0);
+  EXPECT_NE(solved.reason("q").find("depends on what nothing holds"), std::string::npos) << solved.reason("q");
+  EXPECT_NE(solved.reason("rim").find("depends on what nothing holds"), std::string::npos) << solved.reason("rim");
+  EXPECT_NE(solved.reason("t").find("nothing holds what 'turn' moves"), std::string::npos) << solved.reason("t");
+}
+
+// Two shafts coupled by teeth turn together as they like, and swing beside that.
+TEST(Response, OfATrainOfGearsThatIsFreeToTurn) {
+  const SolvedText solved(R"(
+given: {k: 8 kN*m/rad, h: 20 kN*m/rad, r: 50 mm, R: 150 mm}
+points: {A: [0, 0, -1 m], B: [0, 0, 0], C: [r + R, 0, 0], D: [r + R, 0, 1 m], P: [r, 0, 0]}
+bodies:
+  a: {mass: 1 kg, center: A, inertia: {axis: z, axial: 0.1 kg*m^2, transverse: 0.1 kg*m^2}}
+  b: {mass: 1 kg, center: B, inertia: {axis: z, axial: 0.01 kg*m^2, transverse: 0.01 kg*m^2}}
+  c: {mass: 1 kg, center: C, inertia: {axis: z, axial: 0.2 kg*m^2, transverse: 0.2 kg*m^2}}
+  d: {mass: 1 kg, center: D, inertia: {axis: z, axial: 0.9 kg*m^2, transverse: 0.9 kg*m^2}}
+joints:
+  ja: {revolute: z, at: A, to: a, angle: p}
+  jb: {revolute: z, at: B, to: b, angle: q}
+  jc: {revolute: z, at: C, to: c}
+  jd: {revolute: z, at: D, to: d, angle: s}
+gears: {mesh: {of: b, against: c, at: P}}
+springs:
+  ab: {from: a, to: b, about: z, stiffness: k}
+  cd: {from: c, to: d, about: z, stiffness: h}
+gravity: none
+instants: {now: rest}
+excitations: {push: {couple: 5 N*m, about: z, body: a, frequency: 150 rad/s}}
+ask: {s: response(s to push), p: response(p - q to push), f: response(tangential_force(mesh on b).y to push), stays: stable(system)}
+)");
+  // With q for both gears, q_c = -q r/R: M x'' + K x = (5, 0, 0).
+  Eigen::Matrix3d M, K;
+  const double i = -1.0 / 3, k = 8e3, h = 2e4, w = 150;
+  M << 0.1, 0, 0, 0, 0.01 + 0.2 * i * i, 0, 0, 0, 0.9;
+  K << k, -k, 0, -k, k + h * i * i, -h * i, 0, -h * i, h;
+  const Eigen::Vector3d x = (K - w * w * M).partialPivLu().solve(Eigen::Vector3d(5, 0, 0));
+  expect_near(swing_of(solved, "s"), x[2], 1e-9, "end");
+  expect_near(swing_of(solved, "p"), x[0] - x[1], 1e-9, "twist");
+  expect_near(swing_of(solved, "f"), (-0.01 * w * w * x[1] - k * (x[0] - x[1])) / 0.05, 1e-9, "teeth");
+  EXPECT_TRUE(solved.found("stays").value.truth);
+}
+
 TEST(Response, SaysWhatIsWrong) {
   const auto expect_words = [](const std::string& text, const std::string& words) {
     const std::string found = failure_of_text(text);

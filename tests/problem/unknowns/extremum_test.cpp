@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "problem/course/motion_support.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace extremum_test {
@@ -26,11 +27,55 @@ bool notes(const SolvedText& solved, const std::string& begin) {
   return false;
 }
 
+// A wedge in space, where the cones of friction are round in many directions that contacts share. All its contacts
+// stick up to P = W (tan(a + f) + tan f)/(1 - tan f tan(a + f)) = 1763.14 N, f = atan mu.
+TEST(Extremum, AWedgeInSpaceIsDrivenByAsMuchAsInItsPlane) {
+  const auto sticks = [](const std::string& push) {
+    const SolvedText solved(
+        "title: t\ngiven: {W: 2 kN, a: 8 deg, mu: 0.3, P: " + push +
+        ", h: 0.4 m}\n"
+        "points: {A: [0, h, 0], B: [1 m, 'h - (1 m)*tan(a)', 0], D: [1 m, 1 m, 0], E: [0, 1 m, 0], F: [0, 0, 0],"
+        " K: [1 m, 0, 0]}\ndirections: {n: [sin(a), cos(a), 0]}\n"
+        "bodies: {block: {polygon: [A, B, D, E], mass: 1 kg}, wedge: {polygon: [A, F, K, B], mass: 1 kg}}\n"
+        "contacts: {upper: {of: block, corner: D, normal: -x, friction: mu},"
+        " left: {of: block, corner: A, against: wedge, normal: n, friction: mu},"
+        " right: {of: block, corner: B, against: wedge, normal: n, friction: mu},"
+        " heel: {of: wedge, corner: F, normal: y, friction: mu}, toe: {of: wedge, corner: K, normal: y, friction: "
+        "mu}}\n"
+        "joints: {one: {planar: z, at: A, to: block}, other: {planar: z, at: A, to: wedge}}\n"
+        "loads: {weight: {force: [0, -W, 0], at: [0.5 m, 0.7 m, 0], body: block},"
+        " push: {force: [P, 0, 0], at: [0, h/2, 0], body: wedge}}\ngravity: none\ninstants: {now: rest}\n"
+        "ask: {s: sticking(toe)}\n");
+    return solved.found("s").value.truth;
+  };
+  EXPECT_TRUE(sticks("1763.1 N"));
+  EXPECT_FALSE(sticks("1763.2 N"));
+}
+
 TEST(Extremum, WhereStabilityEndsNothingElseIsTold) {
   const SolvedText solved(sleeping_top(20, "largest: c"));
   const double expected = 0.0006 * 0.0006 * 400 / (4 * 0.0021 * 0.4 * g);
   EXPECT_NEAR(solved.number("end"), expected, 1e-10 * expected);
   EXPECT_FALSE(notes(solved, "end:"));
+}
+
+// A rod on a turning shaft pulls a level cord while cos(b) > 3 g/(2 L w^2), and again above the level of its pin.
+TEST(Extremum, AGapBeforeTheEndIsTold) {
+  const double L = 0.6, w = 12;
+  const SolvedText solved(
+      "title: t\ngiven: {L: 0.6 m, b: 35 deg, w: 12 rad/s}\n"
+      "points: {A: [0, 0, 0], B: '[0, L*sin(b), -L*cos(b)]', C: '[0, 0, -L*cos(b)]'}\n"
+      "bodies: {shaft: massless, rod: {rod: [A, B], mass: 2 kg}}\n"
+      "joints: {s: {revolute: z, at: A, to: shaft, rate: w, accel: 0}, "
+      "pin: {revolute: x, at: A, from: shaft, to: rod, rate: 0}}\n"
+      "cords: {cord: {from: shaft, at: C, to: rod, end: B}}\ngravity: [0, 0, -9.81 m/s^2]\n"
+      "ask: {end: {largest: b, while: taut(cord)}}\n");
+  EXPECT_NEAR(solved.number("end"), M_PI, 1e-6);
+  EXPECT_TRUE(notes(solved, "end: it holds at 3.14159"));
+  const std::string nearer = with_digits(std::acos(3 * g / (2 * L * w * w)), 8);
+  bool told = false;
+  for (const std::string& note : solved.notes()) told = told || note.find("holds up to " + nearer) != std::string::npos;
+  EXPECT_TRUE(told) << nearer;
 }
 
 // The least spin lies beyond a thousand of the unit that its letter was given.

@@ -12,6 +12,7 @@ const turning = new Set([
   "angular_acceleration",
   "angular_momentum",
   "rate_of_angular_momentum",
+  "angular_displacement",
 ]);
 const inertial = new Set(["rate_of_momentum", "rate_of_angular_momentum", "linear_momentum", "angular_momentum"]);
 
@@ -29,6 +30,9 @@ const words: Record<string, string> = {
   angular_momentum: "angular momenta",
   rate_of_momentum: "mass times acceleration",
   rate_of_angular_momentum: "rates of angular momentum",
+  displacement: "shaken supports",
+  angular_displacement: "shaken supports",
+  unbalance: "unbalances",
 };
 export const quantityWords = (quantity: string): string => words[quantity] ?? quantity.replaceAll("_", " ");
 
@@ -49,7 +53,7 @@ function head(radius: number, height: number, tip: number): BufferGeometry {
 }
 
 export function arrowNode(
-  arrow: Pick<Arrow, "quantity" | "vector">,
+  arrow: Pick<Arrow, "quantity" | "vector" | "swings">,
   length: number,
   size: number,
   paints: Paints,
@@ -79,6 +83,13 @@ export function arrowNode(
         .translate(radius * Math.cos(angle), radius * Math.sin(angle), 0.55 * shaft),
     );
   }
+  // What acts to and fro has a head at both ends.
+  if (arrow.swings)
+    pieces.push(
+      head(2.6 * thickness, cap, length)
+        .rotateX(Math.PI)
+        .translate(0, 0, length),
+    );
   for (const piece of pieces) group.add(new Mesh(piece, material));
   group.quaternion.copy(new Quaternion().setFromUnitVectors(zAxis, new Vector3(...arrow.vector).normalize()));
   return group;

@@ -26,6 +26,9 @@ const arrowTones: Record<string, string> = {
   angular_momentum: "#1257b8",
   rate_of_momentum: "#1257b8",
   rate_of_angular_momentum: "#1257b8",
+  displacement: "#0b6e4f",
+  angular_displacement: "#0b6e4f",
+  unbalance: "#1a1a1a",
 };
 
 export class Paints {

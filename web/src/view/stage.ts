@@ -2,6 +2,7 @@
 import {
   AmbientLight,
   Box3,
+  BoxGeometry,
   BufferAttribute,
   BufferGeometry,
   ConeGeometry,
@@ -14,11 +15,12 @@ import {
   Quaternion,
   Scene as Space,
   Sphere,
+  SphereGeometry,
   Vector3,
   WebGLRenderer,
 } from "three";
 import { element } from "../element";
-import type { Arrow, Place, Scene } from "../scene";
+import type { Arrow, Curve, Place, Scene } from "../scene";
 import { equations, math } from "../text/math";
 import { nameTex } from "../text/tex";
 import { arrowLengths, arrowNode, tipOf } from "./arrows";
@@ -107,6 +109,10 @@ export class Stage {
 
   private addCurves(): void {
     for (const curve of this.scene.curves) {
+      if (curve.kind === "surface" || curve.kind === "attractor") {
+        this.on(curve.body).add(this.held(curve));
+        continue;
+      }
       const points = curve.closed && curve.points[0] ? [...curve.points, curve.points[0]] : curve.points;
       const geometry = new BufferGeometry().setAttribute(
         "position",
@@ -114,6 +120,23 @@ export class Stage {
       );
       this.on(curve.body).add(new Line(geometry, this.paints.curve));
     }
+  }
+
+  // A piece of a surface that is touched later, or the center that pulls.
+  private held(curve: Curve): Mesh {
+    const place = new Vector3(...(curve.points[0] ?? [0, 0, 0]));
+    const surface = curve.kind === "surface";
+    const shape = surface
+      ? new BoxGeometry(0.3 * this.size, 0.3 * this.size, 0.004 * this.size)
+      : new SphereGeometry(0.03 * this.size, 24, 16);
+    const node = new Mesh(shape, this.paints.metal);
+    node.position.copy(place);
+    if (surface)
+      node.quaternion.setFromUnitVectors(
+        new Vector3(0, 0, 1),
+        new Vector3(...(curve.points[1] ?? [0, 0, 1])).sub(place).normalize(),
+      );
+    return node;
   }
 
   private addCones(): void {

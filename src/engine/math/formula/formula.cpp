@@ -103,9 +103,13 @@ Formula::Formula(double number) {
     *this = symbolic::ratio_formula(*fraction);
     return;
   }
+  // As a fraction at once: products of formulas, one for each digit of the exponent, took a third of the time of claims
+  // that are tried at numbers.
   int exponent = 0;
-  const auto digits = static_cast<std::int64_t>(std::ldexp(std::frexp(number, &exponent), 53));
-  *this = Formula(digits) * pow(Formula(2), exponent - 53);
+  Integer digits(static_cast<std::int64_t>(std::ldexp(std::frexp(number, &exponent), 53))), below(1);
+  Integer& raised = exponent < 53 ? below : digits;
+  fmpz_mul_2exp(raised.get(), raised.get(), static_cast<ulong>(std::abs(exponent - 53)));
+  *this = symbolic::integer_formula(digits) / symbolic::integer_formula(below);
 }
 
 Formula Formula::number(std::string_view digits) {

@@ -1,5 +1,6 @@
 // Sines, cosines and their inverses. An angle is a sum of rational multiples of products of letters, of pi and of 1
 // rad; with t = tan(a/2) of each, sines and cosines are rational functions.
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 
@@ -119,6 +120,17 @@ Formula of_inverse_function(const std::string& name, const Formula& x) {
   return generator_formula(inverse_generator(name, x, Formula()));
 }
 
+// The sign of x times those of its factors whose sign is not known.
+Formula of_open_sign(const Formula& x) {
+  const Formula signs = abs(x) / x;
+  Formula open(1);
+  for (const GeneratorPointer& g : *signs.fraction()->generators)
+    if (g->kind == Kind::sign) open *= g->argument;
+  return open * replaced(signs, [](const GeneratorPointer& g) {
+           return g->kind == Kind::sign ? std::make_unique<Replacement>(Replacement{1, 1}) : nullptr;
+         });
+}
+
 bool leads_with_minus(const Formula& x) { return x.fraction() && x.fraction()->numerator.leading_sign() < 0; }
 
 void require_sine(const Formula& x, const char* function) {
@@ -210,10 +222,10 @@ Formula atan2(const Formula& y, const Formula& x) {
   if (!x.is_zero() && !y.is_zero()) {
     const Formula ratio = y / x;
     const Formula common = y / symbolic::numerator_of(ratio);
-    if (const int sign = symbolic::sign_of(common); sign != 0) {
-      above = sign * symbolic::numerator_of(ratio);
-      right = sign * symbolic::denominator_of(ratio);
-    }
+    // Factors of it that may have either sign stay.
+    const Formula stays = symbolic::of_open_sign(common);
+    above = stays * symbolic::numerator_of(ratio);
+    right = stays * symbolic::denominator_of(ratio);
   }
   return symbolic::generator_formula(symbolic::inverse_generator("atan2", above, right));
 }

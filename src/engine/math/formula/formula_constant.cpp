@@ -2,6 +2,7 @@
 // 9.80665 = 7 * 28019 / 20000, so that 28019 = 20000/7 * 9.80665, in coefficients and under roots alike.
 #include "poinsot/engine/math/formula/formula_constant.h"
 
+#include <flint/fmpz.h>
 #include <flint/fmpz_factor.h>
 
 #include <algorithm>
@@ -108,6 +109,15 @@ std::string text_with_constant(const Formula& x, std::string_view digits) {
   if (!writer.can_tell() || !writer.is_in(x)) return without;
   std::string with = text(writer.with_constant(x), Notation::with_sizes);
   return symbolic::digits_beside(with, digits) < symbolic::digits_beside(without, digits) ? with : without;
+}
+
+Formula with_plain_numbers(const Formula& x, std::string_view digits) {
+  if (!x.fraction()) return x;
+  const symbolic::ConstantWriter writer(digits);
+  const Formula y = writer.can_tell() ? writer.with_constant(x) : x;
+  symbolic::Integer above = y.fraction()->numerator.content();  // of either sign
+  fmpz_abs(above.get(), above.get());
+  return x * symbolic::integer_formula(y.fraction()->denominator.content()) / symbolic::integer_formula(above);
 }
 
 }  // namespace poinsot

@@ -19,6 +19,20 @@ struct Choice {
 };
 Choice choice_of(const Formula& x);
 
+// Of what is a product or quotient of even powers alone, the same with half of them.
+std::optional<Form> root_of_square(const Form& form) {
+  if (form.kind == Form::Kind::power && form.exponent % 2 == 0) return power_form(form.parts[0], form.exponent / 2);
+  if (form.kind == Form::Kind::number && form.text == "1") return form;
+  if (form.kind != Form::Kind::product && form.kind != Form::Kind::quotient) return std::nullopt;
+  Form root = form;
+  for (Form& part : root.parts) {
+    std::optional<Form> own = root_of_square(part);
+    if (!own) return std::nullopt;
+    part = std::move(*own);
+  }
+  return root;
+}
+
 constexpr std::size_t longest_united = 16;  // terms of factors that are tried together
 
 // What a formula without sums is made of, and its sums.
@@ -299,10 +313,13 @@ class Builder {
     fmpz_mul(coefficient_.get(), coefficient_.get(), outside.get());
     fmpz_mul(divisor_.get(), divisor_.get(), n.denominator.get());
     if (radicand_ == Formula(1)) return;
-    const Form radicand = form_of(radicand_);
-    const bool below = radicand.kind == Form::Kind::quotient && radicand.parts[0].kind == Form::Kind::number &&
-                       radicand.parts[0].text == "1";
-    written_.push_back({call_form("sqrt", below ? radicand.parts[1] : radicand), below ? -1 : 1});
+    const Form under = form_of(radicand_);
+    const bool below =
+        under.kind == Form::Kind::quotient && under.parts[0].kind == Form::Kind::number && under.parts[0].text == "1";
+    Form radicand = below ? under.parts[1] : under;
+    // The size of a product.
+    if (std::optional<Form> root = root_of_square(radicand)) radicand = power_form(std::move(*root), 2);
+    written_.push_back({call_form("sqrt", std::move(radicand)), below ? -1 : 1});
   }
 
   void add_sum(const ScaledForm& sum, int exponent) {
@@ -352,6 +369,11 @@ Form angle_form(const Generator& tangent, std::int64_t times) {
 
 Form form_of(const Formula& x) {
   if (x.is_zero()) return number_form(Integer(0));
+  // pi - acos(u) is acos(-u).
+  if (x.fraction()->generators->size() == 2)
+    for (const GeneratorPointer& g : *x.fraction()->generators)
+      if (g->kind == Kind::inverse && g->name == "acos" && x == Formula::pi() - generator_formula(g))
+        return call_form("acos", form_of(-g->argument));
   return choice_of(x).form;
 }
 

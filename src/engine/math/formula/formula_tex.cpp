@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
+#include <string>
 
 #include "engine/math/formula/formula_form.h"
 
@@ -57,6 +59,30 @@ std::string tex_function(const std::string& function) {
   return "\\" + function;
 }
 
+// Of an angle that is no common part of pi the degrees, as people write it: 2 pi/9 is 40 degrees.
+std::optional<std::string> in_degrees(const Form& angle) {
+  if (angle.kind != Form::Kind::quotient || angle.parts[1].kind != Form::Kind::number) return std::nullopt;
+  const Form& above = angle.parts[0];
+  const auto is_pi = [](const Form& form) { return form.kind == Form::Kind::name && form.text == "pi"; };
+  const auto whole = [](const std::string& digits) -> std::optional<long> {
+    constexpr std::size_t most_digits = 5;
+    if (digits.empty() || digits.size() > most_digits ||
+        !std::ranges::all_of(digits, [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }))
+      return std::nullopt;
+    return std::stol(digits);
+  };
+  std::optional<long> times;
+  if (is_pi(above)) times = 1;
+  if (above.kind == Form::Kind::product && above.parts.size() == 2 && above.parts[0].kind == Form::Kind::number &&
+      is_pi(above.parts[1]))
+    times = whole(above.parts[0].text);
+  const std::optional<long> below = whole(angle.parts[1].text);
+  if (!times || !below || *below <= 6 || (1800 * *times) % *below != 0) return std::nullopt;
+  const long tenths = 1800 * *times / *below;
+  const std::string rest = tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10);
+  return std::to_string(tenths / 10) + rest + "^{\\circ}";
+}
+
 std::string tex_call(const Form& form, const std::string& exponent) {
   if (form.text == "sqrt") {
     if (const Form* sized = sized_part(form)) return "\\left|" + tex_of(*sized) + "\\right|" + exponent;
@@ -64,6 +90,9 @@ std::string tex_call(const Form& form, const std::string& exponent) {
     return exponent.empty() ? root : "\\left(" + root + "\\right)" + exponent;
   }
   const Form& argument = form.parts[0];
+  if (form.text == "sin" || form.text == "cos" || form.text == "tan")
+    if (const std::optional<std::string> degrees = in_degrees(argument))
+      return tex_function(form.text) + exponent + " " + *degrees;
   const bool bare = argument.kind == Form::Kind::name && form.parts.size() == 1;
   std::string call = tex_function(form.text) + exponent + (bare ? " " : "\\left(") + tex_of(argument);
   for (std::size_t i = 1; i < form.parts.size(); ++i) call += ", " + tex_of(form.parts[i]);

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "engine/math/formula/formula_form.h"
 
@@ -35,6 +37,36 @@ std::vector<int> root_halves(const Generators& generators, const Generator& root
   return halves;
 }
 
+// atan2 of two sides, which may be divided by powers of 1 + t^2 such that sines and cosines are left.
+Form sides_form(Formula y, Formula x) {
+  const auto form = [&] {
+    Form sides = call_form("atan2", form_of(y));
+    sides.parts.push_back(form_of(x));
+    return sides;
+  };
+  const Form plain_form = form();
+  std::map<std::string, std::pair<Formula, int>> halves;  // of each tangent
+  for (const Formula* side : {&y, &x}) {
+    if (!side->fraction()) continue;
+    const Fraction& f = *side->fraction();
+    for (std::size_t v = 0; v < f.generators->size(); ++v) {
+      if (!is_angle(*(*f.generators)[v])) continue;
+      const int half = (f.numerator.degree(v) - f.denominator.degree(v) + 1) / 2;
+      const Formula t = generator_formula((*f.generators)[v]);
+      auto [known, fresh] = halves.try_emplace(key_of(t), t, half);
+      if (!fresh) known->second.second = std::max(known->second.second, half);
+    }
+  }
+  for (const auto& [key, tangent] : halves) {
+    const auto& [t, half] = tangent;
+    if (half <= 0) continue;
+    y /= pow(1 + t * t, half);
+    x /= pow(1 + t * t, half);
+  }
+  Form settled = form();
+  return is_shorter(settled, plain_form) ? settled : plain_form;
+}
+
 Form generator_form(const GeneratorPointer& g) {
   switch (g->kind) {
     case Kind::letter:
@@ -43,11 +75,8 @@ Form generator_form(const GeneratorPointer& g) {
     case Kind::tangent:
     case Kind::constant_tangent:
       return call_form("tan", form_of(ratio_formula(g->multiple) * g->argument / 2));
-    case Kind::inverse: {
-      Form form = call_form(g->name, form_of(g->argument));
-      if (g->name == "atan2") form.parts.push_back(form_of(g->second));
-      return form;
-    }
+    case Kind::inverse:
+      return g->name == "atan2" ? sides_form(g->argument, g->second) : call_form(g->name, form_of(g->argument));
     case Kind::sign:
       return {Form::Kind::quotient, "", {call_form("sqrt", power_form(form_of(g->argument), 2)), form_of(g->argument)}};
     case Kind::root:

@@ -85,7 +85,12 @@ void Polhode::set_up(const LongVector& moments, const LongMatrix& given_axes, co
   const long double D23 = difference(1, 2), D13 = difference(0, 2), D12 = difference(0, 1);
 
   // The sign of H^2/I2 - 2T tells which axis is encircled. From products alone: exact zeros of simple data stay zeros.
-  const long double excess_moment = I.z * (I.z - I.y) * w_axes.z * w_axes.z - I.x * (I.y - I.x) * w_axes.x * w_axes.x;
+  // What rounding of the data leaves of a zero, as where a rate is a root, is none of theirs.
+  constexpr long double rounding = 8 * std::numeric_limits<double>::epsilon();
+  const long double about_z = I.z * (I.z - I.y) * w_axes.z * w_axes.z,
+                    about_x = I.x * (I.y - I.x) * w_axes.x * w_axes.x;
+  const long double difference_of_both = about_z - about_x;
+  const long double excess_moment = std::fabs(difference_of_both) <= rounding * about_z ? 0 : difference_of_both;
   const long double excess = H_ > 0 ? excess_moment / (I.y * H_ * H_) : 0;
   const bool largest = excess >= 0;
   LongVector direction = largest ? l : LongVector{l.z, -l.y, l.x};

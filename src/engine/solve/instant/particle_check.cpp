@@ -59,8 +59,11 @@ Real misfit_within(const CheckBody& body, const std::vector<Moving>& particles, 
   constexpr Real rounding = 20 * std::numeric_limits<double>::epsilon() / 1e-8L;
   const Real size = spread + rounding * drawn_far;
   const auto off = [](const Vector& a, const Vector3<double>& b) { return norm(a - widened(b)); };
-  return std::max(ratio(off(H, body.within->angular_momentum), pace * size),
-                  body.forces_known ? ratio(off(M, body.within->moment), pace * pace * size) : 0);
+  const CheckBody::Within& told = *body.within;
+  const Real H_size = pace * size + rounding * Real(told.angular_momentum_size),
+             M_size = pace * pace * size + rounding * Real(told.moment_size);
+  return std::max(ratio(off(H, told.angular_momentum), H_size),
+                  body.forces_known ? ratio(off(M, told.moment), M_size) : 0);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ using Index = Eigen::Index;
 constexpr Real depends = 1e-9L;
 
 Index rank_of(const Matrix& A) {
-  if (A.size() == 0 || A.isZero(0)) return 0;
+  if (A.size() == 0 || A.cwiseAbs().maxCoeff() <= depends) return 0;
   Eigen::ColPivHouseholderQR<Matrix> qr(A);
   qr.setThreshold(depends);
   return qr.rank();

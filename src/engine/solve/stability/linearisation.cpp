@@ -12,6 +12,8 @@
 #include "engine/solve/stability/equilibria_beside.h"
 #include "engine/solve/stability/mode_shapes.h"
 #include "engine/solve/stability/same_motion.h"
+#include "poinsot/engine/model/state.h"
+#include "poinsot/engine/solve/stability/changing_equations.h"
 #include "poinsot/engine/solve/stability/near_equations.h"
 
 namespace poinsot::solve {
@@ -96,10 +98,24 @@ class Lineariser {
     result.pace = pace_;
     result.length = motion_.length;
     if (!result.steady) return result;
+    refuse_changing_equations();
+    std::vector<Vector> alone = displacements(scale_);
+    find_all_modes(result, alone);
+    // Bodies that are coupled, as the wheels of a train, lead to the same motion again only together.
+    if (std::ranges::any_of(result.modes, vanishes)) {
+      const std::vector<Vector> together = displacements_together(alone);
+      alone.insert(alone.end(), together.begin(), together.end());
+      if (!together.empty()) find_all_modes(result, alone);
+    }
+    return result;
+  }
+
+ private:
+  void find_all_modes(Linearisation& result, const std::vector<Vector>& to_same_motion) {
     const Doubted& A = A_;
     const DeviationRows& rows = rows_;
-    Vector& coupled = coupled_;
-    SameMotion same = same_motion(A, rows, displacements(scale_));
+    Vector coupled = coupled_;
+    SameMotion same = same_motion(A, rows, to_same_motion);
     if (rests(result.pace)) {
       const Matrix beside = equilibria_beside(A, rows, same.elsewhere);
       same.elsewhere.conservativeResize(2 * n_, same.elsewhere.cols() + beside.cols());
@@ -122,10 +138,86 @@ class Lineariser {
       return one.growth_rate != other.growth_rate ? one.growth_rate > other.growth_rate
                                                   : one.frequency < other.frequency;
     });
-    return result;
   }
 
- private:
+  // After a while the equations must be the same, on axes that follow the frame and no spin. Parts of a turn that no
+  // symmetry has are looked at for each of the spins.
+  void refuse_changing_equations() const {
+    constexpr double part_of_turn = 1.2345;
+    constexpr Real closely = 1e-7L;
+    for (const double spin : uneven_spins(motion_)) {
+      const LaterMotion later = later_motion(motion_, part_of_turn / spin);
+      Lineariser after(later.motion);
+      if (!after.form()) throw ChangingEquations();
+      Matrix turned = Matrix::Zero(2 * n_, 2 * n_);
+      turned.topLeftCorner(n_, n_) = turned.bottomRightCorner(n_, n_) = later.turned;
+      turned = (scale_.cwiseInverse().asDiagonal() * turned * scale_.asDiagonal()).eval();
+      Vector coupled = coupled_;
+      const Matrix allowed = deviations(rows_, Matrix(2 * n_, 0), coupled), moved = turned * allowed;
+      const Real same_pace = Real(after.pace_ / pace_);
+      Matrix after_units = Matrix::Identity(2 * n_, 2 * n_);
+      after_units.bottomRightCorner(n_, n_) /= same_pace;
+      const Matrix A_then = same_pace * after_units.inverse() * after.A_.value * after_units;
+      const Matrix change = A_then * moved - turned * (A_.value * allowed);
+      const Matrix terms =
+          A_then.cwiseAbs() * moved.cwiseAbs() + turned.cwiseAbs() * (A_.value.cwiseAbs() * allowed.cwiseAbs());
+      const Matrix doubts = A_.doubt * allowed.cwiseAbs();
+      if (((change.cwiseAbs() - closely * terms - computed * doubts).array() > closely * closely).any())
+        throw ChangingEquations();
+    }
+  }
+
+  // Combinations x of displacements at which velocities stay as they are, with A x = 0, that the constraints allow, as
+  // places and as velocities. That A x vanishes says so of small displacements only: what is displaced far must have
+  // the same accelerations, too.
+  std::vector<Vector> displacements_together(const std::vector<Vector>& alone) const {
+    Matrix moved(n_, 0);
+    for (const Vector& x : alone) {
+      if (!x.tail(n_).isZero(0)) continue;
+      moved.conservativeResize(n_, moved.cols() + 1);
+      moved.rightCols(1) = x.head(n_);
+    }
+    if (moved.cols() == 0) return {};
+    Eigen::ColPivHouseholderQR<Matrix> qr(moved);
+    qr.setThreshold(within);
+    const Matrix Q = (qr.householderQ() * Matrix::Identity(n_, n_)).leftCols(qr.rank());
+    const Index conditions = rows_.value.rows();
+    Matrix changes(2 * n_ + 2 * conditions, Q.cols());
+    changes.topRows(2 * n_) = A_.value.leftCols(n_) * Q;
+    if (conditions > 0) {
+      changes.middleRows(2 * n_, conditions) = rows_.value.leftCols(n_) * Q;
+      changes.bottomRows(conditions) = rows_.value.rightCols(n_) * Q;
+    }
+    const Eigen::JacobiSVD<Matrix> svd(changes, Eigen::ComputeFullV);
+    std::vector<Vector> found;
+    for (Index k = 0; k < Q.cols(); ++k) {
+      if (k < svd.singularValues().size() && svd.singularValues()[k] > within) continue;
+      Vector x = Vector::Zero(2 * n_);
+      x.head(n_) = Q * svd.matrixV().col(k);
+      if (is_same_motion_far_away(x)) found.push_back(std::move(x));
+    }
+    return found;
+  }
+  bool is_same_motion_far_away(const Vector& x) const {
+    constexpr double far = 0.3;  // rad, or of the natural length
+    constexpr Real closely = 1e-7L;
+    std::vector<double> along(static_cast<std::size_t>(n_));
+    for (Index k = 0; k < n_; ++k) along[static_cast<std::size_t>(k)] = static_cast<double>(x[k] * scale_[k]);
+    const Vector wide = x.head(n_).cwiseProduct(scale_.head(n_));
+    for (const double by : {-far, far}) {
+      SteadyMotion moved = motion_;
+      integrate_position<double>(tree_, moved.q, along, by);
+      const AccelerationSlopes there = acceleration_slopes(moved);
+      for (Index k = 0; k < n_; ++k)
+        if (std::abs(there.a[k] - slopes_.a[k]) > closely * unit(k) * pace_ * pace_) return false;
+      for (Index i = 0; i < there.constraints.value.rows(); ++i) {
+        const Vector row = there.constraints.value.row(i).transpose();
+        if (std::abs(row.dot(wide)) > closely * row.norm() * wide.norm()) return false;
+      }
+    }
+    return true;
+  }
+
   void find_modes(Linearisation& result, const Doubted& reduced, const Matrix& basis) const {
     const Rates rates = rates_of(reduced);
     result.modes.clear();

@@ -124,7 +124,7 @@ bool RedundantBodies::read() {
     // A body whose inertia goes round as it spins is in no steady motion on these axes.
     const Place3 s = spin(i);
     const Turn3 change = crossing(s) * bodies_[i].inertia - bodies_[i].inertia * crossing(s);
-    if (bodies_[i].moves && change.norm() > nothing * (s.norm() * bodies_[i].inertia.norm())) return false;
+    if (spins(static_cast<int>(i)) && change.norm() > nothing * (s.norm() * bodies_[i].inertia.norm())) return false;
     if (bodies_[i].moves && !(read_joint(static_cast<int>(i)) && read_held(static_cast<int>(i)))) return false;
   }
   for_each_law(mechanism_, []<class Law>(const Law&) {

@@ -50,9 +50,12 @@ class RedundantPencil {
   struct Forced {
     ComplexVector x;
     Real apart = 0;       // how far i w is from where the equations determine nothing
+    Index loose = 0;      // how many displacements at rest nothing holds
     ComplexMatrix needs;  // a column for each body that moves: the force and the couple that its inertia takes
   };
-  std::optional<Forced> forced(const ComplexVector& f, const ComplexVector& g, Real w) const {
+  // Of displacements that nothing holds, as much is taken as leads nearest to `like`.
+  std::optional<Forced> forced(const ComplexVector& f, const ComplexVector& g, Real w,
+                               const ComplexVector& like) const {
     const std::optional<Equations> equations = find_equations();
     if (!equations) return std::nullopt;
     using Complex = std::complex<Real>;
@@ -87,15 +90,27 @@ class RedundantPencil {
     Eigen::CompleteOrthogonalDecomposition<Matrix> decomposition;
     decomposition.setThreshold(no_size);
     decomposition.compute(resists);
-    if (decomposition.rank() < 2 * width) return std::nullopt;
+    const Index open = 2 * width - decomposition.rank();
+    if (open > 0 && w != 0) return std::nullopt;
     const Matrix inverted = decomposition.solve(Matrix::Identity(2 * height, 2 * height).eval());
     const Matrix z = inverted * driven;
+    // What pushes along a displacement that nothing holds is not met at rest.
+    constexpr Real left_over = 1e-7L;
+    if (open > 0 && (resists * z - driven).norm() > left_over * driven.norm()) return std::nullopt;
     ComplexMatrix own(width, 1);
     for (Index i = 0; i < width; ++i) own(i, 0) = {z(i, 0), z(width + i, 0)};
     Forced result;
     result.apart = width > 0 ? 1 / inverted.norm() : Real(1);
     const ComplexMatrix places = complex(equations->Z.topRows(n_));
     result.x = (places * own).col(0) + xp;
+    if (open > 0) {
+      // At rest the matrix is the same for real and imaginary parts.
+      const Matrix held = resists.topLeftCorner(height, width).transpose();
+      const ComplexMatrix loose = complex(equations->Z.topRows(n_) * complement(held, no_size));
+      result.loose = loose.cols();
+      const ComplexMatrix apart = like - result.x;
+      result.x += (loose * Eigen::CompleteOrthogonalDecomposition<ComplexMatrix>(loose).solve(apart)).col(0);
+    }
     const ComplexVector needs =
         (rate * (rate * complex(inertia_) + complex(own_gyration_)) + complex(own_stiffness_)) * result.x;
     result.needs = ComplexMatrix(6, static_cast<Index>(moving_.size()));
@@ -180,13 +195,25 @@ class RedundantPencil {
       }
     return Equations{K, N, Z, E, F, sizes};
   }
-  // Where bodies go round a far center, midway between their size and their distance: by either of both alone the
-  // inertia of their turns or of their shifts would be rounding beside the other.
+  // Where bodies go round a far center, midway between their size, or how far they are from each other and from what
+  // holds them, and their distance: by either of both alone the inertia of their turns or of their shifts would be
+  // rounding beside the other.
   static Real length_of(const RedundantBodies& bodies, const SteadyMotion& motion) {
+    const Mechanism<double>& mechanism = *motion.mechanism;
+    if (mechanism.attractions.empty()) return Real(motion.length);
+    Workspace<double> w(mechanism.tree);
+    update_velocities<double>(mechanism.tree, w, State<double>{motion.q, motion.v});
     Real own = 0;
-    for (const SteadyBody& body : bodies.bodies())
-      if (body.moves && body.mass > 0) own = std::max(own, std::sqrt(body.inertia.trace() / (2 * body.mass)));
-    return motion.mechanism->attractions.empty() || !(own > 0) ? Real(motion.length) : std::sqrt(own * motion.length);
+    const std::vector<SteadyBody>& all = bodies.bodies();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!all[i].moves || !(all[i].mass > 0)) continue;
+      own = std::max(own, std::sqrt(all[i].inertia.trace() / (2 * all[i].mass)));
+      const Vector3<double>& p = w.motion[i + 1].p;
+      own = std::max(own, (all[i].center - Place3(p.x, p.y, p.z)).norm());
+      for (std::size_t k = 0; k < i; ++k)
+        if (all[k].moves && all[k].mass > 0) own = std::max(own, (all[i].center - all[k].center).norm());
+    }
+    return own > 0 ? std::sqrt(own * motion.length) : Real(motion.length);
   }
   Real unit(Index k) const { return k % 6 < 3 ? length_ : 1; }
   // Displaced along one coordinate: a shift or a turn of a body, after those that it has.

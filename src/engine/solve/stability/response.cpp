@@ -82,11 +82,13 @@ struct SwingEquations {
   ComplexMatrix K;
   ComplexVector right;
   Index coordinates = 0;
-  Vector units;  // natural sizes of the coordinates
+  Vector units;          // natural sizes of the coordinates
+  bool at_rest = false;  // at the frequency zero, where K is real
 
   struct Found {
     Response::Fault fault = Response::Fault::none;
     ComplexVector x;
+    Matrix loose;  // displacements that the equations leave open, one a column
   };
   Found solve() const {
     const Index rows = K.rows(), columns = K.cols();
@@ -118,13 +120,20 @@ struct SwingEquations {
     const Matrix inverse = decomposition.solve(Matrix::Identity(2 * rows, 2 * rows).eval());
     const Matrix open = Matrix::Identity(2 * columns, 2 * columns) - inverse * even;
     Found found;
+    bool is_open = false;
     for (const Index first : {Index(0), columns})
-      if (coordinates > 0 && open.middleRows(first, coordinates).cwiseAbs().maxCoeff() > left_over)
-        found.fault = Response::Fault::undetermined;
+      if (coordinates > 0 && open.middleRows(first, coordinates).cwiseAbs().maxCoeff() > left_over) is_open = true;
     const Matrix x = inverse * wanted, left = even * x - wanted;
-    if (found.fault == Response::Fault::none &&
-        left.cwiseAbs().maxCoeff() > left_over * (wanted.cwiseAbs().maxCoeff() + x.cwiseAbs().maxCoeff()))
+    const bool met = left.cwiseAbs().maxCoeff() <= left_over * (wanted.cwiseAbs().maxCoeff() + x.cwiseAbs().maxCoeff());
+    if (is_open && at_rest && met) {
+      const Eigen::JacobiSVD<Matrix> svd(open.topLeftCorner(coordinates, columns), Eigen::ComputeThinU);
+      const Index count = (svd.singularValues().array() > left_over).count();
+      found.loose = column.head(coordinates).asDiagonal() * svd.matrixU().leftCols(count);
+    } else if (is_open) {
+      found.fault = Response::Fault::undetermined;
+    } else if (!met) {
       found.fault = Response::Fault::contradicts;
+    }
     Vector size(columns);
     for (Index k = 0; k < columns; ++k) size[k] = std::hypot(x(k, 0), x(columns + k, 0));
     // Displacements and forces have no common unit: each counts beside its own kind.
@@ -185,6 +194,7 @@ Response response(const SteadyMotion& motion, const Excitation& excitation) {
 
   SwingEquations equations;
   equations.coordinates = n;
+  equations.at_rest = excitation.frequency == 0;
   equations.K = ComplexMatrix::Zero(n + constraints, n + components);
   equations.right = ComplexVector::Zero(n + constraints);
   equations.units.resize(n);
@@ -208,10 +218,13 @@ Response response(const SteadyMotion& motion, const Excitation& excitation) {
 
   Response result;
   result.fault = found.fault;
-  const ComplexMatrix dq = found.x.head(n), dv = P * dq, da = Q * dv;
-  result.q = plain_numbers(ComplexVector(dq.col(0)));
-  result.v = plain_numbers(ComplexVector(dv.col(0)));
-  result.a = plain_numbers(ComplexVector(da.col(0)));
+  const auto motion_along = [&](const ComplexMatrix& dq) {
+    const ComplexMatrix dv = P * dq, da = Q * dv;
+    return Response::Motion{plain_numbers(ComplexVector(dq.col(0))), plain_numbers(ComplexVector(dv.col(0))),
+                            plain_numbers(ComplexVector(da.col(0)))};
+  };
+  result.motion = motion_along(found.x.head(n));
+  for (Index k = 0; k < found.loose.cols(); ++k) result.loose.push_back(motion_along(as_complex(found.loose.col(k))));
   return result;
 }
 

@@ -52,10 +52,10 @@ std::optional<ResponseCheck> check_response(const SteadyMotion& motion, const Ex
     if (!gap) return std::nullopt;
     g[static_cast<Index>(*gap)] = pencil.gap_of(*gap, excitation.amplitude);
   }
-  const auto own = pencil.forced(f, g, Real(excitation.frequency) / Real(fastest));
-  if (!own) return std::nullopt;
-  const ComplexVector x = joined_parts(pencil.displacement(motion, part_of(found.q, false)),
-                                       pencil.displacement(motion, part_of(found.q, true)));
+  const ComplexVector x = joined_parts(pencil.displacement(motion, part_of(found.motion.q, false)),
+                                       pencil.displacement(motion, part_of(found.motion.q, true)));
+  const auto own = pencil.forced(f, g, Real(excitation.frequency) / Real(fastest), x);
+  if (!own || own->loose != static_cast<Index>(found.loose.size())) return std::nullopt;
   ResponseCheck check;
   const Real size = std::max(x.norm(), own->x.norm());
   check.apart = static_cast<double>(std::min(Real(1), own->apart));

@@ -58,6 +58,24 @@ TEST(Formula, DoublesWithinTheBoundOfFractionsComeBack) {
   }
 }
 
+TEST(Formula, DoublesAreTheirMantissasTimesPowersOfTwo) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> mantissa(-1, 1);
+  for (int trial = 0; trial < 500; ++trial) {
+    // Of ordinary size some are the quotients of small numbers, too.
+    const int exponent = (random() % 2 == 0 ? 1 : -1) * static_cast<int>(100 + random() % 200);
+    const double number = std::ldexp(mantissa(random), exponent);
+    // In halves, each of which a formula takes as a whole number.
+    int power = 0;
+    const double whole = std::ldexp(std::frexp(number, &power), 53), above = std::floor(whole / 0x1p27);
+    const Formula two27(1 << 27);
+    const Formula expected =
+        (Formula(static_cast<int>(above)) * two27 + Formula(whole - above * 0x1p27)) * pow(Formula(2), power - 53);
+    EXPECT_EQ(Formula(number), expected) << number;
+    EXPECT_EQ(plain(Formula(number)), number);
+  }
+}
+
 TEST(Formula, LawsOfAFieldHoldExactly) {
   RandomFormula random(11);
   for (int trial = 0; trial < 60; ++trial) {

@@ -14,4 +14,8 @@ namespace poinsot {
 // others are left as they are.
 std::string text_with_constant(const Formula& x, std::string_view digits);
 
+// A positive multiple of x in whose terms the numbers beside the constant have no common factor or divisor:
+// 2*L*w^2 - 3*9.80665 in place of 20000*L*w^2/588399 - 1/2.
+Formula with_plain_numbers(const Formula& x, std::string_view digits);
+
 }  // namespace poinsot

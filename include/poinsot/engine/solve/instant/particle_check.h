@@ -39,6 +39,8 @@ struct CheckBody {
   // of that way.
   struct Within {
     Vector3<double> angular_momentum{}, moment{};
+    // Of the terms that make them up, such as a force at a far pivot: their rounding is no misfit.
+    double angular_momentum_size = 0, moment_size = 0;
   };
   std::optional<Within> within{};
 };

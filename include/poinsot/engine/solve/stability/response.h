@@ -35,7 +35,13 @@ struct Response {
   };
   Fault fault = Fault::none;
   // Of every coordinate its displacement, measured like a velocity, and the changes of its velocity and acceleration.
-  std::vector<std::complex<double>> q, v, a;
+  struct Motion {
+    std::vector<std::complex<double>> q, v, a;
+  };
+  Motion motion;
+  // At the frequency zero: displacements that nothing holds and that what shakes does not move, as the turning of a
+  // wheel on its axle. Any part of them may be added to the motion.
+  std::vector<Motion> loose;
 };
 
 // The motion must be steady. Throws std::runtime_error if accelerations are not determined near it.

@@ -1,0 +1,67 @@
+// What stands on the ground beside bodies: posts that cords are led round, surfaces that are touched later, what pulls.
+#include <algorithm>
+#include <cmath>
+
+#include "pictures/figure/panel.h"
+
+namespace poinsot::pictures {
+namespace {
+
+constexpr double hatch_distance = 5;
+
+// Strokes across a convex area, as a draughtsman marks what is fixed.
+void hatch_area(Panel& panel, const std::vector<Point2>& points) {
+  const Point2 along = direction(Point2{1, -1}), across = turned_left(along);
+  double low = 1e300, high = -1e300;
+  for (const Point2& p : points) {
+    low = std::min(low, dot(p, across));
+    high = std::max(high, dot(p, across));
+  }
+  for (double level = low + 0.5 * hatch_distance; level < high; level += hatch_distance) {
+    double begin = 1e300, end = -1e300;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Point2 &a = points[i], &b = points[(i + 1) % points.size()];
+      const double u = dot(a, across) - level, v = dot(b, across) - level;
+      if ((u > 0) == (v > 0)) continue;
+      const double place = dot(a + (u / (u - v)) * (b - a), along);
+      begin = std::min(begin, place);
+      end = std::max(end, place);
+    }
+    if (begin < end)
+      panel.line({begin * along + level * across, end * along + level * across}, Role::symbol, 0.6, Ink::grey);
+  }
+}
+
+void draw_post(Panel& panel, const scene::Curve& curve) {
+  std::vector<Point2> points;
+  for (const Vector& point : curve.points) points.push_back(panel.projection(point));
+  panel.area(points, "#f1f1ee", Role::paper);
+  hatch_area(panel, points);
+  panel.loop(std::move(points), Role::symbol, 1.4);
+}
+
+// A piece of the surface across its normal.
+void draw_surface(Panel& panel, const scene::Curve& curve) {
+  constexpr double half = 40, from_the_side = 0.3;
+  const Vector normal = curve.points[1] - curve.points[0];
+  const Vector& viewer = panel.projection.view().viewer;
+  const Point2 at = panel.projection(curve.points[0]);
+  const Point2 side = half * direction(panel.projection.direction_of(cross(normal, viewer)), {1, 0});
+  const Point2 into = panel.projection.direction_of(-normal);
+  if (norm(into) < from_the_side) return;
+  cross(side, into) > 0 ? hatch(panel, at - side, at + side) : hatch(panel, at + side, at - side);
+}
+
+}  // namespace
+
+void draw_posts(Panel& panel) {
+  for (const scene::Curve& curve : panel.scene.curves) {
+    if (curve.kind == scene::CurveKind::post) draw_post(panel, curve);
+    if (curve.kind == scene::CurveKind::surface) draw_surface(panel, curve);
+    // Of a planet the place counts; it has no size here.
+    if (curve.kind == scene::CurveKind::attractor)
+      panel.shape(circle(panel.projection(curve.points.front()), 11), "#e6e2d6", Role::symbol, 1.2);
+  }
+}
+
+}  // namespace poinsot::pictures
