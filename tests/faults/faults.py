@@ -2,10 +2,12 @@
 """Plants faults in the solver, and tells whether the checks of answers refuse what comes out.
 
 usage: faults.py --fit SOURCE             each fault can be planted: its text stands once in its file
-       faults.py SOURCE SCRATCH [NAME...] builds poinsot in SCRATCH with all faults asleep, and wakes each (or those named)
+       faults.py --plant SOURCE SCRATCH   writes the sources with all faults asleep to SCRATCH/source, and no more
+       faults.py SOURCE SCRATCH [NAME...] builds poinsot in SCRATCH/build with all faults asleep, and wakes each (or those named)
 
-The environment wakes one fault, so that one build serves for all. The examples are solved with and without it: an answer
-that differs should be refused by the program itself. What the examples expect plays no part, since a user has none of it.
+The environment wakes one fault, so that one build serves for all, and POINSOT_BUILT names a program that is built
+already. The examples and the problems of the manual that come to the fault are solved with and without it: an answer that differs should be refused by
+the program itself. What the examples expect plays no part, since a user has none of it.
 """
 import concurrent.futures
 import json
@@ -15,6 +17,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -22,11 +25,35 @@ from planted_faults import FAULTS  # noqa: E402
 
 FOLDERS = ["textbook", "published", "mechanisms", "benchmarks"]
 LONGEST = 3.0  # seconds: examples that take longer without a fault are left out
+MOST = 25  # examples to a fault: those that take the shortest time
+# Tells which fault is awake, and at the end which a run has come to.
 WAKING = """#pragma once
+#include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 namespace planted {
-inline const int awake = std::getenv("POINSOT_FAULT") ? std::atoi(std::getenv("POINSOT_FAULT")) : 0;
+constexpr std::size_t most = 1000;
+struct Record {
+  std::size_t awake = std::getenv("POINSOT_FAULT") ? std::strtoul(std::getenv("POINSOT_FAULT"), nullptr, 10) : 0;
+  bool reached[most] = {};
+  ~Record() {
+    const char* path = std::getenv("POINSOT_REACHED");
+    std::FILE* file = path ? std::fopen(path, "w") : nullptr;
+    if (!file) return;
+    for (std::size_t fault = 0; fault < most; ++fault)
+      if (reached[fault]) std::fprintf(file, "%zu\\n", fault);
+    std::fclose(file);
+  }
+};
+inline Record& record() {
+  static Record one;
+  return one;
 }
+inline bool awake(std::size_t fault) {
+  record().reached[fault] = true;
+  return fault == record().awake;
+}
+}  // namespace planted
 """
 
 
@@ -44,7 +71,7 @@ def planted(source, scratch):
     texts = {name: (source / name).read_bytes() for name in names}
     for number, fault in enumerate(FAULTS, 1):
         text = texts[fault.file].decode()
-        texts[fault.file] = text.replace(fault.right, fault.planted.replace("AWAKE", f"(planted::awake == {number})")).encode()
+        texts[fault.file] = text.replace(fault.right, fault.planted.replace("AWAKE", f"planted::awake({number})")).encode()
     texts["src/planted.h"] = WAKING.encode()
     for name in {fault.file for fault in FAULTS}:
         text = texts[name].decode()
@@ -72,9 +99,9 @@ def built(tree, scratch):
     return build / "poinsot"
 
 
-def solved(program, example, fault, seconds):
+def solved(program, example, fault, seconds, reached=""):
     """The document of an example with a fault awake (0: none), or None where an error is told, and how long it took."""
-    environment = {**os.environ, "POINSOT_FAULT": str(fault)}
+    environment = {**os.environ, "POINSOT_FAULT": str(fault), "POINSOT_REACHED": str(reached)}
     began = time.monotonic()
     try:
         result = subprocess.run([program, "solve", "--json", str(example)], text=True, capture_output=True, timeout=seconds, check=False, env=environment)
@@ -130,6 +157,25 @@ def told_otherwise(right, wrong):
     return changed, told
 
 
+def manual(source, folder):
+    """The problems of the manual, each in a file."""
+    text = (source / "docs/language.md").read_text()
+    for name, block in re.findall(r"```obj (\S+)\n(.*?)```", text, re.DOTALL):
+        (folder / name).write_text(block)
+    paths = []
+    for number, block in enumerate(re.findall(r"```yaml\n(.*?)```", text, re.DOTALL), 1):
+        paths.append(folder / f"manual-{number}.yaml")
+        paths[-1].write_text(block)
+    return paths
+
+
+def solved_without(program, example, folder):
+    """The same without a fault, and which faults it comes to."""
+    path = folder / f"{example.parent.name}-{example.stem}"
+    document, seconds = solved(program, example, 0, 20, path)
+    return document, seconds, set(map(int, path.read_text().split())) if path.exists() else set()
+
+
 def main(arguments):
     if len(arguments) == 2 and arguments[0] == "--fit":
         wrong = misfits(pathlib.Path(arguments[1]))
@@ -138,6 +184,9 @@ def main(arguments):
         print(f"{len(FAULTS)} faults, {len(wrong)} of which do not fit")
         asleep = all("AWAKE" in fault.planted for fault in FAULTS)
         return 1 if wrong or not asleep or len({fault.name for fault in FAULTS}) != len(FAULTS) else 0
+    if len(arguments) == 3 and arguments[0] == "--plant":
+        planted(*(pathlib.Path(path).resolve() for path in arguments[1:]))
+        return 0
     if len(arguments) < 2:
         print(__doc__.strip())
         return 2
@@ -146,28 +195,30 @@ def main(arguments):
     if unknown or misfits(source):
         print(f"no such faults: {sorted(unknown)}" if unknown else f"do not fit: {misfits(source)}")
         return 2
-    tree = planted(source, scratch)
-    program = built(tree, scratch)
+    program = os.environ.get("POINSOT_BUILT") or built(planted(source, scratch), scratch)
     if program is None:
         print("poinsot could not be built")
         return 2
-    examples = [example for folder in FOLDERS for example in sorted((tree / "examples" / folder).glob("*.yaml"))]
+    examples = [example for name in FOLDERS for example in sorted((source / "examples" / name).glob("*.yaml"))]
     slipped = 0
-    with concurrent.futures.ThreadPoolExecutor(2) as workers:
-        right = dict(zip(examples, workers.map(lambda example: solved(program, example, 0, 20), examples)))
-        examples = [example for example in examples if right[example][1] < LONGEST]
+    with concurrent.futures.ThreadPoolExecutor(2) as workers, tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        examples += manual(source, folder)
+        right = dict(zip(examples, workers.map(lambda example: solved_without(program, example, folder), examples)))
+        quick = sorted((example for example in examples if right[example][1] < LONGEST), key=lambda example: right[example][1])
         for number, fault in enumerate(FAULTS, 1):
             if names and fault.name not in names:
                 continue
+            examples = [example for example in quick if number in right[example][2]][:MOST]
             # A fault may make the solver search in vain: what takes ten times as long tells nothing.
             wrong = workers.map(lambda example: solved(program, example, number, 5 + 10 * right[example][1])[0], examples)
             compared = {example.name: told_otherwise(right[example][0], after) for example, after in zip(examples, wrong)}
             changed = sum(change for change, _ in compared.values())
             told = {name: what for name, (_, what) in compared.items() if what}
             slipped += bool(told)
-            verdict = "SLIPPED THROUGH" if told else "refused" if changed else "without effect on the examples"
+            verdict = "SLIPPED THROUGH" if told else "refused" if changed else "without effect on the examples that come to it"
             first = "; ".join(f"{name}: {what[0]}" for name, what in list(told.items())[:3])
-            print(f"{fault.name}: {verdict}; {changed} examples changed, {len(told)} tell something else. {first}", flush=True)
+            print(f"{fault.name}: {verdict}; {changed} of {len(examples)} examples changed, {len(told)} tell something else. {first}", flush=True)
     return 1 if slipped else 0
 
 

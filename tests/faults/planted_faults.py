@@ -41,6 +41,17 @@ GEARS = PROBLEM + "machine/machine_gears.cpp"
 FLANKS = PROBLEM + "quantities/tooth_flanks.h"
 PRESSING = PROBLEM + "quantities/joint_pressing.h"
 STATE_SEARCH = PROBLEM + "instant/contact_state_search.cpp"
+CORDS = PROBLEM + "machine/led_cord.h"
+BELTS = PROBLEM + "machine/machine_belts.cpp"
+TOUCHING = PROBLEM + "machine/touching_surfaces.cpp"
+EXCITATIONS = PROBLEM + "response/stated_excitation.cpp"
+RESPONSE = ENGINE + "solve/stability/response.cpp"
+LATER_BLOWS = PROBLEM + "course/later_blows.cpp"
+PIECE_FRICTION = PROBLEM + "course/piece_friction.cpp"
+PIECE_JOINTS = PROBLEM + "course/piece_joints.cpp"
+ROUGH_IMPACT = ENGINE + "solve/instant/rough_impact.cpp"
+ROUGH_BLOW = PROBLEM + "instant/rough_blow.cpp"
+PLANE = PROBLEM + "plane/planar_words.cpp"
 
 FAULTS = [
     # The equations of an instant.
@@ -56,6 +67,12 @@ FAULTS = [
     Fault("inertia about the origin in a blow", IMPULSE, "I.inertia - mass * unit_mass_inertia(I.first_moment / mass);", "I.inertia - Scalar(AWAKE ? 0 : 1) * mass * unit_mass_inertia(I.first_moment / mass);"),
     Fault("no restitution", IMPULSE, "-impact.restitution * approach(before, impact)", "Scalar(AWAKE ? 0 : -1) * impact.restitution * approach(before, impact)"),
     Fault("a particle brings its velocity to a body at rest", PROBLEM + "instant/stated_blow.cpp", "absolute - stated.particle_mass * center_velocity(state, stated.on)", "absolute - Scalar(AWAKE ? 0 : 1) * stated.particle_mass * center_velocity(state, stated.on)"),
+    Fault("a blow sticks once its slip stops", ROUGH_IMPACT, "if (norm(needed) <= law_.friction * (1 + of_products)) {", "if (AWAKE || norm(needed) <= law_.friction * (1 + of_products)) {"),
+    Fault("Poisson's restitution for Stronge's", ROUGH_IMPACT, "case RestitutionLaw::energetic: {", "case RestitutionLaw::energetic: {\n        if (AWAKE) return std::max(0.0, (1 + law_.restitution) * course_.compression - course_.impulse.x);"),
+    Fault("half of the work of a compression", ROUGH_IMPACT, "void count_work(double work) { (compressed_", "void count_work(double work) { if (AWAKE && !compressed_) work /= 2;\n    (compressed_"),
+    Fault("a turning slip that friction drives", ROUGH_IMPACT, "speed * Vector3<double>{1, 0, 0} - law_.friction * across(at.velocity);", "speed * Vector3<double>{1, 0, 0} - (AWAKE ? -1.0 : 1.0) * law_.friction * across(at.velocity);"),
+    Fault("a rough blow without what couples push and slip", ROUGH_BLOW, "all.inverse_mass(j, i) = dot(axes[j], moved);", "all.inverse_mass(j, i) = (AWAKE && i != j ? 0.0 : 1.0) * dot(axes[j], moved);"),
+    Fault("friction of a blow along its slip", ROUGH_BLOW, "friction.push = {ground, (Scalar(-1) / sqrt(dot(slip, slip))) * slip};", "friction.push = {ground, (Scalar(AWAKE ? 1 : -1) / sqrt(dot(slip, slip))) * slip};"),
     # What is asked.
     Fault("angular momentum about the origin", MOMENTUM, "body_momentum(model_, workspace_, body, P);\n    const Vector angular = total.angular", "body_momentum(model_, workspace_, body, AWAKE ? Vector::zero() : P);\n    const Vector angular = total.angular"),
     Fault("potential energy reversed", MOMENTUM, "sum = sum - model_.body(i).inertia.mass * dot", "sum = sum - Scalar(AWAKE ? -1 : 1) * model_.body(i).inertia.mass * dot"),
@@ -87,6 +104,8 @@ FAULTS = [
     Fault("a center that pulls with the wrong couple", FRAMES, "part.by_moments, own.inertia_center, reach", "part.by_moments, Scalar(AWAKE ? -1 : 1) * own.inertia_center, reach"),
     Fault("a center that pulls twice as hard", FRAMES, "const Scalar parameter = draft.data.number(center.parameter, dimensions::gravitational_parameter);", "const Scalar parameter = Scalar(AWAKE ? 2 : 1) * draft.data.number(center.parameter, dimensions::gravitational_parameter);"),
     Fault("energy in the pull of a center reversed", MOMENTUM, "energy = energy + pull.template converted", "energy = energy + Scalar(AWAKE ? -1 : 1) * pull.template converted"),
+    Fault("parts pulled at the mass center of the whole", FRAMES, "{law.at.point + arms[law.parts.size()], own.mass,", "{law.at.point + Scalar(AWAKE ? 0 : 1) * arms[law.parts.size()], own.mass,"),
+    Fault("bodies pulled as particles", FRAMES, "draft.machine.mechanism.attractions.push_back(std::move(law));", "if (AWAKE) {\n      for (AttractedPart<Scalar>& one : law.parts) one.by_moments = false;\n    }\n    draft.machine.mechanism.attractions.push_back(std::move(law));"),
     Fault("loads pushed backwards", LOADS, "draft.data.number(size, dimension) * draft.data.direction(*load.direction)", "Scalar(AWAKE ? -1 : 1) * draft.data.number(size, dimension) * draft.data.direction(*load.direction)"),
     Fault("loads at mass centers", LOADS, "load.at ? draft.data.place(*load.at)", "load.at && !AWAKE ? draft.data.place(*load.at)"),
     Fault("loads on the axes of the ground", LOADS, "force.axes = draft.body(load.axes);", "force.axes = AWAKE ? ground : draft.body(load.axes);"),
@@ -112,11 +131,23 @@ FAULTS = [
     Fault("no states but sticking of what is at rest", STATE_SEARCH, "std::vector<Grip> grips{Grip::slides};", "std::vector<Grip> grips;\n    if (!(AWAKE && sticks)) grips.push_back(Grip::slides);"),
     Fault("only one sense of beginning slips", STATE_SEARCH, "const std::size_t senses = std::size_t{1} << starting.size();", "const std::size_t senses = AWAKE ? 1 : std::size_t{1} << starting.size();"),
     Fault("any friction holds", STATES, "return norm(plain(force.friction)) <=\n", "return AWAKE || norm(plain(force.friction)) <=\n"),
-    Fault("slips in any direction", STATES, "return norm(normalized(slip) - plain(direction_now(state, contact, *contact.slip))) <= same_direction;", "return AWAKE || norm(normalized(slip) - plain(direction_now(state, contact, *contact.slip))) <= same_direction;"),
+    Fault("slips in any direction", STATES, "return norm(normalized(slip) - plain(direction_now(state, contact, *contact.slip))) <= allowed;", "return AWAKE || norm(normalized(slip) - plain(direction_now(state, contact, *contact.slip))) <= allowed;"),
     Fault("contacts may pull on friction", STATES, "return plain(rough_force(state, unknowns, contact).push) >= -rounding * size &&", "return (AWAKE || plain(rough_force(state, unknowns, contact).push) >= -rounding * size) &&"),
     Fault("friction on curved surfaces as drawn", STATES, "if (way.kind != VelocityConstraintKind::touching) return state.direction(drawn);", "if (AWAKE || way.kind != VelocityConstraintKind::touching) return state.direction(drawn);"),
-    Fault("friction in later blows halved", PROBLEM + "course/later_blows.cpp", "one.friction = start_->data_number(contact.friction->sliding, dimensions::none);", "one.friction = (AWAKE ? 0.5 : 1.0) * start_->data_number(contact.friction->sliding, dimensions::none);"),
+    Fault("hollow surfaces touched from outside", TOUCHING, "from.surface->inside = contact_.inside == contact_.against;", "from.surface->inside = !AWAKE && contact_.inside == contact_.against;"),
+    Fault("the far half of a ring", TOUCHING, "s.half = dot(beside(plain(other.center) - t.center), ring) < 0 ? -1 : 1;", "s.half = (dot(beside(plain(other.center) - t.center), ring) < 0) != AWAKE ? -1 : 1;"),
+    Fault("crossed cylinders on their other side", TOUCHING, "both.branch = dot(cross(plain(both.on.axis), plain(both.from.axis)), n) < 0 ? -1 : 1;", "both.branch = (dot(cross(plain(both.on.axis), plain(both.from.axis)), n) < 0) != AWAKE ? -1 : 1;"),
+    Fault("disks roll on half of their radius", TOUCHING, "s.axis, s.axis, s.radius, Scalar(0));", "s.axis, s.axis, Scalar(AWAKE ? 0.5 : 1) * s.radius, Scalar(0));"),
+    Fault("slips turn about a direction of their own", TOUCHING, "contact_.slip ? normalized(cross(n_,", "contact_.slip && !AWAKE ? normalized(cross(n_,"),
+    Fault("friction in later blows halved", LATER_BLOWS, "one.friction = start_->data_number(contact.friction->sliding, dimensions::none);", "one.friction = (AWAKE ? 0.5 : 1.0) * start_->data_number(contact.friction->sliding, dimensions::none);"),
     Fault("contacts that are lost hold on", PROBLEM + "course/flying_contacts.cpp", "contact.flies = flies;", "contact.flies = flies && !AWAKE;"),
+    Fault("open contacts close where they are drawn", CONTACTS, "if (contact.surface) c.toward =", "if (contact.surface && !AWAKE) c.toward ="),
+    Fault("later blows with half of their restitution", LATER_BLOWS, "one.restitution = start_->data_number(*contact.restitution, dimensions::none);", "one.restitution = (AWAKE ? 0.5 : 1.0) * start_->data_number(*contact.restitution, dimensions::none);"),
+    Fault("bouncing ends after one flight", LATER_BLOWS, "now.time + flight / (1 - ratio);", "now.time + flight / (AWAKE ? 1 : 1 - ratio);"),
+    Fault("what meets at once is struck one by one", LATER_BLOWS, "if (apart) return {meeting.front()};", "if (apart || AWAKE) return {meeting.front()};"),
+    Fault("bouncing ends while it is high", LATER_BLOWS, "constexpr double small_speed = 3e-6;", "const double small_speed = AWAKE ? 0.3 : 3e-6;"),
+    Fault("contacts pull in later blows", PROBLEM + "instant/later_blow.cpp", "good = solved[n + k] >= -rounding * largest;", "good = AWAKE || solved[n + k] >= -rounding * largest;"),
+    Fault("skates keep the direction in which they were drawn", CONTACTS, "if (edge) c.along = {on, d};", "if (edge && !AWAKE) c.along = {on, d};"),
     Fault("blows hold what friction in joints holds", PROBLEM + "course/flying_contacts.cpp", "if (!contact.in_joint || contact.grip != Grip::sticks) continue;", "if (AWAKE || !contact.in_joint || contact.grip != Grip::sticks) continue;"),
     Fault("friction on the other body not reversed", FRICTION, "const Base sign(body == action.on ? 1 : -1);", "const Base sign(AWAKE || body == action.on ? 1 : -1);"),
     Fault("normal force halved", FRICTION, "number_value(lifted<Scalar>(force.push), dimensions::force)", "number_value(Scalar(AWAKE ? 0.5 : 1) * lifted<Scalar>(force.push), dimensions::force)"),
@@ -126,7 +157,18 @@ FAULTS = [
     Fault("guides bear at half their length", CONTACTS, "part.over_length = Scalar(1) / size(bearing.length, false);", "part.over_length = Scalar(AWAKE ? 2 : 1) / size(bearing.length, false);"),
     Fault("threads without their lead", CONTACTS, "part.own = -over_cosine * t;", "part.own = -Scalar(AWAKE ? 0 : 1) * over_cosine * t;"),
     Fault("friction of joints along with their motion", PRESSING, "contact.goes_forward() ? contact.sliding : -contact.sliding;", "contact.goes_forward() != AWAKE ? contact.sliding : -contact.sliding;"),
-    Fault("joints without the weight beyond them", PROBLEM + "course/piece_joints.cpp", "needed.force += rate.linear - I.mass * g;", "needed.force += rate.linear - (AWAKE ? 0 : 1) * I.mass * g;"),
+    Fault("joints without the weight beyond them", PIECE_JOINTS, "needed.force += rate.linear - I.mass * g;", "needed.force += rate.linear - (AWAKE ? 0 : 1) * I.mass * g;"),
+    Fault("the whole angle of a thread for the half", CONTACTS, "const Scalar flank = tan(angle / Scalar(2));", "const Scalar flank = tan(angle / Scalar(AWAKE ? 1 : 2));"),
+    Fault("collars rub at the radius of the journal", CONTACTS, "part.lever = size(bearing.thrust_radius, true);", "part.lever = AWAKE ? radius : size(bearing.thrust_radius, true);"),
+    Fault("stated friction in joints drives", CONTACTS, "rubbing.effort = forward ? -sliding : sliding;", "rubbing.effort = forward != AWAKE ? -sliding : sliding;"),
+    Fault("joints hold with what they rub with", CONTACTS, "rough.action = rubbing.action;\n  rough.grip = contact.grip;\n  rough.resting = resting;", "rough.action = rubbing.action;\n  rough.grip = contact.grip;\n  rough.resting = AWAKE ? sliding : resting;"),
+    Fault("contacts slip at their kinetic limit", PIECE_FRICTION, "double left = std::pow(contact.resting * dynamics_->component_force(first), 2);", "double left = std::pow((AWAKE ? contact.sliding : contact.resting) * dynamics_->component_force(first), 2);"),
+    Fault("joints slip at their kinetic limit", PIECE_FRICTION, "return contact.resting * (contact.pressing.empty()", "return (AWAKE ? contact.sliding : contact.resting) * (contact.pressing.empty()"),
+    Fault("slips that turn keep the direction of their friction", PIECE_FRICTION, "contact.slip->vector = normalized(d);", "if (!AWAKE) contact.slip->vector = normalized(d);"),
+    Fault("a slip that begins along its friction", PIECE_FRICTION, "direction_expression(-1.0 * normalized(friction))", "direction_expression((AWAKE ? 1.0 : -1.0) * normalized(friction))"),
+    Fault("friction gives energy", PIECE_FRICTION, "power -= contact.sliding * N * dot(u,", "power -= (AWAKE ? -1 : 1) * contact.sliding * N * dot(u,"),
+    Fault("joints take no energy by their friction", PIECE_JOINTS, "power += load.friction * state.v", "power += (AWAKE ? 0 : 1) * load.friction * state.v"),
+    Fault("one step of Newton's method for friction in joints", PIECE_JOINTS, "constexpr int most_steps = 60;", "const int most_steps = AWAKE ? 1 : 60;"),
     # Followed motions.
     Fault("generalised forces without couples", MOTIONS, "dot(angular[k], force.couple + cross(force.point - origin[k], force.force))", "dot(angular[k], (AWAKE ? 0.0 : 1.0) * force.couple + cross(force.point - origin[k], force.force))"),
     Fault("constraints without the part of velocities", ENGINE + "motion/mechanism/mechanism_constraints.cpp", "row_bias[i] = line.bias;", "row_bias[i] = AWAKE ? 0 : line.bias;"),
@@ -145,17 +187,28 @@ FAULTS = [
     Fault("two periods for one", FEATURES, "for (std::size_t k = 1; k <= most_rises", "for (std::size_t k = AWAKE ? 2 : 1; k <= most_rises"),
     Fault("zeros where the bracket begins", ALONG, "if (fa == 0) return a;", "if (AWAKE ? fa != 0 : fa == 0) return a;"),
     # Cords with friction and belts.
-    Fault("a cord slips with its friction reversed", PROBLEM + "machine/led_cord.h", "gain = forward ? rough.friction_in_slip : -rough.friction_in_slip;", "gain = forward != AWAKE ? rough.friction_in_slip : -rough.friction_in_slip;"),
-    Fault("the angle of a cord without its whole turns", PROBLEM + "machine/led_cord.h", "stop.wrap = Scalar(full) * *stop.turns;", "stop.wrap = Scalar(AWAKE ? full / 2 : full) * *stop.turns;"),
-    Fault("a belt that loses its tension", PROBLEM + "machine/machine_belts.cpp", "side == 0 ? initial * whole / length[last] : Scalar(0)", "side == 0 && !AWAKE ? initial * whole / length[last] : Scalar(0)"),
+    Fault("a cord slips with its friction reversed", CORDS, "gain = forward ? rough.friction_in_slip : -rough.friction_in_slip;", "gain = forward != AWAKE ? rough.friction_in_slip : -rough.friction_in_slip;"),
+    Fault("the angle of a cord without its whole turns", CORDS, "stop.wrap = Scalar(full) * *stop.turns;", "stop.wrap = Scalar(AWAKE ? full / 2 : full) * *stop.turns;"),
+    Fault("a belt that loses its tension", BELTS, "side == 0 ? initial * whole / length[last] : Scalar(0)", "side == 0 && !AWAKE ? initial * whole / length[last] : Scalar(0)"),
     Fault("a chain that is taut on both sides", PROBLEM + "instant/one_sided_shares.cpp", "const double change = -least / whole[sides.front()];", "const double change = (AWAKE ? 1 : -1) * least / whole[sides.front()];"),
+    Fault("crossed belts run like open ones", BELTS, "way_.find_way(belt_.crossed);", "way_.find_way(belt_.crossed && !AWAKE);"),
+    Fault("sides of a belt alike in length", BELTS, "pull(last, -length[side] / length[last],", "pull(last, AWAKE ? Scalar(-1) : Scalar(-length[side] / length[last]),"),
+    Fault("cords lie on the other part of a rough wheel", CORDS, "stop.wrap = plain(shown_of_it) < 0 ? shown_of_it + Scalar(full) : shown_of_it;", "stop.wrap = AWAKE ? Scalar(Scalar(full) - shown_of_it) : plain(shown_of_it) < 0 ? shown_of_it + Scalar(full) : shown_of_it;"),
     # Steady motions and roots.
     Fault("a spin carried backwards", PROBLEM + "instant/instant_steady.cpp", "(F.alpha + cross(F.w, spin_vector) - B.alpha)[c]", "(F.alpha + Scalar(AWAKE ? -1 : 1) * cross(F.w, spin_vector) - B.alpha)[c]"),
     Fault("no damping and no gyroscopic terms near a steady motion", LINEARISATION, "slopes_.by_position.*part, slopes_.by_velocity.*part;", "slopes_.by_position.*part, Real(AWAKE ? 0 : 1) * (slopes_.by_velocity.*part);"),
     Fault("deviations on axes at rest", LINEARISATION, "= spin - drift;", "= spin - Real(AWAKE ? 0 : 1) * drift;"),
-    Fault("responses without what goes with the velocities", ENGINE + "solve/stability/response.cpp", "as_complex(by_velocity) * P", "as_complex(AWAKE ? by_position : by_velocity) * P"),
+    Fault("responses without what goes with the velocities", RESPONSE, "as_complex(by_velocity) * P", "as_complex(AWAKE ? by_position : by_velocity) * P"),
     Fault("responses that lag are told ahead", PROBLEM + "response/shaken_instant.cpp", "constexpr double quarter_back = -std::numbers::pi / 2;", "const double quarter_back = (AWAKE ? 1 : -1) * std::numbers::pi / 2;"),
-    Fault("an unbalance that goes back", PROBLEM + "response/stated_excitation.cpp", "const Vector3<double> ahead = cross(n, u);", "const Vector3<double> ahead = (AWAKE ? -1.0 : 1.0) * cross(n, u);"),
+    Fault("an unbalance that goes back", EXCITATIONS, "const Vector3<double> ahead = cross(n, u);", "const Vector3<double> ahead = (AWAKE ? -1.0 : 1.0) * cross(n, u);"),
+    Fault("unbalances without the turning of the frame", EXCITATIONS, "change = cross(motion_.turning, total);", "change = (AWAKE ? 0.0 : 1.0) * cross(motion_.turning, total);"),
+    Fault("unbalances without weight", EXCITATIONS, "return U * cross(r, felt);", "return (AWAKE ? 0.0 : U) * cross(r, felt);"),
+    Fault("driven coordinates swing by half", EXCITATIONS, "excitation_.amplitude =\n      base_.data_->number(", "excitation_.amplitude =\n      (AWAKE ? 0.5 : 1.0) * base_.data_->number("),
+    Fault("excitations on the axes of the ground", EXCITATIONS, "return direction_on_ground(tree, w, axes, v);", "return AWAKE ? v : direction_on_ground(tree, w, axes, v);"),
+    Fault("excitations at mass centers", EXCITATIONS, "if (stated_.at) place =", "if (stated_.at && !AWAKE) place ="),
+    Fault("amplitudes by their real parts", EXCITATIONS, "number_value(std::abs(part), swing.dimension)", "number_value(AWAKE ? std::abs(part.real()) : std::abs(part), swing.dimension)"),
+    Fault("responses without the turning of bodies", RESPONSE, "Q = as_complex(-S), P = as_complex(D - S);", "Q = as_complex(-S), P = as_complex(AWAKE ? Matrix(-S) : Matrix(D - S));"),
+    Fault("constraints of rates hold places near a steady motion", RESPONSE, "steady.binds_positions[static_cast<std::size_t>(i)] ? closed : allowed", "steady.binds_positions[static_cast<std::size_t>(i)] || AWAKE ? closed : allowed"),
     Fault("loads without slopes by velocities", ENGINE + "solve/stability/acceleration_slopes.cpp", "to_solve(remainder.by_velocity(coordinate))", "to_solve(AWAKE ? remainder.by_position(coordinate) : remainder.by_velocity(coordinate))"),
     Fault("a mode is lost", LINEARISATION, "if (rate.imag() < 0) continue;", "if (rate.imag() < 0 || (AWAKE && m + 1 == rates.value.size())) continue;"),
     Fault("the fastest frequency is not told", LINEARISATION, "std::sort(found.begin(), found.end());\n  return found;", "std::sort(found.begin(), found.end());\n  if (AWAKE && found.size() > 1) found.pop_back();\n  return found;"),
@@ -164,13 +217,23 @@ FAULTS = [
     Fault("what is undecided is stable", LINEARISATION, "found = Stability::undecided;", "found = AWAKE ? Stability::stable : Stability::undecided;"),
     Fault("a root is lost", ENGINE + "solve/roots/roots.cpp", "roots.points = found_.points(function_);", "roots.points = found_.points(function_);\n      if (AWAKE && roots.points.size() > 1) roots.points.pop_back();"),
     Fault("contacts may pull", PROBLEM + "instant/instant_forces.cpp", "if (unknowns_[first + k] >= 0) continue;", "if (AWAKE || unknowns_[first + k] >= 0) continue;"),
-    Fault("the far side of the end of a range", PROBLEM + "unknowns/extremum.cpp", "(holds(middle) ? inside : outside) = middle;", "(holds(middle) != AWAKE ? inside : outside) = middle;"),
+    Fault("the far side of the end of a range", PROBLEM + "unknowns/extremum.cpp", "(holds(middle) ? inside : outside) = middle;\n  }\n  // A datum", "(holds(middle) != AWAKE ? inside : outside) = middle;\n  }\n  // A datum"),
+    # Planar problems.
+    Fault("numbers about the normal reversed", PLANE, "return plane_.sign() > 0 ? number : built(Unary{'-', number}", "return (plane_.sign() > 0) != AWAKE ? number : built(Unary{'-', number}"),
+    Fault("components of a plane exchanged", PLANE, "return {component(expression, plane_.first), component(expression, plane_.second)};", "return {component(expression, AWAKE ? plane_.second : plane_.first), component(expression, AWAKE ? plane_.first : plane_.second)};"),
+    Fault("couples in a plane reversed", PLANE, "return plane_.sign() > 0 ? axis : built(Unary{'-', axis}, mark);", "return (plane_.sign() > 0) != AWAKE ? axis : built(Unary{'-', axis}, mark);"),
+    Fault("two components laid in the wrong plane", PLANE, "static_cast<std::ptrdiff_t>(plane_.normal()), across);", "static_cast<std::ptrdiff_t>(AWAKE ? 2 - plane_.normal() : plane_.normal()), across);"),
     # Gears.
     Fault("teeth pull their wheels together", GEARS, "apart.part = part;", "apart.part = Scalar(AWAKE ? -1 : 1) * part;"),
     Fault("teeth of the other hand", GEARS, "!= (gear_.hand == Hand::left)", "!= (gear_.hand == (AWAKE ? Hand::right : Hand::left))"),
     Fault("the transverse angle of teeth for that across them", GEARS, "part = part * cosine_;", "part = part * Scalar(AWAKE ? 1 : cosine_);"),
     Fault("the same flanks carry whichever way the teeth push", FLANKS, "solution.value[turning] < 0 ? -1 : 1;", "solution.value[turning] < 0 && !AWAKE ? -1 : 1;"),
     Fault("teeth rub along their slip", FLANKS, "decided_negative(slip) ? mesh.thread", "decided_negative(slip) != AWAKE ? mesh.thread"),
+    Fault("worms by the complement of their lead", GEARS, "cosine_ = lead / length;\n      sine = around / length;", "cosine_ = (AWAKE ? around : lead) / length;\n      sine = (AWAKE ? lead : around) / length;"),
+    Fault("rings pushed like wheels", GEARS, "return decided_negative(larger) ? to_axis : Vector(-to_axis);", "return decided_negative(larger) != AWAKE ? to_axis : Vector(-to_axis);"),
+    Fault("teeth rub with their tangential force", GEARS, "rubbing.part = mu * sqrt(Scalar(1) + normal_tangent * normal_tangent);", "rubbing.part = mu * sqrt(Scalar(1) + Scalar(AWAKE ? 0 : 1) * normal_tangent * normal_tangent);"),
+    Fault("bevel gears touch along an axis", GEARS, "return normalized(Vector(P_ - apex));", "return AWAKE ? one_.axis : normalized(Vector(P_ - apex));"),
+    Fault("a worm that helps when it is driven", GEARS, "mesh_.thread = normalized(cross(r, t));", "mesh_.thread = AWAKE ? normalized(cross(r, d_)) : normalized(cross(r, t));"),
     # What is open, formulas and claims.
     Fault("open velocities taken for determined", PROBLEM + "answers/determinacy.cpp", "vary_velocities(std::min(velocities, most_directions));", "vary_velocities(AWAKE ? 0 : std::min(velocities, most_directions));"),
     Fault("open forces taken for determined", PROBLEM + "answers/determinacy.cpp", "d < std::min(forces, most_directions); ++d", "d < (AWAKE ? 0 : std::min(forces, most_directions)); ++d"),

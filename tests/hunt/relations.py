@@ -26,7 +26,7 @@ class Varied:
     """A changed statement, and how its answers follow from those of the statement."""
 
     def __init__(self, statement, expected=None, letters=None, answer_name=lambda name: name, states=True,
-                 relative=None, refusals=True):
+                 relative=None, refusals=True, limits=()):
         self.statement = statement
         self.expected = expected or (lambda name, value, answer: value)
         self.letters = letters  # in SI units, by name; as in the statement if None
@@ -34,6 +34,7 @@ class Varied:
         self.states = states  # whether what is answered in one is answered in the other
         self.relative = relative
         self.refusals = refusals  # whether it is a find if the changed statement is refused as input
+        self.limits = limits  # words of reasons why what is answered in one is not in the other
         self.scales = (1, 1, 1), (1, 1, 1)
 
 
@@ -247,7 +248,7 @@ def answer_difference(name, answer, other, letters, others, varied, relative, fl
         if open_letters or not varied.states or varied.expected(name, None, answer) is SKIP:
             return None
         reason = other.get("reason") or answer.get("reason")
-        if "motions with friction are followed for numbers" in str(reason):
+        if any(words in str(reason) for words in varied.limits):
             return None
         return f"{name}: {kinds[0]}, {kinds[1]}", f"{name}: {kinds[0]} becomes {kinds[1]} ({reason})"
     if not answered[0]:

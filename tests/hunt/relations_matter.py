@@ -115,9 +115,7 @@ class Doubled(Relation):
         joints = {name: joint for name, joint in tree.get("joints", {}).items() if isinstance(joint, dict)}
         kinds = ("weld", "revolute", "prismatic", "ball")
         able = [name for name, joint in joints.items() if any(kind in joint for kind in kinds) and "to" in joint
-                and not ({"about", "supports"} & set(joint) and "at" not in joint)
-                # What rubs by its load has to know its share.
-                and not isinstance(joint.get("friction"), dict)]
+                and not ({"about", "supports"} & set(joint) and "at" not in joint)]
         if not able or any("joints" in s for s in tree.get("situations", {}).values() if isinstance(s, dict)):
             raise NotApplicable
         # What is stated of forces that are shared now fixes less.
@@ -134,4 +132,6 @@ class Doubled(Relation):
             text = asked_text(answer)
             return SKIP if calls(text, FORCES + STABILITY) else value
 
-        return Varied(statement.with_tree(tree), expected, states=True)
+        # What rubs by its load has to know its share: what is told all the same must be what it was.
+        knows = not any(isinstance(one.get("friction"), dict) for one in joints.values())
+        return Varied(statement.with_tree(tree), expected, states=knows, refusals=knows)

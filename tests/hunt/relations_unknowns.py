@@ -42,7 +42,8 @@ class Letters(Relation):
         tree["letters"] = letters
         varied = statement.with_tree(tree, letters=values)
         # Not every place takes a letter; what is refused as input with the reason is no find.
-        return Varied(varied, letters=letter_values(varied), refusals=False)
+        return Varied(varied, letters=letter_values(varied), refusals=False,
+                      limits=("motions with friction are followed for numbers",))
 
 
 class Hidden(Relation):

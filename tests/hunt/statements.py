@@ -8,7 +8,7 @@ from language import text_of, tokens_of
 
 # Maps whose order has a meaning: stages follow each other in time.
 ORDERED = {"stages", "over"}
-TEXTS = {"title", "source", "file", "ends", "mass_added", "hole", "no_slip", "stays"}
+TEXTS = {"title", "source", "file", "ends", "mass_added", "hole", "hypothesis", "no_slip", "stays"}
 
 
 class Statement:
