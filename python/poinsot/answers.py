@@ -96,11 +96,16 @@ class Found:
         """The formula as TeX; a list for vectors and matrices, None without formula."""
         return None if self.formula is None else _each(formulas.tex, self.formula)
 
-    def sympy(self) -> Any:
-        """The formula as an expression of SymPy; a matrix for vectors and matrices."""
+    def sympy(self, *, assumptions: bool = False) -> Any:
+        """The formula as an expression of SymPy; a matrix for vectors and matrices.
+
+        Letters are symbols without assumptions, as sympy.Symbol("m") makes them. With assumptions=True they are real,
+        and positive where the answer assumes it; for SymPy such a symbol is another than one of the same name without.
+        """
         if self.formula is None:
             raise NoAnswer(f"{self.name} has no formula: leave letters without value to get one")
-        found = _each(lambda text: formulas.to_sympy(text, set(self._positive)), self.formula)
+        positive = set(self._positive) if assumptions else None
+        found = _each(lambda text: formulas.to_sympy(text, positive), self.formula)
         if not isinstance(found, list):
             return found
         import sympy

@@ -179,13 +179,17 @@ def _sympy(tree: Tree, names: dict[str, sympy.Expr]) -> sympy.Expr:
     return function
 
 
-def to_sympy(text: str, positive: set[str] = frozenset()) -> sympy.Expr:  # type: ignore[assignment]
-    """The formula as an expression of SymPy; numbers stay exact. Letters are real, those of `positive` positive."""
+def to_sympy(text: str, positive: set[str] | None = None) -> sympy.Expr:
+    """The formula as an expression of SymPy; numbers stay exact. Letters have no assumptions, or, where it is given which
+    are positive, are real."""
     import sympy
 
     tree = parse(text)
-    names: dict[str, sympy.Expr] = {
-        name: sympy.Symbol(name, positive=True) if name in positive else sympy.Symbol(name, real=True)
-        for name in letters(tree)
-    }
+
+    def symbol(name: str) -> sympy.Expr:
+        if positive is None:
+            return sympy.Symbol(name)
+        return sympy.Symbol(name, positive=True) if name in positive else sympy.Symbol(name, real=True)
+
+    names: dict[str, sympy.Expr] = {name: symbol(name) for name in letters(tree)}
     return _sympy(tree, names)

@@ -17,7 +17,7 @@ NOTEBOOKS = Path(__file__).parents[2] / "examples/notebooks"
 HOLDS = {
     "first_problem": """
 import sympy
-m, r, b, n, L = (next(one for one in B.free_symbols if one.name == name) for name in "mrbnL")
+m, r, b, n, L = sympy.symbols("m r b n L")
 assert sympy.simplify(B[1] - m * r**2 * n**2 * sympy.sin(b) * sympy.cos(b) / (4 * L)) == 0
 assert np.allclose(loads, 8 * 0.15**2 * (speeds * np.pi / 30) ** 2 * np.sin(np.radians(40)) / 8 / 0.5)
 """,

@@ -267,3 +267,46 @@ def test_a_vector_is_its_components_side_by_side(askew: poinsot.Problem) -> None
         study["A"]
     with pytest.raises(TypeError, match="from_file"):
         poinsot.study("askew.yaml", {"n": [1.0]})  # type: ignore[arg-type]
+
+
+# Laid on it at rest, it stays while tan(b) < 1/2, and else slides; a planar problem, whose vectors have two components.
+INCLINE = """\
+title: A block laid on an incline
+plane: [x, y]
+given: {m: 5 kg, b: 25 deg, mu: 0.5, k: 0.4}
+points: {C: [0, 0]}
+directions: {down: [cos(b), -sin(b)], out: [sin(b), cos(b)]}
+bodies: {block: {particle: C, mass: m}}
+contacts: {slope: {of: block, at: C, normal: out, friction: {static: mu, kinetic: k}}}
+gravity: -y
+facts: rest
+ask: {F: component(friction(slope on block) along down), a: acceleration(block)}
+"""
+
+
+def test_friction_finds_its_state_in_each_row() -> None:
+    problem = poinsot.Problem.from_text(INCLINE, "incline.yaml")
+    study = poinsot.study(problem, {"b": poinsot.span("5 deg", "60 deg", 12)})
+    assert "sticks" in study.no_formulas
+    assert study.counts.answered == 12 and study.counts.by_formula == study.counts.by_instant == 0
+    b, g = study["b"], 9.80665
+    slides = np.tan(b) > 0.5
+    assert 3 < np.count_nonzero(slides) < 9
+    assert np.allclose(study["F"], -5 * g * np.where(slides, 0.4 * np.cos(b), np.sin(b)), rtol=1e-9)
+    along = np.where(slides, g * (np.sin(b) - 0.4 * np.cos(b)), 0)
+    assert study.answers == ["F", "a.1", "a.2"] and study.units["a.1"] == "m/s^2"
+    assert np.allclose(study["a"], np.stack([along * np.cos(b), -along * np.sin(b)], axis=1), rtol=1e-9, atol=1e-9)
+
+
+# The same, smooth: each row by its formula.
+def test_lists_are_columns() -> None:
+    text = INCLINE.replace(", friction: {static: mu, kinetic: k}", "").replace(", mu: 0.5, k: 0.4", "")
+    text = text.replace("F: component(friction(slope on block) along down), ", "N: [normal_force(slope), 2*normal_force(slope)], ")
+    problem = poinsot.Problem.from_text(text, "smooth.yaml")
+    for formulas in (True, False):
+        study = poinsot.study(problem, {"b": poinsot.span("5 deg", "60 deg", 12)}, formulas=formulas)
+        assert study.answers == ["N.1", "N.2", "a.1", "a.2"] and study.counts.answered == 12
+        assert (study.counts.by_formula == 12) == formulas
+        b, g = study["b"], 9.80665
+        assert np.allclose(study["N"], 5 * g * np.cos(b)[:, None] * [1, 2], rtol=1e-9)
+        assert np.allclose(study["a"], g * np.stack([np.sin(b) * np.cos(b), -np.sin(b) ** 2], axis=1), rtol=1e-9)

@@ -74,8 +74,8 @@ ResultArray new_result(const std::vector<std::size_t>& shape, const CaseShape& c
 CaseTile::CaseTile(const EngineModel& model, CaseInputs inputs, std::size_t cases, std::size_t results)
     : inputs_(inputs), cases_(cases), case_(model.packs) {
   for (const CaseInput& input : inputs) rows_ += static_cast<std::size_t>(input.rows);
-  // Bytes: half of what a core has for itself, as the numbers on the way from a case to its result need some, too.
-  constexpr std::size_t memory = std::size_t{1} << 19;
+  // Bytes: a quarter of what a core has for itself, as the numbers on the way from a case to its result need some, too.
+  constexpr std::size_t memory = std::size_t{1} << 18;
   // An odd number: rows that lie a power of two apart would share few places of the nearest memory.
   packs_ = (std::clamp<std::size_t>(memory / (sizeof(CasePack) * (rows_ + results)), 1, 64) - 1) | 1;
   in_.resize(rows_ * width());
