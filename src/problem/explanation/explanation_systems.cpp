@@ -116,7 +116,9 @@ std::size_t InstantExplainer::action_of(const UnknownForce& force) const {
 
 bool InstantExplainer::is_asked(const UnknownForce& force) const {
   const std::size_t action = action_of(force);
-  const bool pushes = force.kind == UnknownForce::Kind::component && mechanism().components[force.index].one_sided;
+  // What pushes or pulls: the sides of a belt are pulled tight from the start.
+  const bool pushes = force.kind == UnknownForce::Kind::component &&
+                      (mechanism().components[force.index].one_sided || mechanism().components[force.index].span);
   return questions_.forces.contains(action) || (pushes && questions_.pushes.contains(action));
 }
 
