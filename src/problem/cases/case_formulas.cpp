@@ -75,7 +75,7 @@ class FormulaTracer {
     for (const std::size_t one : by) {
       std::vector<Traced> rates(inputs);
       rates[one] = Traced(1);
-      for (Traced& derivative : traced_derivative(trace_, answers, rates)) outputs_.push_back(std::move(derivative));
+      for (const Traced& derivative : traced_derivative(trace_, answers, rates)) outputs_.push_back(derivative);
     }
   }
   // What must be positive. An assumption that is none of these is known in words alone.

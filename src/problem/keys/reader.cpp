@@ -40,8 +40,9 @@ Members::Members(const Entry& entry, const std::string& file, std::vector<std::s
              "write '" + word + ": " + key.text.substr(blank + 1) + "'");
     // What stands beneath a key that has nothing yet, in the same column.
     if (&key != &entry.members.front().first && custom.empty())
-      if (const auto& [above, none] = *std::prev(std::find_if(
-              entry.members.begin(), entry.members.end(), [&](const auto& member) { return &member.first == &key; }));
+      if (const auto& [above, none] =
+              *std::prev(std::find_if(entry.members.begin(), entry.members.end(),
+                                      [&here = key](const auto& member) { return &member.first == &here; }));
           none.is_null() && above.mark.line < key.mark.line)
         fail(file, key.mark, "unknown key '" + key.text + "' in " + with_article(object_),
              "indent it farther if it belongs to '" + above.text + "'");

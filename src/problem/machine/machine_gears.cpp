@@ -109,9 +109,10 @@ class GearMesh {
   // third.
   std::optional<Way> carried(const std::string& gear, const std::string& carrier) const {
     if (gear == carrier) return std::nullopt;
-    if (const auto way = between(gear, carrier)) return way;
+    if (auto way = between(gear, carrier)) return way;
     for (const std::string& third : names_) {
-      const auto one = between(gear, third), other = between(carrier, third);
+      auto one = between(gear, third);
+      const auto other = between(carrier, third);
       if (third != gear && third != carrier && one && other && on_one_axis(*one, *other)) return one;
     }
     return std::nullopt;
@@ -217,7 +218,7 @@ class GearMesh {
 
   // An angle of teeth; 0 only where it may be.
   Scalar angle(const Expression& expression, const std::string& key) const {
-    const Scalar value = draft_.data.number(expression, dimensions::angle);
+    Scalar value = draft_.data.number(expression, dimensions::angle);
     constexpr double right_angle = 1.5707963267948966;
     const bool helix = key == "helix_angle";
     if (!draft_.options.lenient && !(plain(value) < right_angle && (helix ? plain(value) > 0 : plain(value) >= 0)))
@@ -238,7 +239,7 @@ class GearMesh {
     const bool flat = std::abs(plain(own)) <= least, other_flat = std::abs(plain(others)) <= least;
     if (flat && other_flat) refuse(gear_.mark, "has two flat gears", "one of them is a wheel");
     if (flat) return decided_negative(others) ? r : Vector(-r);
-    const Vector to_axis = decided_negative(own) ? Vector(-r) : r;
+    Vector to_axis = decided_negative(own) ? Vector(-r) : r;
     if (other_flat || decided_negative(Scalar(own * others))) return to_axis;
     const Scalar larger = norm_squared(arm(one_)) - norm_squared(arm(other_));
     if (std::abs(plain(larger)) <= least * least)

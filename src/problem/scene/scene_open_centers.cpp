@@ -24,7 +24,7 @@ bool is_open(const Body& body) {
 std::optional<Expression> held_place(const Body& body, const Situation& situation) {
   for (const Joint& joint : situation.joints)
     if (joint.to == body.name || joint.from == body.name)
-      if (const std::optional<Expression> place = joint.at ? joint.at : std::optional(joint.place);
+      if (std::optional<Expression> place = joint.at ? joint.at : std::optional(joint.place);
           coordinate(*place, 0, situation))
         return place;
   return std::nullopt;

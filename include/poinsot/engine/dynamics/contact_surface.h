@@ -262,7 +262,7 @@ struct NearNormals {
     }
     const Vector& e = straight->axis;
     const Vector across = normalized(Vector(start - dot(start, e) * e));
-    const Vector turned = normalized(Vector(across + a * cross(e, across)));
+    Vector turned = normalized(Vector(across + a * cross(e, across)));
     const double out = (of_on ? -1 : 1) * (straight->inside ? -1 : 1);
     if (straight->kind == SurfaceKind::cylinder) return turned;
     return straight->cosine * turned - (Scalar(out) * straight->sine) * e;
