@@ -87,16 +87,18 @@ void end_on_ground(Panel& panel, Point2 at, Point2 other) {
   hatch(panel, at - 10 * side, at + 10 * side);
 }
 
-// Whether a cord goes on there, round a post or through an eyelet.
-bool goes_round(const Panel& panel, const scene::Link& link, const scene::Place& end) {
+bool is_on_post(const Panel& panel, const scene::Place& end) {
+  return std::ranges::any_of(panel.scene.curves, [&](const scene::Curve& curve) {
+    if (curve.kind != scene::CurveKind::post) return false;
+    const double chord = norm(curve.points[1] - curve.points[0]);
+    return std::ranges::any_of(curve.points, [&](const Vector& p) { return norm(p - end.at) < chord; });
+  });
+}
+
+// Whether another part of the cord goes on from there, as through an eyelet.
+bool goes_on_from(const Panel& panel, const scene::Link& link, const scene::Place& end) {
   const double near = 1e-6 * panel.scene.length;
   const auto is_here = [&](const scene::Place& place) { return place.body < 0 && norm(place.at - end.at) <= near; };
-  if (std::ranges::any_of(panel.scene.curves, [&](const scene::Curve& curve) {
-        if (curve.kind != scene::CurveKind::post) return false;
-        const double chord = norm(curve.points[1] - curve.points[0]);
-        return std::ranges::any_of(curve.points, [&](const Vector& p) { return norm(p - end.at) < chord; });
-      }))
-    return true;
   return std::ranges::any_of(panel.links, [&](const scene::Link& other) {
     return &other != &link && other.name == link.name && (is_here(other.from) || is_here(other.to));
   });
@@ -163,11 +165,8 @@ void draw_links(Panel& panel) {
     if (link.far) goes_on(panel, from, to);
     name_tension(panel, link, from, to);
     const auto end_at = [&](const scene::Place& place, Point2 at, Point2 other) {
-      if (place.body >= 0) return;
-      if (!goes_round(panel, link, place)) return end_on_ground(panel, at, other);
-      const bool on_post = std::ranges::any_of(
-          panel.scene.curves, [&](const scene::Curve& curve) { return curve.kind == scene::CurveKind::post; });
-      if (!on_post) eyelet(panel, at);
+      if (place.body >= 0 || is_on_post(panel, place)) return;
+      goes_on_from(panel, link, place) ? eyelet(panel, at) : end_on_ground(panel, at, other);
     };
     end_at(link.from, from, to);
     if (!link.far) end_at(link.to, to, from);

@@ -80,8 +80,7 @@ bool is_confirmed_alone(const Statement& statement, const Sample& all, const Ask
 
 // What can be done where a body is so small beside its orbit that rounding of the orbit hides how it turns.
 constexpr const char* beside_an_orbit =
-    ": where a body is far smaller than its orbit, hold its mass center in the frame that goes round, by a joint such "
-    "as "
+    ": where a body is far smaller than its orbit, hold its mass center in the frame that goes round, by a joint as "
     "ball: G, from: the frame, and its turning alone is looked at";
 bool goes_round_center(const Statement& statement) {
   return std::ranges::any_of(statement.situations, [](const Situation& situation) {

@@ -35,7 +35,7 @@ LetterDraws::LetterDraws(const Statement& statement, const Settings& settings)
 }
 
 std::vector<Value<double>> LetterDraws::values(int after, int spread) const {
-  std::mt19937_64 random(1000 + static_cast<std::uint64_t>(draw_ + after));
+  std::mt19937_64 random(seed_of_draws + static_cast<std::uint64_t>(draw_ + after));
   std::vector<Value<double>> values;
   values.reserve(letters_.size());
   for (const Letter& letter : letters_)

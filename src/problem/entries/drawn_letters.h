@@ -1,6 +1,7 @@
 // Values of letters at which a statement is tried: random, but the same wherever it is solved.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <random>
 #include <string>
@@ -28,6 +29,9 @@ DrawnSizes drawn_sizes(const std::vector<std::pair<double, Dimension>>& data);
 
 // The point of an attempt. It is the same everywhere for the same letters.
 Point draw_point(const std::vector<Letter>& letters, int attempt, const DrawnSizes& sizes = {});
+
+// The seed of the first draw at which a statement with letters is tried; later draws follow by one.
+constexpr std::uint64_t seed_of_draws = 1000;
 
 // A value of about the size of the letter's unit; of an angle, between 0.2 and 1.2 rad. With a larger spread it lies
 // farther from that size, for a statement that makes no sense near it, but never beyond four decades.

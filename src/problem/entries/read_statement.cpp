@@ -173,7 +173,7 @@ Situation read_one(const Entry& stated, const std::string& file) {
   read_all("cords", situation.cords, [&](const Key& name, const Entry& entry) { return read_cord(name, entry, file); });
   for (const bool chain : {false, true})
     read_all(chain ? "chains" : "belts", situation.belts, [&](const Key& name, const Entry& entry) {
-      const Belt belt = read_belt(name, entry, file, chain);
+      Belt belt = read_belt(name, entry, file, chain);
       for (const Belt& other : situation.belts)
         if (other.name == belt.name)
           fail(file, name.mark, "a belt has the name of " + other.words(), "rename one of them");

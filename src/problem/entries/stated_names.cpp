@@ -86,8 +86,7 @@ void check_stated_names(const Situation& situation) {
       if (toward == name || toward == "center(" + name + ")" || toward.ends_with(" of " + name))
         fail(situation.file, situation.central_gravity->toward.mark(),
              "gravity points towards a point of the ground, which rests, and '" + name + "' is a body that moves",
-             "state the point at which it rests, toward: O; of two bodies that pull each other the pull can be stated "
-             "as "
+             "state the point at which it rests, toward: O; of two bodies that pull each other the pull is stated by "
              "loads that depend on the motion: force: -G*m*M*(center(a) - center(b))/norm(center(a) - center(b))^3");
     const auto keep_free = [&](const auto& list) {
       for (const auto& one : list)

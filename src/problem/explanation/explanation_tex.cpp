@@ -130,11 +130,6 @@ const Unit& ExplanationTex::unit(const Dimension& dimension) const {
   return units_.emplace_back(dimension, habits_.unit_for(dimension)).second;
 }
 
-std::string ExplanationTex::unit_tex(const Dimension& dimension, bool as_energy) const {
-  const std::string alone = unit_alone(dimension, as_energy);
-  return alone.empty() ? "" : "\\ " + alone;
-}
-
 std::string ExplanationTex::unit_alone(const Dimension& dimension, bool as_energy) const {
   std::string tex;
   const std::string text = as_energy ? habits_.unit_for(dimension, true).text : unit(dimension).text;

@@ -65,7 +65,10 @@ class ExplanationTex {
   const Unit& unit(const Dimension& dimension) const;
   std::string unit_alone(const Dimension& dimension, bool as_energy = false) const;
   // The same with the space before it.
-  std::string unit_tex(const Dimension& dimension, bool as_energy = false) const;
+  std::string unit_tex(const Dimension& dimension, bool as_energy = false) const {
+    const std::string alone = unit_alone(dimension, as_energy);
+    return alone.empty() ? "" : "\\ " + alone;
+  }
   // The number in that unit with six digits, without the unit.
   std::string number(double value, const Dimension& dimension) const;
   // The number with its unit; zero has none.

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int most_draws = 40;  // of open letters, until the statement makes sense
 // The first of them are near the units; those after are the draws at which the statement was solved, one of which made
-// sense (letter_draws.cpp).
-constexpr int near_units = 8, seed_of_solved = 1000;
+// sense.
+constexpr int near_units = 8;
 
 // The first values are nearly the units; later ones are those that rigid bodies are likely to have.
 double alike_value(const Letter& letter, const std::vector<Letter>& letters, int attempt, std::mt19937_64& random) {
@@ -79,7 +79,8 @@ bool ShownNumbers::choose_numbers() {
   for (int attempt = 0; attempt < (solved_.open_letters.empty() ? 1 : most_draws); ++attempt) {
     settings_ = stated_;
     const int solved_draw = attempt - near_units;
-    std::mt19937_64 random(static_cast<std::uint64_t>(solved_draw < 0 ? 7000 + attempt : seed_of_solved + solved_draw));
+    const auto draw = static_cast<std::uint64_t>(solved_draw < 0 ? attempt : solved_draw);
+    std::mt19937_64 random((solved_draw < 0 ? 7000 : seed_of_draws) + draw);
     drawn_.clear();
     for (const Letter& letter : solved_.open_letters) {
       const double value = sizes_ == LetterSizes::usual ? drawn_letter(letter, random, std::max(solved_draw, 0))

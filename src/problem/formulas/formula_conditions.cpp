@@ -25,40 +25,44 @@ std::string words_of_root(const Formula& not_negative) {
 
 }  // namespace
 
-std::vector<Formula> domain_of(const Value<Formula>& formula) {
+std::vector<Formula> formulas_in(const Value<Formula>& value) {
+  if (value.is_number()) return {value.number};
+  if (value.is_vector()) return {value.vector.x, value.vector.y, value.vector.z};
   std::vector<Formula> all;
-  const auto add = [&](const std::vector<Formula>& more) { all.insert(all.end(), more.begin(), more.end()); };
-  if (formula.is_number()) add(not_negative_in_domain(formula.number));
-  for (std::size_t k = 0; formula.is_vector() && k < 3; ++k) add(not_negative_in_domain(formula.vector[k]));
-  for (const Value<Formula>& item : formula.items) add(domain_of(item));
+  for (const Value<Formula>& item : value.items)
+    for (Formula& one : formulas_in(item)) all.push_back(std::move(one));
   return all;
 }
 
-std::vector<std::string> root_conditions_of(const Value<Formula>& formula) {
-  std::vector<std::string> all;
-  const auto add = [&](const Formula& x) {
-    for (const Formula& not_negative : assumed_not_negative(x)) all.push_back(words_of_root(not_negative));
-    for (const Formula& not_negative : not_negative_in_domain(x)) all.push_back(words_of_root(not_negative));
-  };
-  if (formula.is_number()) add(formula.number);
-  for (std::size_t k = 0; formula.is_vector() && k < 3; ++k) add(formula.vector[k]);
-  for (const Value<Formula>& item : formula.items)
-    for (std::string& words : root_conditions_of(item)) all.push_back(std::move(words));
+std::vector<Formula> domain_of(const Value<Formula>& value) {
+  std::vector<Formula> all;
+  for (const Formula& x : formulas_in(value))
+    for (Formula& not_negative : not_negative_in_domain(x)) all.push_back(std::move(not_negative));
   return all;
 }
 
-std::vector<std::string> assumptions_of(const Value<Formula>& formula) {
+std::vector<Formula> assumed_roots_of(const Value<Formula>& value) {
+  std::vector<Formula> all;
+  for (const Formula& x : formulas_in(value))
+    for (Formula& not_negative : assumed_not_negative(x)) all.push_back(std::move(not_negative));
+  return all;
+}
+
+std::vector<std::string> root_conditions_of(const Value<Formula>& value) {
   std::vector<std::string> all;
-  const auto add = [&](const Formula& x) {
+  for (const std::vector<Formula>& roots : {assumed_roots_of(value), domain_of(value)})
+    for (const Formula& not_negative : roots) all.push_back(words_of_root(not_negative));
+  return all;
+}
+
+std::vector<std::string> assumptions_of(const Value<Formula>& value) {
+  std::vector<std::string> all;
+  for (const Formula& x : formulas_in(value)) {
     const std::vector<std::string> roots = x.root_assumptions();
     for (std::string& words : x.assumptions())
       if (std::ranges::find(roots, words) == roots.end()) all.push_back(std::move(words));
-    for (const Formula& not_negative : assumed_not_negative(x)) all.push_back(words_of_root(not_negative));
-  };
-  if (formula.is_number()) add(formula.number);
-  for (std::size_t k = 0; formula.is_vector() && k < 3; ++k) add(formula.vector[k]);
-  for (const Value<Formula>& item : formula.items)
-    for (std::string& words : assumptions_of(item)) all.push_back(std::move(words));
+  }
+  for (const Formula& not_negative : assumed_roots_of(value)) all.push_back(words_of_root(not_negative));
   return all;
 }
 

@@ -20,6 +20,12 @@ struct HeldCondition {
   bool needed = false;
 };
 
+// Those of a number, of a vector and of all in a list.
+std::vector<Formula> formulas_in(const Value<Formula>& value);
+
+// What is assumed not to be negative under the roots of a value, which is told with it.
+std::vector<Formula> assumed_roots_of(const Value<Formula>& value);
+
 // What must not be negative where all numbers of a value have one.
 std::vector<Formula> domain_of(const Value<Formula>& formula);
 

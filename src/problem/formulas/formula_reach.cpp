@@ -5,7 +5,6 @@
 #include <numbers>
 #include <random>
 
-#include "poinsot/engine/math/formula/formula_domain.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
 #include "poinsot/engine/work/work.h"
 #include "problem/formulas/formula_answers.h"
@@ -223,22 +222,14 @@ class FarSearch {
     }
   }
 
-  // Whether what a formula assumes of its roots, which is told with it, fails.
-  static bool is_beyond_its_roots(const Value<Formula>& formula, const LetterValues& letters) {
-    const auto beyond = [&](const Formula& x) {
-      return std::ranges::any_of(assumed_not_negative(x),
-                                 [&](const Formula& inside) { return value_at(inside, letters) < 0; });
-    };
-    if (formula.is_number()) return beyond(formula.number);
-    if (formula.is_vector()) return beyond(formula.vector.x) || beyond(formula.vector.y) || beyond(formula.vector.z);
-    return std::ranges::any_of(formula.items,
-                               [&](const Value<Formula>& item) { return is_beyond_its_roots(item, letters); });
-  }
-
   // The formula of an ask is another one at a point: either because something that was decided is otherwise there, or
   // because it holds for some values only.
   void disagree(std::size_t i, const FarPoint& point) {
-    if (solution_.asks[i].formula && is_beyond_its_roots(*solution_.asks[i].formula, point.letters)) return;
+    // Beyond what it assumes of its roots, which is told with it, a formula says nothing.
+    if (solution_.asks[i].formula &&
+        std::ranges::any_of(assumed_roots_of(*solution_.asks[i].formula),
+                            [&](const Formula& inside) { return value_at(inside, point.letters) < 0; }))
+      return;
     std::vector<std::size_t> failing;
     for (std::size_t k = 0; k < conditions_.size(); ++k)
       if (std::ranges::find(conditions_[k].asks, i) != conditions_[k].asks.end() &&

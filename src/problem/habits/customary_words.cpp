@@ -162,7 +162,6 @@ constexpr std::array customs{
     Custom{"initial", "instants"},
     Custom{"initial_conditions", "instants"},
     Custom{"name", "title"},
-    Custom{"results", "ask"},
     Custom{"calculate", "ask"},
     Custom{"compute", "ask"},
     Custom{"objects", "bodies"},

@@ -25,7 +25,8 @@ Members::Members(const Entry& entry, const std::string& file, std::vector<std::s
     for (std::string& key : keys_of(object)) known.push_back(std::move(key));
   if (entry.kind != Entry::Kind::map)
     fail(file, entry.mark, "expected a map of keys for '" + object_ + "'", "its keys are " + joined(known));
-  for (const auto& [key, value] : entry.members) {
+  for (const auto& member : entry.members) {
+    const auto& [key, value] = member;
     if (std::find(known.begin(), known.end(), key.text) != known.end()) continue;
     const std::string custom = customary_key(key.text, known);
     const std::string near = custom.empty() ? nearest(key.text, known) : custom;
@@ -39,11 +40,8 @@ Members::Members(const Entry& entry, const std::string& file, std::vector<std::s
         fail(file, key.mark, "a ':' is missing behind '" + word + "'",
              "write '" + word + ": " + key.text.substr(blank + 1) + "'");
     // What stands beneath a key that has nothing yet, in the same column.
-    if (&key != &entry.members.front().first && custom.empty())
-      if (const auto& [above, none] =
-              *std::prev(std::find_if(entry.members.begin(), entry.members.end(),
-                                      [&here = key](const auto& member) { return &member.first == &here; }));
-          none.is_null() && above.mark.line < key.mark.line)
+    if (&member != &entry.members.front() && custom.empty())
+      if (const auto& [above, none] = *std::prev(&member); none.is_null() && above.mark.line < key.mark.line)
         fail(file, key.mark, "unknown key '" + key.text + "' in " + with_article(object_),
              "indent it farther if it belongs to '" + above.text + "'");
     fail(file, key.mark, "unknown key '" + key.text + "' in " + with_article(object_),
@@ -106,8 +104,7 @@ void check_name(const std::string& name, Mark mark, const std::string& file) {
     fail(file, mark, "a name is expected here, not '" + name + "'",
          "names begin with a letter; a decimal is written with a point: 0.8, not 0,8");
   for (std::size_t k = 0; !good && k < name.size(); ++k)
-    if (const ForeignSign foreign = foreign_sign_of_expression(std::string_view(name).substr(k));
-        foreign.hint.starts_with("names have"))
+    if (const ForeignSign foreign = foreign_sign_of_expression(std::string_view(name).substr(k)); foreign.is_letter)
       fail(file, mark, "'" + name + "' cannot be a name", foreign.hint);
   if (!good)
     fail(file, mark, "'" + name + "' cannot be a name", "names are letters, digits and _, and begin with a letter");

@@ -13,6 +13,8 @@ struct Sign {
   std::string_view hint;
 };
 
+constexpr std::string_view greek_letter = "a Greek letter";
+
 constexpr std::array signs{
     Sign{"**", "", "write a power as x^2"},
     Sign{"=>", "", "write >= or ->"},
@@ -53,7 +55,7 @@ constexpr std::array signs{
     Sign{"\xc2\xa0", "a non-breaking blank", "write an ordinary blank"},
     Sign{"\xe2\x80\x89", "a thin blank", "write an ordinary blank"},
     Sign{"\xe2\x80\xaf", "a narrow blank", "write an ordinary blank"},
-    Sign{"\xc2\xb5", "a Greek letter", "names have plain letters: write mu; the micrometre is um"},
+    Sign{"\xc2\xb5", greek_letter, "names have plain letters: write mu; the micrometre is um"},
 };
 
 // The letters from U+03B1 alpha to U+03C9 omega, in their order.
@@ -67,7 +69,7 @@ ForeignSign foreign_sign_of_expression(std::string_view text) {
   for (const Sign& sign : signs) {
     if (text.substr(0, sign.sign.size()) != sign.sign) continue;
     const std::string name = sign.name.empty() ? "'" + std::string(sign.sign) + "'" : std::string(sign.name);
-    return {name + " is no sign of the language", std::string(sign.hint)};
+    return {name + " is no sign of the language", std::string(sign.hint), sign.name == greek_letter};
   }
   const std::optional<Character> character = character_at(text, 0);
   if (!character) return {};
@@ -76,7 +78,7 @@ ForeignSign foreign_sign_of_expression(std::string_view text) {
   if (small >= 0x3b1 && small <= 0x3c9) {
     std::string name = greek[small - 0x3b1];
     if (small != character->code) name[0] = static_cast<char>(name[0] - 'a' + 'A');
-    return {"a Greek letter is no sign of the language", "names have plain letters: write " + name};
+    return {std::string(greek_letter) + " is no sign of the language", "names have plain letters: write " + name, true};
   }
   return {};
 }

@@ -10,6 +10,7 @@ namespace poinsot::problem {
 struct ForeignSign {
   std::string message;
   std::string hint;
+  bool is_letter = false;  // whether it may stand in a name
 };
 ForeignSign foreign_sign_of_expression(std::string_view text);
 

@@ -101,7 +101,7 @@ bool is_fixed_point(const MachineDraft<Scalar>& draft, const Contact& contact, c
 // A length by which friction acts in a joint.
 template <class Scalar>
 Scalar size_in_bearing(MachineDraft<Scalar>& draft, const Contact& contact, const Expression& stated, bool may_vanish) {
-  const Scalar size = draft.data.number(stated, dimensions::length);
+  Scalar size = draft.data.number(stated, dimensions::length);
   if (!draft.options.lenient && !(plain(size) > 0 || (may_vanish && plain(size) == 0)))
     fail(draft.situation.file, stated.mark(),
          contact.words() + " has a bearing " + (may_vanish ? "of negative size" : "without size"),

@@ -195,7 +195,7 @@ Expression PlanarWords::with_numbers(const Expression& expression) const {
     }
     return transformed(expression, [&](const Expression& child) { return with_numbers(child); });
   }
-  const Expression inside = transformed(expression, [&](const Expression& child) { return with_numbers(child); });
+  Expression inside = transformed(expression, [&](const Expression& child) { return with_numbers(child); });
   const auto number = [&](const Expression& one) {
     return pointing(one) == Pointing::normal ? number_along_normal(one) : one;
   };

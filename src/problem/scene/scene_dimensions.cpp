@@ -112,7 +112,7 @@ class Dimensions {
   }
   // A datum with its value, or what stands for one.
   std::string effort_text(const Expression& effort) {
-    const std::string written = to_string(effort);
+    std::string written = to_string(effort);
     const auto given = std::ranges::find(figure_.situation().given, written, &NamedExpression::name);
     if (given == figure_.situation().given.end()) return "friction " + written;
     if (is_open(written)) return written;

@@ -259,7 +259,7 @@ ArrowSymbol SceneFigure::indexed_symbol(const std::string& letter, const std::st
 }
 
 ArrowSymbol SceneFigure::impulse_symbol(const std::string& letter, const std::string& name) {
-  const ArrowSymbol symbol = named_symbol(letter, name);
+  ArrowSymbol symbol = named_symbol(letter, name);
   if (symbol.text == name) return symbol;
   const std::string tex = symbol.tex + "\\Delta t";
   return {tex, ExplanationTex::plain(tex)};

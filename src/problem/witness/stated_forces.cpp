@@ -46,7 +46,7 @@ class StatedForces {
   template <class Of>
   void take(const Of& of) {
     try {
-      if (std::optional<StatedForce> force = of()) found_.push_back(std::move(*force));
+      if (const std::optional<StatedForce> force = of()) found_.push_back(*force);
     } catch (const StatementError&) {
       // Where a load has no value, such as at a speed of zero, the road ends.
     }

@@ -103,13 +103,12 @@ void put_components(Scalar* const (&rows)[6], int k, const SpatialMotion<Scalar>
 
 // m . f of coordinate j.
 template <class Scalar>
-[[gnu::always_inline]] inline Scalar component_dot(const Scalar* const (&rows)[6], int j,
-                                                   const SpatialForce<Scalar>& f) {
+[[gnu::always_inline]] inline Scalar component_dot(Scalar* const (&rows)[6], int j, const SpatialForce<Scalar>& f) {
   return rows[0][j] * f.moment.x + rows[1][j] * f.moment.y + rows[2][j] * f.moment.z + rows[3][j] * f.force.x +
          rows[4][j] * f.force.y + rows[5][j] * f.force.z;
 }
 template <class Scalar>
-[[gnu::always_inline]] inline Scalar component_dot(const Scalar* const (&rows)[3], int j, const Vector3<Scalar>& y) {
+[[gnu::always_inline]] inline Scalar component_dot(Scalar* const (&rows)[3], int j, const Vector3<Scalar>& y) {
   return rows[0][j] * y.x + rows[1][j] * y.y + rows[2][j] * y.z;
 }
 

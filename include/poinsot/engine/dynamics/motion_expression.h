@@ -180,7 +180,7 @@ struct MotionExpression {
     const BodyMotion<Scalar>& from = w.motion[static_cast<std::size_t>(part.seen_from + 1)];
     if (part.kind == MotionPartKind::angular_velocity) return angular_velocity(w, part.at.body) - from.w;
     if (part.kind == MotionPartKind::direction) return direction_on_ground(tree, w, part.at.body, part.at.point);
-    const Vector3<Scalar> P = point_position(tree, w, part.at.body, part.at.point);
+    Vector3<Scalar> P = point_position(tree, w, part.at.body, part.at.point);
     if (part.kind == MotionPartKind::position) return P;
     return point_velocity(tree, w, part.at.body, part.at.point) - from.v - cross(from.w, P - from.p);
   }

@@ -10,6 +10,7 @@
 #include "engine/solve/stability/acceleration_slopes.h"
 #include "engine/solve/stability/doubted_rates.h"
 #include "engine/solve/stability/equilibria_beside.h"
+#include "engine/solve/stability/later_motion.h"
 #include "engine/solve/stability/mode_shapes.h"
 #include "engine/solve/stability/same_motion.h"
 #include "poinsot/engine/model/state.h"

@@ -62,7 +62,7 @@ Place3 RedundantBodies::part_of_motion(const MotionPart<double>& part, const Dis
     case MotionPartKind::velocity:
       break;
   }
-  const Place3 place = moved(body, at, drawn(part.at));
+  Place3 place = moved(body, at, drawn(part.at));
   if (part.kind == MotionPartKind::position) return place;
   return velocity_of(body, at, rates, place) - velocity_of(part.seen_from, at, rates, place);
 }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "engine/solve/stability/doubted_rates.h"
-#include "poinsot/engine/solve/stability/linearisation.h"
 
 namespace poinsot::solve {
 
@@ -27,18 +26,6 @@ struct SameMotion {
 // A: the matrix of the deviations, coordinates first, then velocities, in natural units. displacements: candidates of
 // length one; those that the rows exclude are left out.
 SameMotion same_motion(const Doubted& A, const DeviationRows& rows, const std::vector<Vector>& displacements);
-
-// The motion after a while, and what takes deviations on axes that follow no spin to the axes of then: exp(-S t), S the
-// adjoint of the spins.
-struct LaterMotion {
-  SteadyMotion motion;
-  Matrix turned;
-};
-LaterMotion later_motion(const SteadyMotion& motion, double delay);
-
-// The spins of bodies that are not alike all round, or to which something is fastened, rad/s, and the turning of the
-// frame where something stands on the ground: near such a motion the equations may change with time.
-std::vector<double> uneven_spins(const SteadyMotion& motion);
 
 // How closely displacements must satisfy the constraints, or may depend on each other, as parts of their length: far
 // above the rounding of long doubles, far below any displacement that is meant.
