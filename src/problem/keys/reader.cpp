@@ -128,12 +128,12 @@ Unit read_unit(const Entry& entry, const std::string& file) {
   try {
     return parse_unit(text);
   } catch (const std::invalid_argument& error) {
-    // What people write where only a unit belongs.
-    if (std::isdigit(static_cast<unsigned char>(text.front())) && text.find(' ') != std::string::npos)
+    // What people write where only a unit belongs; the first character of no text is a blank.
+    const unsigned char first = text.empty() ? ' ' : static_cast<unsigned char>(text.front());
+    if (std::isdigit(first) && text.find(' ') != std::string::npos)
       fail(file, entry.mark, "'" + text + "' is a value, where a unit is expected",
            "write the unit alone; what has a value stands under given:");
-    if (text.find('(') != std::string::npos && std::isalpha(static_cast<unsigned char>(text.front())) &&
-        text.find_first_of("^*/") == std::string::npos)
+    if (text.find('(') != std::string::npos && std::isalpha(first) && text.find_first_of("^*/") == std::string::npos)
       fail(file, entry.mark, "'" + text + "' is no unit", "what is asked stands under ask:");
     if (text.starts_with("signed "))
       fail(file, entry.mark, "'" + text + "' is no unit", "write {signed: " + text.substr(7) + "}");

@@ -309,6 +309,10 @@ find:
 )",
        "test.yaml:9:6: error: 'kinetic_energy(bar)' is no unit (what is asked stands under ask:)",
        {}},
+      {"NoUnitAtAll",
+       "given: {m: 3 kg}\nask: {e: {of: m, unit: ''}}\n",
+       "test.yaml:2:24: error: a unit is missing (write one such as m, kg*m^2/s or 1/s)",
+       {}},
       {"ALimitOfNoDatum",
        R"(given: {m: 2 kg, L: 1 m}
 points: {O: [0, 0, 0], A: [L, 0, 0]}
