@@ -242,6 +242,14 @@ class Writing(unittest.TestCase):
                 self.assertEqual(again.tree, statement.tree)
                 self.assertEqual(list(again.tree), list(statement.tree))
 
+    def test_words_of_the_language_are_names_where_names_are_given(self):
+        tree = {"ask": {"stays": "mass(b)"}, "contacts": {"C": {"stays": "'true'"}}}
+        self.assertEqual(statements.role(("ask", "stays")), "expression")
+        self.assertEqual(statements.role(("situations", "s", "ask", "hole")), "expression")
+        self.assertEqual(statements.role(("contacts", "C", "stays")), "text")
+        changed = statements.mapped_expressions(tree, lambda tokens, path: tokens_of("mass(c)"))
+        self.assertEqual(changed, {"ask": {"stays": "mass(c)"}, "contacts": {"C": {"stays": "'true'"}}})
+
     def test_the_same_seed_makes_the_same(self):
         texts = [made_statement(random.Random(7)).text() for _ in range(2)]
         self.assertEqual(*texts)

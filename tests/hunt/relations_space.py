@@ -6,7 +6,7 @@ from fractions import Fraction
 from language import Token, number_text, text_of, tokens_of
 from relations import NotApplicable, Relation, SKIP, Varied, scales_of
 from relations_matter import asked_text
-from statements import has_word, situations_of
+from statements import has_word, is_named, situations_of
 
 # Lists of three whose items are no components: of names, directions or points.
 NO_VECTORS = {"axes", "semi_axes", "of", "while", "where", "loads", "supports", "carries", "rod", "wire", "polygon",
@@ -94,7 +94,8 @@ class Turned(Relation):
 
     @staticmethod
     def is_expression(path):
-        return path[-1] not in ("hole", "no_slip", "stays", "ends", "mass_added", "rest") and path[0] not in ("title", "source")
+        return path[0] not in ("title", "source") and (is_named(path) or
+                                                      path[-1] not in ("hole", "no_slip", "stays", "ends", "mass_added", "rest"))
 
     def fact(self, key, value, axes, path):
         quantity = self.expression(key, axes) if re.search(r"\(|\.", key) else key

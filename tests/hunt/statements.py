@@ -9,6 +9,8 @@ from language import text_of, tokens_of
 # Maps whose order has a meaning: stages follow each other in time.
 ORDERED = {"stages", "over"}
 TEXTS = {"title", "source", "file", "ends", "mass_added", "hole", "hypothesis", "no_slip", "stays"}
+# Maps from names that the file gives to expressions: there a word of the language is a name like any other.
+NAMED_EXPRESSIONS = {"given", "define", "ask", "claim"}
 
 
 class Statement:
@@ -111,13 +113,18 @@ def prepared(name, text, folder):
     return statement
 
 
+def is_named(path):
+    """Whether the key at this path, within a situation, is a name that the file gives."""
+    return len(path) == 2 and path[0] in NAMED_EXPRESSIONS
+
+
 def role(path):
     """What a scalar at this path is: text, unit or expression (names are expressions of one token)."""
     while path and path[0] == "situations":
         path = path[2:]
     if not path:
         return "text"
-    if path[-1] in TEXTS or path[0] in TEXTS:
+    if path[0] in TEXTS or path[-1] in TEXTS and not is_named(path):
         return "text"
     if "mesh" in path and path[-1] == "unit":
         return "text"  # it says what the numbers of the file mean
