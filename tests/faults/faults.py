@@ -139,9 +139,11 @@ def told_otherwise(right, wrong):
     unconfirmed = any("do not confirm" in json.dumps(warning) for warning in wrong.get("warnings", []))
     right, wrong = right.get("solutions", []), wrong.get("solutions", [])
     if len(right) != len(wrong):
-        # What is one too many may be refused; what is lost is missed by those that stand alone.
+        # What is one too many is seen where an answer of it is refused; what is lost is missed by those that stand alone.
+        whole = [solution["answers"] for solution in wrong if not any(map(is_refused, solution["answers"].values()))]
+        seen = len(whole) < len(wrong) and all(any(same(one["answers"], answers) for one in right) for answers in whole)
         told = all(any(not is_refused(answer) for answer in solution["answers"].values()) for solution in wrong)
-        return True, [f"{len(wrong)} solutions"] if told and not unconfirmed else []
+        return True, [f"{len(wrong)} solutions"] if told and not unconfirmed and not seen else []
     changed, told = False, []
     for one, other in zip(right, wrong):
         for name, answer in one["answers"].items():
@@ -151,8 +153,10 @@ def told_otherwise(right, wrong):
             changed = True
             if not is_refused(after):
                 told.append(f"{name}: {json.dumps(after.get('value', after))[:60]}")
-        if not any(map(is_refused, other["answers"].values())) and steadiness(one) != steadiness(other):
-            changed = True
+        said, after = steadiness(one), steadiness(other)
+        changed = changed or said != after
+        # What the checks refuse is not said.
+        if not any(map(is_refused, other["answers"].values())) and not set(after) <= set(said):
             told.append("what the notes say of stability")
     return changed, told
 

@@ -78,6 +78,21 @@ bool ClaimAttack::stands(const Point& point) {
   return true;
 }
 
+// That with the least margin below a bound at which the statement makes sense. To see whether it does takes longer than
+// a margin: the others are not asked.
+std::optional<ClaimAttack::Place> ClaimAttack::best_of(std::vector<Point>& points, double below) {
+  std::vector<Place> near;
+  for (Point& point : points) {
+    if (limit_.spent()) return std::nullopt;
+    ++tried_;
+    if (const std::optional<double> margin = margin_(point); margin && *margin < below)
+      near.push_back({std::move(point), *margin});
+  }
+  std::ranges::stable_sort(near, {}, &Place::margin);
+  const auto found = std::ranges::find_if(near, [&](const Place& place) { return makes_sense_(place.point); });
+  return found == near.end() ? std::nullopt : std::optional(std::move(*found));
+}
+
 // Takes the best of all moves in each round. Where no step is better the edges are tried, once from each place, and
 // then shorter steps.
 void ClaimAttack::narrow(Place& place, std::size_t seed) {
@@ -96,15 +111,13 @@ void ClaimAttack::narrow(Place& place, std::size_t seed) {
       }
       all.push_back(std::move(moved));
     }
-    bool better = false;
-    for (Point& point : all) {
-      if (limit_.spent()) return;
-      if (std::optional<Place> found = look(std::move(point), place.margin - margin_gained * std::abs(place.margin))) {
-        place = std::move(*found);
-        better = true;
-        edges_tried = false;
-        if (place.margin <= 0) return;
-      }
+    const std::optional<Place> found = best_of(all, place.margin - margin_gained * std::abs(place.margin));
+    if (limit_.spent()) return;
+    const bool better = found.has_value();
+    if (better) {
+      place = *found;
+      edges_tried = false;
+      if (place.margin <= 0) return;
     }
     if (!better && which == Moves::edges) edges_tried = true;
     if (!better && edges_tried) step /= 4;

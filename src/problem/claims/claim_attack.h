@@ -35,6 +35,7 @@ class ClaimAttack {
     double margin = 0;
   };
   std::optional<Place> look(Point point, double below);
+  std::optional<Place> best_of(std::vector<Point>& points, double below);
   bool stands(const Point& point);
   void narrow(Place& place, std::size_t seed);
   // steps: by single letters; edges: to where letters of a kind are equal, sums or differences.

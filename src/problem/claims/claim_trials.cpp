@@ -30,6 +30,18 @@ bool is_identity(const WorkedCase& one, const FormulaComparison& comparison) {
   }
 }
 
+// Where a factor vanishes that is linear in a letter, the others being as at a point; nothing elsewhere.
+std::optional<double> root_of(const Formula& factor, const Point& at, const std::string& letter) {
+  std::map<std::string, Formula> others;
+  for (const auto& [name, number] : at)
+    if (name != letter) others[name] = Formula(number);
+  const Formula line = poinsot::substituted(factor, others);
+  const Formula slope = derivative(line, letter);
+  if (!slope.is_number() || slope.is_zero()) return std::nullopt;
+  const Formula start = poinsot::substituted(line, {{letter, Formula(0)}});
+  return start.is_number() ? std::optional(plain(-start / slope)) : std::nullopt;
+}
+
 }  // namespace
 
 bool is_positive(const Letter& letter) { return !letter.either_sign && letter.unit.dimension != dimensions::angle; }
@@ -187,6 +199,44 @@ const std::vector<ClaimTrials::Edge>& ClaimTrials::edges() {
   return *edges_;
 }
 
+// Points of an edge at which one of three moments is the sum or the difference of two others as well: a flat body has
+// such moments, and one whose products of inertia reach what its moments allow is thin, which an edge alone does not
+// meet. The other moments of the edge are taken as large as a product in it, so that all of them have few digits.
+std::vector<Point> ClaimTrials::where_bodies_end(const Drawn& from, const Formula& edge,
+                                                 const std::string& letter) const {
+  const std::vector<std::string> on = edge.letters();
+  const auto on_edge = [&](const std::string& name) { return std::ranges::find(on, name) != on.end(); };
+  std::vector<std::string> moments;
+  std::optional<double> product;
+  for (const Letter& one : letters_) {
+    if (one.unit.dimension != dimensions::moment_of_inertia || !from.free.contains(one.name)) continue;
+    if (is_positive(one))
+      moments.push_back(one.name);
+    else if (const double size = std::abs(from.free.at(one.name)); on_edge(one.name) && size > 0)
+      product = size;
+  }
+  Point at_edge = from.free;
+  for (const std::string& moment : moments)
+    if (product && on_edge(moment)) at_edge[moment] = *product;
+  const std::optional<double> root = root_of(edge, at_edge, letter);
+  if (!root) return {};
+  at_edge[letter] = *root;
+  std::vector<Point> points;
+  for (const std::string& moved : moments) {
+    if (on_edge(moved)) continue;
+    for (std::size_t i = 0; i < moments.size(); ++i)
+      for (std::size_t k = i + 1; k < moments.size(); ++k) {
+        if (moments[i] == moved || moments[k] == moved) continue;
+        const double one = at_edge.at(moments[i]), other = at_edge.at(moments[k]);
+        for (const double moment : {one + other, std::abs(one - other)}) {
+          points.push_back(at_edge);
+          points.back()[moved] = moment;
+        }
+      }
+  }
+  return points;
+}
+
 std::vector<ClaimTrials::Drawn> ClaimTrials::at_edges(const Drawn& from, int attempt) {
   std::vector<Drawn> found;
   const auto add = [&](const std::string& letter, double place) {
@@ -207,15 +257,11 @@ std::vector<ClaimTrials::Drawn> ClaimTrials::at_edges(const Drawn& from, int att
     const std::vector<std::string> letters = edge.factor.letters();
     for (std::size_t k = 0; k < std::min(letters.size(), most_edge_letters); ++k) try {
         const std::string& letter = letters[(static_cast<std::size_t>(attempt) + k) % letters.size()];
-        std::map<std::string, Formula> others;
-        for (const auto& [name, number] : from.free)
-          if (name != letter) others[name] = Formula(number);
-        const Formula line = poinsot::substituted(edge.factor, others);
-        const Formula slope = derivative(line, letter);
-        if (!slope.is_number() || slope.is_zero()) continue;
-        const Formula start = poinsot::substituted(line, {{letter, Formula(0)}});
-        if (!start.is_number()) continue;
-        const double root = plain(-start / slope);
+        for (Point& thin : where_bodies_end(from, edge.factor, letter))
+          if (auto drawn = completed(*from.of, std::move(thin), true)) found.push_back(std::move(*drawn));
+        const std::optional<double> where = root_of(edge.factor, from.free, letter);
+        if (!where) continue;
+        const double root = *where;
         // Just beside the edge: near enough for what fails only there, and far enough that the digits of a formula show
         // on which side it is. An edge at zero is left by a part of the value from which the letter comes.
         constexpr double beside = 1e-6, beside_zero = 1e-9;

@@ -52,6 +52,7 @@ class ClaimTrials {
     Formula factor;
   };
   const std::vector<Edge>& edges();
+  std::vector<Point> where_bodies_end(const Drawn& from, const Formula& edge, const std::string& letter) const;
   std::optional<Drawn> completed(const WorkedCase& one, Point free, bool edge = false);
   std::optional<double> exactly(const FormulaComparison& comparison, const Drawn& drawn, double size);
   Verdict compared(const FormulaComparison& comparison, const Drawn& drawn, const Dimension& dimension);

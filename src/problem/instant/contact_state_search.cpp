@@ -36,9 +36,15 @@ Expression number_expression(double value) { return expression_of(Number{value, 
 class StateSearch {
  public:
   // reached: the state of a motion; null for what is stated of the start.
+  // sticking: contacts of which no other state is looked at.
   StateSearch(const Situation& situation, std::size_t number, const Settings& settings, bool lines_only,
-              const ReachedState* reached = nullptr)
-      : situation_(situation), number_(number), settings_(settings), lines_only_(lines_only), reached_(reached) {
+              const ReachedState* reached = nullptr, const std::vector<std::string>& sticking = {})
+      : situation_(situation),
+        number_(number),
+        settings_(settings),
+        lines_only_(lines_only),
+        reached_(reached),
+        sticking_(sticking) {
     for (const Contact& contact : situation.contacts)
       if (contact.rubs()) contacts_.push_back(&contact);
   }
@@ -98,6 +104,7 @@ class StateSearch {
   std::vector<Grip> grips_of(std::size_t k) const {
     if (leaves_[k]) return {Grip::parts};
     const bool sticks = !(norm(slips_[k]) > 0) && !(reached_ && reached_->leaving == contacts_[k]->name);
+    if (sticks && std::ranges::find(sticking_, contacts_[k]->name) != sticking_.end()) return {Grip::sticks};
     std::vector<Grip> grips{Grip::slides};
     if (sticks) grips.insert(grips.begin(), Grip::sticks);
     if (contacts_[k]->touches()) grips.push_back(Grip::parts);
@@ -404,6 +411,7 @@ class StateSearch {
   const Settings& settings_;
   const bool lines_only_;
   const ReachedState* const reached_;
+  const std::vector<std::string> sticking_;
   std::vector<const Contact*> contacts_;
   std::vector<Vector3<double>> slips_, normals_;      // as drawn
   std::vector<std::optional<Vector3<double>>> axes_;  // of friction in joints, as drawn
@@ -440,8 +448,9 @@ void put_in_states(Situation& situation, std::size_t number, const std::vector<C
       }
 }
 
-HeldStates states_that_hold(const Situation& situation, std::size_t number, const Settings& settings, bool lines_only) {
-  return StateSearch(situation, number, settings, lines_only).run();
+HeldStates states_that_hold(const Situation& situation, std::size_t number, const Settings& settings, bool lines_only,
+                            const std::vector<std::string>& sticking) {
+  return StateSearch(situation, number, settings, lines_only, nullptr, sticking).run();
 }
 
 HeldStates states_that_hold(const Situation& situation, std::size_t number, const Settings& settings,

@@ -33,8 +33,10 @@ Expression joint_direction(const Contact& friction, bool opposite);
 void put_in_states(Situation& situation, std::size_t number, const std::vector<ContactState>& states);
 
 // number: the place of the situation in its statement. lines_only: whether slips in space are left out. Throws
-// StatementError where the statement leaves open how the contacts slip.
-HeldStates states_that_hold(const Situation& situation, std::size_t number, const Settings& settings, bool lines_only);
+// StatementError where the statement leaves open how the contacts slip. sticking: contacts of which no other state is
+// looked at, unless they slip already.
+HeldStates states_that_hold(const Situation& situation, std::size_t number, const Settings& settings, bool lines_only,
+                            const std::vector<std::string>& sticking = {});
 
 // A state that a motion has reached.
 struct ReachedState {

@@ -19,6 +19,10 @@ constexpr double nothing = 1e-6;
 // more would be seen in them; linearised equations decide to some 1e-7.
 constexpr double unseen = 2e-6;
 
+// From a value inside to one at which it is doubtful, and so much farther on what is asked fails: not as far again, or
+// the place between both would be the doubtful one.
+constexpr double past_the_end = 0.7;
+
 std::string number_text(double value) { return with_digits(value, 8); }
 
 }  // namespace
@@ -38,13 +42,33 @@ std::size_t situation_of(const Statement& statement, const Ask& ask) {
   return 0;
 }
 
+namespace {
+
+bool asks_to_stick(const Extremum& extremum, const Contact& contact) {
+  return std::ranges::any_of(extremum.conditions, [&](const Expression& condition) {
+    const Call* call = condition.as<Call>();
+    return call && call->function == "sticking" && is_about(*call, contact.name);
+  });
+}
+
+// The contacts that conditions want to stick, which fail in all other states of these. That holds for what is tried
+// alone if no other state can take the place of one: none leaves smooth contacts and cords as they are where another
+// does not, and none rests where another begins to slide.
+std::vector<std::string> wanted_to_stick(const Situation& situation, const Extremum& extremum) {
+  std::vector<std::string> names;
+  if (!situation.cords.empty() || !situation.belts.empty()) return names;
+  for (const Contact& contact : situation.contacts) {
+    if (!contact.rubs() || contact.friction->falls()) return {};
+    if (asks_to_stick(extremum, contact)) names.push_back(contact.name);
+  }
+  return names;
+}
+
+}  // namespace
+
 bool leaves_states_open(const Situation& situation, const Extremum& extremum) {
   return std::ranges::any_of(situation.contacts, [&](const Contact& contact) {
-    if (!contact.rubs()) return false;
-    return contact.grip != Grip::sticks || std::ranges::none_of(extremum.conditions, [&](const Expression& condition) {
-             const Call* call = condition.as<Call>();
-             return call && call->function == "sticking" && is_about(*call, contact.name);
-           });
+    return contact.rubs() && (contact.grip != Grip::sticks || !asks_to_stick(extremum, contact));
   });
 }
 
@@ -140,7 +164,8 @@ std::vector<std::shared_ptr<const Statement>> ExtremumSearch::statements_at(cons
   // What the caller keeps is shared without an owner.
   if (!seeks_states_) return {std::shared_ptr<const Statement>(std::shared_ptr<void>(), &statement_)};
   const std::size_t home = situation_of(statement_, ask_);
-  const HeldStates held = states_that_hold(with_states_open(situation_), home, root[home], false);
+  const HeldStates held = states_that_hold(with_states_open(situation_), home, root[home], false,
+                                           wanted_to_stick(situation_, *ask_.extremum));
   if (held.all.empty() && !held.doubts.empty())
     fail(situation_.file, ask_.extremum->name_mark, "what contacts do could not be judged " + held.doubts.front());
   std::vector<std::shared_ptr<const Statement>> statements;
@@ -206,7 +231,15 @@ std::optional<NearMotion> ExtremumSearch::near_motion(const Expression& stable, 
 
 std::optional<StabilityEnd> ExtremumSearch::stability_ends(double inside, double outside) {
   failed_ = nullptr;
-  if (truth_at(outside) != Truth::fails || !failed_) return std::nullopt;
+  Truth beyond = truth_at(outside);
+  if (beyond == Truth::doubtful) {
+    // The end itself lies there, as where it is a round number and one of the values that are tried.
+    const Span range = span();
+    outside += past_the_end * (outside - inside);
+    if (outside < range.lower || outside > range.upper) return std::nullopt;
+    beyond = truth_at(outside);
+  }
+  if (beyond != Truth::fails || !failed_) return std::nullopt;
   const Expression& stable = *failed_;
   const Call* call = stable.as<Call>();
   if (!call || call->function != "stable") return std::nullopt;

@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/solve/instant/particle_paths.h"
 #include "poinsot/engine/solve/instant/constraint_check.h"
 #include "poinsot/engine/solve/stability/spectrum_check.h"
 #include "problem/instant/instant.h"
 #include "problem/witness/stated_forces.h"
+#include "problem/witness/stated_springs.h"
 
 namespace poinsot::problem {
 namespace {
@@ -47,6 +49,70 @@ solve::CheckBody::Within within(const solve::MechanismState& state, int body, co
     found.moment_size += norm(wrench.moment) + norm(c) * norm(wrench.force);
   }
   return found;
+}
+
+// By how much the conditions of a steady motion, as they were solved or as a trial leaves them, differ from what the
+// bodies carried along from the figure tell of the turning of those that spin: a spin is carried by its frame as an
+// arrow fixed in that. A part of the square of the pace.
+double steady_misfit(const Situation& situation, DataScope<double>& data, const Machine& machine,
+                     const solve::MechanismState& state, const solve::LinearSystem& system,
+                     const solve::LinearSolution& solution) {
+  const Steady& steady = *situation.steady;
+  const std::string words = "steady motion in '" + steady.frame + "'";
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < system.equations(); ++i)
+    if (system.words(i) == words) rows.push_back(i);
+  struct Turned {
+    const Spin* spin;
+    int body;
+    std::size_t rows;
+  };
+  std::vector<Turned> turned;
+  std::size_t all = 0;
+  for (int i = 0; i < machine.mechanism.tree.body_count(); ++i)
+    for (const Spin& spin : steady.spins)
+      if (spin.body == machine.mechanism.tree.name(i)) {
+        const bool rides = std::ranges::any_of(situation.frames, [&](const Frame& frame) {
+          return frame.name == steady.frame && frame.rides_on == spin.body;
+        });
+        turned.push_back({&spin, i, rides ? 3U : 6U});
+        all += turned.back().rows;
+      }
+  // Where other bodies rest in the frame by their joints it is not known which rows are theirs.
+  if (turned.empty() || all != rows.size()) return 0;
+  std::vector<solve::ParticlePaths::Body> bodies;
+  for (const auto& [link, mass] : machine.masses) bodies.push_back({link, &mass.particles});
+  const solve::ParticlePaths paths(machine.links, bodies, state.state().q, state.state().v, state.accelerations());
+  using Vector = solve::ParticlePaths::Vector;
+  const int frame = machine.index.at(steady.frame);
+  const auto change_of = [&](const Vector& arrow) {
+    return frame < 0 ? Vector::zero() : paths.velocity(frame, arrow, -1) - paths.velocity(frame, Vector::zero(), -1);
+  };
+  const std::vector<std::vector<double>> coefficients = system.coefficients();
+  const std::vector<double> right_sides = system.right_sides();
+  const auto left_of = [&](std::size_t row) {
+    double left = -right_sides[row];
+    for (std::size_t k = 0; k < solution.value.size(); ++k) left += coefficients[row][k] * solution.value[k];
+    return left;
+  };
+  double worst = 0;
+  auto row = rows.begin();
+  for (const Turned& one : turned) {
+    const Call* call = one.spin->about.as<Call>();
+    const bool about_joint = call && call->function == "axis" && call->arguments.size() == 1;
+    const Vector3<double> axis =
+        about_joint ? state.direction(*machine.joints.at(to_string(call->arguments.front().value)).axis)
+                    : data.direction(one.spin->about);
+    const Vector spin = widened(data.number(one.spin->rate, dimensions::angular_velocity) * axis);
+    const Vector frame_turns = frame < 0 ? Vector::zero() : paths.angular_acceleration(frame);
+    const Vector off = paths.angular_acceleration(one.body) - frame_turns - change_of(spin);
+    const solve::ParticlePaths::Real size = paths.pace() * paths.pace();
+    for (std::size_t k = 0; k < 3 && size > 0; ++k)
+      worst =
+          std::max(worst, static_cast<double>(std::abs(off[k] - left_of(row[static_cast<std::ptrdiff_t>(k)])) / size));
+    row += static_cast<std::ptrdiff_t>(one.rows);
+  }
+  return worst;
 }
 
 }  // namespace
@@ -142,6 +208,10 @@ SolvedInstant::Residuals SolvedInstant::check() const {
     residuals.impulse = std::max(impulse_misfit, impulse_moment_misfit / scales_.length) / impulse_scale;
   residuals.particles =
       solve::check_with_particles(machine_.links, bodies, machine_.q, v_, a, attracted ? scales_.length : 0);
+  if (motion_ && situation_.steady && !moving_ && !before_)
+    residuals.particles.newton_euler =
+        std::max(residuals.particles.newton_euler,
+                 steady_misfit(situation_, *data_, machine_, *mechanism_state_, motion_equations_, *motion_));
   if (!mechanism.constraints.empty()) {
     solve::ConstraintClaim claim{scales_.length, pace(), motion_.has_value(), {}};
     if (before_) {

@@ -70,5 +70,36 @@ TEST(ClaimEdges, SidesThatAreEqualUnderWhatIsAssumedAreNotLess) {
   EXPECT_FALSE(less.holds);
 }
 
+// A product of inertia reaches the geometric mean of two moments in a thin rod alone, whose third moment is their sum.
+TEST(ClaimEdges, AThinRodIsAnEdgeOfBodies) {
+  const auto claimed = [](const std::string& claim) {
+    return solve_statement(
+               read_statement("title: t\nletters: {m: kg, I: kg*m^2, J: kg*m^2, K: kg*m^2, P: {signed: kg*m^2}, w: "
+                              "rad/s}\npoints: {G: [0, 0, 0]}\nbodies: {b: {mass: m, center: G, inertia: {x: I, y: J, "
+                              "z: K, xy: P, yz: 0, zx: 0}}}\ngravity: none\nfacts: {angular_velocity(b): [0, w, 0]}\n"
+                              "define: {A: moment_of_inertia(b about x at G), B: moment_of_inertia(b about y at G), k: "
+                              "moment_of_inertia(b about z at G), p: angular_momentum(b about G).x/w}\nclaim: {a: '" +
+                                  claim + "'}\n",
+                              "claims.yaml"),
+               {})
+        .solutions.at(0)
+        .claims.at(0);
+  };
+  for (const char* claim : {"p^2 < A*B", "k < A + B", "2*abs(p) < k"}) {
+    const SolvedClaim found = claimed(claim);
+    ASSERT_EQ(found.state, AskState::found) << claim << found.reason;
+    EXPECT_FALSE(found.holds) << claim;
+  }
+  const SolvedClaim rod = claimed("p^2 < A*B");
+  const double I = value_of(rod, "I"), J = value_of(rod, "J"), P = value_of(rod, "P");
+  EXPECT_DOUBLE_EQ(P * P, I * J);
+  EXPECT_DOUBLE_EQ(value_of(rod, "K"), I + J);
+  for (const char* claim : {"p^2 <= A*B", "k <= A + B", "2*abs(p) <= k"}) {
+    const SolvedClaim found = claimed(claim);
+    ASSERT_EQ(found.state, AskState::found) << claim << found.reason;
+    EXPECT_TRUE(found.holds) << claim;
+  }
+}
+
 }  // namespace claim_edges_test
 }  // namespace poinsot::problem

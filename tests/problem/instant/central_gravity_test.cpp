@@ -110,5 +110,38 @@ TEST(CentralGravity, IsFeltByMomentsInThePlane) {
       std::string::npos);
 }
 
+// However far: what turns on joints is as large as itself, and the couples on what is carried round are those of the
+// differences of the pull, -(3/2) n^2 J sin 2b with the transverse moment J = m l^2/12 of a rod.
+TEST(CentralGravity, BodiesAreSmallBesideTheWayToItsCenter) {
+  const auto hung = [](const std::string& gravity) {
+    return "title: t\npoints: {P: [0.1 m, 0.6 m, -0.9 m], C: 'P + [0.1 m, -0.2 m, 0.1 m]', far: [0, -1e10 m, 0]}\n"
+           "bodies: {hoop: {ring: {center: C, normal: [-3, 1, -3], radius: 0.1 m}, mass: 4 kg}}\n"
+           "joints: {j: {universal: [x, z], at: P, to: hoop, freedoms: {first: {angle: p}, second: {angle: q}}}}\n"
+           "gravity: " +
+           gravity +
+           "\ninstants: {start: {p: 0.8 rad, p': -0.4 rad/s, q: 0.2 rad, q': 1 rad/s}}\n"
+           "ask: {a: angular_acceleration(hoop), f: force(j on hoop)}\n";
+  };
+  const SolvedText far(hung("{toward: far, parameter: 9.80665e20 m^3/s^2}")), uniform(hung("-y"));
+  for (const char* ask : {"a", "f"})
+    EXPECT_LE(norm(far.vector(ask) - uniform.vector(ask)), 1e-8 * norm(uniform.vector(ask))) << ask;
+  for (const double r : {1e9, 1e10, 1.5e11}) {
+    const SolvedText carried(fmt::format(
+        "title: t\ngiven: {{r: {} m, n: 1e-3 rad/s, m: 40 kg, l: 1 m, b: 20 deg}}\n"
+        "points: {{O: [-r, 0, 0], G: [0, 0, 0], A: [l/2, 0, 0], B: [-l/2, 0, 0], C: [0, 3 m, 0],"
+        " D: '[l*cos(b)/2, 3 m + l*sin(b)/2, 0]', E: '[-l*cos(b)/2, 3 m - l*sin(b)/2, 0]'}}\n"
+        "bodies: {{bar: {{rod: [A, B], mass: m}}, tilted: {{rod: [D, E], mass: m}}}}\n"
+        "frames: {{orbit: {{origin: O, turns: z, rate: n}}}}\n"
+        "joints: {{swings: {{revolute: z, at: G, from: orbit, to: bar, angle: q}}, held: {{weld: C, from: orbit, to: "
+        "tilted}}}}\n"
+        "gravity: {{toward: O, parameter: n^2*r^3}}\nsteady: {{frame: orbit}}\n"
+        "ask: {{f: frequencies(bar), M: couple(gravity on tilted about C).z}}\n",
+        r));
+    EXPECT_NEAR(carried.found("f").value.items.at(0).number, std::sqrt(3.0) * 1e-3, 1e-9) << r;
+    const double couple = -1.5e-6 * 40 / 12.0 * std::sin(40 * M_PI / 180);
+    EXPECT_NEAR(carried.number("M"), couple, 1e-6 * std::abs(couple)) << r;
+  }
+}
+
 }  // namespace central_gravity_test
 }  // namespace poinsot::problem

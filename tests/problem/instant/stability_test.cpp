@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include "case_count.h"
+#include "problem/course/motion_support.h"
 #include "problem/instant/near_steady.h"
 
 namespace poinsot::problem {
@@ -253,6 +254,21 @@ TEST(Stability, PendulumWithATorsionSpringAndABrake) {
       EXPECT_NEAR(near.frequencies[0], std::sqrt(square), 1e-6 * std::sqrt(square)) << text;
     }
   }
+}
+
+// Where a frame carries all that is there nothing can deviate.
+TEST(Stability, WhatIsCarriedByItsFrameHasNoModes) {
+  const SolvedText solved(
+      "title: t\npoints: {O: [-1 m, 0, 0], C: [0, 0, 0], D: [1 m, 1 m, 0]}\nbodies: {bar: {rod: [C, D], mass: 2 "
+      "kg}}\nframes: {table: {origin: O, turns: z, rate: 2 rad/s}}\njoints: {held: {weld: C, from: table, to: bar}}\n"
+      "gravity: -z\nsteady: {frame: table}\nask: {F: force(held on bar), f: frequencies(bar), s: stable(bar)}\n");
+  // m w^2 r to the axis, and the weight.
+  const Vector3<double> F = solved.vector("F");
+  EXPECT_NEAR(F.x, -2 * 4 * 1.5, 1e-12);
+  EXPECT_NEAR(F.y, -2 * 4 * 0.5, 1e-12);
+  EXPECT_NEAR(F.z, 2 * 9.80665, 1e-12);
+  EXPECT_TRUE(solved.found("f").value.items.empty());
+  EXPECT_TRUE(solved.found("s").value.truth);
 }
 
 }  // namespace stability_test

@@ -318,6 +318,19 @@ TEST(Response, SaysWhatIsWrong) {
       "does not point across the axis");
 }
 
+// A block that is bolted to a floor that shakes: nothing else can move.
+TEST(Response, IsThatOfWhatIsCarriedAsStated) {
+  const SolvedText solved(
+      "title: t\ngiven: {m: 5 kg, Y: 3 mm, w: 25 rad/s}\npoints: {O: [0, 0, 0], A: [0, 0.3 m, 0]}\n"
+      "bodies: {floor: massless, block: {particle: A, mass: m}}\njoints:\n"
+      "  footing: {prismatic: y, at: O, to: floor, displacement: s, rate: 0, accel: 0}\n"
+      "  bolt: {weld: A, from: floor, to: block}\nexcitations: {shake: {moves: s, by: Y, frequency: w}}\n"
+      "gravity: none\ninstants: {now: rest}\n"
+      "ask: {F: response(force(bolt on block).y to shake), p: response(position(A of block).y to shake)}\n");
+  expect_near(swing_of(solved, "F"), Complex(-5 * 0.003 * 625), 1e-9, "force");
+  expect_near(swing_of(solved, "p"), Complex(0.003), 1e-9, "place");
+}
+
 }  // namespace response_test
 }  // namespace
 }  // namespace poinsot::problem

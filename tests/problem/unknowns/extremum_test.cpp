@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "problem/course/motion_support.h"
 #include "problem/language/words.h"
@@ -150,6 +151,38 @@ TEST(Extremum, RollingAndSpinningDisksAndHoops) {
   expect_end({text("ring", "0 rad/s", "s"), std::sqrt(g / (4 * r))});
   expect_end({text("disk", "s", "0 rad/s"), std::sqrt(4 * g / (5 * r))});
   expect_end({text("ring", "s", "0 rad/s"), std::sqrt(2 * g / (3 * r))});
+}
+
+// A crate on a drum is stable while its mass center is less than a radius above the top: h/2 < R. With R = 0.5 m that
+// is one of the values that are tried, at which the linearised equations do not decide.
+TEST(Extremum, StabilityMayEndAtAValueThatIsTried) {
+  for (const double R : {0.5, 0.05, 5.0, 0.37}) {
+    const SolvedText solved("title: t\ngiven: {R: " + std::to_string(R) +
+                            " m, m: 3 kg}\nletters: {h: m}\n"
+                            "points: {O: [0, 0, 0], T: [0, R, 0], G: [0, R + h/2, 0]}\nbodies:\n"
+                            "  drum: {cylinder: {center: O, axis: z, radius: R, length: 2 m}, mass: 0 kg}\n"
+                            "  crate: {box: {center: G, sides: [2 m * x, h*y, 1 m * z]}, mass: m}\n"
+                            "joints: {stand: {weld: O, to: drum}, keep: {planar: z, at: G, to: crate}}\n"
+                            "contacts: {top: {of: crate, against: drum, at: T, normal: y, no_slip: true}}\n"
+                            "gravity: -y\ninstants: {now: rest}\nask: {most: {largest: h, while: stable(crate)}}\n");
+    EXPECT_NEAR(solved.number("most"), 2 * R, 1e-10 * R) << R;
+  }
+}
+
+// Three logs: the one on top holds the others apart as long as mu >= tan 15 deg where they touch. What those below do
+// on the floor is found at each value.
+TEST(Extremum, LogsHoldWhileTheyStickToEachOther) {
+  const SolvedText solved(
+      "title: t\nplane: [x, y]\ngiven: {r: 0.1 m, m: 10 kg}\nletters: {k: 1}\n"
+      "points: {A: [-r, r], B: [r, r], C: '[0, r + r*sqrt(3)]', P: [-r, 0], Q: [r, 0], U: (A + C)/2, W: (B + C)/2}\n"
+      "bodies: {a: {disk: {center: A, normal: z, radius: r}, mass: m}, b: {disk: {center: B, normal: z, radius: r}, "
+      "mass: m}, c: {disk: {center: C, normal: z, radius: r}, mass: m}}\n"
+      "contacts: {pa: {of: a, at: P, normal: y, friction: 0.5}, pb: {of: b, at: Q, normal: y, friction: 0.5},"
+      " ca: {of: c, against: a, at: U, normal: A->C, friction: k},"
+      " cb: {of: c, against: b, at: W, normal: B->C, friction: k}}\n"
+      "gravity: -y\ninstants: {now: rest}\nask: {least: {smallest: k, while: [sticking(ca), sticking(cb)]}}\n");
+  const double expected = std::tan(std::numbers::pi / 12);
+  EXPECT_NEAR(solved.number("least"), expected, 1e-6 * expected);
 }
 
 }  // namespace extremum_test

@@ -85,7 +85,14 @@ Scales natural_scales(const Mechanism<Scalar>& mechanism) {
     add_place(component.at);
     if (component.toward) add_place(*component.toward);
   }
+  // A center that pulls is a place of the mechanism for what may go round it. What turns on joints near the origin is
+  // as large as itself, however far the center: beside that distance its moments of inertia would be rounding.
+  const bool goes_far = std::ranges::any_of(mechanism.tree.bodies(), [](const Body<Scalar>& body) {
+    return body.joint == JointType::free || body.joint == JointType::prismatic;
+  });
   for_each_law(mechanism, [&](const auto& law) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(law)>, AttractionLaw<Scalar>>)
+      if (!goes_far) return;
     if constexpr (requires { add_place(law.toward); }) {
       add_place(law.at);
       add_place(law.toward);

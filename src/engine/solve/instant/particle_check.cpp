@@ -27,32 +27,40 @@ Real ratio(Real misfit, Real size) {
   return size > 0 ? misfit / size : misfit > 0 ? 1 : 0;
 }
 
-// A particle of a body on its way.
-struct Moving {
-  Real mass = 0;
-  Vector place, velocity, acceleration;
+// A weighted derivative of what is taken along, by central differences.
+struct Differences {
+  Vector first = Vector::zero(), second = Vector::zero();
+  void add(std::size_t j, const Vector& ahead, const Vector& behind, Real h) {
+    first += drawn::first_weights[j - 1] / h * (ahead - behind);
+    second += drawn::second_weights[j - 1] / (h * h) * (ahead + behind);
+  }
 };
 
 // The largest misfit of the angular momentum about the mass center and of its rate, beside what the motion's own pace
-// would make of them.
-Real misfit_within(const CheckBody& body, const std::vector<Moving>& particles, Real pace) {
+// would make of them. The arms from the mass center are turned by themselves: beside a way of millions of kilometres
+// they would be lost.
+Real misfit_within(const CheckBody& body, const std::array<std::vector<Displacement>, 9>& at, Real h, Real pace) {
+  const auto link = static_cast<std::size_t>(body.link);
   Real mass = 0;
-  Moving mean{0, Vector::zero(), Vector::zero(), Vector::zero()};
-  for (const Moving& one : particles) {
-    mass += one.mass;
-    mean.place += one.mass * one.place;
-    mean.velocity += one.mass * one.velocity;
-    mean.acceleration += one.mass * one.acceleration;
+  Vector way = Vector::zero();
+  for (const auto& particle : body.particles) {
+    mass += Real(particle.mass);
+    way += Real(particle.mass) * widened(particle.position);
   }
   if (!(mass > 0)) return 0;
+  const Vector center = way / mass;
   Vector H = Vector::zero(), M = Vector::zero();
   Real spread = 0, drawn_far = 0;
-  for (const Moving& one : particles) {
-    const Vector arm = one.place - mean.place / mass;
-    H += one.mass * cross(arm, one.velocity - mean.velocity / mass);
-    M += one.mass * cross(arm, one.acceleration - mean.acceleration / mass);
-    spread += std::abs(one.mass) * norm_squared(arm);
-    drawn_far += std::abs(one.mass) * norm(arm) * norm(one.place);
+  for (const auto& particle : body.particles) {
+    const Real m = particle.mass;
+    const Vector place = widened(particle.position), drawn_arm = place - center, arm = at[4][link].turn * drawn_arm;
+    Differences moves;
+    for (std::size_t j = 1; j <= 4; ++j)
+      moves.add(j, at[4 + j][link].turn * drawn_arm - arm, at[4 - j][link].turn * drawn_arm - arm, h);
+    H += m * cross(arm, moves.first);
+    M += m * cross(arm, moves.second);
+    spread += std::abs(m) * norm_squared(arm);
+    drawn_far += std::abs(m) * norm(arm) * norm(place);
   }
   // Places that are given in doubles far from the origin leave their rounding in the arms: twenty units in the last
   // place of them are a part of the size that is allowed, 1e-8.
@@ -87,21 +95,16 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
     const auto link = static_cast<std::size_t>(body.link);
     Vector L = Vector::zero(), H = Vector::zero(), F = Vector::zero(), M = Vector::zero();
     Real T = 0, L_size = 0, H_size = 0, T_size = 0, F_size = 0, M_size = 0;
-    std::vector<Moving> moving;
     for (const auto& particle : body.particles) {
       count_work(of_a_particle);
       const Vector x0 = widened(particle.position);
       const Real m = particle.mass;
       const Vector x = at[4][link](x0);
-      Vector velocity = Vector::zero(), acceleration = Vector::zero();
       // Differences are taken of displacements from the present place, so that a large distance from the origin does
       // not cancel.
-      for (std::size_t j = 1; j <= 4; ++j) {
-        const Vector ahead = at[4 + j][link](x0) - x, behind = at[4 - j][link](x0) - x;
-        velocity += drawn::first_weights[j - 1] / h * (ahead - behind);
-        acceleration += drawn::second_weights[j - 1] / (h * h) * (ahead + behind);
-      }
-      if (body.within) moving.push_back({m, x, velocity, acceleration});
+      Differences moves;
+      for (std::size_t j = 1; j <= 4; ++j) moves.add(j, at[4 + j][link](x0) - x, at[4 - j][link](x0) - x, h);
+      const Vector &velocity = moves.first, &acceleration = moves.second;
       L += m * velocity;
       H += m * cross(x, velocity);
       T += m * norm_squared(velocity) / 2;
@@ -125,7 +128,7 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
     result.energy =
         std::max<double>(result.energy, static_cast<double>(ratio(std::abs(T - Real(body.kinetic_energy)), T_size)));
     if (body.within)
-      result.newton_euler = std::max(result.newton_euler, static_cast<double>(misfit_within(body, moving, pace)));
+      result.newton_euler = std::max(result.newton_euler, static_cast<double>(misfit_within(body, at, h, pace)));
     if (!body.forces_known) continue;
     const Vector force = widened(body.wrench.force), moment = widened(body.wrench.moment);
     force_misfit = larger(norm(F - force), force_misfit);

@@ -22,8 +22,13 @@ class RedundantPencil {
   using Index = Eigen::Index;
 
  public:
-  RedundantPencil(const RedundantBodies& bodies, const SteadyMotion& motion, double pace)
-      : bodies_(bodies), length_(length_of(bodies, motion)), pace_(pace) {
+  // stretched: how many times as long as usual the steps of the differences are, to see what these leave out.
+  RedundantPencil(const RedundantBodies& bodies, const SteadyMotion& motion, double pace, double stretched = 1)
+      : bodies_(bodies),
+        length_(length_of(bodies, motion)),
+        pace_(pace),
+        step_(usual_step * Real(stretched)),
+        small_step_(usual_small_step * Real(stretched)) {
     for (std::size_t i = 0; i < bodies.bodies().size(); ++i)
       if (bodies.bodies()[i].moves) moving_.push_back(i);
     n_ = 6 * static_cast<Index>(moving_.size());
@@ -39,6 +44,8 @@ class RedundantPencil {
   std::optional<Allowed> allowed() const {
     const std::optional<Equations> equations = find_equations();
     if (!equations) return std::nullopt;
+    // Where all bodies are carried as stated nothing deviates.
+    if (equations->Z.cols() == 0) return Allowed{Matrix(0, 0), equations->Z};
     Eigen::ColPivHouseholderQR<Matrix> qr(equations->E);
     qr.setThreshold(1e-9L);
     if (qr.rank() < equations->Z.cols()) return std::nullopt;
@@ -84,6 +91,8 @@ class RedundantPencil {
     right.block(n_, 1, equations->N.cols(), 1) = turned * Matrix(left.imag());
     for (Index i = n_; i < right.rows(); ++i) right.row(i) /= equations->sizes[i];
     const Index height = right.rows(), width = equations->Z.cols();
+    // What is carried as stated swings as its gaps make it.
+    if (width == 0) return Forced{xp, 1, 0, needs_of(xp, rate)};
     Matrix resists(2 * height, 2 * width), driven(2 * height, 1);
     resists << -equations->F, -w * equations->E, w * equations->E, -equations->F;
     driven << right.col(0), right.col(1);
@@ -100,7 +109,7 @@ class RedundantPencil {
     ComplexMatrix own(width, 1);
     for (Index i = 0; i < width; ++i) own(i, 0) = {z(i, 0), z(width + i, 0)};
     Forced result;
-    result.apart = width > 0 ? 1 / inverted.norm() : Real(1);
+    result.apart = 1 / inverted.norm();
     const ComplexMatrix places = complex(equations->Z.topRows(n_));
     result.x = (places * own).col(0) + xp;
     if (open > 0) {
@@ -111,10 +120,7 @@ class RedundantPencil {
       const ComplexMatrix apart = like - result.x;
       result.x += (loose * Eigen::CompleteOrthogonalDecomposition<ComplexMatrix>(loose).solve(apart)).col(0);
     }
-    const ComplexVector needs =
-        (rate * (rate * complex(inertia_) + complex(own_gyration_)) + complex(own_stiffness_)) * result.x;
-    result.needs = ComplexMatrix(6, static_cast<Index>(moving_.size()));
-    for (Index m = 0; m < result.needs.cols(); ++m) result.needs.col(m) = needs.segment(6 * m, 6);
+    result.needs = needs_of(result.x, rate);
     return result;
   }
   const std::vector<std::size_t>& moving() const { return moving_; }
@@ -148,10 +154,10 @@ class RedundantPencil {
  private:
   // Of a radian or a natural length. In long doubles mixed differences of the second order are good to about 1e-9 with
   // it: smaller steps add rounding, larger ones curvature.
-  static constexpr Real step = 1e-5L;
+  static constexpr Real usual_step = 1e-5L;
   // The same for the slopes of forces, which are differences of the first order: a force that goes as |v| v has none at
   // rest, and is taken to have one of the size of the step.
-  static constexpr Real small_step = 1e-8L;
+  static constexpr Real usual_small_step = 1e-8L;
   // Of the forces and of the stiffness: an imbalance that displaces the motion by less is rounding of the pose, which
   // is off by the root of rounding where two positions of rest nearly meet.
   static constexpr Real in_balance = 1e-6L;
@@ -162,6 +168,13 @@ class RedundantPencil {
     Matrix K, N, Z, E, F;  // E z' = F z
     Vector sizes;          // by which the rows of both were divided
   };
+  ComplexMatrix needs_of(const ComplexVector& x, const std::complex<Real>& rate) const {
+    const ComplexVector needs =
+        (rate * (rate * complex(inertia_) + complex(own_gyration_)) + complex(own_stiffness_)) * x;
+    ComplexMatrix of_bodies(6, static_cast<Index>(moving_.size()));
+    for (Index m = 0; m < of_bodies.cols(); ++m) of_bodies.col(m) = needs.segment(6 * m, 6);
+    return of_bodies;
+  }
   static ComplexMatrix complex(const Matrix& A) { return A.cast<std::complex<Real>>(); }
   std::optional<Equations> find_equations() const {
     const Index gaps = gap_slopes_.rows(), slips = slip_slopes_.rows();
@@ -227,11 +240,11 @@ class RedundantPencil {
   }
   template <class Function>
   auto slope(const Displacements& at, Index k, const Function& function) const {
-    return ((function(displaced(at, k, step)) - function(displaced(at, k, -step))) / (2 * step)).eval();
+    return ((function(displaced(at, k, step_)) - function(displaced(at, k, -step_))) / (2 * step_)).eval();
   }
   Vector push_slope_by_place(Index k, const DisplacedRates& resting) const {
     const auto at = [&](Real by) { return pushes(displaced(still_, k, by), resting); };
-    return (at(small_step) - at(-small_step)) / (2 * small_step);
+    return (at(small_step_) - at(-small_step_)) / (2 * small_step_);
   }
   Vector push_slope_by_rate(Index k) const {
     const auto at = [&](Real rate) {
@@ -240,7 +253,7 @@ class RedundantPencil {
       (k % 6 < 3 ? one.shift : one.turn)[k % 3] = rate * pace_ * unit(k);
       return pushes(still_, rates);
     };
-    return (at(small_step) - at(-small_step)) / (2 * small_step);
+    return (at(small_step_) - at(-small_step_)) / (2 * small_step_);
   }
   Vector gaps(const Displacements& at) const {
     const std::vector<Real> all = bodies_.gaps(at);
@@ -352,8 +365,8 @@ class RedundantPencil {
     for (Index k = 0; k < 3; ++k) {
       const Place3 e = Place3::Unit(k);
       by_turn.col(k) =
-          (momentum(i, turned_by(step * e), Place3::Zero()) - momentum(i, turned_by(-step * e), Place3::Zero())) /
-          (2 * step * pace_);
+          (momentum(i, turned_by(step_ * e), Place3::Zero()) - momentum(i, turned_by(-step_ * e), Place3::Zero())) /
+          (2 * step_ * pace_);
       by_rate.col(k) = momentum(i, Turn3::Identity(), e) - momentum(i, Turn3::Identity(), Place3::Zero());
     }
     const Index turn = first + 3;
@@ -381,7 +394,7 @@ class RedundantPencil {
   }
 
   const RedundantBodies& bodies_;
-  Real length_, pace_;
+  Real length_, pace_, step_, small_step_;
   Index n_ = 0;
   std::vector<std::size_t> moving_;
   Displacements still_;

@@ -56,6 +56,33 @@ double shape_misfit(const RedundantPencil& pencil, const RedundantPencil::Allowe
   return static_cast<double>(misfit);
 }
 
+std::complex<Real> nearest_to(const std::complex<Real>& rate, const ComplexVector& rates) {
+  return *std::ranges::min_element(rates, {}, [&](const std::complex<Real>& one) { return std::abs(one - rate); });
+}
+
+// Swings that are slow beside a fast spin are no part of the pace that is looked at: whether they are told to the
+// digits that are shown, where this road knows them to more. That it tells by steps of another length, with which what
+// it leaves out changes.
+bool slow_rates_agree(const RedundantBodies& bodies, const SteadyMotion& motion, const Linearisation& found,
+                      const ComplexVector& own) {
+  constexpr Real slow = 3e-2L, shown = 1e-5L, known = 1e-7L, doubted = 1e-6L;
+  constexpr double stretched = 8;
+  std::vector<std::complex<Real>> told;
+  for (const Mode& mode : found.modes) {
+    const std::complex<Real> rate(mode.growth_rate / found.pace, mode.frequency / found.pace);
+    const Real size = std::abs(rate);
+    if (size > 0 && size <= slow && Real(mode.doubt) <= doubted * size * Real(found.pace)) told.push_back(rate);
+  }
+  if (told.empty() || own.size() == 0) return true;
+  const auto allowed = RedundantPencil(bodies, motion, found.pace, stretched).allowed();
+  const std::optional<Spectrum> again = allowed ? spectrum_of(allowed->A, false) : std::nullopt;
+  if (!again || again->value.size() != own.size()) return true;
+  return std::ranges::all_of(told, [&](const std::complex<Real>& rate) {
+    const std::complex<Real> here = nearest_to(rate, own), there = nearest_to(here, again->value);
+    return std::abs(here - there) > known * std::abs(here) || std::abs(here - rate) <= shown * std::abs(rate);
+  });
+}
+
 }  // namespace
 
 std::optional<double> spectrum_misfit(const SteadyMotion& motion, const Linearisation& found) {
@@ -67,6 +94,7 @@ std::optional<double> spectrum_misfit(const SteadyMotion& motion, const Linearis
   if (!allowed) return std::nullopt;
   const Matrix& A = allowed->A;
   if (A.rows() != found.deviations) return 1;
+  if (A.rows() == 0) return 0;
   std::vector<std::complex<Real>> told;
   Real misfit = 0;
   for (const Mode& mode : found.modes) {
@@ -88,7 +116,7 @@ std::optional<double> spectrum_misfit(const SteadyMotion& motion, const Linearis
       return 1;
     }
   }
-  if (!agrees(found, own)) return 1;
+  if (!agrees(found, own) || !slow_rates_agree(*bodies, motion, found, own)) return 1;
   return std::max(static_cast<double>(misfit), shape_misfit(pencil, *allowed, motion, found));
 }
 
