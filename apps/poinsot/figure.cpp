@@ -24,8 +24,11 @@ poinsot::Document illustrated_until_interrupted(const poinsot::Problem& problem,
 int figure(const FigureArguments& arguments) {
   const std::filesystem::path output = arguments.output;
   if (output.has_extension() && output.extension() != ".svg") {
+    const std::string drawing = std::filesystem::path(output).replace_extension(".svg").string();
     write_message(
-        fmt::format("poinsot: '{}' should end in .svg: a figure is a line drawing in that form", output.string()));
+        fmt::format("poinsot: '{}' should end in .svg: a figure is a line drawing in that form (others are made of it: "
+                    "rsvg-convert {} -o {})",
+                    output.string(), drawing, output.string()));
     return exit_wrong_input;
   }
   if (!may_be_written(arguments.file, arguments.output, arguments.force)) return exit_wrong_input;

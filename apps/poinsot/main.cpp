@@ -3,6 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,42 @@ std::vector<std::string> stray_words(const CLI::App& app) {
   return words;
 }
 
+// Words that people bring from other programs for what a command does here, and what to write.
+std::string command_for(const std::string& word) {
+  static const std::map<std::string, std::string, std::less<>> calls{{"explain", "solve --explain FILE"},
+                                                                     {"solution", "solve --explain FILE"},
+                                                                     {"steps", "solve --explain FILE"},
+                                                                     {"run", "solve FILE"},
+                                                                     {"answer", "solve FILE"},
+                                                                     {"compute", "solve FILE"},
+                                                                     {"json", "solve --json FILE"},
+                                                                     {"test", "check FILE"},
+                                                                     {"validate", "check FILE"},
+                                                                     {"verify", "check FILE"},
+                                                                     {"lint", "check FILE"},
+                                                                     {"draw", "figure FILE -o OUT.svg"},
+                                                                     {"plot", "figure FILE -o OUT.svg"},
+                                                                     {"picture", "figure FILE -o OUT.svg"},
+                                                                     {"svg", "figure FILE -o OUT.svg"},
+                                                                     {"view", "report FILE -o OUT.html"},
+                                                                     {"show", "report FILE -o OUT.html"},
+                                                                     {"html", "report FILE -o OUT.html"},
+                                                                     {"page", "report FILE -o OUT.html"},
+                                                                     {"animate", "report FILE -o OUT.html"},
+                                                                     {"gallery", "report FOLDER -o OUT"},
+                                                                     {"gltf", "report FILE -o OUT.glb"},
+                                                                     {"export", "record FILE -o OUT.csv"},
+                                                                     {"csv", "record FILE -o OUT.csv"},
+                                                                     {"simulate", "record FILE -o OUT.csv"},
+                                                                     {"integrate", "record FILE -o OUT.csv"},
+                                                                     {"derive", "equations FILE"},
+                                                                     {"codegen", "equations FILE --form c"},
+                                                                     {"man", "manual"},
+                                                                     {"version", "--version"}};
+  const auto call = calls.find(word);
+  return call == calls.end() ? "" : "write poinsot " + call->second;
+}
+
 // What is wrong with a word that nothing takes, for the command that was to take it.
 std::string stray_message(const std::string& word, const CLI::App& program) {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
@@ -34,13 +72,20 @@ std::string stray_message(const std::string& word, const CLI::App& program) {
     }
     const std::string message = chosen.empty() ? fmt::format("unknown option '{}'", option)
                                                : fmt::format("unknown option '{}' of {}", option, command.get_name());
-    const std::string hint = poinsot::did_you_mean(option, candidates);
+    std::string hint = poinsot::did_you_mean(option, candidates);
+    if (option == "-v" || option == "-V") hint = "did you mean '--version'?";
+    // An option that the command has, but before it, is the program's, which has few.
+    const auto takes = [&](const CLI::App* other) { return other->get_option_no_throw(option) != nullptr; };
+    if (chosen.empty() ? std::ranges::any_of(program.get_subcommands({}), takes) : takes(chosen.front()))
+      return fmt::format("option '{}' stands before the command (write it behind: poinsot {} FILE {} ...)", option,
+                         chosen.empty() ? "COMMAND" : command.get_name(), option);
     return hint.empty() ? message : fmt::format("{} ({})", message, hint);
   }
   if (!chosen.empty()) return fmt::format("{} takes no '{}'", command.get_name(), word);
   for (const CLI::App* known : program.get_subcommands({})) candidates.push_back(known->get_name());
-  const std::string hint =
-      word.ends_with(".yaml") ? fmt::format("write poinsot solve {}", word) : poinsot::did_you_mean(word, candidates);
+  std::string hint = word.ends_with(".yaml") || word.ends_with(".yml") ? fmt::format("write poinsot solve {}", word)
+                                                                       : command_for(word);
+  if (hint.empty()) hint = poinsot::did_you_mean(word, candidates);
   const std::string message =
       fmt::format("unknown command '{}': expected one of {}", word, fmt::join(candidates, ", "));
   return hint.empty() ? message : fmt::format("{} ({})", message, hint);
@@ -255,6 +300,9 @@ int run(int argument_count, const char* const* arguments) {
     return exit_answered;
   } catch (const CLI::ParseError& error) {
     const std::vector<std::string> stray = stray_words(program);
+    // A flag with a value, as in --json=all.
+    if (const std::string what = error.what(); stray.empty() && what.starts_with("Could not convert: --"))
+      return usage_error(fmt::format("{} takes no value", what.substr(19, what.find(' ', 19) - 19)), program);
     return usage_error(stray.empty() ? error.what() : stray_message(stray.front(), program), program);
   }
 

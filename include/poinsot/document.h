@@ -81,6 +81,7 @@ struct Answer {
   Datum formula{};
   std::string no_formula{};
   std::vector<FormulaWhere> formulas{};  // where it has another one at other letters: all of them, `formula` first
+  std::optional<Column> over{};          // what a table runs over, row by row, if none of its columns shows that
   std::optional<ClaimOutcome> claim{};
 };
 

@@ -111,6 +111,15 @@ struct Link {
   bool slack = false;
 };
 
+// Where a cord or belt lies on a wheel or post, between two of its straight parts: from where the one ends, the `from`
+// of the link `comes`, right-handed about the axis to where the other begins, the `to` of the link `leaves`.
+struct Wrap {
+  std::string name;  // of the cord
+  std::size_t comes = 0, leaves = 0;
+  Place center;
+  Vector3<double> axis{};  // on the axes of the body of `center`
+};
+
 enum class Quantity {
   force,
   weight,
@@ -257,6 +266,7 @@ struct Scene {
   std::vector<Point> points{};
   std::vector<Symbol> symbols{};
   std::vector<Link> links{};
+  std::vector<Wrap> wraps{};
   std::vector<Diagram> diagrams{};  // the first is that of the model
   std::vector<Dimension> dimensions{};
   std::vector<Curve> curves{};

@@ -8,7 +8,7 @@
 from typing import TYPE_CHECKING as _TYPE_CHECKING
 from typing import Any as _Any
 
-from ._core import answer_schema, language_help, language_words, problem_schema
+from ._core import answer_schema, language_words, problem_schema
 from ._core import version as __version__
 
 from .answers import Answer, Explanation, Result, Solution, Unknown
@@ -29,6 +29,7 @@ from .notebook import Page, Picture
 from .problem import Problem, Recording
 from .quantities import in_unit, si_unit
 from .studies import Study, StudyError, normal, span, study, tolerance, uniform
+from .wording import language_help
 
 if _TYPE_CHECKING:
     from . import engine as engine

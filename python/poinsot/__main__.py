@@ -25,7 +25,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(text if ": error: " in text else f"{chosen.file}: error: {text}", file=sys.stderr)
         return 2
     except OSError as error:
-        print(f"{chosen.file}: error: {error}", file=sys.stderr)
+        print(f"{error.filename or chosen.file}: error: {error.strerror or error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("interrupted: the same command goes on where this one was stopped", file=sys.stderr)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import ItemsView, Iterator, KeysView, Mapping
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
 
-from . import _core, formulas, notebook
+from . import _core, calls, formulas, notebook, quantities
 from .errors import NoAnswer
+from .wording import in_python
 
 if TYPE_CHECKING:
     import pandas
@@ -44,6 +45,8 @@ class ByName(Mapping[str, _Item], Generic[_Item]):
         self._items, self._what = dict(items), what
 
     def __getitem__(self, name: str) -> _Item:
+        if not isinstance(name, str):
+            raise TypeError(f"one {self._what} is sought by its name, as '{next(iter(self._items), 'T')}', not by {name!r}")
         try:
             return self._items[name]
         except KeyError:
@@ -53,6 +56,9 @@ class ByName(Mapping[str, _Item], Generic[_Item]):
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._items)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._items
 
     def __len__(self) -> int:
         return len(self._items)
@@ -75,6 +81,10 @@ class Found:
         if value is None:
             raise NoAnswer(f"{self.name} has no value{self._why()}")
         return _plain(value)
+
+    def _no_formula(self) -> str:
+        why = getattr(self, "no_formula", "")
+        return f" ({why})" if why else ""
 
     def _why(self) -> str:
         if self.formula is None:
@@ -103,7 +113,10 @@ class Found:
         and positive where the answer assumes it; for SymPy such a symbol is another than one of the same name without.
         """
         if self.formula is None:
-            raise NoAnswer(f"{self.name} has no formula: leave letters without value to get one")
+            raise NoAnswer(
+                f"{self.name} has no formula{self._no_formula()}: formulas are in the letters of a file that have no value, "
+                "letters: {m: kg} in place of given: {m: 8 kg}"
+            )
         positive = set(self._positive) if assumptions else None
         found = _each(lambda text: formulas.to_sympy(text, positive), self.formula)
         if not isinstance(found, list):
@@ -112,8 +125,26 @@ class Found:
 
         return sympy.Matrix(found)
 
+    def to(self, unit: str) -> Any:
+        """The value in another unit: answer.to("kJ")."""
+        value = self.si
+        if not isinstance(value, (float, np.ndarray)):
+            raise TypeError(f"{self.name} is no number with a unit")
+        return quantities.converted(value, self.unit, unit)
+
     def __float__(self) -> float:
         return float(self.value)
+
+    def __str__(self) -> str:
+        return notebook.text_of(self)
+
+    def __format__(self, digits: str) -> str:
+        """With unit: f"{answer:.2f}"."""
+        if not digits:
+            return str(self)
+        value = self.value
+        numbers = f"({', '.join(format(one, digits) for one in value)})" if np.ndim(value) == 1 else format(value, digits)
+        return f"{numbers} {self.unit}".strip()
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
         return np.asarray(self.value, dtype=dtype)
@@ -139,10 +170,10 @@ class Answer(Found):
         # "found", "needs_letters", "undetermined" or "refused".
         self.state = core.state
         # For every state but "found": why, and what would help.
-        self.reason = core.reason
+        self.reason = in_python(core.reason)
         self.axes: list[str] = core.axes
         self.letters: list[str] = core.letters
-        self.no_formula: str = core.no_formula
+        self.no_formula = in_python(core.no_formula)
 
     def _why(self) -> str:
         if self.is_table:
@@ -155,13 +186,16 @@ class Answer(Found):
         return bool(self._core.columns)
 
     def frame(self, si: bool = False) -> pandas.DataFrame:
-        """A table as a frame of pandas. The units of its columns are in attrs["units"]."""
+        """A table as a frame of pandas, its index what it runs over, if no column shows that; units are in attrs["units"]."""
         if not self.is_table:
             raise NoAnswer(f"{self.name} is no table")
         import pandas
 
-        columns = self._core.columns
-        frame = pandas.DataFrame({one.name: one.si if si else one.value for one in columns})
+        columns, over = self._core.columns, self._core.over
+        index = pandas.Index(over.si if si else over.value, name=over.name) if over else None
+        frame = pandas.DataFrame({one.name: one.si if si else one.value for one in columns}, index=index)
+        if over:
+            columns = [over, *columns]
         frame.attrs["units"] = {one.name: _core.si_unit_of(one.unit) if si else one.unit for one in columns}
         return frame
 
@@ -172,7 +206,8 @@ class Answer(Found):
             raise TypeError(f"{self.name} has no components")
         if isinstance(component, str):
             if component not in self.axes:
-                raise KeyError(f"{self.name} has no component '{component}': expected {', '.join(self.axes)}")
+                known = ", ".join(self.axes) or f"a number from 0 to {len(value) - 1}"
+                raise KeyError(f"{self.name} has no component '{component}': expected {known}")
             component = self.axes.index(component)
         return value[component]
 
@@ -197,20 +232,44 @@ class Answer(Found):
         return notebook.answers_html([self])
 
 
-class Solution:
+class _HasAnswers:
+    """Answers by name."""
+
+    @property
+    def answers(self) -> ByName[Answer]:
+        raise NotImplementedError
+
+    def __getitem__(self, name: str) -> Answer:
+        return self.answers[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.answers)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.answers
+
+    def keys(self) -> KeysView[str]:
+        return self.answers.keys()
+
+    def items(self) -> ItemsView[str, Answer]:
+        return self.answers.items()
+
+
+class Solution(_HasAnswers):
     """The answers for one root of the unknowns."""
 
     def __init__(self, core: _core.Solution) -> None:
         positive = frozenset(one.removesuffix(" > 0") for one in core.assumptions if one.endswith(" > 0"))
         self.unknowns = ByName({one.name: Unknown(one, positive) for one in core.unknowns}, "unknown")
-        self.answers = ByName({one.name: Answer(one, positive) for one in core.answers}, "answer")
+        self._answers = ByName({one.name: Answer(one, positive) for one in core.answers}, "answer")
         self.checks: dict[str, float] = core.checks
-        self.notes: list[str] = core.notes
+        self.notes = [in_python(note) for note in core.notes]
         self.assumptions: list[str] = core.assumptions
         self.conditions = [(one.words, one.formula) for one in core.conditions]
 
-    def __getitem__(self, name: str) -> Answer:
-        return self.answers[name]
+    @property
+    def answers(self) -> ByName[Answer]:
+        return self._answers
 
     def __repr__(self) -> str:
         return f"<solution: {', '.join(self.answers)}>"
@@ -219,14 +278,14 @@ class Solution:
         return notebook.solution_html(self)
 
 
-class Result:
+class Result(_HasAnswers):
     """All that a run found. With one solution, its answers are at hand: result["T"].value."""
 
     def __init__(self, core: _core.Document, problem: Problem) -> None:
         self._core, self._problem = core, problem
         self.title = core.title
         self.solutions = [Solution(one) for one in core.solutions]
-        self.warnings: list[str] = core.warnings
+        self.warnings = [in_python(warning) for warning in core.warnings]
         self.open_letters = {one.name: one.unit for one in core.open_letters}
         # What ended the run before it was done: "deadline" or "interrupted"; else None.
         self.ended: str | None = core.ended
@@ -257,9 +316,6 @@ class Result:
     def notes(self) -> list[str]:
         return self.solution.notes
 
-    def __getitem__(self, name: str) -> Answer:
-        return self.answers[name]
-
     def to_dict(self) -> dict[str, Any]:
         """The answer document, as `poinsot solve --json` prints it."""
         document: dict[str, Any] = json.loads(self._core.to_json())
@@ -267,11 +323,13 @@ class Result:
 
     def to_text(self, digits: int = 6) -> str:
         """The answers as the program prints them on a terminal."""
-        return self._core.to_text(digits)
+        if calls.whole(digits, "digits") > 17:
+            raise ValueError(f"a number has 17 digits and no {digits}")
+        return in_python(self._core.to_text(digits))
 
     def to_markdown(self) -> str:
         """As Markdown with TeX; with the steps of the solution if the result is of explain()."""
-        return self._core.to_markdown()
+        return in_python(self._core.to_markdown())
 
     def __str__(self) -> str:
         return self.to_text()

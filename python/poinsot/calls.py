@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import importlib.util
+import operator
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, TypeAlias
 
 # True and False for a bar or none, None for a bar where a person would see it, or a function that is called with what
@@ -37,10 +38,44 @@ def _in_notebook() -> bool:
     return shell is not None and type(shell.get_ipython()).__name__ == "ZMQInteractiveShell"
 
 
+def seconds(timeout: float | None) -> float | None:
+    """The timeout of a call as a number."""
+    if timeout is None:
+        return None
+    try:
+        if not isinstance(timeout, str):
+            return float(timeout)
+    except TypeError:
+        pass
+    raise TypeError(f"the timeout is a number of seconds, not {timeout!r}")
+
+
+def whole(value: Any, name: str, least: int = 1) -> int:
+    """A whole number that the caller gave for `name`."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} is a whole number, not {value!r}") from None
+    if isinstance(value, bool) or number < least:
+        raise ValueError(f"{name} is a whole number, {least} or more, not {value!r}")
+    return number
+
+
+def texts(value: Any, name: str) -> list[str]:
+    """A list of texts, for which one alone may stand."""
+    if isinstance(value, Iterable) and not isinstance(value, bytes):
+        listed = [value] if isinstance(value, str) else list(value)
+        if all(isinstance(one, str) for one in listed):
+            return listed
+    raise TypeError(f"{name} is a list of texts, not {value!r}")
+
+
 def listener(progress: Progress) -> Any:
     """What is told of the progress of a call, or None."""
     if callable(progress):
         return progress
+    if progress is not None and not isinstance(progress, bool):
+        raise TypeError(f"progress is True, False or a function, not {progress!r}")
     if progress is False or (progress is None and not (_in_notebook() or sys.stderr.isatty())):
         return None
     try:

@@ -5,9 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from .wording import in_python
+
 
 class PoinsotError(Exception):
     """The base of all errors of this package."""
+
+    def __init__(self, *told: Any) -> None:
+        super().__init__(*(in_python(one) if isinstance(one, str) else one for one in told))
 
 
 @dataclass(frozen=True)
@@ -32,12 +37,16 @@ class Diagnostic:
         return f"{text}\n{number}{self.source}\n{' ' * (len(number) - 2)}| {before}^"
 
 
+def _diagnostic(file: str, line: int, column: int, message: str, hint: str) -> Diagnostic:
+    return Diagnostic(in_python(file), line, column, in_python(message), in_python(hint))
+
+
 class StatementError(PoinsotError, ValueError):
     """A problem, or a value given to it, that cannot be understood or is impossible."""
 
     def __init__(self, text: str, diagnostics: list[Any] | None = None) -> None:
         super().__init__(text)
-        self.diagnostics = [Diagnostic(*one) if isinstance(one, tuple) else one for one in diagnostics or []]
+        self.diagnostics = [_diagnostic(*one) if isinstance(one, tuple) else one for one in diagnostics or []]
 
     # The module raises it with the text alone, where pickles and copies need both.
     def __reduce__(self) -> tuple[Any, ...]:

@@ -9,6 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, calls
+from . import quantities as quantity_values
+from .wording import in_python
 
 if TYPE_CHECKING:
     import pandas
@@ -44,22 +46,30 @@ class Motion:
         progress: calls.Progress = None,
         **named: str,
     ) -> MotionValues:
-        """Quantities at times (s, in any order), each asked for as in a problem file; by default the coordinates.
+        """Quantities at times (numbers in s or pint's, in any order), each asked for as in a problem file; by default the coordinates.
 
         Keywords give names: E="kinetic_energy(disk)". axes: those of vectors, as `axes:` of a question. What has no answer
         raises NoAnswer.
         """
-        at = np.atleast_1d(np.asarray(times, dtype=float))
+        # Quantities of pint, which NumPy would take without their unit.
+        in_seconds = getattr(times, "to", None) if hasattr(times, "to_base_units") else None
+        plain = times if in_seconds is None else in_seconds("s").magnitude
+        at = np.atleast_1d(quantity_values.numbers(plain, "times as numbers in s"))
         if at.ndim != 1:
             raise ValueError(f"times are one number or a list of them, not an array of {at.ndim} dimensions")
+        for one in (*quantities, *named.values()):
+            if not isinstance(one, str):
+                raise TypeError(f"quantities are texts, one by one, motion(times, 'theta', \"theta'\"), not {one!r}")
         names = [*quantities, *named]
         if len(set(names)) != len(names):
-            raise ValueError("a name is given to two quantities")
+            raise ValueError(f"a name is given to two quantities: {', '.join(names)}")
         texts = [*quantities, *named.values()]
         if not texts:
             names = texts = self.coordinates
             if not names:
-                raise ValueError("no coordinate of the problem has a name: say which quantities are asked, as 'kinetic_energy(disk)'")
+                raise ValueError(
+                    "no coordinate of the problem has a name: say which quantities are asked, as 'kinetic_energy(disk)'"
+                )
 
         def call(*ends: Any) -> Any:
             return self._core.values(at.tolist(), texts, axes, *ends)
@@ -81,7 +91,7 @@ class MotionValues(Mapping[str, Array]):
             name: one.axes for name, one in zip(names, core.series, strict=True) if one.axes
         }
         self.checks: dict[str, float] = core.checks
-        self.notes: list[str] = core.notes
+        self.notes = [in_python(note) for note in core.notes]
 
     def __getitem__(self, name: str) -> Array:
         try:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from html import escape
 from typing import TYPE_CHECKING, Any
 
@@ -161,9 +162,12 @@ class Picture:
     def _repr_svg_(self) -> str:
         return self.svg
 
-    def save(self, path: str) -> None:
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.svg)
+    def __repr__(self) -> str:
+        return f"<poinsot.Picture: {len(self.svg)} characters of SVG; save(path) writes them>"
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes it to a file, whose name ends in .svg."""
+        _save(self.svg, path, ".svg")
 
 
 class Page:
@@ -181,6 +185,17 @@ class Page:
             f'style="width:100%;height:{self.height}px;border:0" title="poinsot"></iframe>'
         )
 
-    def save(self, path: str) -> None:
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.html)
+    def __repr__(self) -> str:
+        return f"<poinsot.Page: {len(self.html)} characters of HTML; save(path) writes them>"
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes it to a file, whose name ends in .html."""
+        _save(self.html, path, ".html", ".htm")
+
+
+def _save(text: str, path: str | os.PathLike[str], *endings: str) -> None:
+    name = os.fspath(path)
+    if os.path.splitext(name)[1] and not name.lower().endswith(endings):
+        raise ValueError(f"'{name}' would be no file of its kind: what is written is {endings[0]}")
+    with open(name, "w", encoding="utf-8") as file:
+        file.write(text)

@@ -32,7 +32,8 @@ class Recording:
 class Problem:
     """A problem file that was read and checked. It does not change, and threads may share it."""
 
-    def __init__(self, core: _core.Problem, text: str = "") -> None:
+    def __init__(self, core: _core.Problem | None = None, text: str = "") -> None:
+        # The caller may not have the types checked.
         if not isinstance(core, _core.Problem):
             raise TypeError("a problem is read by Problem.from_file(path) or Problem.from_text(text)")
         self._core = core
@@ -59,15 +60,23 @@ class Problem:
     @classmethod
     def from_text(cls, text: str, name: str = "problem") -> Problem:
         """Reads the text of a problem file; `name` is used in messages. Files that it names are sought beside it."""
+        if not isinstance(text, str) or not isinstance(name, str):
+            raise TypeError(f"from_text() takes the text of a problem file, not {text if not isinstance(text, str) else name!r}")
+        if "\n" not in text and text.endswith((".yaml", ".yml")):
+            raise ValueError(f"'{text}' is the name of a file and no problem: Problem.from_file() reads files")
         with _Sources(text):
             return cls(_core.Problem.from_text(text, name), text)
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Problem:
         """Reads a problem file. OSError if there is none, StatementError if it is wrong."""
-        with open(path, encoding="utf-8", newline="") as file:
+        name = os.fspath(path)
+        if "\n" in name:
+            raise ValueError("this is the text of a problem and no path: Problem.from_text() reads texts")
+        with open(name, encoding="utf-8", newline="") as file:
             text = file.read()
-        return cls.from_text(text, os.fspath(path))
+        with _Sources(text):
+            return cls(_core.Problem.from_text(text, name), text)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (type(self).from_text, (self.text, self.name))
@@ -142,11 +151,11 @@ class Problem:
         self,
         form: str = "text",
         *,
-        of: Sequence[str] = (),
+        of: str | Sequence[str] = (),
         function: str = "equations",
         situation: str = "",
         sets: Mapping[str, quantities.Value] | None = None,
-        letters: Sequence[str] = (),
+        letters: str | Sequence[str] = (),
         timeout: float | None = None,
         progress: calls.Progress = None,
     ) -> str:
@@ -157,8 +166,10 @@ class Problem:
         """
 
         def call(*ends: Any) -> Any:
-            given = quantities.settings(self, sets or {})
-            return self._core.equations(list(of), form, function, situation, given, list(letters), *ends)
+            given = quantities.settings(self, quantities.given(sets, {}))
+            return self._core.equations(parts, form, function, situation, given, open_letters, *ends)
+
+        parts, open_letters = calls.texts(of, "of"), calls.texts(letters, "letters")
 
         text: str = self._called(call, timeout, progress)
         return text
@@ -173,7 +184,7 @@ class Problem:
         **values: quantities.Value,
     ) -> Motion:
         """The motion, to be asked for any quantities at any times. NoAnswer if there is not one motion."""
-        given = quantities.settings(self, {**(sets or {}), **values})
+        given = quantities.settings(self, quantities.given(sets, values))
 
         def call(*ends: Any) -> Any:
             return self._core.motion(given, *ends)
@@ -196,7 +207,7 @@ class Problem:
         A recording that was stopped, by Ctrl-C, the timeout or a kill, goes on when it is called again, from the journal beside
         the file. replace: whether a file that is there without a journal is replaced; else that is a RecordingError.
         """
-        given = quantities.settings(self, {**(sets or {}), **values})
+        given = quantities.settings(self, quantities.given(sets, values))
 
         def call(*ends: Any) -> Any:
             return self._core.record(os.fspath(path), given, replace, *ends)
@@ -214,19 +225,30 @@ class Problem:
         sets: Mapping[str, quantities.Value] | None = None,
         /,
         *,
-        view: str = "",
+        view: str | Sequence[float] = "",
         with_values: bool = False,
         solution: int = 0,
         **values: quantities.Value,
     ) -> Picture:
         """A line drawing: "model", "free-body", "impulse", "motion", ... (see figures()).
 
-        view: "front", "top", ..., "azimuth,elevation" or "x,y,z". with_values: values beside the symbols.
+        view: "front", "top", ..., azimuth and elevation in degrees, (30, 20), or the direction towards the viewer,
+        (1, 2, 3). with_values: values beside the symbols. solution: its number, counted from 0.
         """
+        if not isinstance(view, str):
+            view = ",".join(f"{float(one):.17g}" for one in view)
         result = self._illustrated(sets, values)
-        if not 0 <= solution < len(result.solutions):
-            raise NoAnswer(f"there is no solution {solution}: there are {len(result.solutions)}")
+        _known(solution, result)
         return Picture(result._core.to_svg(solution, of, view, with_values))
+
+    def gltf(
+        self, sets: Mapping[str, quantities.Value] | None = None, /, *, solution: int = 0, **values: quantities.Value
+    ) -> bytes:
+        """The bodies and their motion as a binary file of glTF (.glb), for other programs."""
+        result = self._illustrated(sets, values)
+        _known(solution, result)
+        content: bytes = result._core.to_gltf(solution)
+        return content
 
     def report(
         self,
@@ -257,7 +279,7 @@ class Problem:
         progress: calls.Progress,
         values: Mapping[str, Any],
     ) -> _Kind:
-        given = quantities.settings(self, {**(sets or {}), **values})
+        given = quantities.settings(self, quantities.given(sets, values))
 
         def call(*ends: Any) -> Any:
             document, raised = self._core.solve(given, scene, explanation, *ends)
@@ -272,7 +294,7 @@ class Problem:
         heard = calls.listener(progress)
         try:
             with _Sources(self.text):
-                found, raised = call(timeout, heard)
+                found, raised = call(calls.seconds(timeout), heard)
         finally:
             calls.close(heard)
         if isinstance(raised, KeyboardInterrupt):
@@ -308,9 +330,14 @@ class _Sources:
 
     def _with_source(self, one: Any) -> Any:
         if not one.line:
-            return replace(one, file=one.file.removeprefix("--set "))
+            return one
         lines = self.text.split("\n")
         return replace(one, source=lines[one.line - 1].rstrip("\r")) if one.line <= len(lines) else one
+
+
+def _known(solution: int, result: Result) -> None:
+    if calls.whole(solution, "solution", least=0) >= len(result.solutions):
+        raise NoAnswer(f"there is no solution {solution}: there are {len(result.solutions)}, counted from 0")
 
 
 def _is_number(text: str) -> bool:

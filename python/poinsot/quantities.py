@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from .errors import StatementError
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -18,6 +19,18 @@ if TYPE_CHECKING:
 Value: TypeAlias = Any
 
 _SYMBOLS = {"kilogram": "kg", "meter": "m", "second": "s", "radian": "rad", "kelvin": "K"}
+
+
+def given(sets: Mapping[str, Value] | None, values: Mapping[str, Value]) -> dict[str, Value]:
+    """All values of a call: those of its mapping and its keywords."""
+    # The caller may not have the types checked.
+    if sets is not None and not isinstance(sets, Mapping):
+        raise TypeError(f"values are given by name, as n='3000 rpm' or {{'n': '3000 rpm'}}, not as {sets!r}")
+    both = {**(sets or {}), **values}
+    for name in both:
+        if not isinstance(name, str):
+            raise TypeError(f"values are given by name, and {name!r} is none")
+    return both
 
 
 def _number(value: Any, name: str) -> str:
@@ -53,14 +66,18 @@ def text_of(value: Value, unit: str | None, name: str) -> str:
         if getattr(magnitude, "ndim", 0) or isinstance(magnitude, (list, tuple)):
             return "[" + ", ".join(text_of(one * value.units, unit, name) for one in magnitude) + "]"
         return _of_pint(value, name)
-    if isinstance(value, bool):
+    if isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name}: a truth value is no value with unit")
+    if isinstance(value, (Mapping, set, bytes)):
+        raise TypeError(f"{name}: expected text with unit, a number in SI units or a quantity of pint, not {value!r}")
     if isinstance(value, Iterable) and getattr(value, "ndim", None) != 0:
         return "[" + ", ".join(text_of(one, unit, name) for one in value) + "]"
     try:
         number = _number(value, name)
     except TypeError:
-        raise TypeError(f"{name}: expected text with unit, a number in SI units or a quantity of pint") from None
+        raise TypeError(
+            f"{name}: expected text with unit, a number in SI units or a quantity of pint, not {value!r}"
+        ) from None
     if unit is None:
         raise ValueError(
             f"{name}: its value is stated without a unit of its own, so that a plain number could mean anything: "
@@ -76,9 +93,9 @@ def settings(problem: Problem, values: Mapping[str, Value]) -> list[tuple[str, s
         # A vector's components may stand alone: w.x has the unit of w.
         # Of a name that the problem does not know it says itself what is wrong.
         unit = problem._units.get(name, problem._units.get(name.split(".")[0], ""))
-        if name in problem._numbers and _is_several(value):
+        if name in problem._numbers and _is_several(value) and not isinstance(value, (Mapping, set, bytes)):
             raise ValueError(
-                f"{name}: a call takes one value, and these are {len(value)}: "
+                f"{name}: a call takes one value, and this is a list of {len(value)}: "
                 f"ask for all of them at once by poinsot.study(problem, over={{'{name}': values}})"
             )
         sets.append((name, text_of(value, unit, name)))
@@ -87,11 +104,37 @@ def settings(problem: Problem, values: Mapping[str, Value]) -> list[tuple[str, s
 
 def in_unit(si: npt.ArrayLike, unit: str) -> Any:
     """Numbers in SI units as numbers of another unit of problem files: in_unit(study["n"], "rpm")."""
+    if hasattr(si, "to_base_units"):
+        raise TypeError(f"in_unit() takes plain numbers in SI units, not {si!r}")
+    return numbers(si, "numbers in SI units") / _letter(unit).value_in_si("x", f"1 {unit}".strip())
+
+
+def converted(si: Any, measured: str, unit: str) -> Any:
+    """Numbers in the SI unit of `measured` as numbers of another unit of the same kind."""
+    try:
+        _letter(unit).value_in_si("x", f"1 {measured}".strip())
+    except StatementError:
+        raise ValueError(f"a value in {measured or 'no unit'} cannot be told in '{unit}'") from None
+    return in_unit(si, unit)
+
+
+def numbers(value: npt.ArrayLike, what: str) -> npt.NDArray[np.float64]:
+    """An array of NumPy."""
+    try:
+        if value is not None:
+            return np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        pass
+    raise TypeError(f"expected {what}, not {value!r}")
+
+
+def _letter(unit: str) -> Any:
     si_unit(unit)  # says what is wrong with it
-    letter: Any = _core.Problem.from_text(f"letters: {{x: {unit or 1}}}", unit)
-    return np.asarray(si, dtype=float) / letter.value_in_si("x", f"1 {unit}".strip())
+    return _core.Problem.from_text(f"letters: {{x: {unit or 1}}}", unit)
 
 
 def si_unit(unit: str) -> str:
     """The coherent SI unit of what a unit measures: "rad/s" of "rpm"."""
+    if not isinstance(unit, str):
+        raise TypeError(f"a unit is a text, as 'rpm', not {unit!r}")
     return _core.si_unit_of(unit)

@@ -69,7 +69,11 @@ void bind_document(nb::module_& module) {
       .def_ro("letter", &ClaimOutcome::Value::letter)
       .def_ro("value", &ClaimOutcome::Value::value)
       .def_ro("unit", &ClaimOutcome::Value::unit)
-      .def_ro("si", &ClaimOutcome::Value::si);
+      .def_ro("si", &ClaimOutcome::Value::si)
+      .def("__repr__", [](const ClaimOutcome::Value& value) {
+        const std::string unit = value.unit.empty() ? "" : " " + value.unit;
+        return nb::str("<{} = {:.6g}{}>").format(value.letter, value.value, unit);
+      });
   nb::class_<ClaimOutcome>(module, "ClaimOutcome")
       .def_ro("holds", &ClaimOutcome::holds)
       .def_ro("how", &ClaimOutcome::how)
@@ -77,7 +81,10 @@ void bind_document(nb::module_& module) {
       .def_ro("sides", &ClaimOutcome::sides)
       .def_ro("difference", &ClaimOutcome::difference)
       .def_ro("unit", &ClaimOutcome::unit)
-      .def_ro("assumptions", &ClaimOutcome::assumptions);
+      .def_ro("assumptions", &ClaimOutcome::assumptions)
+      .def("__repr__", [](const ClaimOutcome& claim) {
+        return claim.holds ? "<holds, " + claim.how + ">" : std::string("<does not hold>");
+      });
   nb::class_<Answer>(module, "Answer")
       .def_ro("name", &Answer::name)
       .def_ro("ask", &Answer::ask)
@@ -90,6 +97,7 @@ void bind_document(nb::module_& module) {
       .def_ro("reason", &Answer::reason)
       .def_ro("letters", &Answer::letters)
       .def_ro("columns", &Answer::columns)
+      .def_ro("over", &Answer::over)
       .def_prop_ro("formula", [](const Answer& answer) { return object_of(answer.formula); })
       .def_ro("no_formula", &Answer::no_formula)
       .def_ro("claim", &Answer::claim);

@@ -70,7 +70,8 @@ std::string text_without_unit(const Datum& datum, int digits, bool vector) {
   const auto* list = std::get_if<List>(&datum.content);
   if (list == nullptr || list->empty()) return "none";
   if (const std::optional<std::vector<double>> numbers = numbers_of(datum)) {
-    if (vector && numbers->size() == 3) return fmt::format("({})", fmt::join(rounded_together(*numbers, digits), ", "));
+    if (vector && (numbers->size() == 3 || numbers->size() == 2))
+      return fmt::format("({})", fmt::join(rounded_together(*numbers, digits), ", "));
     std::vector<std::string> texts;
     for (double number : *numbers) texts.push_back(rounded(number, digits));
     return fmt::format("[{}]", fmt::join(texts, ", "));
@@ -147,6 +148,12 @@ std::vector<std::string> assumptions_in_words(const Solution& solution) {
         break;
       }
   return words;
+}
+
+std::vector<Column> shown_columns(const Answer& answer) {
+  std::vector<Column> columns = answer.columns;
+  if (answer.over) columns.insert(columns.begin(), *answer.over);
+  return columns;
 }
 
 }  // namespace poinsot::document

@@ -22,4 +22,7 @@ bool has_brackets(const Datum& datum, bool vector = true);
 // - g*m > 0".
 std::vector<std::string> assumptions_in_words(const Solution& solution);
 
+// The columns of a table as it is shown: before those that are asked for stands what it runs over.
+std::vector<Column> shown_columns(const Answer& answer);
+
 }  // namespace poinsot::document

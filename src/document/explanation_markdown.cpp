@@ -113,9 +113,25 @@ std::string answer_value(const Answer& answer) {
   }
   if (answer.claim) return answer.claim->holds ? "holds, " + answer.claim->how : "does not hold";
   if (!answer.columns.empty()) {
-    std::vector<std::string> names;
-    for (const Column& column : answer.columns) names.push_back(column.name);
-    return fmt::format("a table of {}", fmt::join(names, ", "));
+    std::vector<std::string> heads;
+    std::vector<std::vector<std::string>> cells;
+    if (!answer.component_names.empty()) {
+      heads.emplace_back("on");
+      cells.push_back(answer.component_names);
+      cells.front().resize(answer.columns.front().value.size());
+    }
+    for (const Column& column : shown_columns(answer)) {
+      heads.push_back(column.name + (column.unit.empty() ? "" : " in " + column.unit));
+      cells.push_back(rounded_column(column.value, significant_digits));
+    }
+    // Indented, it belongs to the item of its question.
+    std::string table = fmt::format("\n\n  | {} |\n  |", fmt::join(heads, " | "));
+    for (std::size_t i = 0; i < heads.size(); ++i) table += "---:|";
+    for (std::size_t row = 0; row < cells.front().size(); ++row) {
+      table += "\n  |";
+      for (const std::vector<std::string>& column : cells) table += " " + column[row] + " |";
+    }
+    return table;
   }
   return "**" + datum_text(answer.value, answer.unit, significant_digits) + "**";
 }

@@ -26,12 +26,15 @@ Json datum_json(const Datum& datum) {
 // A value without unit stands for its own SI value.
 const Datum& si_of(const Datum& value, const Datum& si) { return si.empty() ? value : si; }
 
-Json table_json(const std::vector<Column>& columns) {
-  Json list = Json::array();
-  for (const Column& column : columns) {
-    list.push_back({{"name", column.name}, {"unit", column.unit}, {"value", column.value}, {"si", column.si}});
-  }
-  return {{"columns", list}};
+Json column_json(const Column& column) {
+  return {{"name", column.name}, {"unit", column.unit}, {"value", column.value}, {"si", column.si}};
+}
+
+Json table_json(const Answer& answer) {
+  Json json = {{"columns", Json::array()}};
+  for (const Column& column : answer.columns) json["columns"].push_back(column_json(column));
+  if (answer.over) json["over"] = column_json(*answer.over);
+  return json;
 }
 
 void add_claim(Json& json, const ClaimOutcome& claim) {
@@ -60,7 +63,7 @@ Json answer_json(const Answer& answer) {
   switch (answer.state) {
     case AnswerState::found:
       if (!answer.columns.empty()) {
-        json["table"] = table_json(answer.columns);
+        json["table"] = table_json(answer);
         break;
       }
       json["value"] = datum_json(answer.value);

@@ -232,6 +232,14 @@ Json scene_json(const scene::Scene& scene) {
             {"dimensions", list_json(scene.dimensions, dimension_json)},
             {"curves", list_json(scene.curves, curve_json)},
             {"cones", list_json(scene.cones, cone_json)}};
+  if (!scene.wraps.empty())
+    json["wraps"] = list_json(scene.wraps, [](const scene::Wrap& wrap) -> Json {
+      return {{"name", wrap.name},
+              {"comes", wrap.comes},
+              {"leaves", wrap.leaves},
+              {"center", place_json(wrap.center)},
+              {"axis", vector_json(wrap.axis)}};
+    });
   if (scene.viewer) json["viewer"] = vector_json(*scene.viewer);
   if (scene.motion) json["motion"] = motion_json(*scene.motion);
   json["drawn_letters"] = list_json(scene.drawn_letters, [](const scene::DrawnLetter& letter) -> Json {

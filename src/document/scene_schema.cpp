@@ -44,6 +44,22 @@ std::string scene_definitions() {
         },
         "symbols": {"type": "array", "items": {"$ref": "#/$defs/scene_symbol"}},
         "links": {"type": "array", "items": {"$ref": "#/$defs/scene_link"}},
+        "wraps": {
+          "type": "array",
+          "description": "where cords and belts lie on wheels, between two of their straight parts",
+          "items": {
+            "type": "object",
+            "required": ["name", "comes", "leaves", "center", "axis"],
+            "additionalProperties": false,
+            "properties": {
+              "name": {"type": "string", "description": "of the cord"},
+              "comes": {"type": "integer", "minimum": 0, "description": "the link at whose `from` it begins"},
+              "leaves": {"type": "integer", "minimum": 0, "description": "the link at whose `to` it ends"},
+              "center": {"$ref": "#/$defs/place"},
+              "axis": {"$ref": "#/$defs/vector", "description": "it goes round right-handed; on the axes of the body"}
+            }
+          }
+        },
         "diagrams": {
           "type": "array",
           "items": {"$ref": "#/$defs/diagram"},

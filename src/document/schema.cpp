@@ -189,20 +189,21 @@ std::string answer_schema() {
       "type": "object",
       "required": ["columns"],
       "properties": {
-        "columns": {
-          "type": "array",
-          "minItems": 1,
-          "items": {
-            "type": "object",
-            "required": ["name", "unit", "value", "si"],
-            "properties": {
-              "name": {"type": "string"},
-              "unit": {"type": "string"},
-              "value": {"type": "array", "items": {"type": "number"}, "description": "in unit"},
-              "si": {"type": "array", "items": {"type": "number"}, "description": "in SI base units"}
-            }
-          }
+        "columns": {"type": "array", "minItems": 1, "items": {"$ref": "#/$defs/column"}},
+        "over": {
+          "$ref": "#/$defs/column",
+          "description": "what the table runs over, row by row, if none of its columns shows that"
         }
+      }
+    },
+    "column": {
+      "type": "object",
+      "required": ["name", "unit", "value", "si"],
+      "properties": {
+        "name": {"type": "string"},
+        "unit": {"type": "string"},
+        "value": {"type": "array", "items": {"type": "number"}, "description": "in unit"},
+        "si": {"type": "array", "items": {"type": "number"}, "description": "in SI base units"}
       }
     },
     "formula": {

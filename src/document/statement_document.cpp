@@ -60,6 +60,12 @@ Answer answer_of(const problem::Claim& stated, const problem::SolvedClaim& solve
   return answer;
 }
 
+Column shown_column(const problem::SolvedColumn& column) {
+  Column shown{column.name, column.unit.text, {}, column.values};
+  for (const double value : column.values) shown.value.push_back(value / column.unit.factor);
+  return shown;
+}
+
 Solution solution_of(const problem::Statement& stated, const problem::Solution& solved) {
   Solution solution;
   for (const problem::SolvedUnknown& unknown : solved.unknowns) {
@@ -83,11 +89,8 @@ Solution solution_of(const problem::Statement& stated, const problem::Solution& 
     switch (found.state) {
       case problem::AskState::found:
         answer.state = AnswerState::found;
-        for (const problem::SolvedColumn& column : found.columns) {
-          Column shown{column.name, column.unit.text, {}, column.values};
-          for (double value : column.values) shown.value.push_back(value / column.unit.factor);
-          answer.columns.push_back(std::move(shown));
-        }
+        for (const problem::SolvedColumn& column : found.columns) answer.columns.push_back(shown_column(column));
+        if (found.over) answer.over = shown_column(*found.over);
         if (!found.columns.empty()) break;
         answer.value = datum(found.value, found.unit.factor);
         answer.si = datum(found.value, 1);

@@ -130,7 +130,7 @@ class TerminalText {
       case AnswerState::refused:
         return {painted(Role::failure, "refused: " + printable(answer.reason))};
     }
-    if (!answer.columns.empty()) return table_lines(answer.columns, answer.component_names);
+    if (!answer.columns.empty()) return table_lines(shown_columns(answer), answer.component_names);
     if (answer.claim) return claim_lines(*answer.claim);
     std::vector<std::string> lines =
         datum_lines(answer.value, printable(answer.unit), style_.digits, !answer.component_names.empty());

@@ -83,8 +83,35 @@ class Usage(unittest.TestCase):
 
     def test_unknown_command_far_from_all(self):
         self.assert_wrong_usage(
-            ["integrate"],
-            f"unknown command 'integrate': expected one of {', '.join(commands())}")
+            ["frobnicate"],
+            f"unknown command 'frobnicate': expected one of {', '.join(commands())}")
+
+    def test_words_of_other_programs_get_the_call(self):
+        for word, call in {"explain": "solve --explain FILE", "draw": "figure FILE -o OUT.svg",
+                           "validate": "check FILE", "a.yml": "solve a.yml"}.items():
+            self.assert_wrong_usage(
+                [word], f"unknown command '{word}': expected one of {', '.join(commands())} (write poinsot {call})")
+
+    def test_options_before_the_command(self):
+        self.assert_wrong_usage(
+            ["-o", "a.svg", "figure", "a.yaml"],
+            "option '-o' stands before the command (write it behind: poinsot figure FILE -o ...)", "poinsot figure")
+
+    def test_flags_take_no_value(self):
+        self.assert_wrong_usage(["solve", "a.yaml", "--json=all"], "--json takes no value", "poinsot solve")
+
+    def test_files_of_nearly_the_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ["pendulum.yaml", "top.yaml"]:
+                with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                    file.write("title: nothing\n")
+            for word, hint in {"pendulm.yaml": "did you mean '{}'?", "pendulum": "did you mean '{}'?",
+                               "bicycle.yaml": "check the path"}.items():
+                path = os.path.join(folder, word)
+                result = run("solve", path)
+                self.assertEqual(result.returncode, 2)
+                meant = hint.format(os.path.join(folder, "pendulum.yaml"))
+                self.assertEqual(result.stderr, f"{path}:1:1: error: there is no such file ({meant})\n")
 
     def test_unknown_option_gets_the_nearest(self):
         self.assert_wrong_usage(["solve", "a.yaml", "--jsno"],

@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -251,6 +252,138 @@ TEST(ExplainedEquations, FrictionThatIsAskedForFollowsFromTheEquations) {
   EXPECT_NE(sliding.find("along the normal, and the friction $k\\,N$ against the sliding"), std::string::npos)
       << sliding;
   EXPECT_NE(sliding.find("N &= P = 4\\ \\mathrm{N}"), std::string::npos) << sliding;
+}
+
+// What multiplies one symbol on one side of a displayed equation is one sum.
+TEST(ExplainedEquations, EachSymbolStandsOnceOnASide) {
+  const std::string text = explained(R"(given: {T0: 200 N, M: 8 N*m, I: 0.01 kg*m^2, J: 0.4 kg*m^2, K: 0.001 kg*m^2}
+points: {A: [0, 0, 0], B: [500 mm, 0, 0], D: [200 mm, 100 mm, 0]}
+bodies:
+  motor: {mass: 3 kg, center: A, inertia: {axis: z, axial: I, transverse: J}}
+  fan: {mass: 9 kg, center: B, inertia: {axis: z, axial: J, transverse: J}}
+  idler: {mass: 0.5 kg, center: D, inertia: {axis: z, axial: K, transverse: K}}
+joints:
+  shaft: {revolute: z, at: A, to: motor, couple: M}
+  axle: {revolute: z, at: B, to: fan}
+  pin: {revolute: z, at: D, to: idler}
+belts:
+  belt:
+    over: [{motor: {radius: 60 mm, side: -x}}, {fan: {radius: 150 mm, side: -y}}, {idler: {radius: 40 mm, side: -y}}]
+    tension: T0
+gravity: none
+instants: {now: rest}
+ask: {T1: tension(belt from motor to fan), T2: tension(belt from fan to idler), pin: force(pin on idler)}
+)");
+  std::size_t seen = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(" &= ") == std::string::npos) continue;
+    const std::string left = line.substr(0, line.find(" &= "));
+    for (const std::string symbol : {"T_{1}", "T_{2}"}) {
+      const std::size_t first = left.find(symbol);
+      if (first == std::string::npos) continue;
+      EXPECT_EQ(left.find(symbol, first + 1), std::string::npos) << line;
+      ++seen;
+    }
+  }
+  EXPECT_GE(seen, 6U);
+  // Each side of the belt is listed once among what acts on a wheel, in the direction in which it acts there.
+  const std::size_t idler = text.find("Take *idler*");
+  ASSERT_NE(idler, std::string::npos);
+  const std::string list = text.substr(idler, text.find("\n#", idler) - idler);
+  const std::string last = "from *idler* to *motor*";
+  ASSERT_NE(list.find(last), std::string::npos) << list;
+  EXPECT_EQ(list.find(last, list.find(last) + 1), std::string::npos) << list;
+  EXPECT_EQ(list.find("opposite sign"), std::string::npos) << list;
+}
+
+// Of a particle that cords hold the moments say again what the forces do, and it does not turn.
+TEST(ExplainedEquations, AParticleHasNeitherMomentsNorTurning) {
+  const std::string text = explained(R"(points: {O: [0, 0, 0], A: [-0.2 m, -1 m, 0], B: [0.2 m, -0.5 m, 0]}
+bodies: {wheel: massless, light: {particle: A, mass: 2 kg}, heavy: {particle: B, mass: 5 kg}}
+joints: {pin: {revolute: z, at: O, to: wheel}}
+cords: {cord: {from: light, at: A, over: [{wheel: {radius: 0.2 m}}], to: heavy, end: B}}
+gravity: -y
+instants: {now: {velocity(light): [0, 1 m/s, 0], velocity(heavy): [0, -1 m/s, 0]}}
+ask: {T: tension(cord from light to wheel), a: acceleration(light), v: velocity(heavy)}
+)");
+  const std::size_t of_light = text.find("(Eqs. 18.1, 18.2) of *light*:"),
+                    of_heavy = text.find("of *heavy*:", of_light);
+  ASSERT_NE(of_light, std::string::npos) << text;
+  ASSERT_NE(of_heavy, std::string::npos) << text;
+  const std::string equations = text.substr(of_light, text.find("What holds", of_heavy) - of_light);
+  EXPECT_NE(equations.find("\\Sigma F_{y}"), std::string::npos) << equations;
+  EXPECT_EQ(equations.find("\\Sigma M"), std::string::npos) << equations;
+  const std::size_t motion = text.find("The motion of *light*");
+  ASSERT_NE(motion, std::string::npos) << text;
+  EXPECT_EQ(text.find("\\boldsymbol{\\omega}_{\\mathrm{light}}", motion), std::string::npos) << text;
+  EXPECT_EQ(text.find("\\boldsymbol{\\omega}_{\\mathrm{heavy}}", motion), std::string::npos) << text;
+}
+
+TEST(ExplainedEquations, ATableOverADatumShowsTheDatum) {
+  const Document document = explained_document(R"(given: {L: 0.5 m, w: 30 rpm}
+points: {O: [0, 0, 0], P: [L, 0, 0]}
+bodies: {bob: {particle: P, mass: 2 kg}}
+joints: {axle: {revolute: z, at: O, to: bob, rate: w, accel: 0}}
+gravity: none
+instants: {now: {}}
+ask:
+  pull: {table: {F: norm(force(axle on bob))}, over: {w: [30 rpm, 60 rpm]}}
+  both: {table: {n: w, F: norm(force(axle on bob))}, over: {w: [30 rpm, 60 rpm]}}
+)");
+  const Answer& pull = document.solutions.at(0).answers.at(0);
+  ASSERT_TRUE(pull.over);
+  EXPECT_EQ(pull.over->name, "w");
+  EXPECT_EQ(pull.over->unit, "rpm");
+  ASSERT_EQ(pull.over->value.size(), 2U);
+  EXPECT_NEAR(pull.over->value[1], 60, 1e-9);
+  EXPECT_NEAR(pull.over->si[1], 2 * std::numbers::pi, 1e-9);
+  // m L w^2 at each.
+  ASSERT_EQ(pull.columns.size(), 1U);
+  for (std::size_t row = 0; row < 2; ++row)
+    EXPECT_NEAR(pull.columns[0].si[row], 2 * 0.5 * std::pow(pull.over->si[row], 2), 1e-9);
+  // A column that shows it already is enough.
+  EXPECT_FALSE(document.solutions[0].answers.at(1).over);
+  EXPECT_NE(to_terminal(document).find("w        F\n"), std::string::npos) << to_terminal(document);
+  EXPECT_NE(to_markdown(document, 0).find("| w in rpm | F in N |"), std::string::npos) << to_markdown(document, 0);
+}
+
+// Velocities that nothing names are symbols in claims, too.
+TEST(ExplainedEquations, ClaimsTellVelocitiesBySymbols) {
+  const std::string text = explained(R"(letters: {m: kg, Ix: kg*m^2, Iy: kg*m^2, Iz: kg*m^2}
+points: {O: [0, 0, 0]}
+bodies: {rigid_one: {mass: m, center: O, inertia: {x: Ix, y: Iy, z: Iz}}}
+joints: {pivot: {ball: O, to: rigid_one}}
+gravity: -z
+define: {H: angular_momentum(rigid_one about O), w: angular_velocity(rigid_one), wx: w.x}
+claim:
+  kept: ["rate(H) == 0"]
+  constant: {claim: "wx' == 0", axes: rigid_one}
+)");
+  EXPECT_EQ(text.find("\\text{angular"), std::string::npos) << text;
+  EXPECT_NE(text.find("\\omega_{y,\\mathrm{rigid\\_one}}"), std::string::npos) << text;
+  EXPECT_NE(text.find("Take $"), std::string::npos) << text;
+}
+
+// To a later instant the motion has led: no conditions are solved there for velocities. What a turned body has on its
+// own axes is told as such.
+TEST(ExplainedEquations, AtLaterInstantsVelocitiesAreThoseOfTheMotion) {
+  const std::string text = explained(R"(given: {r: 0.1 m}
+points: {C: [0, 0, 0], G: [0, r, 0]}
+bodies: {ball: {sphere: {center: G, radius: r}, mass: 2 kg}}
+contacts: {floor: {of: ball, at: C, normal: y, no_slip: true}}
+loads: {pull: {force: [3 N, 0, 0], at: G, body: ball}}
+gravity: -y
+instants: {start: {velocity(ball): [1 m/s, 0, 0], angular_velocity(ball): [0, 0, -10 rad/s]}}
+ask: {N: reaction(floor) @ 1 s, N0: reaction(floor), v: velocity(ball) @ 1 s}
+)");
+  EXPECT_NE(text.find("Component equations, at 1 s"), std::string::npos) << text;
+  EXPECT_EQ(text.find("## Velocities, at 1 s"), std::string::npos) << text;
+  const std::string words = "are on the axes of the body, which have turned with it";
+  const std::size_t said = text.find(words);
+  ASSERT_NE(said, std::string::npos) << text;
+  EXPECT_GT(said, text.find("Component equations, at 1 s"));
+  EXPECT_EQ(text.find(words, said + 1), std::string::npos);
 }
 
 }  // namespace explanation_equations_test

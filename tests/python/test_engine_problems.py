@@ -1,5 +1,6 @@
 """Models of the engine from problem files, and their motion, against what the problems answer and published numbers."""
 
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -87,7 +88,7 @@ def test_many_at_once() -> None:
         np.testing.assert_allclose(both.q[:, k], one.q, rtol=1e-11, atol=1e-12)
         np.testing.assert_allclose(both.v[:, k], one.v, rtol=1e-11)
     assert engine.advance(model, q, v, tau, 1e-4, steps=0).q.tobytes() == q.tobytes()
-    with pytest.raises(ValueError, match="no -1 steps"):
+    with pytest.raises(ValueError, match="steps is a whole number, 0 or more, not -1"):
         engine.advance(model, q, v, tau, 1e-4, steps=-1)
 
 
@@ -154,6 +155,13 @@ instants:
 ask:
   T: kinetic_energy(ball)
 """
+
+
+def test_the_start_is_sent_to_other_processes() -> None:
+    start = engine.from_problem(poinsot.Problem.from_text(TOP, "top.yaml"))
+    again = pickle.loads(pickle.dumps(start))
+    for one in (start, again):
+        np.testing.assert_array_equal(engine.mass_matrix(one.model, one.q), engine.mass_matrix(start.model, start.q))
 
 
 def test_what_is_no_tree_is_refused() -> None:

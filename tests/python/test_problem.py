@@ -44,6 +44,34 @@ def test_values_stand_in_a_mapping_too(askew: poinsot.Problem) -> None:
     assert askew.solve({"n": "3000 rpm"}, m=4)["T"].value == askew.solve(n="3000 rpm", m="4 kg")["T"].value
 
 
+def test_a_result_is_gone_through_by_name(askew: poinsot.Problem) -> None:
+    result = askew.solve()
+    assert list(result) == list(result.keys()) == list(result.solution) == ["H", "T", "A", "B"]
+    assert "A" in result and "Z" not in result and 0 not in result
+    assert {name: answer.unit for name, answer in result.items()} == {"H": "kg*m^2/s", "T": "J", "A": "N", "B": "N"}
+
+
+def test_answers_in_other_units_and_as_text(askew: poinsot.Problem) -> None:
+    by_hand, result = askew_by_hand(40 * np.pi), askew.solve()
+    assert result["T"].to("kJ") == pytest.approx(by_hand["T"] / 1000, rel=1e-12)
+    np.testing.assert_allclose(result["A"].to("kN"), by_hand["A"] / 1000, rtol=1e-12, atol=1e-12)
+    assert f"{result['T']:.2f}" == f"{by_hand['T']:.2f} J" and str(result["T"]) == "669.049 J"
+    assert f"{result['B']:.1f}" == f"(0.0, {by_hand['B'][1]:.1f}, 0.0) N"
+
+
+def test_vectors_of_planar_problems_have_the_axes_of_the_plane() -> None:
+    problem = poinsot.Problem.from_file(EXAMPLES / "mechanisms/planar-slider-crank.yaml")
+    vectors = [answer for answer in problem.solve().answers.values() if np.ndim(answer.value) == 1]
+    for answer in vectors:
+        assert answer.axes == ["x", "y"] and answer["y"] == answer.value[1]
+    assert vectors
+
+
+def test_the_bodies_for_other_programs(askew: poinsot.Problem) -> None:
+    content = askew.gltf(n="3000 rpm")
+    assert content[:4] == b"glTF" and int.from_bytes(content[8:12], "little") == len(content)
+
+
 def test_units_of_answers_are_those_of_the_file_and_si_beside() -> None:
     problem = poinsot.Problem.from_file(EXAMPLES / "textbook/18.005.yaml")
     answer = problem.solve()["a"]

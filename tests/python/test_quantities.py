@@ -63,6 +63,14 @@ ask: {m: mass(b)}
     assert problem.solve(I="3 kg*m^2")["m"].value == 2
 
 
+def test_times_of_pint_have_their_unit(askew: poinsot.Problem) -> None:
+    units: pint.UnitRegistry[Any] = pint.UnitRegistry()
+    values = askew.motion()([0, 500, 1000] * units.ms, "kinetic_energy(disk)")
+    np.testing.assert_allclose(values.times, [0, 0.5, 1], rtol=1e-15)
+    with pytest.raises(pint.DimensionalityError):
+        askew.motion()(3 * units.kg, "kinetic_energy(disk)")
+
+
 def test_many_values_for_a_number_are_a_study(askew: poinsot.Problem) -> None:
     for many in ([1.0, 2.0], np.linspace(1, 2, 3), ("1 rpm", "2 rpm", "3 rpm")):
         with pytest.raises(ValueError, match=r"n: a call takes one value.*poinsot.study\(problem, over="):

@@ -181,7 +181,7 @@ def test_files_have_the_same_bytes_for_any_number_of_threads(askew: poinsot.Prob
         )
         made.append(contents(tmp_path / str(threads)))
     assert len(made[0]) == 8 and made[0] == made[1] == made[2]
-    manifest = json.loads(made[0]["manifest.json"])
+    manifest = json.loads(made[0]["_manifest.json"])
     assert manifest["rows"] == 3000 and manifest["by_formula"] > 2900
     assert manifest["answered"] == 3000 - len(study.reasons) < 3000
     kept = poinsot.study(askew, over, rows=3000, seed=1)
@@ -294,7 +294,7 @@ def test_friction_finds_its_state_in_each_row() -> None:
     assert 3 < np.count_nonzero(slides) < 9
     assert np.allclose(study["F"], -5 * g * np.where(slides, 0.4 * np.cos(b), np.sin(b)), rtol=1e-9)
     along = np.where(slides, g * (np.sin(b) - 0.4 * np.cos(b)), 0)
-    assert study.answers == ["F", "a.1", "a.2"] and study.units["a.1"] == "m/s^2"
+    assert study.answers == ["F", "a.x", "a.y"] and study.units["a.x"] == "m/s^2"
     assert np.allclose(study["a"], np.stack([along * np.cos(b), -along * np.sin(b)], axis=1), rtol=1e-9, atol=1e-9)
 
 
@@ -305,8 +305,28 @@ def test_lists_are_columns() -> None:
     problem = poinsot.Problem.from_text(text, "smooth.yaml")
     for formulas in (True, False):
         study = poinsot.study(problem, {"b": poinsot.span("5 deg", "60 deg", 12)}, formulas=formulas)
-        assert study.answers == ["N.1", "N.2", "a.1", "a.2"] and study.counts.answered == 12
+        assert study.answers == ["N.1", "N.2", "a.x", "a.y"] and study.counts.answered == 12
         assert (study.counts.by_formula == 12) == formulas
         b, g = study["b"], 9.80665
         assert np.allclose(study["N"], 5 * g * np.cos(b)[:, None] * [1, 2], rtol=1e-9)
         assert np.allclose(study["a"], g * np.stack([np.sin(b) * np.cos(b), -np.sin(b) ** 2], axis=1), rtol=1e-9)
+
+
+def test_what_is_asked_of_a_study(askew: poinsot.Problem, tmp_path: Path) -> None:
+    import pandas
+
+    over = {"b": poinsot.tolerance("20 deg", "0.3 deg")}
+    study = poinsot.study(askew, over, ["B"], rows=50, out=tmp_path / "rows")
+    # Readers of folders take the rows and leave the plan and the manifest.
+    frame = pandas.read_parquet(tmp_path / "rows")
+    assert len(frame) == 50 and np.array_equal(frame["B.y"], study["B.y"])
+    part = float((study["B.y"] < 457).mean())
+    assert 0 < part < 1 and study.yield_of(study["B.y"] < 457) == study.yield_of(lambda s: s["B.y"] < 457) == part
+    # A place in three columns together would be that of no row.
+    for call in (study.worst, study.tornado):
+        with pytest.raises(ValueError, match="expected B.x, B.y, B.z"):
+            call("B")
+    with pytest.raises(TypeError, match="truth value for each row"):
+        study.yield_of("B.y < 457")  # type: ignore[arg-type]
+    with pytest.raises(poinsot.StudyError, match="compares random values"):
+        poinsot.study(askew, {"n": [100, 200]}).tornado("T")

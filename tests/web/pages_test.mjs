@@ -278,6 +278,35 @@ test("arrows go with the motion, and can be switched off", async () => {
   await close();
 });
 
+test("a belt lies on its wheels between its sides, also while they turn", async () => {
+  const text = `title: A belt
+points: {A: [0, 0, 0], B: [0.6 m, 0, 0]}
+bodies: {big: {disk: {center: A, normal: z, radius: 0.2 m}, mass: 3 kg}, small: {disk: {center: B, normal: z, radius: 0.1 m}, mass: 1 kg}}
+joints: {a: {revolute: z, at: A, to: big, couple: 1 N*m}, b: {revolute: z, at: B, to: small}}
+belts: {belt: {over: [big, small], tension: 100 N}}
+gravity: none
+instants: {now: rest}
+ask: {T: tension(belt from big to small), w: angular_velocity(big).z @ 2 s}
+`;
+  const { page, wrong, close } = await open(browser, pageOfText("belt", text));
+  const lean = 2 * Math.asin(0.1 / 0.6);
+  const angles = { 0.2: Math.PI + lean, 0.1: Math.PI - lean };
+  for (const time of [null, 0.7, 2]) {
+    const wraps = await page.evaluate((at) => {
+      window.poinsotStages[0].setTime(at);
+      return window.poinsotStages[0].wrapped();
+    }, time);
+    assert.equal(wraps.length, 2);
+    for (const { radius, angle } of wraps) {
+      const own = radius > 0.15 ? 0.2 : 0.1;
+      assert.ok(Math.abs(radius - own) < 1e-3, `${radius} m`);
+      assert.ok(Math.abs(angle - angles[own]) < 2e-3, `${angle} at ${radius} m`);
+    }
+  }
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
 test("a page with ten thousand frames takes less than a second to be there", async () => {
   const path = pageWithMotion("frames", 10_000);
   const context = await browser.newContext();

@@ -16,7 +16,7 @@ export interface Answer {
   unit?: string;
   si?: Datum;
   axes?: string[];
-  table?: { columns: Column[] };
+  table?: { columns: Column[]; over?: Column };
   letters?: string[];
   determined?: boolean;
   refused?: boolean;

@@ -102,6 +102,15 @@ export interface Curve {
   points: Vector[];
 }
 
+// Where a cord lies on a wheel: from the end of one straight part, right-handed about the axis, to the next one's.
+export interface Wrap {
+  name: string;
+  comes: number; // the link at whose `from` it begins
+  leaves: number; // the link at whose `to` it ends
+  center: Place;
+  axis: Vector;
+}
+
 export interface Cone {
   name: string;
   body: number;
@@ -160,6 +169,7 @@ export interface Scene {
   points: NamedPoint[];
   symbols: JointSymbol[];
   links: Link[];
+  wraps?: Wrap[];
   diagrams: Diagram[];
   dimensions: Dimension[];
   curves: Curve[];

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from .. import quantities
+from .. import calls, quantities
 
 if TYPE_CHECKING:
     from ..problem import Problem
@@ -69,9 +70,7 @@ class Tolerance(Distribution):
 
 def span(first: quantities.Value, last: quantities.Value, count: int) -> Span:
     """`count` evenly spaced values from `first` to `last`."""
-    if count < 2:
-        raise ValueError("a span has two values or more")
-    return Span(first, last, count)
+    return Span(first, last, calls.whole(count, "the count of a span", least=2))
 
 
 def normal(mean: quantities.Value, deviation: quantities.Value) -> Normal:
@@ -96,7 +95,14 @@ def number(problem: Problem, name: str, value: quantities.Value) -> float:
     elif hasattr(value, "to_base_units"):
         text = quantities.text_of(value, None, name)
     else:
-        plain = float(value)
+        try:
+            if isinstance(value, (bool, np.bool_)):
+                raise TypeError
+            plain = float(value)
+        except (TypeError, ValueError):
+            raise TypeError(
+                f"{name}: expected text with unit, numbers in SI units or quantities of pint, not {value!r}"
+            ) from None
         if not np.isfinite(plain):
             raise ValueError(f"{name}: {plain} is no value")
         return plain
@@ -110,7 +116,7 @@ def described(problem: Problem, name: str, axis: Any) -> Described:
         return {"span": [first, last], "count": axis.count}
     if isinstance(axis, Distribution):
         return {axis.kind: list(axis.numbers(problem, name))}
-    if isinstance(axis, str) or not np.iterable(axis):
+    if isinstance(axis, (str, bytes, Mapping, set)) or not np.iterable(axis):
         raise TypeError(f"{name}: expected a list of values, a span or a distribution, not {axis!r}")
     values = [number(problem, name, one) for one in axis]
     if not values:

@@ -8,7 +8,7 @@ from typing import Any
 
 from .. import _core
 from . import shards
-from .plan import Plan
+from .plan import PLAN, Plan
 
 # How often a shard is given to another worker when its own is gone.
 _RETRIES = 1000
@@ -17,7 +17,7 @@ _RETRIES = 1000
 def _one(folder: str, shard: int) -> tuple[int, shards.Counts]:
     """Solves a shard on a worker. Where somebody was there before, as a worker that was thought dead, it is kept."""
     # The plan lies beside the rows, so that no worker has to live for others to know it.
-    plan = Plan.from_json((Path(folder) / "study.json").read_text(encoding="utf-8"))
+    plan = Plan.from_json((Path(folder) / PLAN).read_text(encoding="utf-8"))
     path = shards.path_of(Path(folder), shard)
     if not path.exists():
         shards.write(plan, shard, shards.solved(plan, shard, _core.StopFlag()), Path(folder))

@@ -69,6 +69,9 @@ def run_file(path: str | os.PathLike[str], *, out: str | None = None, threads: i
     for key in ("problem", "over"):
         if key not in stated:
             raise ValueError(f"'{key}' is missing")
+    for key, kind, what in (("problem", str, "the name of a file"), ("over", dict, "a table"), ("out", str, "the name of a folder")):
+        if not isinstance(stated.get(key, kind()), kind):
+            raise TypeError(f"'{key}' is {what}, not {stated[key]!r}")
     beside = Path(path).parent
     if out is None and "out" not in stated:
         raise ValueError("'out' is missing: the folder for the rows")

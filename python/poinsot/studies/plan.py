@@ -14,6 +14,9 @@ from ..problem import Problem
 from .axes import Array, Described, grid_values, is_random, quantile
 from .draws import unit_draws
 
+# Files beside the rows: readers of whole folders of Parquet leave out what begins with a line.
+PLAN, MANIFEST = "_study.json", "_manifest.json"
+
 
 @dataclass(frozen=True)
 class Plan:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,9 +12,10 @@ import numpy.typing as npt
 
 from ..answers import ByName
 from ..errors import PoinsotError
+from ..wording import in_python
 from . import shards
 from .axes import Array, is_random
-from .plan import Plan
+from .plan import MANIFEST, PLAN, Plan
 
 if TYPE_CHECKING:
     import pandas
@@ -39,7 +41,7 @@ class Study(Mapping[str, Array]):
         # Derivatives: "T by n", in SI units, for each of the data that answers were differentiated by.
         self.sensitivities = columns[answers:]
         # Why the rows were solved one by one; "" if they went by formulas.
-        self.no_formulas: str = cases.no_formulas
+        self.no_formulas = in_python(cases.no_formulas)
         self._columns: dict[str, Array] = {}
 
     @classmethod
@@ -48,10 +50,10 @@ class Study(Mapping[str, Array]):
         import json
 
         at = Path(folder)
-        if not (at / "manifest.json").exists():
+        if not (at / MANIFEST).exists():
             raise StudyError(f"{at} holds no finished study")
-        plan = Plan.from_json((at / "study.json").read_text(encoding="utf-8"))
-        manifest = json.loads((at / "manifest.json").read_text(encoding="utf-8"))
+        plan = Plan.from_json((at / PLAN).read_text(encoding="utf-8"))
+        manifest = json.loads((at / MANIFEST).read_text(encoding="utf-8"))
         counts = shards.Counts(**{name: manifest[name] for name in shards.Counts.__dataclass_fields__})
         return cls(plan, counts, at, {})
 
@@ -66,6 +68,14 @@ class Study(Mapping[str, Array]):
         if name not in self._columns:
             self._columns[name] = np.concatenate([self._part(shard, name) for shard in range(self.plan.shards)])
         return self._columns[name]
+
+    def _number(self, name: str) -> Array:
+        """A column of single numbers."""
+        column = self[name]
+        if column.ndim != 1:
+            components = ", ".join(one for one in self.answers if one.startswith(f"{name}."))
+            raise ValueError(f"{name} has several numbers in each row: expected {components}")
+        return column
 
     def _part(self, shard: int, name: str) -> Any:
         if self.folder is None:
@@ -101,6 +111,7 @@ class Study(Mapping[str, Array]):
 
     def case(self, row: int) -> dict[str, str]:
         """What was varied in a row, as Problem.solve() takes it."""
+        row = operator.index(row)
         if not 0 <= row < self.plan.total:
             raise IndexError(f"there is no row {row}: the study has {self.plan.total}")
         values = self.plan.values(row, 1)
@@ -145,9 +156,12 @@ class Study(Mapping[str, Array]):
         frame.attrs["units"] = {name: self.units[name] for name in self.answers}
         return frame
 
-    def yield_of(self, good: Callable[[Study], npt.NDArray[np.bool_]]) -> float:
-        """The part of the rows that are good: study.yield_of(lambda s: s["B.y"] < 500). Rows without answer are not."""
-        passed = np.asarray(good(self), dtype=bool)
+    def yield_of(self, good: npt.NDArray[np.bool_] | Callable[[Study], npt.NDArray[np.bool_]]) -> float:
+        """The part of the rows that are good: study.yield_of(study["B.y"] < 500), or a function of the study that gives
+        this. Rows without answer are not."""
+        passed = np.asarray(good(self) if callable(good) else good)
+        if passed.dtype != bool:
+            raise TypeError(f"expected a truth value for each row, as study['B.y'] < 500, not {good!r}")
         if passed.shape != (self.plan.total,):
             raise ValueError("one truth value is expected for each row")
         answered = np.ones(self.plan.total, dtype=bool)
@@ -156,7 +170,7 @@ class Study(Mapping[str, Array]):
 
     def worst(self, name: str, *, least: bool = False) -> int:
         """The row with the largest value of an answer, or the least: study.case(row) tells its data."""
-        column = self[name]
+        column = self._number(name)
         if not np.isfinite(column).any():
             raise StudyError(f"no row has an answer for {name}")
         return int(np.nanargmin(column) if least else np.nanargmax(column))
@@ -166,7 +180,9 @@ class Study(Mapping[str, Array]):
         the upper tenth of that value, the largest first."""
         import pandas
 
-        answer = self[name]
+        answer = self._number(name)
+        if not any(map(is_random, self.plan.over.values())):
+            raise StudyError("a tornado chart compares random values, as tolerance('20 deg', '0.3 deg'), and here are none")
         table = {}
         for varied, axis in self.plan.over.items():
             if not is_random(axis):

@@ -17,7 +17,7 @@ from ..problem import Problem
 from . import shards
 from .axes import described, is_random
 from .draws import SAMPLINGS
-from .plan import Plan
+from .plan import MANIFEST, PLAN, Plan
 from .result import Study, StudyError
 
 # Rows of a shard, which takes some milliseconds by formulas, and some seconds else.
@@ -27,14 +27,14 @@ _ROWS_BY_FORMULA, _ROWS_BY_INSTANT, _ROWS_IN_FULL = 1 << 17, 1 << 14, 1 << 10
 def study(
     problem: Problem,
     over: Mapping[str, Any],
-    asks: Sequence[str] = (),
+    asks: str | Sequence[str] = (),
     *,
     sets: Mapping[str, quantities.Value] | None = None,
     rows: int | None = None,
     seed: int = 0,
     sampling: str = "random",
     formulas: bool = True,
-    sensitivities: Sequence[str] = (),
+    sensitivities: str | Sequence[str] = (),
     out: str | os.PathLike[str] | None = None,
     shard_rows: int | None = None,
     threads: int | None = None,
@@ -54,7 +54,10 @@ def study(
     Without it the rows are kept in memory. threads: all processors by default. client: of dask.distributed, whose
     workers then see the folder `out`. Whatever computes, the rows are the same.
     """
-    plan = _plan(problem, over, asks, sets or {}, rows, seed, sampling, formulas, sensitivities, shard_rows)
+    plan = _plan(problem, over, asks, sets, rows, seed, sampling, formulas, sensitivities, shard_rows)
+    threads = None if threads is None else calls.whole(threads, "threads")
+    if client is not None and not hasattr(client, "submit"):
+        raise TypeError(f"client is one of dask.distributed, not {client!r}")
     if out is None and client is not None:
         raise ValueError("on a cluster the rows go to a folder that its workers see: name it by out")
     folder = None if out is None else Path(out)
@@ -83,19 +86,24 @@ def study(
 def _plan(
     problem: Problem,
     over: Mapping[str, Any],
-    asks: Sequence[str],
-    sets: Mapping[str, quantities.Value],
+    asks: str | Sequence[str],
+    sets: Mapping[str, quantities.Value] | None,
     rows: int | None,
     seed: int,
     sampling: str,
     formulas: bool,
-    sensitivities: Sequence[str],
+    sensitivities: str | Sequence[str],
     shard_rows: int | None,
 ) -> Plan:
     # The caller may not have the types checked.
     if not isinstance(problem, Problem):
         raise TypeError(f"a study asks a Problem, not {problem!r}: Problem.from_file(path) reads one")
-    asks = [asks] if isinstance(asks, str) else list(asks)
+    asks, sensitivities = calls.texts(asks, "asks"), calls.texts(sensitivities, "sensitivities")
+    if not isinstance(over, Mapping):
+        raise TypeError(f"over has what differs by name, as {{'n': span('1000 rpm', '3000 rpm', 21)}}, and is not {over!r}")
+    if not isinstance(formulas, bool):
+        raise TypeError(f"formulas is True or False, not {formulas!r}")
+    sets = quantities.given(sets, {})
     if not over:
         raise ValueError("nothing differs from row to row: name what does by over")
     if both := set(over) & set(sets):
@@ -103,7 +111,8 @@ def _plan(
     if sampling not in SAMPLINGS:
         hint = _core.did_you_mean(sampling, list(SAMPLINGS))
         raise ValueError(f"there is no sampling '{sampling}': expected {', '.join(SAMPLINGS)}{f' ({hint})' if hint else ''}")
-    if not 0 <= seed < 2**64:
+    seed = calls.whole(seed, "a seed", least=0)
+    if seed >= 2**64:
         raise ValueError("a seed is a whole number from 0 to 2^64 - 1")
     axes = {name: described(problem, name, axis) for name, axis in over.items()}
     random = any(map(is_random, axes.values()))
@@ -111,10 +120,8 @@ def _plan(
         raise ValueError("how many draws are made of the distributions? Say it by rows")
     if not random and rows is not None:
         raise ValueError("rows counts the draws of distributions, and there are none: a grid has its own number of rows")
-    if rows is not None and rows < 1:
-        raise ValueError("a study has one row or more")
-    if shard_rows is not None and shard_rows < 1:
-        raise ValueError("a shard has one row or more")
+    rows = None if rows is None else calls.whole(rows, "rows")
+    shard_rows = None if shard_rows is None else calls.whole(shard_rows, "shard_rows")
     for one in sensitivities:
         if one not in over:
             hint = _core.did_you_mean(one, list(over))
@@ -161,7 +168,7 @@ def _versions(random: bool) -> dict[str, str]:
 def _begin(plan: Plan, folder: Path) -> None:
     """Makes the folder of a study, or sees that it is of this one."""
     folder.mkdir(parents=True, exist_ok=True)
-    path = folder / "study.json"
+    path = folder / PLAN
     if path.exists():
         begun = json.loads(path.read_text(encoding="utf-8"))
         now = json.loads(plan.to_json())
@@ -192,7 +199,7 @@ def _end(plan: Plan, folder: Path, counts: shards.Counts) -> None:
         "units": shards.units(plan),
         "files": {path.name: {"sha256": shards.digest(path), **asdict(shards.counts_of(path))} for path in files},
     }
-    shards.put(folder / "manifest.json", (json.dumps(manifest, indent=1) + "\n").encode())
+    shards.put(folder / MANIFEST, (json.dumps(manifest, indent=1) + "\n").encode())
 
 
 def _found(
@@ -217,8 +224,6 @@ def _found(
 def _in_threads(
     plan: Plan, open_shards: Iterable[int], folder: Path | None, threads: int
 ) -> Iterator[tuple[int, shards.Rows | shards.Counts]]:
-    if threads < 1:
-        raise ValueError("there is at least one thread")
     stop = _core.StopFlag()
 
     def one(shard: int) -> tuple[int, shards.Rows | shards.Counts]:

@@ -17,6 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .. import _core
+from ..wording import in_python
 from .axes import Array
 from .plan import Plan
 
@@ -63,7 +64,7 @@ def solved(plan: Plan, shard: int, stop: _core.StopFlag) -> Rows:
         dict(zip(plan.over, values, strict=True)),
         dict(zip(names, columns, strict=True)),
         roads,
-        list(reasons),
+        [(row, in_python(reason)) for row, reason in reasons],
         counts,
     )
 

@@ -153,7 +153,8 @@ class ArrowDrawer {
     const bool movable = turns(arrow.quantity);
     constexpr double beside = 20;
     const auto attempt = [&](const Shaft& shaft, double cost) {
-      cost += 0.8 * panel_.visibility.covered(shaft.tail, shaft.tip);
+      // What may be moved does not lie on a body from which its line has a way out.
+      cost += (movable ? 1.3 : 0.8) * panel_.visibility.covered(shaft.tail, shaft.tip);
       for (const Shaft& other : drawn_) {
         cost += 2 * clash(shaft, other);
         // A couple at the tail of a force that stands elsewhere would seem to belong to it.

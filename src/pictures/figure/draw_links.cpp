@@ -127,6 +127,14 @@ void name_tension(Panel& panel, const scene::Link& link, Point2 from, Point2 to)
   const Point2 middle = 0.5 * (from + to), side = turned_left(direction(to - from));
   Label label = tex_label(link.symbol);
   label.ink = Ink::force;
+  // It pulls what it holds at both ends: two heads on the line itself, each away from its end.
+  constexpr double head = 9, half_width = 3, from_end = 14;
+  const Ruler ruler(from, to);
+  const double length = norm(to - from);
+  if (length > 2 * (from_end + head))
+    for (const auto& [at, tip] :
+         {std::pair{from_end, from_end + head}, std::pair{length - from_end, length - from_end - head}})
+      panel.area({ruler(tip, 0), ruler(at, half_width), ruler(at, -half_width)}, color_of(Ink::force), Role::link);
   panel.labels.push_back(
       {std::move(label), {{middle, side, 4, 0}, {middle, -side, 4, 0}, {from + 0.25 * (to - from), side, 4, 0.4}}, 2});
 }

@@ -237,7 +237,7 @@ void contact(Panel& panel, const Sketch& sketch, int body, const Vector& normal,
   const Point2 toward = dot(near, into) < 0 ? -near : near, front = before * toward, back = half * toward;
   const std::vector<Point2> piece{begin - back, end - back, end + front, begin + front};
   panel.area(piece, "#f1f1ee", Role::paper);
-  panel.loop(piece, Role::hidden, 0.8, Ink::grey);
+  panel.loop(piece, Role::curve, 0.8, Ink::grey);
   // Seen from above a surface shows no cut.
   constexpr double from_above = 0.85;
   if (seen_from_above > from_above) return;

@@ -1,6 +1,7 @@
 #include "pictures/figure/figure.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 
 #include "pictures/drawing/label_text.h"
 #include "pictures/figure/arrows.h"
+#include "pictures/figure/enlarged.h"
 #include "pictures/figure/fitting.h"
 #include "pictures/figure/layout.h"
 #include "pictures/figure/motion_figure.h"
@@ -88,8 +90,8 @@ std::vector<std::vector<const Diagram*>> equations_of(const Scene& scene, const 
   return rows;
 }
 
-Drawing equation(const Scene& scene, const std::vector<const Diagram*>& diagrams, const Looks& looks, bool& marked) {
-  const std::vector<scene::Pose> poses = shown_poses(scene);
+Drawing equation(const Scene& whole, const std::vector<const Diagram*>& diagrams, const Looks& looks, bool& marked) {
+  const std::vector<scene::Pose> poses = shown_poses(whole);
   std::vector<scene::Arrow> arrows;
   std::vector<int> bodies;
   Largest largest;
@@ -99,6 +101,8 @@ Drawing equation(const Scene& scene, const std::vector<const Diagram*>& diagrams
       if (body >= 0 && std::ranges::find(bodies, body) == bodies.end()) bodies.push_back(body);
   }
   for (const scene::Arrow& arrow : arrows) largest.include(arrow);
+  const std::optional<Scene> small = of_length(whole, extent_of(places_of(whole, bodies, poses, arrows, false)));
+  const Scene& scene = small ? *small : whole;
   // Of a planar problem all bodies are seen across its plane, also those that would be free to turn out of it.
   const std::optional<View> across = looks.view ? looks.view : view_across_plane(scene, poses);
   const View view = across ? *across : chosen_view(scene, bodies, arrows, poses);
@@ -231,7 +235,14 @@ Drawing figure(const Scene& scene, const FigureName& name, const std::string& ti
           find(scene, name.kind == FigureKind::answers ? DiagramKind::answers : DiagramKind::model);
       const Diagram& own = diagram != nullptr ? *diagram : no_arrows;
       shown.push_back(&own);
-      drawing = single(scene, own, {}, looks, marked);
+      const std::optional<Enlarged> readable = enlarged(scene);
+      if (readable) {
+        const Diagram* grown = diagram ? find(readable->scene, diagram->kind) : nullptr;
+        drawing = single(readable->scene, grown ? *grown : no_arrows, {}, looks, marked);
+        caption(drawing, fmt::format("Drawn larger than to scale: {}", fmt::join(readable->bodies, ", ")), 240);
+      } else {
+        drawing = single(scene, own, {}, looks, marked);
+      }
       break;
     }
     case FigureKind::cones:

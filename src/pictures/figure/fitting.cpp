@@ -58,6 +58,16 @@ std::vector<Vector> places_of(const scene::Scene& scene, const std::vector<int>&
   return places;
 }
 
+double extent_of(const std::vector<Vector>& places) {
+  Vector least = places.front(), most = places.front();
+  for (const Vector& place : places)
+    for (std::size_t k = 0; k < 3; ++k) {
+      least[k] = std::min(least[k], place[k]);
+      most[k] = std::max(most[k], place[k]);
+    }
+  return norm(Vector(most - least));
+}
+
 Projection fitted(const View& view, const std::vector<Vector>& places, const Size& size) {
   const Projection unscaled(view, 1);
   Box box;

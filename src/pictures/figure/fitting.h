@@ -21,6 +21,8 @@ std::vector<int> all_bodies(const scene::Scene& scene);
 std::vector<Vector> places_of(const scene::Scene& scene, const std::vector<int>& bodies,
                               const std::vector<scene::Pose>& poses, const std::vector<scene::Arrow>& arrows,
                               bool with_symbols);
+// The diagonal of the box on the axes of the ground that holds the places.
+double extent_of(const std::vector<Vector>& places);
 // The projection in which the places fill the size.
 Projection fitted(const View& view, const std::vector<Vector>& places, const Size& size);
 

@@ -145,6 +145,9 @@ Drawing motion_figure(const scene::Scene& scene, const Looks& looks) {
   std::vector<Vector> places;
   for (const std::size_t i : shown)
     std::ranges::move(places_of(scene, bodies, motion.poses[i], {}, i == shown.back()), std::back_inserter(places));
+  for (const scene::Curve& curve : scene.curves)
+    if (curve.kind == scene::CurveKind::path && curve.body < 0)
+      std::ranges::copy(curve.points, std::back_inserter(places));
   const View view = looks.view ? *looks.view : chosen_view_of_motion(scene, bodies, motion.poses[shown.back()]);
   const Spread spread = spread_of(scene, bodies, shown, view);
   const bool lost = spread.lost() && turns_visibly(scene, shown);

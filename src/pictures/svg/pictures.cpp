@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 #include "pictures/figure/figure.h"
 #include "pictures/svg/svg.h"
@@ -78,8 +80,20 @@ std::string to_svg(const Document& document, std::size_t solution, const FigureO
   if (name == names.end()) {
     std::vector<std::string> known;
     for (const pictures::FigureName& other : names) known.push_back(other.name);
-    throw FigureError(with_hint(
-        fmt::format("there is no figure '{}': there are {}", options.of, fmt::join(known, ", ")), options.of, known));
+    const std::string message =
+        fmt::format("there is no figure '{}': there are {}", options.of, fmt::join(known, ", "));
+    // One that other problems have.
+    static const std::map<std::string, std::string, std::less<>> others{
+        {"free-body", "where forces or accelerations are asked for"},
+        {"impulse", "where something is struck"},
+        {"cones", "where a body turns freely"},
+        {"motion", "where something is asked about a motion through time"},
+        {"answers", "where vectors are asked for"}};
+    for (const auto& [other, where] : others)
+      if (std::ranges::find(known, other) == known.end() &&
+          (options.of == other || !did_you_mean(options.of, {other}).empty()))
+        throw FigureError(fmt::format("{} (that of '{}' is drawn {})", message, other, where));
+    throw FigureError(with_hint(message, options.of, known));
   }
   pictures::Looks looks{.values = options.values};
   if (!options.view.empty()) {

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "problem/answers/asked_size.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/evaluate_support.h"
+#include "problem/language/expression_walk.h"
 #include "problem/quantities/asks_model.h"
 #include "problem/quantities/describe.h"
 #include "problem/results/compare_values.h"
+#include "problem/unknowns/asked_value.h"
 
 namespace poinsot::problem {
 namespace {
@@ -62,6 +65,29 @@ const NamedExpression& stated_column(const Table& table, const std::string& name
   return table.columns.front();
 }
 
+// The first unit of the dimension that is written in an expression.
+const Unit* written_unit(const Expression& expression, const Dimension& dimension) {
+  const Number* number = expression.as<Number>();
+  if (number && number->has_unit && same_kind(number->unit.dimension, dimension)) return &number->unit;
+  const Unit* found = nullptr;
+  for_each_child(expression, [&](const Expression& child) {
+    if (!found) found = written_unit(child, dimension);
+  });
+  return found;
+}
+
+// What a table runs over: the first of so many columns.
+SolvedColumn column_over(const Situation& situation, const Table& table, const Value<double>& value,
+                         std::size_t columns) {
+  SolvedColumn column;
+  column.name = table.over;
+  for (std::size_t row = 0; row < value.items.size(); row += columns) column.values.push_back(value.items[row].number);
+  const Dimension dimension = value.items.empty() ? dimensions::none : value.items.front().dimension;
+  const Unit* written = written_unit(table.values, dimension);
+  column.unit = written ? *written : situation.habits.unit_for(dimension);
+  return column;
+}
+
 SolvedAsk finished_table(const Statement& statement, const Ask& ask, const Value<double>& value) {
   const Situation& situation = statement.situations.front();
   SolvedAsk solved;
@@ -70,7 +96,8 @@ SolvedAsk finished_table(const Statement& statement, const Ask& ask, const Value
   std::istringstream lines(value.text);
   for (std::string line; std::getline(lines, line);) names.push_back(line);
   const std::size_t count = names.size();
-  for (std::size_t c = 0; c < count; ++c) {
+  if (shows_over(*ask.table)) solved.over = column_over(situation, *ask.table, value, count);
+  for (std::size_t c = solved.over ? 1 : 0; c < count; ++c) {
     const NamedExpression& stated = stated_column(*ask.table, names[c], count);
     SolvedColumn column;
     column.name = names[c];
@@ -146,6 +173,23 @@ bool has_small_numbers(const Value<double>& value, double size) {
                      [&](const Value<double>& item) { return has_small_numbers(item, size); });
 }
 
+// The two axes of the plane, if these are the components on them of one vector, as planar_statement.h asks for it.
+std::vector<std::string> axes_of_components(const Ask& ask, const Situation& situation) {
+  if (!situation.plane || ask.of.size() != 2) return {};
+  std::vector<std::string> axes;
+  std::set<std::string> vectors;
+  for (const Expression& one : ask.of) {
+    const At* at = one.as<At>();
+    const Member* component = (at ? at->expression : one).as<Member>();
+    if (!component) return {};
+    axes.push_back(component->name);
+    vectors.insert(to_string(component->object) + "@" + (at ? at->instant : ""));
+  }
+  const bool both =
+      axes == std::vector{situation.axes[situation.plane->first], situation.axes[situation.plane->second]};
+  return both && vectors.size() == 1 ? axes : std::vector<std::string>{};
+}
+
 FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& sample, RoundedValues& rounded) {
   FinishedAsk result;
   SolvedAsk& solved = result.solved;
@@ -184,7 +228,10 @@ FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& s
     solved.unit = situation.habits.unit_for(dimension, std::all_of(ask.of.begin(), ask.of.end(), asks_energy));
   }
   solved.words = describe(ask, situation, has_vector(value));
-  if (has_vector(value)) solved.component_names.assign(situation.axes.begin(), situation.axes.end());
+  if (has_vector(value))
+    solved.component_names.assign(situation.axes.begin(), situation.axes.end());
+  else
+    solved.component_names = axes_of_components(ask, situation);
   return result;
 }
 

@@ -144,7 +144,7 @@ class Explainer {
     const std::string suffix = suffix_of(home.situation) + instant_words(home);
     InstantExplainer(stated, instant, before, formulas.get(), point, factors, tex, questions,
                      numbers_.settings()[home.situation], explanation_)
-        .explain(suffix);
+        .explain(suffix, home.time || home.ending);
     if (!questions.stability) return;
     NearSteady near{stated, instant, formulas.get(), point, factors, questions.responses};
     if (const auto limit = numbers_.limits().find(home.situation); limit != numbers_.limits().end()) {

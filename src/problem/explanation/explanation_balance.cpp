@@ -42,6 +42,16 @@ std::optional<Formula> condition_of(const std::vector<ShownTerm>& left, const st
   }
 }
 
+// Whether all forces act at a place, told from the point about which moments are taken, and no couples with them.
+bool all_act_at(const Vector3<double>& arm, const MotionBalance<double>& balance, double length) {
+  constexpr double exact = 1e-9;
+  const auto acts_there = [&](const SpatialForce<double>& one) {
+    const Vector3<double> apart = one.moment - cross(arm, one.force);
+    return norm(apart) <= exact * (norm(one.moment) + length * norm(one.force));
+  };
+  return std::ranges::all_of(balance.unknown, acts_there) && std::ranges::all_of(balance.known, acts_there);
+}
+
 }  // namespace
 
 bool InstantExplainer::needs_balance() const {
@@ -68,6 +78,25 @@ InstantExplainer::System InstantExplainer::system_of(const std::set<int>& bodies
   for (const UnknownForce& force : system.plan.unknown) system.unknown.push_back(symbol_of(force));
   for (const std::size_t k : open) system.open.push_back(symbol_of_coordinate(k, sudden()));
   return system;
+}
+
+// The bodies on whose own axes velocities are told, where these are no longer those of the figure.
+std::vector<std::string> InstantExplainer::turned_axes(const System& system) const {
+  constexpr double noticeable = 1e-9;
+  std::vector<std::string> names;
+  for (const int body : system.plan.bodies) {
+    const auto& own = mechanism().tree.body(body);
+    const bool by_axes = velocity_size(own.joint) >= 3;
+    const bool moves = std::ranges::any_of(system.plan.open, [&](std::size_t k) {
+      return static_cast<int>(k) >= own.v && static_cast<int>(k) < own.v + velocity_size(own.joint);
+    });
+    const Matrix3<double>& R = figures_.numbers.now.workspace().motion[static_cast<std::size_t>(body + 1)].R;
+    double off = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      off = std::max(off, norm(Vector3<double>(R * Vector3<double>::unit(k) - Vector3<double>::unit(k))));
+    if (by_axes && moves && off > noticeable) names.push_back("*" + body_name(body) + "*");
+  }
+  return names;
 }
 
 void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& symbols) {
@@ -135,20 +164,30 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
     if (std::ranges::none_of(equations.steps, [&](const ExplainedStep& step) { return step.text == in_plane; }))
       equations.steps.push_back({in_plane, {}});
   }
+  if (const std::vector<std::string> turned = turned_axes(system); !turned.empty())
+    equations.steps.push_back(
+        {"Components of the velocities of " + listed(turned) + " and of their rates are on the axes of " +
+             (turned.size() > 1 ? "each body, which have turned with it." : "the body, which have turned with it."),
+         {}});
   std::vector<std::string> met;
   for (const std::string& symbol : meet.symbols)
     if (!across.contains(symbol)) met.push_back("$" + symbol + "$");
+  // Moments of the forces on one particle say again what the forces do.
+  const bool one_particle = massive.size() == 1 && bodies.size() == 1 && is_particle(massive.front()) &&
+                            all_act_at(mass_center(massive.front()).position.number - point.position.number, numbers,
+                                       solved_.scales().length);
   std::string text = sudden() ? "Momenta before plus impulses equal momenta after (Eq. 17.4)"
                               : "The forces from outside are equivalent to the kinetic side (Eqs. 18.1, 18.2)";
   text += who;
   if (meet.moments_only)
     text += ". About $" + point.label + "$, " + listed(met) + (met.size() > 1 ? " have" : " has") + " no moment:";
   else
-    text += "; moments about $" + point.label + "$:";
+    text += one_particle ? ":" : "; moments about $" + point.label + "$:";
   ExplainedStep step{text, {}};
   std::vector<std::string> vanishing;
   const auto natural_of = [&](const Dimension& dimension) { return noise_size(dimension); };
-  for (std::size_t row = meet.moments_only ? 3 : 0; row < 6; ++row) {
+  const std::size_t rows_shown = one_particle && !meet.moments_only ? 3 : 6;
+  for (std::size_t row = meet.moments_only ? 3 : 0; row < rows_shown; ++row) {
     if (plane && (row < 3 ? row == *plane : row - 3 != *plane)) continue;
     const auto& [left, right] = rows[row];
     const std::string& axis = tex_.axis(row % 3);

@@ -112,7 +112,7 @@ class ClaimExplainer {
       const auto value = shown(part.value, comparison.dimension);
       if (!value) return;
       const std::string letter = part.by_letter ? ExplanationTex::symbol(part.of) : "";
-      lines.push_back((part.by_letter ? "\\frac{\\partial}{\\partial " + letter + "}\\,\\frac{\\mathrm{d}" + letter +
+      lines.push_back((part.by_letter ? "\\frac{\\partial f}{\\partial " + letter + "}\\,\\frac{\\mathrm{d}" + letter +
                                             "}{\\mathrm{d}t}"
                                       : "\\frac{\\mathrm{d}}{\\mathrm{d}t}\\," + term(part.of)) +
                       " = " + *value);
@@ -120,9 +120,10 @@ class ClaimExplainer {
     const Formula& sum = comparison.left.is_zero() ? comparison.right : comparison.left;
     const auto total = shown(sum, comparison.dimension);
     if (!total) return;
-    ExplainedStep& step = add(comparison.parts.front().by_letter
-                                  ? "Along the motion the rate is the sum of what each coordinate and velocity brings:"
-                                  : "Along the motion the rate is the sum of the rates of its terms:");
+    ExplainedStep& step =
+        add(comparison.parts.front().by_letter ? "Along the motion the rate of what is claimed, $f$, is the sum of "
+                                                 "what each coordinate and velocity brings:"
+                                               : "Along the motion the rate is the sum of the rates of its terms:");
     for (const std::string& line : lines) add_line(step, line);
     add_line(step, "\\text{sum} = " + *total);
   }
@@ -158,7 +159,8 @@ class ClaimExplainer {
   void add_counterexample() {
     std::vector<std::string> values;
     for (const SolvedClaim::Datum& datum : solved_.counterexample)
-      values.push_back(datum.name + " $= " + tex_.with_unit(datum.value, datum.unit.dimension) + "$");
+      values.push_back("$" + ExplanationTex::symbol(datum.name) + " = " +
+                       tex_.with_unit(datum.value, datum.unit.dimension) + "$");
     const bool alike = sides_look_alike();
     if (values.size() > most_values || alike) values = {"the values that `poinsot solve` prints"};
     std::string text = values.empty() ? "" : "Take " + listed(values);

@@ -70,11 +70,13 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
     const solve::Impact& impact = numbers.blow.impacts[i];
     const Shown restitution = shown([&](const auto& figures) { return figures.blow.impacts[i].restitution; });
     const std::string e = tex_.inline_value(restitution, dimensions::none);
+    const bool without_rebound = restitution.formula ? restitution.formula->is_zero() : restitution.number == 0;
     ExplainedStep step{
         impact.is_friction ? "The slip at *" + impact.name + "* has vanished after the blow:"
-        : impact.leaves
-            ? "Followed along the blow with friction, with the restitution " + e + ", the points at *" + impact.name +
-                  "* part along the push with:"
+        : impact.leaves    ? "Followed along the blow with friction, with the restitution " + e + ", the points at *" +
+                              impact.name + "* part along the push with:"
+        : without_rebound
+            ? "At *" + impact.name + "* the points do not part along the push, as the restitution is zero:"
             : "At *" + impact.name + "* the points part along the push with " + e + " times the speed of approach:",
         tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length, natural_coefficient())};
     here.steps.push_back(std::move(step));
@@ -129,6 +131,7 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
 
 // Shows what joints, cords and contacts beyond the tree of joints require of velocities that are not stated.
 void InstantExplainer::velocity_conditions() {
+  if (followed_) return;
   if (situation_.steady || sudden() || mechanism().constraints.empty() || solved_.velocities().value.empty()) return;
   // Where everything rests, nothing is to be found of velocities.
   if (std::ranges::all_of(figures_.numbers.now.state().v, [](double one) { return one == 0; })) return;

@@ -235,6 +235,12 @@ void InstantExplainer::explain_masses() {
     if (mechanism().tree.body(body).inertia.mass > 0) inertia_step(here, body, nullptr);
 }
 
+bool InstantExplainer::is_particle(int body) const {
+  return mechanism().tree.body(body).inertia.mass > 0 &&
+         is_rounding(size_of(mass_of(figures_.numbers.now, body).inertia_center),
+                     noise_size(dimensions::moment_of_inertia));
+}
+
 // Shows the present motion of a body, as far as it was not shown before.
 void InstantExplainer::motion_step(std::vector<ExplainedStep>& steps, int body, const std::string& index,
                                    bool with_velocity, bool with_accelerations) {
@@ -247,9 +253,12 @@ void InstantExplainer::motion_step(std::vector<ExplainedStep>& steps, int body, 
     if (tex_.can_show(value) && !idle && motion_said_.insert(body_name(body) + symbol).second)
       step.equations.push_back(tex_.equation(symbol, value, dimension));
   };
-  add(
-      "\\boldsymbol{\\omega}" + index, [&](const auto& figures) { return figures.now.workspace().motion[at].w; },
-      dimensions::angular_velocity);
+  // Of a particle nothing turns.
+  const bool turns = !is_particle(body);
+  if (turns)
+    add(
+        "\\boldsymbol{\\omega}" + index, [&](const auto& figures) { return figures.now.workspace().motion[at].w; },
+        dimensions::angular_velocity);
   if (massive && with_velocity)
     add(
         "\\mathbf{v}_{" + center_label(body) + "}",
@@ -259,9 +268,11 @@ void InstantExplainer::motion_step(std::vector<ExplainedStep>& steps, int body, 
         },
         dimensions::velocity);
   if (with_accelerations) {
-    add(
-        "\\boldsymbol{\\alpha}" + index, [&](const auto& figures) { return figures.now.workspace().motion[at].alpha; },
-        dimensions::angular_acceleration);
+    if (turns)
+      add(
+          "\\boldsymbol{\\alpha}" + index,
+          [&](const auto& figures) { return figures.now.workspace().motion[at].alpha; },
+          dimensions::angular_acceleration);
     if (massive)
       add(
           "\\mathbf{a}_{" + center_label(body) + "}",
@@ -460,7 +471,8 @@ void InstantExplainer::explain_momentum(const MomentumQuestion& question) {
   }
 }
 
-void InstantExplainer::explain(const std::string& suffix) {
+void InstantExplainer::explain(const std::string& suffix, bool followed) {
+  followed_ = followed;
   suffix_ = suffix;
   if (needs_balance())
     explain_balance();

@@ -55,7 +55,8 @@ class InstantExplainer {
                    const InstantQuestions& questions, const Settings& settings, Explanation& explanation);
 
   // Adds sections with everything that the questions need.
-  void explain(const std::string& suffix);
+  // followed: whether a motion has led here.
+  void explain(const std::string& suffix, bool followed);
 
   // The symbol of an unknown.
   struct Symbol {
@@ -142,6 +143,7 @@ class InstantExplainer {
   std::optional<std::string> named_point(const Vector3<double>& position) const;
   bool rests(int body, const Vector3<double>& point) const;  // whether the body's point at this place rests
   std::string body_name(int body) const;
+  bool is_particle(int body) const;
   std::vector<int> bodies_with_mass() const;
 
   // These are defined in explanation_balance.cpp.
@@ -161,6 +163,7 @@ class InstantExplainer {
   Symbol symbol_of_coordinate(std::size_t k, bool rates) const;
   void velocity_conditions();
   System system_of(const std::set<int>& bodies) const;
+  std::vector<std::string> turned_axes(const System& system) const;
   void explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& listed);
   std::optional<ExplainedPoint> best_point(const BalancePlan& plan) const;
   // moments_only: no equation of forces follows.
@@ -209,6 +212,7 @@ class InstantExplainer {
   ExplainedFigures figures_;
   DataScope<double> data_;
   std::string suffix_;
+  bool followed_ = false;  // whether velocities are those to which a motion has led
   // What has been shown already, so that it is shown once.
   std::set<int> inertia_said_, mass_said_;
   std::vector<Formula> conditions_;  // what rows without unknown forces say of the data

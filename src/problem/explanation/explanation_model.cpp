@@ -127,14 +127,15 @@ std::string joint_line(const Joint& joint, const Data& data) {
 }
 
 // What is said of the slipping of a contact.
-std::string slipping_words(const Contact& contact) {
+std::string slipping_words(const Contact& contact, const Data& data) {
   if (!contact.no_slip_along.empty()) {
     std::vector<std::string> edges;
     for (const Expression& edge : contact.no_slip_along) edges.push_back(code(edge));
     return ", without slipping along " + listed(edges) + ", which turns with *" + contact.of + "*";
   }
   if (!contact.friction) return contact.no_slip ? ", without slipping" : ", without friction";
-  const std::string resting = code(contact.friction->resting), sliding = code(contact.friction->sliding);
+  const std::string resting = data.number(contact.friction->resting, dimensions::none),
+                    sliding = data.number(contact.friction->sliding, dimensions::none);
   std::string words = ", with dry friction: the coefficient is " + resting;
   if (resting != sliding) words += " at rest and " + sliding + " while it slides";
   if (contact.flies) return words;
@@ -172,10 +173,11 @@ std::string friction_words(const Contact& contact) {
   return words;
 }
 
-std::string slipping_cord_words(const Contact& contact) {
+std::string slipping_cord_words(const Contact& contact, const Data& data) {
   std::string words = std::string(contact.of_belt ? "the belt *" : "the cord *") + contact.of +
-                      "* has dry friction of " + code(contact.friction->resting);
-  if (contact.friction->falls()) words += " at rest and " + code(contact.friction->sliding) + " while it slips";
+                      "* has dry friction of " + data.number(contact.friction->resting, dimensions::none);
+  if (contact.friction->falls())
+    words += " at rest and " + data.number(contact.friction->sliding, dimensions::none) + " while it slips";
   words += " on *" + contact.against + "*";
   if (contact.grip == Grip::sticks) words += "; it does not slip";
   if (contact.grip == Grip::slides) words += "; it slips, and its tension changes by $e^{\\mu\\beta}$ round it";
@@ -221,13 +223,13 @@ std::string shaking_words(const Excitation& excitation, const Data& data) {
 void add_actions(const Situation& situation, const Data& data, std::vector<std::string>& lines) {
   for (const Contact& contact : situation.contacts)
     lines.push_back(
-        contact.on_cord ? slipping_cord_words(contact)
+        contact.on_cord ? slipping_cord_words(contact, data)
         : contact.in_joint
             ? friction_words(contact)
             : "*" + contact.of + (contact.open ? "* may later touch *" : "* touches *") + contact.against +
                   (contact.corner ? "* with its corner " : "* at ") + code(contact.at) + ", normal " +
                   code(contact.normal) + (contact.surface ? ", the surface through " + code(*contact.surface) : "") +
-                  (contact.inside.empty() ? "" : ", inside *" + contact.inside + "*") + slipping_words(contact) +
+                  (contact.inside.empty() ? "" : ", inside *" + contact.inside + "*") + slipping_words(contact, data) +
                   (contact.restitution ? ", restitution " + data.number(*contact.restitution, dimensions::none) : ""));
   for (const Cord& cord : situation.cords) {
     std::string over;
@@ -239,9 +241,10 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
   for (const Belt& belt : situation.belts) {
     std::string over;
     for (const CordWheel& wheel : belt.over) over += (over.empty() ? "*" : ", *") + wheel.name + "*";
-    lines.push_back(std::string(belt.chain ? "the chain *" : "the belt *") + belt.name + "* goes round " + over +
-                    (belt.crossed ? ", crossed" : "") +
-                    (belt.tension ? ", with the initial tension " + code(*belt.tension) : ""));
+    lines.push_back(
+        std::string(belt.chain ? "the chain *" : "the belt *") + belt.name + "* goes round " + over +
+        (belt.crossed ? ", crossed" : "") +
+        (belt.tension ? ", with the initial tension " + data.number(*belt.tension, dimensions::force) : ""));
   }
   for (const Gear& gear : situation.gears) lines.push_back(teeth_words(gear));
   const WrittenExpression written = [](const Expression& expression) { return code(expression); };

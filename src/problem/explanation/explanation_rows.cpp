@@ -6,6 +6,28 @@
 #include "problem/explanation/explanation_instant.h"
 
 namespace poinsot::problem {
+namespace {
+
+// Adds a term to a side: what multiplies the same symbol, as where a cord comes and goes, is one sum.
+void add_to(std::vector<ShownTerm>& side, ShownTerm term) {
+  const auto same = std::ranges::find(side, term.symbol, &ShownTerm::symbol);
+  if (same == side.end()) {
+    side.push_back(std::move(term));
+    return;
+  }
+  Shown& sum = same->coefficient;
+  sum.number += term.coefficient.number;
+  try {
+    if (sum.formula && term.coefficient.formula)
+      *sum.formula += *term.coefficient.formula;
+    else
+      sum.formula.reset();
+  } catch (const FormulaTooLarge&) {
+    sum.formula.reset();
+  }
+}
+
+}  // namespace
 
 InstantExplainer::Row InstantExplainer::row_of(const System& system, const MotionBalance<double>& numbers,
                                                const std::optional<MotionBalance<Formula>>& formulas,
@@ -25,9 +47,9 @@ InstantExplainer::Row InstantExplainer::row_of(const System& system, const Motio
   Row terms;
   if (sudden()) terms.left.push_back({pair(numbers.before, formulas ? &formulas->before : nullptr)});
   for (std::size_t i = 0; i < numbers.unknown.size(); ++i)
-    terms.left.push_back(
-        {signed_by(at(numbers.unknown, formulas ? &formulas->unknown : nullptr, i), system.unknown[i].sign),
-         system.unknown[i].tex, system.unknown[i].value, system.unknown[i].dimension});
+    add_to(terms.left,
+           {signed_by(at(numbers.unknown, formulas ? &formulas->unknown : nullptr, i), system.unknown[i].sign),
+            system.unknown[i].tex, system.unknown[i].value, system.unknown[i].dimension});
   for (std::size_t i = 0; i < numbers.known.size(); ++i)
     terms.left.push_back({at(numbers.known, formulas ? &formulas->known : nullptr, i)});
   for (std::size_t i = 0; i < numbers.weights.size(); ++i)

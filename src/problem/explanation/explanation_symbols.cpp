@@ -1,7 +1,10 @@
 // The symbols of unknowns, and the external forces in words.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "problem/explanation/explanation_instant.h"
 #include "problem/keys/joint_kinds.h"
@@ -147,9 +150,8 @@ std::string InstantExplainer::sliding_coefficient(std::size_t action) const {
 // A number, or where it hangs on letters without value its formula, within a line of mathematics.
 std::string InstantExplainer::factor_in_tex(const Shown& value, const Dimension& dimension) const {
   if (tex_.is_known(value)) return tex_.number(value.number, dimension);
-  const std::string text = tex_.inline_value(value, dimension);
-  if (text.size() < 3) return "\\ldots";
-  const std::string formula = text.substr(1, text.size() - 2);
+  const std::string formula = tex_.value(value, dimension);
+  if (formula.empty()) return "\\ldots";
   const bool sum = formula.find(" + ") != std::string::npos || formula.find(" - ") != std::string::npos;
   return sum ? "\\left(" + formula + "\\right)" : formula;
 }
@@ -183,6 +185,9 @@ std::string InstantExplainer::words_of_cord(const std::string& name) const {
 
 // What the initial tension leaves for the last side of a belt, which is no longer and no shorter than it was.
 constexpr const char* sum_of_sides = ", as $\\Sigma L_k T_k = T_0\\,\\Sigma L_k$ over the lengths of the sides";
+
+// Whether the one direction that is told with a force is that in which it acts on what is cut free.
+bool with_own_direction(ActionKind kind) { return kind == ActionKind::cord || kind == ActionKind::mesh; }
 
 // Lists the external forces one by one, but for those across the plane of a problem.
 void InstantExplainer::force_list(ExplainedSection& here, const System& system,
@@ -229,7 +234,13 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
   }
   // The components of one action are listed together; what a side of a belt has of the initial tension and of the
   // other sides is one sum.
-  std::vector<std::pair<std::size_t, std::vector<std::string>>> held;
+  // The body on which an action is told to act is not among those that are cut free.
+  const auto is_reversed = [&](std::size_t action) {
+    return !system.plan.bodies.contains(mechanism().actions[action].on);
+  };
+  std::set<std::size_t> as_it_acts;  // those whose direction is told as it is here
+  using Held = std::pair<std::size_t, std::vector<std::string>>;
+  std::vector<Held> held;
   std::map<std::size_t, std::string> sums;
   for (std::size_t i = 0; i < system.plan.unknown.size(); ++i) {
     const UnknownForce& force = system.plan.unknown[i];
@@ -265,7 +276,7 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
                 sum;
         sum += (part < 0 ? " - " : sum.empty() ? "" : " + ") + size_of_part + system.unknown[i].tex;
         symbol = "$" + sum + "$";
-        if (!held.empty() && held.back().first == action) held.back().second.pop_back();
+        if (const auto said = std::ranges::find(held, action, &Held::first); said != held.end()) said->second.clear();
       }
       const Vector3<double> along = figures_.numbers.now.direction(component.along);
       const bool on_axis = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)}) > 1 - 1e-9;
@@ -277,22 +288,26 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
           const auto one = sudden() ? figures.now.component_wrench(figures.mechanism().components[force.index])
                                     : wrench_with_parting(figures.now, force.index);
           using Scalar = ScalarOf<decltype(figures)>;
-          const Scalar sign(parts_wheels ? static_cast<int>(system.unknown[i].sign) : 1);
+          const int told = parts_wheels ? static_cast<int>(system.unknown[i].sign) : 1;
+          const Scalar sign(with_own_direction(mechanism().actions[action].kind) && is_reversed(action) ? -told : told);
           return Vector3<Scalar>(sign * (component.couple ? one.moment : one.force));
         });
         if (const std::string coefficient = sliding_coefficient(action); !coefficient.empty())
           symbol += " along the normal, and the friction $" + coefficient + "\\," + system.unknown[i].tex +
                     "$ against the sliding";
-        else if (tex_.can_show(direction))
+        else if (tex_.can_show(direction)) {
           symbol += " along " + tex_.inline_vector(direction, dimensions::none);
+          if (with_own_direction(mechanism().actions[action].kind)) as_it_acts.insert(action);
+        }
       }
     }
-    if (held.empty() || held.back().first != action) held.push_back({action, {}});
-    held.back().second.push_back(symbol);
+    auto item = std::ranges::find(held, action, &Held::first);
+    if (item == held.end()) item = held.insert(held.end(), {action, {}});
+    item->second.push_back(symbol);
   }
   for (const auto& [index, symbols] : held) {
     const Action& action = mechanism().actions[index];
-    const bool reversed = !system.plan.bodies.contains(action.on);
+    const bool reversed = is_reversed(index) && !as_it_acts.contains(index);
     const std::string what = action.kind == ActionKind::drive      ? "the motor at *" + action.joint + "*"
                              : action.kind == ActionKind::friction ? "the friction in *" + action.joint + "*"
                              : action.kind == ActionKind::cord     ? words_of_cord(action.name)
@@ -341,6 +356,37 @@ void InstantExplainer::list_unknowns(const std::vector<Symbol>& unknowns) {
     here.steps.push_back(
         {"What the equations leave open is not asked: only combinations of " + listed(shared) + " are determined.",
          {}});
+}
+
+std::string ExplanationTex::plain(const std::string& tex) {
+  std::string text;
+  std::vector<std::string> marks;  // of the open groups: what stands behind each
+  std::string mark;
+  for (std::size_t i = 0; i < tex.size(); ++i) {
+    if (tex[i] == '{') {
+      marks.push_back(std::exchange(mark, ""));
+    } else if (tex[i] == '}') {
+      if (!marks.empty()) {
+        text += marks.back();
+        marks.pop_back();
+      }
+    } else if (tex[i] != '\\') {
+      text += tex[i];
+    } else {
+      std::size_t end = i + 1;
+      while (end < tex.size() && std::isalpha(static_cast<unsigned char>(tex[end])) != 0) ++end;
+      const std::string word = tex.substr(i + 1, end - i - 1);
+      static const std::set<std::string> of_type{"mathbf", "mathrm", "mathit", "boldsymbol", "bar", "hat", "text"};
+      // What is escaped, such as \_, stands for itself, and \, is a thin space.
+      if (word == "dot" || word == "ddot")
+        mark = word == "dot" ? "'" : "''";
+      else if (!of_type.contains(word))
+        text += word;
+      if (word.empty() && end < tex.size()) text += tex[end] == ',' ? ' ' : tex[end];
+      i = word.empty() ? end : end - 1;
+    }
+  }
+  return text;
 }
 
 }  // namespace poinsot::problem

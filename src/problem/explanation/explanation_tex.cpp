@@ -1,12 +1,10 @@
 #include "problem/explanation/explanation_tex.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 #include <regex>
-#include <set>
 #include <utility>
 
 #include "poinsot/engine/math/formula/formula_text.h"
@@ -63,10 +61,27 @@ std::string index_tex(const std::string& index) {
   return tex;
 }
 
+// Velocities that nothing in the file names are told in words, "angular velocity of disk at pivot along x": as symbols
+// with the axis and the body as their index.
+std::string with_symbols_of_velocities(const std::string& tex) {
+  static const std::regex velocity("\\\\text\\{(angular )?velocity of ([^{}]*?)( at [^{}]*?)? along ([^{} ]+)\\}");
+  std::string result;
+  std::sregex_iterator it(tex.begin(), tex.end(), velocity), end;
+  std::size_t at = 0;
+  for (; it != end; ++it) {
+    result += tex.substr(at, static_cast<std::size_t>(it->position()) - at);
+    std::string body = (*it)[2];
+    std::erase(body, '\\');
+    result += ((*it)[1].matched ? "\\omega_{" : "v_{") + index_tex((*it)[4].str() + "," + body) + "}";
+    at = static_cast<std::size_t>(it->position() + it->length());
+  }
+  return result + tex.substr(at);
+}
+
 // A formula as TeX. A name such as phidot is written as a rate, with a dot.
 std::string formula_as_tex(const Formula& formula) {
   static const std::regex rate("\\\\mathit\\{([A-Za-z]+[0-9]*)dot\\}");
-  const std::string tex = text(formula, Notation::tex);
+  const std::string tex = with_symbols_of_velocities(text(formula, Notation::tex));
   std::string result;
   std::sregex_iterator it(tex.begin(), tex.end(), rate), end;
   std::size_t at = 0;
@@ -268,10 +283,14 @@ ExplainedEquation ExplanationTex::equation(const std::string& symbol, const Show
   return equation;
 }
 
+std::string ExplanationTex::value(const Shown& value, const Dimension& dimension) const {
+  if (is_known(value)) return with_unit(value.number, dimension);
+  return formula_tex(value, dimension, longest_formula()).value_or("");
+}
+
 std::string ExplanationTex::inline_value(const Shown& value, const Dimension& dimension) const {
-  if (is_known(value)) return "$" + with_unit(value.number, dimension) + "$";
-  const auto tex = formula_tex(value, dimension, longest_formula());
-  return tex ? "$" + *tex + "$" : "";
+  const std::string tex = this->value(value, dimension);
+  return tex.empty() ? "" : "$" + tex + "$";
 }
 
 std::string ExplanationTex::inline_both(const Shown& value, const Dimension& dimension) const {
@@ -324,7 +343,13 @@ std::optional<std::string> ExplanationTex::side_in_symbols(const std::vector<Sho
     if (!fits_units(term.coefficient, dimension / term.dimension)) return std::nullopt;
     try {
       if (text(*term.coefficient.formula).size() > (letters_open() ? longest_alone : longest_line)) return std::nullopt;
-      add_term(side, formula_as_tex(*term.coefficient.formula), term.symbol);
+      // A number that no letter stands for is written as in the file: 0.002 and not 1/500.
+      const bool letters = !term.coefficient.formula->letters().empty();
+      const Dimension of_coefficient = dimension / term.dimension;
+      add_term(side,
+               letters || of_coefficient == dimensions::none ? formula_as_tex(*term.coefficient.formula)
+                                                             : number(term.coefficient.number, of_coefficient),
+               term.symbol);
     } catch (const FormulaTooLarge&) {
       return std::nullopt;
     }
@@ -456,37 +481,6 @@ std::string ExplanationTex::vector_symbol(const std::string& name) {
   const std::string tex = symbol(name);
   const std::size_t index = std::min(tex.find("_{"), tex.size());
   return (tex.starts_with('\\') ? "\\boldsymbol{" : "\\mathbf{") + tex.substr(0, index) + "}" + tex.substr(index);
-}
-
-std::string ExplanationTex::plain(const std::string& tex) {
-  std::string text;
-  std::vector<std::string> marks;  // of the open groups: what stands behind each
-  std::string mark;
-  for (std::size_t i = 0; i < tex.size(); ++i) {
-    if (tex[i] == '{') {
-      marks.push_back(std::exchange(mark, ""));
-    } else if (tex[i] == '}') {
-      if (!marks.empty()) {
-        text += marks.back();
-        marks.pop_back();
-      }
-    } else if (tex[i] != '\\') {
-      text += tex[i];
-    } else {
-      std::size_t end = i + 1;
-      while (end < tex.size() && std::isalpha(static_cast<unsigned char>(tex[end])) != 0) ++end;
-      const std::string word = tex.substr(i + 1, end - i - 1);
-      static const std::set<std::string> of_type{"mathbf", "mathrm", "mathit", "boldsymbol", "bar", "hat", "text"};
-      // What is escaped, such as \_, stands for itself, and \, is a thin space.
-      if (word == "dot" || word == "ddot")
-        mark = word == "dot" ? "'" : "''";
-      else if (!of_type.contains(word))
-        text += word;
-      if (word.empty() && end < tex.size()) text += tex[end] == ',' ? ' ' : tex[end];
-      i = word.empty() ? end : end - 1;
-    }
-  }
-  return text;
 }
 
 std::string ExplanationTex::unit_vector(std::size_t axis) const {

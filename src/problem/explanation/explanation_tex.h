@@ -83,7 +83,9 @@ class ExplanationTex {
   ExplainedEquation equation(const std::string& symbol, const ShownVector& value, const Dimension& dimension) const;
   // The same of a value that a motion keeps, for which the formula is what matters and may fill a line.
   ExplainedEquation kept(const std::string& symbol, const Shown& value, const Dimension& dimension) const;
-  // The number with its unit, or else the formula, between dollar signs within a line.
+  // The number with its unit, or else the formula; "" where neither may be shown.
+  std::string value(const Shown& value, const Dimension& dimension) const;
+  // The same between dollar signs within a line.
   std::string inline_value(const Shown& value, const Dimension& dimension) const;
   // Both the formula and the number.
   std::string inline_both(const Shown& value, const Dimension& dimension) const;

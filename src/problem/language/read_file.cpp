@@ -1,4 +1,5 @@
 // Reads the bytes of a file up to a limit, whatever kind of file the path leads to.
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -6,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <vector>
 
 #include "problem/language/tree.h"
 
@@ -32,6 +34,29 @@ std::string read_stream(std::FILE* stream, const std::string& name) {
   return bytes;
 }
 
+// What was meant by a path at which there is nothing: a file of nearly that name.
+std::string where_else(const std::filesystem::path& path) {
+  if (path.string().find("://") != std::string::npos) return "a file is read from a disk: save it first";
+  std::error_code fault;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  std::vector<std::string> names;
+  constexpr std::size_t most = 10'000;  // a folder with more is searched in part
+  std::filesystem::directory_iterator entry(folder, fault);
+  if (fault) return "there is no folder '" + folder.string() + "' either: check the path";
+  for (; entry != std::filesystem::directory_iterator() && names.size() < most; entry.increment(fault)) {
+    if (fault) break;
+    const std::filesystem::path& name = entry->path();
+    if (name.extension() != ".yaml" && name.extension() != ".yml") continue;
+    names.push_back(name.filename().string());
+    // The ending left out.
+    if (path.filename() == name.stem())
+      return "did you mean '" + (path.parent_path() / name.filename()).string() + "'?";
+  }
+  std::ranges::sort(names);
+  const std::string near = nearest(path.filename().string(), names);
+  return near.empty() ? "check the path" : "did you mean '" + (path.parent_path() / near).string() + "'?";
+}
+
 }  // namespace
 
 std::string read_file(const std::string& path) {
@@ -45,7 +70,7 @@ std::string read_file(const std::string& path) {
   if (!stream) {
     const std::string reason = std::strerror(errno);
     if (status.type() == std::filesystem::file_type::not_found) {
-      throw StatementError(path, head_of_file, "there is no such file", "check the path");
+      throw StatementError(path, head_of_file, "there is no such file", where_else(path));
     }
     throw StatementError(path, head_of_file, "the file cannot be opened: " + reason);
   }

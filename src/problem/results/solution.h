@@ -38,6 +38,7 @@ struct SolvedAsk {
   std::string words;                         // a description of the answer
   std::vector<std::string> component_names;  // names of the components of a vector
   std::vector<SolvedColumn> columns;         // the columns of a table, which has no value
+  std::optional<SolvedColumn> over{};        // what the table runs over, if no column shows that
   // If letters have no value: the answer as a formula, in SI units, or else why it has none.
   std::optional<Value<poinsot::Formula>> formula;
   std::string no_formula;

@@ -111,6 +111,7 @@ class SceneMaker {
     figure.add_links();
     name_tensions(figure, statement_);
     add_wheels(figure);
+    add_wraps(figure);
     add_later_surfaces(figure);
     add_stand_ins(figure);
     figure.stand_hinges_at_bodies();

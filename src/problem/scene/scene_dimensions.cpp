@@ -64,7 +64,10 @@ class Dimensions {
         return wheel.body == scene::ground ? scene::Place{scene::ground, wheel.center}
                                            : figure_.riding(tree_body, wheel.center);
       }
-      return std::nullopt;
+      // An eyelet, which has no size.
+      const auto is_point = [&](const scene::Point& point) { return point.name == contact.against; };
+      const auto eyelet = std::ranges::find_if(scene.points, is_point);
+      return eyelet == scene.points.end() ? std::nullopt : std::optional(eyelet->place);
     }
     const auto symbol = std::ranges::find(scene.symbols, contact.name, &scene::Symbol::name);
     if (symbol != scene.symbols.end()) return symbol->place;
@@ -287,6 +290,20 @@ class Dimensions {
         }
       }
   }
+  // Whether one end of an edge is nearer than the other to a named point, or of ends alike the lower one.
+  bool stands_nearer(int body, const Vector3<double>& one, const Vector3<double>& other) const {
+    const auto distance = [&](const Vector3<double>& end) {
+      double least = 1e300;
+      for (const scene::Point& point : figure_.scene().points)
+        least = std::min(least, norm(Vector3<double>(figure_.on_ground(point.place) - figure_.on_ground({body, end}))));
+      return least;
+    };
+    const double a = distance(one), b = distance(other);
+    constexpr double alike = 1e-9;
+    if (std::abs(a - b) > alike * (a + b)) return a < b;
+    const Vector3<double> apart = figure_.on_ground({body, one}) - figure_.on_ground({body, other});
+    return dot(apart, figure_.scene().up) < -alike * norm(apart);
+  }
   // here, there: the shape as it is, and with the grown datum.
   bool of_edges(const std::string& name, double told, double growth, bool half, int body, const Outline& here,
                 const Outline& there) {
@@ -300,7 +317,9 @@ class Dimensions {
         const double now = length(here), then = length(there);
         if (std::abs(now - told) > exact * told) continue;
         if (std::abs(then - now - growth * told) > alike * growth * told) continue;
-        const Vector3<double>&from = here.vertices[edge[i]], &to = here.vertices[edge[i + 1]];
+        Vector3<double> from = here.vertices[edge[i]], to = here.vertices[edge[i + 1]];
+        // Of two halves the one at whose end more is named, or which stands on the ground.
+        if (half && stands_nearer(body, from, to)) std::swap(from, to);
         put(name, {body, half ? Vector3<double>(0.5 * (from + to)) : from}, {body, to});
         return true;
       }

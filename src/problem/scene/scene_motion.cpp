@@ -20,6 +20,7 @@ constexpr std::size_t usual_times = 241, least_times = 25, most_times = 1501;
 constexpr std::size_t most_plots = 12;
 constexpr double turns_shown = 2;                      // of what moves on without an end that is asked about
 constexpr double most_turning = std::numbers::pi / 3;  // of a body between two times, so that one can go between them
+constexpr double by_chords = 6;                        // times as near to each other where a chord stands for an arc
 constexpr Work most_work = 4'000'000'000;
 
 class SceneMotion {
@@ -137,7 +138,7 @@ class SceneMotion {
     state.set_positions(at.q);
     state.set_velocities(at.v);
     double largest = 0;
-    // What goes round a center that pulls turns about it.
+    // What goes round a center that pulls turns about it, and between two times it is drawn along a chord.
     if (const std::optional<CentralGravity>& central = figure_.situation().central_gravity) {
       const Vector3<double> center = figure_.data().place(central->toward);
       for (std::size_t k = 0; k < figure_.situation().bodies.size(); ++k) {
@@ -146,7 +147,8 @@ class SceneMotion {
         const scene::Pose pose = figure_.pose_of(tree_body, state);
         const Vector3<double> place = pose.R * figure_.scene().bodies[k].center + pose.p, arm = place - center;
         const Vector3<double> velocity = motion.v + cross(motion.w, place - motion.p);
-        if (norm(arm) > 0) largest = std::max(largest, norm(Vector3<double>(cross(arm, velocity))) / norm_squared(arm));
+        if (norm(arm) > 0)
+          largest = std::max(largest, by_chords * norm(Vector3<double>(cross(arm, velocity))) / norm_squared(arm));
       }
     }
     for (std::size_t k = 0; k < figure_.scene().bodies.size(); ++k)

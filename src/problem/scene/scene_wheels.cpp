@@ -128,6 +128,32 @@ void add_wheels(SceneFigure& figure) {
   }
 }
 
+void add_wraps(SceneFigure& figure) {
+  const std::vector<scene::Link>& links = figure.scene().links;
+  std::set<std::string> seen;
+  for (std::size_t first = 0; first < links.size(); ++first) {
+    if (links[first].kind != scene::LinkKind::cord || !seen.insert(links[first].name).second) continue;
+    const std::string& name = links[first].name;
+    const std::vector<const Component<double>*> parts = straight_parts(figure.mechanism(), name);
+    const bool closed =
+        std::ranges::find(figure.situation().belts, name, &Belt::name) != figure.situation().belts.end();
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (k + 1 == parts.size() && !closed) break;
+      const std::size_t next = (k + 1) % parts.size();
+      const CordEnd<double>& wheel = parts[k]->span->to;
+      if (wheel.reach == 0) continue;
+      // With its center on its right, where it is left of that, a cord turns against the axis.
+      const Vector3<double> axis =
+          (wheel.reach > 0 ? -1.0 : 1.0) * normalized(figure.state().direction(parts[k]->span->axis));
+      const scene::Place center = figure.riding(wheel.body(), figure.state().position(wheel.center));
+      const Matrix3<double> R = center.body == scene::ground
+                                    ? Matrix3<double>::identity()
+                                    : figure.scene().bodies[static_cast<std::size_t>(center.body)].pose.R;
+      figure.scene().wraps.push_back({name, first + k, first + next, center, transpose_times(R, axis)});
+    }
+  }
+}
+
 void add_later_surfaces(SceneFigure& figure) {
   if (const std::optional<CentralGravity>& central = figure.situation().central_gravity)
     figure.scene().curves.push_back(

@@ -22,6 +22,8 @@ std::vector<const Component<double>*> straight_parts(const Mechanism<double>& me
 
 // Of bodies without shape the disks of their wheels, which are stated; and the posts that the ground holds.
 void add_wheels(SceneFigure& figure);
+// Where cords and belts lie on wheels and posts. After add_links.
+void add_wraps(SceneFigure& figure);
 // The ground that is touched later, and the center toward which gravity pulls.
 void add_later_surfaces(SceneFigure& figure);
 // Straight parts have the names under which their tensions are asked for.

@@ -48,6 +48,11 @@ class AskedTable {
   Value<double> value() {
     const Run run = runs_over();
     const std::vector<double> rows = row_values();
+    // Zeros say nothing of their dimension.
+    if (run == Run::coordinate) {
+      const bool turning = sample_.instant(first_).machine().coordinate(table_.over)->turning;
+      dimension_ = turning ? dimensions::angle : dimensions::length;
+    }
     if (run == Run::time && std::any_of(rows.begin(), rows.end(), [](double time) { return time < 0; }))
       fail(situation_.file, table_.values.mark(), "the motion begins at 0 s: there is no time before it");
     // Each row at another datum is a problem of its own. A fault in some of them shows in others, so that of many rows
@@ -55,6 +60,7 @@ class AskedTable {
     constexpr std::size_t most_confirmed = 24;
     const std::size_t stride = 1 + rows.size() / most_confirmed;
     for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (shows_over(table_)) add_cell(table_.over, Value<double>::of_number(rows[i], dimension_));
       if (run == Run::datum)
         add_row_over_datum(rows[i], sample_.writes_told() && (i % stride == 0 || i + 1 == rows.size()));
       else
@@ -194,6 +200,9 @@ class AskedTable {
   void add_number(const NamedExpression& column, const std::string& name, Value<double> value) {
     if (std::ranges::find(row_names_, name) != row_names_.end())
       fail(situation_.file, column.mark, "two columns of the table are called '" + name + "'", "rename one of them");
+    add_cell(name, std::move(value));
+  }
+  void add_cell(const std::string& name, Value<double> value) {
     row_names_.push_back(name);
     values_.push_back(std::move(value));
   }
@@ -245,6 +254,12 @@ class AskedTable {
 };
 
 }  // namespace
+
+bool shows_over(const Table& table) {
+  return std::ranges::none_of(table.columns, [&](const NamedExpression& column) {
+    return column.name == table.over || to_string(column.value) == table.over;
+  });
+}
 
 Value<double> asked_value(Sample& sample, const Ask& ask) {
   if (ask.table) return AskedTable(sample, ask).value();

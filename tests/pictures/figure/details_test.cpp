@@ -10,6 +10,7 @@
 
 #include "pictures/figure/figure.h"
 #include "pictures/figure/scenes.h"
+#include "pictures/solids/projection.h"
 #include "poinsot/engine/math/algebra/rotation.h"
 
 namespace poinsot {
@@ -58,6 +59,86 @@ Drawing cones(double body, double space, std::mt19937_64& random) {
   const auto names = figures_of(scene);
   const auto name = std::ranges::find(names, FigureKind::cones, &FigureName::kind);
   return figure(scene, *name, "", {});
+}
+
+// The areas of one role, as their corners.
+std::vector<std::vector<Point2>> areas(const Drawing& drawing, Role role) {
+  std::vector<std::vector<Point2>> found;
+  for (const Mark& mark : drawing.marks)
+    if (const auto* fill = std::get_if<Fill>(&mark); fill != nullptr && fill->role == role)
+      found.insert(found.end(), fill->loops.begin(), fill->loops.end());
+  return found;
+}
+
+TEST(Details, a_tension_that_is_asked_for_pulls_both_ends_of_its_cord) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> draw(-1, 1);
+  for (int round = 0; round < 8; ++round) {
+    scene::Scene scene;
+    scene.up = {0, 1, 0};
+    const Vector from{draw(random), draw(random), 0}, to{from.x + 2 + draw(random), draw(random), 0};
+    scene.bodies = {{.name = "weight", .mass = 1, .center = from},
+                    {.name = "hook", .mass = 1, .center = {from.x - 1, -2, 0}}};
+    scene.links = {{.name = "cord", .from = {0, from}, .to = {scene::ground, to}, .symbol = "T_{1}"},
+                   {.name = "other", .from = {1, scene.bodies[1].center}, .to = {scene::ground, to}}};
+    const FigureName model{FigureKind::model, "model", "", scene::ground};
+    const Drawing drawing = figure(scene, model, "", {.view = view_from({0, 0, 1}, {0, 1, 0})});
+    const auto heads = areas(drawing, Role::link);
+    ASSERT_EQ(heads.size(), 2U);
+    // The cord, as it is drawn: its direction on the paper, y downward.
+    const Point2 along = direction(Point2{to.x - from.x, from.y - to.y});
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::vector<Point2>& head = heads[k];
+      ASSERT_EQ(head.size(), 3U);
+      // From the middle of its base to its tip a head points away from the end at which it stands.
+      const Point2 middle = 0.5 * (head[1] + head[2]);
+      EXPECT_NEAR(dot(direction(head[0] - middle), along), k == 0 ? 1 : -1, 1e-6);
+    }
+    // Both stand on the cord: one line goes through the tips.
+    EXPECT_NEAR(std::abs(dot(direction(heads[1][0] - heads[0][0]), along)), 1, 1e-6);
+    EXPECT_GT(dot(heads[1][0] - heads[0][0], along), 0);
+  }
+}
+
+// A box on an orbit: where the center that pulls is, how far and how large.
+scene::Scene on_orbit(double way, double size) {
+  scene::Scene scene;
+  scene.up = {0, 1, 0};
+  scene.length = way;
+  scene.bodies = {{.name = "satellite",
+                   .mass = 1,
+                   .shapes = {pictures_test::box_shape({-size, -size / 2, -size / 4}, {size, size / 2, size / 4})}}};
+  scene.bodies[0].pose.p = {way, 0, 0};
+  scene.curves = {{scene::CurveKind::attractor, "gravity", scene::ground, false, {{0, 0, 0}}}};
+  scene.points = {{"A", {0, {size, 0, 0}}}, {"G", {0, {0, 0, 0}}}};
+  return scene;
+}
+
+double width_of_bodies(const Drawing& drawing) {
+  Box box;
+  for (const auto& loop : areas(drawing, Role::body))
+    for (const Point2& p : loop) box.include(p);
+  return box.empty() ? 0 : std::max(box.width(), box.height());
+}
+
+TEST(Details, what_is_lost_beside_its_way_is_drawn_larger_and_that_is_said) {
+  const FigureName model{FigureKind::model, "model", "", scene::ground};
+  const Looks front{.view = view_from({0, 0, 1}, {0, 1, 0})};
+  for (const double size : {1e-6, 1e-4, 5e-3}) {
+    const Drawing drawing = figure(on_orbit(7e6, size * 7e6), model, "", front);
+    EXPECT_GT(width_of_bodies(drawing), 30) << size;
+    EXPECT_TRUE(tells(drawing, "larger")) << size;
+    // Its points are apart and named.
+    EXPECT_TRUE(tells(drawing, "A"));
+    EXPECT_TRUE(tells(drawing, "G"));
+  }
+  // What can be seen at its size is drawn so.
+  const Drawing near = figure(on_orbit(10, 2), model, "", front);
+  EXPECT_FALSE(tells(near, "larger"));
+  // So is what something holds beside its center.
+  scene::Scene held = on_orbit(7e6, 7);
+  held.links = {{.name = "tether", .from = {0, {7, 0, 0}}, .to = {scene::ground, {0, 0, 0}}}};
+  EXPECT_FALSE(tells(figure(held, model, "", front), "larger"));
 }
 
 TEST(Details, needles_of_cones_are_cut_across_the_angular_momentum) {

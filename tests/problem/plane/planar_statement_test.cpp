@@ -64,6 +64,17 @@ struct TwoBars {
   }
 };
 
+TEST(PlanarStatement, OnlyComponentsOfOneVectorAreOnTheAxesOfThePlane) {
+  const auto found = answers(
+      "title: t\ngravity: -y\nplane: [y, x]\npoints: {O: [0, 0], A: [1 m, 2 m]}\n"
+      "bodies: {one: {rod: [O, A], mass: 2 kg}}\njoints: {pin: {revolute: z, at: O, to: one}}\n"
+      "facts: {angular_velocity(one): 3 rad/s}\n"
+      "ask: {v: velocity(A of one), two: [velocity(A of one).x, velocity(A of one).x], back: [velocity(A of one).x, "
+      "velocity(A of one).y], points: [velocity(A of one).y, velocity(O of one).x]}\n");
+  EXPECT_EQ(found.at("v").component_names, (std::vector<std::string>{"y", "x"}));
+  for (const char* name : {"two", "back", "points"}) EXPECT_TRUE(found.at(name).component_names.empty()) << name;
+}
+
 TEST(PlanarStatement, SaysOfTwoBarsWhatSpaceSays) {
   std::mt19937_64 random(20);
   std::uniform_real_distribution<double> any(-1, 1), size(0.3, 2);
@@ -77,6 +88,9 @@ TEST(PlanarStatement, SaysOfTwoBarsWhatSpaceSays) {
     for (const char* name : {"a", "F"})
       for (std::size_t k = 0; k < 2; ++k)
         close(plane.at(name).value.items.at(k).number, space.at(name).value.vector[k]);
+    for (const char* name : {"a", "F"})
+      EXPECT_EQ(plane.at(name).component_names, (std::vector<std::string>{"x", "y"})) << name;
+    for (const char* name : {"alpha", "H"}) EXPECT_TRUE(plane.at(name).component_names.empty()) << name;
   }
   EXPECT_EQ(tried, 12);
 }

@@ -101,6 +101,64 @@ TEST(SceneWheels, the_sides_of_a_belt_are_where_they_are_at_each_time) {
   }
 }
 
+// How far a cord goes round, right-handed about the axis of the wheel on which it lies.
+double angle_of(const scene::Scene& scene, const scene::Wrap& wrap, double* off_tangent = nullptr) {
+  const scene::Link &comes = scene.links.at(wrap.comes), &leaves = scene.links.at(wrap.leaves);
+  const Vector C = on_ground(scene, wrap.center), from = on_ground(scene, comes.from), to = on_ground(scene, leaves.to);
+  const Vector axis =
+      wrap.center.body < 0 ? wrap.axis : scene.bodies.at(static_cast<std::size_t>(wrap.center.body)).pose.R * wrap.axis;
+  const Vector a = from - C, b = to - C;
+  if (off_tangent != nullptr) {
+    // It goes on in the direction in which it came, and leaves in that in which it goes on.
+    const Vector in = from - on_ground(scene, comes.to), out = on_ground(scene, leaves.from) - to;
+    *off_tangent = 0;
+    for (const auto& [arm, along] : {std::pair{a, in}, std::pair{b, out}}) {
+      const Vector tangent = cross(axis, arm);
+      *off_tangent = std::max(*off_tangent, norm(Vector(tangent / norm(tangent) - along / norm(along))));
+    }
+  }
+  const double angle = std::atan2(dot(axis, cross(a, b)), dot(a, b));
+  return angle < 0 ? angle + 2 * std::numbers::pi : angle;
+}
+
+TEST(SceneWheels, a_belt_lies_on_its_wheels_between_its_sides) {
+  std::mt19937_64 random(23);
+  std::uniform_real_distribution<double> draw(0.05, 0.4);
+  for (int round = 0; round < 6; ++round) {
+    const double R = draw(random), r = draw(random), L = R + r + draw(random);
+    const Document document = illustrated(belt_drive(R, r, L));
+    const scene::Scene& scene = scene_of(document);
+    ASSERT_EQ(scene.wraps.size(), 2U);
+    double sum = 0;
+    for (const scene::Wrap& wrap : scene.wraps) {
+      double off_tangent = 1;
+      const double angle = angle_of(scene, wrap, &off_tangent);
+      EXPECT_LT(off_tangent, 1e-5);
+      // An open belt touches half of each wheel, more of the larger by twice the lean of its sides.
+      const bool big = norm(on_ground(scene, wrap.center)) < 1e-6;
+      const double lean = 2 * std::asin((R - r) / L);
+      EXPECT_NEAR(angle, std::numbers::pi + (big ? lean : -lean), 1e-4);
+      sum += angle;
+    }
+    EXPECT_NEAR(sum, 2 * std::numbers::pi, 1e-4);
+  }
+}
+
+TEST(SceneWheels, a_cord_lies_on_the_wheel_that_it_is_led_over_and_on_no_other) {
+  const Document document = illustrated(
+      "title: t\npoints: {O: [0, 0, 0], A: [-0.2 m, -1 m, 0], B: [0.2 m, -0.5 m, 0]}\nbodies:\n"
+      "  wheel: {disk: {center: O, normal: z, radius: 0.2 m}, mass: 3 kg}\n"
+      "  light: {particle: A, mass: 2 kg}\n  heavy: {particle: B, mass: 5 kg}\n"
+      "joints: {pin: {revolute: z, at: O, to: wheel}}\n"
+      "cords: {cord: {from: light, at: A, over: [wheel], to: heavy, end: B}}\n"
+      "gravity: -y\ninstants: {now: rest}\nask: {T: tension(cord from light to wheel)}\n");
+  const scene::Scene& scene = scene_of(document);
+  ASSERT_EQ(scene.wraps.size(), 1U);
+  double off_tangent = 1;
+  EXPECT_NEAR(angle_of(scene, scene.wraps[0], &off_tangent), std::numbers::pi, 1e-6);
+  EXPECT_LT(off_tangent, 1e-6);
+}
+
 TEST(SceneWheels, gears_are_disks_that_touch_where_their_teeth_meet_and_a_ring_is_none) {
   const Document document = illustrated(
       "title: t\npoints: {A: [0, 0, 0], P: [0.1 m, 0, 0], B: [0.15 m, 0, 0], Q: [0.2 m, 0, 0]}\nbodies:\n"

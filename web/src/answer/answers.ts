@@ -100,10 +100,12 @@ function answerNodes(name: string, answer: Answer): Child[] {
   } else if (answer.formula !== undefined && answer.formula !== null) {
     nodes.push(formulaLines(answer.formula, axes, `formula of ${name}`));
   }
-  if (answer.table) nodes.push(table(answer.table.columns, `table of ${name}`));
-  else if (answer.value !== undefined && answer.value !== null) {
+  if (answer.table) {
+    const { over, columns } = answer.table;
+    nodes.push(table(over ? [over, ...columns] : columns, `table of ${name}`));
+  } else if (answer.value !== undefined && answer.value !== null) {
     nodes.push(
-      scrolling(`value of ${name}`, valueNode(answer.value, answer.unit ?? "", axes.length === 3), onAxes(axes)),
+      scrolling(`value of ${name}`, valueNode(answer.value, answer.unit ?? "", axes.length > 0), onAxes(axes)),
     );
   } else if (answer.letters && nodes.length === 0) {
     const why = answer.no_formula ? `: ${answer.no_formula}` : "";

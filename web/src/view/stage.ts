@@ -26,7 +26,7 @@ import { nameTex } from "../text/tex";
 import { arrowLengths, arrowNode, tipOf } from "./arrows";
 import { mainAxis, Viewpoint } from "./camera";
 import { type Label, Labels } from "./labels";
-import { linkNode, stretch } from "./links";
+import { linkNode, stretch, WrapNode } from "./links";
 import { MovingArrows } from "./moving_arrows";
 import { Paints } from "./paints";
 import { matrixOf, Track } from "./poses";
@@ -47,6 +47,7 @@ export class Stage {
   private readonly paints = new Paints();
   private readonly bodies: Group[];
   private readonly links: Mesh[];
+  private readonly wraps: WrapNode[];
   private readonly arrows = new Group();
   private readonly moving: MovingArrows;
   private readonly labels: Labels;
@@ -67,6 +68,7 @@ export class Stage {
     this.track = scene.motion ? new Track(scene.motion) : null;
     this.bodies = scene.bodies.map((body, i) => bodyNode(body, i, this.size, this.paints));
     this.links = scene.links.map((link) => linkNode(link, this.size, this.paints));
+    this.wraps = (scene.wraps ?? []).map((wrap) => new WrapNode(this.size, this.paints, wrap.name));
     const up = new Vector3(...scene.up);
     this.viewpoint = new Viewpoint(
       up,
@@ -78,6 +80,7 @@ export class Stage {
     );
     this.moving = new MovingArrows(scene, this.size, this.paints, this.shown.quantities);
     this.space.add(new AmbientLight("#ffffff", 2.0), ...this.bodies, ...this.links, this.arrows, this.moving.group);
+    this.space.add(...this.wraps.map((wrap) => wrap.mesh));
     const sun = new DirectionalLight("#ffffff", 1.6);
     // The light stands to the left above the reader, wherever he looks from.
     this.viewpoint.camera.add(sun);
@@ -164,15 +167,21 @@ export class Stage {
       node.quaternion.copy(turn);
       node.updateMatrixWorld(true);
     });
-    this.scene.links.forEach((link, i) => {
-      const node = this.links[i];
-      if (node) stretch(node, this.whereIs(link.from), this.whereIs(link.to));
-    });
+    const ends = this.scene.links.map((link) => ({ from: this.whereIs(link.from), to: this.whereIs(link.to) }));
     if (time !== null)
       this.track?.links(time, (link, from, to) => {
-        const node = this.links[link];
-        if (node) stretch(node, from, to);
+        ends[link] = { from, to };
       });
+    ends.forEach(({ from, to }, i) => {
+      const node = this.links[i];
+      if (node) stretch(node, from, to);
+    });
+    this.scene.wraps?.forEach((wrap, i) => {
+      const comes = ends[wrap.comes];
+      const leaves = ends[wrap.leaves];
+      const axis = new Vector3(...wrap.axis).applyQuaternion(this.on(wrap.center.body).quaternion);
+      if (comes && leaves) this.wraps[i]?.lay(this.whereIs(wrap.center), axis, comes.from, leaves.to);
+    });
   }
 
   // Everything that is seen at any time, but no farther away than three sizes of the scene.
@@ -362,6 +371,11 @@ export class Stage {
   // What the arrows of the motion show, for tests.
   movingArrows(): { name: string; quantity: string; visible: boolean; direction: number[]; length: number }[] {
     return this.moving.told();
+  }
+
+  // The arcs of cords on wheels, for tests.
+  wrapped(): { name: string; radius: number; angle: number }[] {
+    return this.wraps.map((wrap) => wrap.told());
   }
 
   // Where the bodies stand in the picture, for tests: position and turn (x y z w) of each.
