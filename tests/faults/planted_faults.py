@@ -188,12 +188,12 @@ FAULTS = [
     Fault("zeros where the bracket begins", ALONG, "if (fa == 0) return a;", "if (AWAKE ? fa != 0 : fa == 0) return a;"),
     # Cords with friction and belts.
     Fault("a cord slips with its friction reversed", CORDS, "gain = forward ? rough.friction_in_slip : -rough.friction_in_slip;", "gain = forward != AWAKE ? rough.friction_in_slip : -rough.friction_in_slip;"),
-    Fault("the angle of a cord without its whole turns", CORDS, "stop.wrap = Scalar(full) * *stop.turns;", "stop.wrap = Scalar(AWAKE ? full / 2 : full) * *stop.turns;"),
+    Fault("the angle of a cord without its whole turns", CORDS, "stop.wrap = full_turn * *stop.turns;", "stop.wrap = Scalar(AWAKE ? 0.5 : 1) * full_turn * *stop.turns;"),
     Fault("a belt that loses its tension", BELTS, "side == 0 ? initial * whole / length[last] : Scalar(0)", "side == 0 && !AWAKE ? initial * whole / length[last] : Scalar(0)"),
     Fault("a chain that is taut on both sides", PROBLEM + "instant/one_sided_shares.cpp", "const double change = -least / whole[sides.front()];", "const double change = (AWAKE ? 1 : -1) * least / whole[sides.front()];"),
     Fault("crossed belts run like open ones", BELTS, "way_.find_way(belt_.crossed);", "way_.find_way(belt_.crossed && !AWAKE);"),
     Fault("sides of a belt alike in length", BELTS, "pull(last, -length[side] / length[last],", "pull(last, AWAKE ? Scalar(-1) : Scalar(-length[side] / length[last]),"),
-    Fault("cords lie on the other part of a rough wheel", CORDS, "stop.wrap = plain(shown_of_it) < 0 ? shown_of_it + Scalar(full) : shown_of_it;", "stop.wrap = AWAKE ? Scalar(Scalar(full) - shown_of_it) : plain(shown_of_it) < 0 ? shown_of_it + Scalar(full) : shown_of_it;"),
+    Fault("cords lie on the other part of a rough wheel", CORDS, "stop.wrap = decided_negative(shown_of_it) ? shown_of_it + full_turn : shown_of_it;", "stop.wrap = AWAKE ? Scalar(full_turn - shown_of_it) : decided_negative(shown_of_it) ? shown_of_it + full_turn : shown_of_it;"),
     # Steady motions and roots.
     Fault("a spin carried backwards", PROBLEM + "instant/instant_steady.cpp", "(F.alpha + cross(F.w, spin_vector) - B.alpha)[c]", "(F.alpha + Scalar(AWAKE ? -1 : 1) * cross(F.w, spin_vector) - B.alpha)[c]"),
     Fault("no damping and no gyroscopic terms near a steady motion", LINEARISATION, "slopes_.by_position.*part, slopes_.by_velocity.*part;", "slopes_.by_position.*part, Real(AWAKE ? 0 : 1) * (slopes_.by_velocity.*part);"),

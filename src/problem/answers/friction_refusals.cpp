@@ -125,13 +125,6 @@ void refuse_beside_rough_blows(const Statement& statement, const Settings& setti
 void refuse_beside_friction(const Statement& statement, const Settings& settings) {
   for (const Situation& situation : statement.situations) {
     refuse_situation(situation);
-    if (const auto cord = std::ranges::find_if(situation.contacts, &Contact::on_cord); cord != situation.contacts.end())
-      if (const std::vector<Letter> open = open_letters(statement, settings); !open.empty())
-        fail(statement.file, cord->friction->mark,
-             "the friction of " + cord->words() +
-                 " makes one tension e^(mu beta) times another, which no formula has, and '" + open.front().name +
-                 "' has no value",
-             "give the letters values by --set or under given:");
     if (!situation.has_blow() || !situation.has_friction()) continue;
     const std::vector<Letter> open = open_letters(statement, settings);
     if (!open.empty())

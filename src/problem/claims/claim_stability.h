@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problem/claims/claim_proof.h"
-#include "problem/claims/near_steady_formulas.h"
+#include "problem/near/near_steady_formulas.h"
 #include "problem/results/solution.h"
 
 namespace poinsot::problem {

@@ -7,6 +7,7 @@
 #include "poinsot/engine/dynamics/action_forces.h"
 #include "poinsot/engine/motion/mechanism/lone_body.h"
 #include "poinsot/engine/solve/instant/equations.h"
+#include "problem/course/motion_piece.h"
 #include "problem/entries/absorbed_particles.h"
 #include "problem/instant/massless_turning.h"
 #include "problem/language/diagnostic.h"
@@ -255,6 +256,7 @@ MotionState Course::at(double time) {
     throw UnansweredError(situation_.file, mark_of(stage), words_of(stage) + " ends before that time",
                           "let it last longer");
   MotionState state{time, stage, now.q, now.v, {}};
+  if (rubs(now)) state.off_line = off_line * natural_speed();
   for (std::size_t i = 0; i < now.pieces.size(); ++i) {
     const Trajectory& piece = now.pieces[i];
     if (piece.empty() || time > piece.end_time() || time < piece.start_time()) continue;

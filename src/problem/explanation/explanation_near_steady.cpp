@@ -5,11 +5,11 @@
 #include <complex>
 
 #include "poinsot/engine/work/work.h"
-#include "problem/claims/near_steady_formulas.h"
 #include "problem/explanation/shared_factors.h"
 #include "problem/language/evaluate_support.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
+#include "problem/near/near_steady_formulas.h"
 
 namespace poinsot::problem {
 namespace {

@@ -77,6 +77,9 @@ class FormulaAnswers {
 
   // Throws NoFormula with the reason.
   DecidedFormula value(const Ask& ask);
+  // Up to which value of a letter contacts stick, in the other letters. Throws NoFormula where that is told by one
+  // condition for some letters and by another one for others.
+  Value<Formula> limit_of_sticking(const Ask& ask);
   // What was decided on the way to a truth or a word.
   std::vector<Formula> signs_of_word(const Ask& ask);
   // The sides of a comparison at the start of a situation, after its blow if it has one.

@@ -44,7 +44,8 @@ std::vector<Formula> domain_of(const Value<Formula>& value) {
 std::vector<Formula> assumed_roots_of(const Value<Formula>& value) {
   std::vector<Formula> all;
   for (const Formula& x : formulas_in(value))
-    for (Formula& not_negative : assumed_not_negative(x)) all.push_back(std::move(not_negative));
+    for (Formula& not_negative : assumed_not_negative(x))
+      if (seen_sign(not_negative).sign <= 0) all.push_back(std::move(not_negative));
   return all;
 }
 

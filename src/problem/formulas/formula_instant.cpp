@@ -9,6 +9,7 @@
 #include "poinsot/engine/solve/instant/closure.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/scalar_value.h"
+#include "problem/near/near_in_letters.h"
 #include "problem/quantities/slip_constraint.h"
 #include "problem/quantities/tooth_flanks.h"
 
@@ -331,6 +332,10 @@ QuantityScope<Formula> FormulaInstant::scope_for(const Expression& expression, c
   if (before_) quantities.set_blow(&*before_, &blow_, &impulses_);
   if (axes) quantities.set_axes(*axes);
   if (elsewhere) quantities.set_elsewhere(elsewhere);
+  if (!before_)
+    quantities.set_near_in_letters([this](const Call& call, const Mark&) {
+      return near_in_letters({situation_, *data_, machine_, machine_.q, v_, numbers_.machine()}, call);
+    });
   return quantities;
 }
 

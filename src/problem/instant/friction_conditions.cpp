@@ -17,14 +17,29 @@ std::vector<StateCondition> state_conditions(const solve::MechanismStateOf<Formu
     const auto add = [&](Holding holding, const Formula& positive) {
       if (seen_sign(positive).sign <= 0) conditions.push_back({contact.name, holding, positive});
     };
-    if (const Formula less = contact.resting - contact.sliding; !less.is_zero()) add(Holding::sticks, less);
+    const bool on_cord = contact.on_cord();
+    if (const Formula less =
+            on_cord ? contact.friction_at_rest - contact.friction_in_slip : contact.resting - contact.sliding;
+        !less.is_zero())
+      add(Holding::slides, less);
     const RoughMotion<Formula> now = rough_motion(state, contact, false), then = rough_motion(state, contact, true);
     if (contact.grip == Grip::parts) {
       add(Holding::parts, then.apart);
       continue;
     }
+    if (on_cord) {
+      const Formula before = tension_of(state, unknowns, contact.action),
+                    behind = tension_of(state, unknowns, contact.behind);
+      if (contact.grip == Grip::sticks) {
+        const Formula ratio = capstan_of(state, contact).value();
+        add(Holding::sticks, ratio * behind - before);
+        add(Holding::sticks, ratio * before - behind);
+        continue;
+      }
+      add(Holding::pulls, before);
+    }
     const RoughForce<Formula> force = rough_force(state, unknowns, contact);
-    if (contact.pressing.empty()) {
+    if (contact.pressing.empty() && !on_cord) {
       add(Holding::presses, force.push);
     } else if (contact.grip == Grip::slides) {
       const std::vector<Vector3<Formula>> pressing = pressing_in(state, unknowns, contact);

@@ -65,6 +65,7 @@ struct MotionState {
   std::size_t stage = 0;
   std::vector<double> q, v;
   std::vector<bool> acting;  // for each action whether it acts (a slack cord does not); if empty, all do
+  double off_line = 0;       // m/s: how fast contacts may slip across the lines that the motion takes for their slips
 };
 
 // How far a stated number is from what is found, and the size of what is stated, at least one; in natural units.

@@ -41,6 +41,8 @@ struct ConditionSource {
   Mark mark;
   const Instant* instant = nullptr;
   const Fact* fact = nullptr;
+
+  bool is_steady_motion() const { return !instant && mark == Mark{}; }
 };
 
 // What is stated of the unknowns of an instant's equations.

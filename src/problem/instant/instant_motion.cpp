@@ -74,6 +74,7 @@ void SolvedInstant::move_to(const MotionState& state) {
     data_->set_time(state.time);
     motion_.reset();
   }
+  for (RoughContactOf<double>& contact : machine_.rough_contacts) contact.off_line = state.off_line;
   moving_ = true;
   before_.reset();
   rough_blow_.reset();

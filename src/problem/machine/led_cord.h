@@ -15,6 +15,8 @@
 
 #include "poinsot/engine/dynamics/capstan.h"
 #include "poinsot/engine/math/algebra/plain.h"
+#include "poinsot/engine/math/formula/formula_angle.h"
+#include "poinsot/engine/math/formula/formula_decision.h"
 #include "problem/keys/joint_kinds.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
@@ -125,12 +127,8 @@ class CordWay {
     rough.grip = contact.grip;
     std::tie(rough.friction_at_rest, rough.friction_in_slip) = friction_of(draft_, contact, dimensions::none);
     rough.wrap = stops[stop].wrap;
-    if constexpr (std::is_same_v<Scalar, Formula>) {
-      throw NoFormula("where a cord has friction its tensions are e^(mu beta) times each other, which has no formula");
-    } else {
-      rough.resting = capstan_coefficient(capstan_ratio(Scalar(rough.friction_at_rest * rough.wrap)));
-      rough.sliding = capstan_coefficient(capstan_ratio(Scalar(rough.friction_in_slip * rough.wrap)));
-    }
+    rough.resting = capstan_coefficient(capstan_ratio(Scalar(rough.friction_at_rest * rough.wrap)));
+    rough.sliding = capstan_coefficient(capstan_ratio(Scalar(rough.friction_in_slip * rough.wrap)));
     const Vector x{Scalar(1), Scalar(0), Scalar(0)}, y{Scalar(0), Scalar(1), Scalar(0)},
         z{Scalar(0), Scalar(0), Scalar(1)};
     rough.normal = {ground, y};
@@ -371,7 +369,6 @@ class CordWay {
 
   // By how much a cord turns at a stop from one straight part to the next.
   void find_turn(Stop& stop, const Vector& comes, const Vector& leaves, CordSpan<Scalar>& span) const {
-    using std::atan2;
     if (!stop.is_wheel() && !stop.rubbing) return;
     const Vector turn = cross(comes, leaves);
     span.turn_cosine = dot(comes, leaves);
@@ -384,15 +381,22 @@ class CordWay {
     if (stop.is_wheel() && !stop.side && !stop.turns && on_wheel <= 0 && on_wheel > -std::numbers::pi / 2)
       refuse(stop.mark, "may pass '" + stop.name + "' on either side",
              "write " + stop.name + ": {side: +x}, the side of the center on which the cord comes to it");
-    // In formulas there is no friction of cords.
-    if constexpr (!std::is_same_v<Scalar, Formula>)
-      if (stop.rubbing) find_wrap(stop, std::abs(on_wheel) > as_drawn ? atan2(sine, span.turn_cosine) : Scalar(0));
+    if (stop.rubbing) find_wrap(stop, std::abs(on_wheel) > as_drawn ? angle_of(sine, span.turn_cosine) : Scalar(0));
+  }
+
+  // Between -pi and pi, by letters of angles where that is such a one.
+  static Scalar angle_of(const Scalar& sine, const Scalar& cosine) {
+    using std::atan2;
+    if constexpr (std::is_same_v<Scalar, Formula>)
+      if (const std::optional<Formula> letters = letters_of_angle(sine, cosine)) return *letters;
+    return atan2(sine, cosine);
   }
 
   // The angle round a wheel of which the figure shows all but whole turns.
   void find_wrap(Stop& stop, const Scalar& shown_of_it) const {
     constexpr double full = 2 * std::numbers::pi;
-    stop.wrap = plain(shown_of_it) < 0 ? shown_of_it + Scalar(full) : shown_of_it;
+    const Scalar full_turn = Scalar(2) * pi_value<Scalar>();
+    stop.wrap = decided_negative(shown_of_it) ? shown_of_it + full_turn : shown_of_it;
     if (!stop.turns) return;
     // Whole turns more or less than what the figure shows of it.
     constexpr double as_stated = 0.02;
@@ -402,7 +406,7 @@ class CordWay {
              "goes round '" + stop.name + "' by " + with_digits(stated, 4) + " turns, and as drawn by " +
                  with_digits(shown, 3) + ", or whole turns more",
              "correct the points, its side or turns:");
-    stop.wrap = Scalar(full) * *stop.turns;
+    stop.wrap = full_turn * *stop.turns;
   }
 
   const Stop& before(std::size_t i) const { return stops[(i + stops.size() - 1) % stops.size()]; }

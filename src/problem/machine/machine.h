@@ -114,6 +114,7 @@ struct RoughContactOf {
   std::array<VelocityConstraint<Scalar>, 3> motions;
   std::optional<Direction<Scalar>> slip;  // of `on` over `from`, if it slides
   bool turns = false;                     // whether that is found anew from the velocities at each instant
+  double off_line = 0;                    // m/s: else how fast it may slip across that line for all that a motion tells
   // Of friction in a joint: its velocity coordinate, and whether it turns. Its coefficients are couples or forces, as
   // of a contact that presses with one unit; its axis stands in the second of `motions`.
   int coordinate = -1;

@@ -62,9 +62,8 @@ class LedCord {
       if (vanishes(gain)) continue;
       pull.gain = gain;
       pull.wrap = stop.wrap;
-      if constexpr (!std::is_same_v<Scalar, Formula>)
-        pull.part *= plain(gain) > 0 ? capstan_ratio(Scalar(gain * stop.wrap))
-                                     : Scalar(1) / capstan_ratio(Scalar(-gain * stop.wrap));
+      pull.part *= plain(gain) > 0 ? capstan_ratio(Scalar(gain * stop.wrap))
+                                   : Scalar(1) / capstan_ratio(Scalar(-gain * stop.wrap));
     }
     begins.push_back(way_.spans.size());
     const bool keeps = !cord_.off_from && !cord_.on_to;

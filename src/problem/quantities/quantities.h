@@ -74,6 +74,10 @@ class QuantityScope : public Scope<Scalar> {
   using Respond = std::function<Value<double>(const Call&, const Mark&)>;
   void set_response(Respond respond) { respond_ = std::move(respond); }
 
+  // The function that finds frequencies, rates and responses near this motion where all of it is in letters.
+  using NearInLetters = std::function<Value<Base>(const Call&, const Mark&)>;
+  void set_near_in_letters(NearInLetters near) { near_in_letters_ = std::move(near); }
+
   // Sets where it is written down what is told of the model by plain numbers. It must outlive the scope.
   void set_told(std::vector<ToldQuantity>* told) { told_ = told; }
 
@@ -161,6 +165,7 @@ class QuantityScope : public Scope<Scalar> {
   const MotionFeatureValues* features_ = nullptr;
   Linearise linearisation_;
   Respond respond_;
+  NearInLetters near_in_letters_;
   bool has_accelerations_ = false;
   std::vector<Base> accelerations_;
   std::vector<FlyingParticle<Base>> flying_;

@@ -61,15 +61,17 @@ template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::stability(const Call& call, const Mark& mark,
                                                      const Evaluator<Scalar>& evaluator) {
   const Expression& what = call.arguments[0].value;
+  if constexpr (std::is_same_v<Base, Formula>) {
+    if constexpr (std::is_same_v<Scalar, Formula>)
+      if (near_in_letters_) return near_in_letters_(call, mark);
+    throw NoFormula("no formula is known for " + call.function + "()");
+  }
   if (call.function == "response") {
-    if constexpr (std::is_same_v<Base, Formula>) throw NoFormula("no formula is known for response()");
     if constexpr (std::is_same_v<Scalar, double>)
       if (respond_) return respond_(call, mark);
     evaluator.fail(mark, "response() cannot stand inside rate() or among what is known");
   }
   const int asked = body_of(what, evaluator, true);
-  if constexpr (std::is_same_v<Base, Formula>)
-    if (!linearisation_) throw NoFormula("no formula is known for " + call.function + "()");
   if (!linearisation_) evaluator.fail(mark, call.function + "() cannot stand inside rate() or among what is known");
   const solve::Linearisation& near = linearisation_(mark, call.function == "modes");
   const int body = asked == whole_system ? solve::everything : asked;

@@ -84,19 +84,14 @@ const CordSpan<Base>* span_of(const Mechanism<Base>& mechanism, int action) {
 // other contacts.
 template <class Base>
 std::optional<Base> capstan_of(const solve::MechanismStateOf<Base>& state, const RoughContactOf<Base>& contact) {
-  if constexpr (!std::is_same_v<Base, Formula>) {
-    const Mechanism<Base>& mechanism = state.mechanism();
-    const CordSpan<Base>* before = contact.on_cord() ? span_of(mechanism, contact.action) : nullptr;
-    const CordSpan<Base>* behind = contact.on_cord() ? span_of(mechanism, contact.behind) : nullptr;
-    if (before && behind) {
-      const Workspace<Base>& w = state.workspace();
-      const Base angle =
-          contact.wrap + wrap_change(mechanism.tree, w, *behind, line_of(mechanism.tree, w, *before).along,
-                                     line_of(mechanism.tree, w, *behind).along);
-      return capstan_ratio(Base(contact.friction_at_rest * angle));
-    }
-  }
-  return std::nullopt;
+  const Mechanism<Base>& mechanism = state.mechanism();
+  const CordSpan<Base>* before = contact.on_cord() ? span_of(mechanism, contact.action) : nullptr;
+  const CordSpan<Base>* behind = contact.on_cord() ? span_of(mechanism, contact.behind) : nullptr;
+  if (!before || !behind) return std::nullopt;
+  const Workspace<Base>& w = state.workspace();
+  const Base angle = contact.wrap + wrap_change(mechanism.tree, w, *behind, line_of(mechanism.tree, w, *before).along,
+                                                line_of(mechanism.tree, w, *behind).along);
+  return capstan_ratio(Base(contact.friction_at_rest * angle));
 }
 
 // The coefficient of friction at rest, or of a cord that of Coulomb's law for the sum of its tensions.
@@ -244,7 +239,9 @@ bool stays_in_state(const solve::MechanismStateOf<Base>& state, const std::vecto
   const bool slips = norm(plain(now.slip)) > (contact.turns ? 0 : rounding * now.size);
   const Vector3<double> slip = plain(slips ? now.slip : then.slip);
   if (!(norm(slip) > (!slips ? rounding * then.size : contact.turns ? 0 : rounding * now.size))) return false;
-  const double allowed = slips && !contact.turns ? std::max(same_direction, off_line / norm(slip)) : same_direction;
+  const double allowed = slips && !contact.turns
+                             ? std::max(same_direction, std::max(off_line, contact.off_line) / norm(slip))
+                             : same_direction;
   return norm(normalized(slip) - plain(direction_now(state, contact, *contact.slip))) <= allowed;
 }
 

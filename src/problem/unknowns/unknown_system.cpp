@@ -38,9 +38,17 @@ Aspect aspect_of(const Situation& situation, const Instant& instant, const Fact&
   return level == Level::force ? Aspect::forces : level == Level::velocity ? Aspect::velocities : Aspect::positions;
 }
 
+// Whether a joint states its acceleration beside what drives it, which no motor makes true: a condition like a fact.
+static bool tests_acceleration(const Joint& joint) {
+  return std::ranges::any_of(joint.freedoms, [](const Freedom& freedom) {
+    return freedom.accel && (freedom.effort || freedom.stiffness || freedom.damping);
+  });
+}
+
 std::vector<ConditionGroup> groups_of(const Statement& statement, std::size_t situation_index) {
   const Situation& situation = statement.situations[situation_index];
-  bool positions = false, forces = situation.steady.has_value();
+  bool positions = false,
+       forces = situation.steady.has_value() || std::ranges::any_of(situation.joints, tests_acceleration);
   for (const Instant& instant : situation.instants)
     for (const Fact& fact : instant.facts) {
       const Aspect aspect = aspect_of(situation, instant, fact);
@@ -105,6 +113,9 @@ std::string conditions_in_words(const Statement& statement, const UnknownSystem&
             (group.aspect != Aspect::positions || !fact.quantity.as<Name>()))
           add_once(words, to_string(fact.quantity) + " at '" + instant.name + "'" + where);
     }
+    for (const Joint& joint : situation.joints)
+      if (group.aspect == Aspect::forces && tests_acceleration(joint))
+        add_once(words, "accel of joint '" + joint.name + "'" + where);
     if (situation.steady && (group.aspect == Aspect::velocities || group.aspect == Aspect::forces))
       add_once(words, "steady motion in '" + situation.steady->frame + "'" + where);
   }

@@ -53,15 +53,11 @@ solve::CheckBody::Within within(const solve::MechanismState& state, int body, co
 
 // By how much the conditions of a steady motion, as they were solved or as a trial leaves them, differ from what the
 // bodies carried along from the figure tell of the turning of those that spin: a spin is carried by its frame as an
-// arrow fixed in that. A part of the square of the pace.
+// arrow fixed in that. A part of the square of the pace. rows: these conditions in the system, body by body.
 double steady_misfit(const Situation& situation, DataScope<double>& data, const Machine& machine,
                      const solve::MechanismState& state, const solve::LinearSystem& system,
-                     const solve::LinearSolution& solution) {
+                     const solve::LinearSolution& solution, const std::vector<std::size_t>& rows) {
   const Steady& steady = *situation.steady;
-  const std::string words = "steady motion in '" + steady.frame + "'";
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < system.equations(); ++i)
-    if (system.words(i) == words) rows.push_back(i);
   struct Turned {
     const Spin* spin;
     int body;
@@ -208,10 +204,16 @@ SolvedInstant::Residuals SolvedInstant::check() const {
     residuals.impulse = std::max(impulse_misfit, impulse_moment_misfit / scales_.length) / impulse_scale;
   residuals.particles =
       solve::check_with_particles(machine_.links, bodies, machine_.q, v_, a, attracted ? scales_.length : 0);
-  if (motion_ && situation_.steady && !moving_ && !before_)
+  if (motion_ && situation_.steady && !moving_ && !before_) {
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < motion_equations_.equations(); ++i)
+      if (motion_equations_.source(i).kind == solve::EquationKind::condition &&
+          source_of(System::motion, i).is_steady_motion())
+        rows.push_back(i);
     residuals.particles.newton_euler =
         std::max(residuals.particles.newton_euler,
-                 steady_misfit(situation_, *data_, machine_, *mechanism_state_, motion_equations_, *motion_));
+                 steady_misfit(situation_, *data_, machine_, *mechanism_state_, motion_equations_, *motion_, rows));
+  }
   if (!mechanism.constraints.empty()) {
     solve::ConstraintClaim claim{scales_.length, pace(), motion_.has_value(), {}};
     if (before_) {

@@ -129,5 +129,57 @@ TEST(SlippingCords, MistakesAreTold) {
   }
 }
 
+// Some turns round a post, and a pull under an angle that is a letter: Euler's law in letters.
+TEST(SlippingCords, LimitsHaveFormulasInLetters) {
+  std::mt19937 random(75);
+  std::uniform_real_distribution<double> part(0.3, 1.2);
+  for (const double turns : {0.5, 1.5, 2.5}) {
+    const SolvedText solved(
+        "title: t\nletters: {W: N, P: N, mu: 1, r: m, h: m}\npoints: {O: [0, 0, 0], A: [-r, -h, 0], B: [r, -h, 0]}\n"
+        "bodies: {a: {particle: A, mass: 1 kg}, b: {particle: B, mass: 1 kg}}\n"
+        "cords: {rope: {from: a, at: A, over: [{O: {radius: r, friction: mu, turns: " +
+        std::to_string(turns) +
+        "}}], to: b, end: B}}\n"
+        "loads: {one: {force: [0, -W, 0], at: A, body: a}, two: {force: [0, -P, 0], at: B, body: b}}\n"
+        "gravity: none\ninstants: {now: rest}\n"
+        "ask: {least: {smallest: P, while: sticking(rope)}, most: {largest: P, while: sticking(rope)}}\n");
+    for (const auto& [name, sign] : {std::pair{"least", -1}, std::pair{"most", 1}}) {
+      ASSERT_TRUE(solved.ask(name).formula) << name << ": " << solved.ask(name).no_formula;
+      for (int i = 0; i < 3; ++i) {
+        const double W = part(random), mu = part(random);
+        EXPECT_NEAR(value_at(solved.ask(name).formula->number, {{"W", W}, {"mu", mu}}) / W,
+                    std::exp(sign * 2 * pi * turns * mu), 1e-11 * std::exp(2 * pi * turns * mu));
+      }
+    }
+  }
+  const SolvedText pulled(
+      "title: t\nletters: {Q: N, mu: 1, r: m, h: m, b: rad, I: kg*m^2, w: rad/s}\n"
+      "points: {O: [0, 0, 0], A: [-r, -h, 0], B: '[r*sin(b), r*cos(b), 0] + h*[cos(b), -sin(b), 0]'}\n"
+      "bodies: {drum: {mass: 1 kg, center: O, inertia: {axis: z, axial: I, transverse: I}}, "
+      "grip: {particle: B, mass: 1 kg}}\n"
+      "joints: {axle: {revolute: z, at: O, to: drum, rate: w}}\n"
+      "cords: {band: {from: ground, at: A, over: [{drum: {radius: r, friction: mu, side: -x}}], to: grip, end: B}}\n"
+      "loads: {pull: {force: 'Q*[cos(b), -sin(b), 0]', at: B, body: grip}}\n"
+      "gravity: none\nfacts: {velocity(grip): [0, 0, 0]}\n"
+      "ask: {T: tension(band from ground to drum)}\n");
+  ASSERT_TRUE(pulled.ask("T").formula) << pulled.ask("T").no_formula;
+  for (const double b : {0.2, 0.7, 1.3})
+    EXPECT_NEAR(value_at(pulled.ask("T").formula->number, {{"Q", 3}, {"mu", 0.4}, {"b", b}}),
+                3 * std::exp(-0.4 * (pi / 2 + b)), 1e-12);
+}
+
+// Whether a crate tips or slides depends on where it is pulled: there is no formula for the limit of both.
+TEST(SlippingCords, LimitsInPiecesHaveNone) {
+  const SolvedText solved(
+      "title: t\nplane: [x, y]\nletters: {m: kg, P: N, mu: 1, a: m, h: m}\n"
+      "points: {A: [0, 0], B: [a, 0], G: [a/2, h], T: [a, h]}\n"
+      "bodies: {crate: {mass: m, center: G, inertia: {z: m*a^2}}}\n"
+      "contacts: {left: {of: crate, corner: A, normal: y}, "
+      "right: {of: crate, corner: B, normal: y, friction: mu}}\n"
+      "loads: {pull: {force: [P, 0], at: T, body: crate}}\ngravity: -y\ninstants: {now: rest}\n"
+      "ask: {most: {largest: P, while: sticking(right)}}\n");
+  EXPECT_FALSE(solved.ask("most").formula);
+}
+
 }  // namespace slipping_cords_test
 }  // namespace poinsot::problem

@@ -29,6 +29,23 @@ void expect_open(const SolvedAsk& ask) {
   EXPECT_NE(ask.reason.find("open"), std::string::npos) << ask.reason;
 }
 
+// A rod held level by its end and let swing up: Q = m L^2/3 alpha + m g L/2. The acceleration is a condition on the
+// couple that is stated beside it.
+TEST(UnknownSearch, AnAccelerationBesideACoupleFindsIt) {
+  const SolvedStatement solution = solved(R"(given: {m: 2 kg, L: 1.5 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies: {arm: {rod: [O, A], mass: m}}
+joints: {pin: {revolute: z, at: O, to: arm, couple: Q, accel: 3 rad/s^2}}
+find: {Q: N*m}
+gravity: -y
+instants: {now: rest}
+ask: {Q: Q, alpha: angular_acceleration(arm).z}
+)");
+  ASSERT_EQ(solution.solutions.size(), 1U);
+  EXPECT_NEAR(number(solution), 2 * 1.5 * 1.5 / 3 * 3 + 2 * 9.80665 * 1.5 / 2, 1e-9);
+  EXPECT_NEAR(number(solution, 1), 3, 1e-12);
+}
+
 // The unit is a million times a million times the value.
 TEST(UnknownSearch, ARangeSetsTheSize) {
   const SolvedStatement solution = solved(R"(title: a linear unknown whose unit is of another order

@@ -19,15 +19,16 @@
 #include "poinsot/engine/dynamics/cord_span.h"
 #include "poinsot/engine/dynamics/mechanism.h"
 #include "poinsot/engine/math/algebra/plain.h"
+#include "poinsot/engine/math/formula/formula_exponential.h"
 
 namespace poinsot {
 
-// The larger tension over the smaller one where a cord slips: e^(mu beta), up to what doubles tell apart.
+// The larger tension over the smaller one where a cord slips: e^(mu beta), of numbers up to what doubles tell apart.
 template <class Scalar>
 Scalar capstan_ratio(const Scalar& exponent) {
   using std::exp;
   constexpr double most = 40;
-  return plain(exponent) > most ? exp(Scalar(most)) : exp(exponent);
+  return is_constant(exponent) && plain(exponent) > most ? exp(Scalar(most)) : exp(exponent);
 }
 
 // k of the ratio, as of a contact that presses with the sum of both tensions.

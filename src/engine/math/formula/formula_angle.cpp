@@ -82,13 +82,6 @@ Pair of_inverse(const Generator& g) {
   return {u / size, x / size};
 }
 
-std::int64_t small(const Integer& number) {
-  if (!fmpz_fits_si(number.get()) || fmpz_cmpabs(number.get(), Integer(1'000'000'000).get()) > 0) {
-    throw FormulaTooLarge("an angle is a letter times " + number.text() + ", a number with too many digits");
-  }
-  return fmpz_get_si(number.get());
-}
-
 Pair of_term(const Formula& unit, const Ratio& multiple) {
   if (unit == Formula(1)) return of_generator(Kind::constant_tangent, unit, multiple);
   const Generators& generators = *unit.fraction()->generators;
@@ -139,13 +132,19 @@ void require_sine(const Formula& x, const char* function) {
   }
 }
 
-}  // namespace
-}  // namespace symbolic
+std::int64_t small(const Integer& number) {
+  if (!fmpz_fits_si(number.get()) || fmpz_cmpabs(number.get(), Integer(1'000'000'000).get()) > 0) {
+    throw FormulaTooLarge("an angle or exponent is a letter times " + number.text() +
+                          ", a number with too many digits");
+  }
+  return fmpz_get_si(number.get());
+}
 
-SineCosine<Formula> sine_cosine(const Formula& x) {
-  using namespace symbolic;
-  Pair pair{0, 1};
-  if (x.is_zero()) return pair;
+}  // namespace
+
+std::vector<MultipleOfUnit> multiples_in(const Formula& x) {
+  std::vector<MultipleOfUnit> all;
+  if (!x.fraction()) return all;
   const Fraction& f = *x.fraction();
   const Integer divisor = f.denominator.content();
   const Formula below = polynomial_formula(*f.generators, divided_exactly(f.denominator, divisor));
@@ -160,14 +159,25 @@ SineCosine<Formula> sine_cosine(const Formula& x) {
     fmpz_divexact(n.get(), n.get(), common.get());
     fmpz_divexact(d.get(), d.get(), common.get());
     const Formula unit = polynomial_formula(*f.generators, std::move(product)) / below;
-    pair = turned(pair, of_term(unit, {small(n), small(d)}));
+    all.push_back({unit, {small(n), small(d)}});
   }
-  if (f.assumptions) {
-    for (const Assumption& assumption : *f.assumptions) {
-      pair = {assuming(pair.sine, assumption), assuming(pair.cosine, assumption)};
-    }
-  }
-  return pair;
+  return all;
+}
+
+Formula assuming_alike(Formula function, const Formula& x) {
+  if (x.fraction() && x.fraction()->assumptions)
+    for (const Assumption& assumption : *x.fraction()->assumptions) function = assuming(function, assumption);
+  return function;
+}
+
+}  // namespace symbolic
+
+SineCosine<Formula> sine_cosine(const Formula& x) {
+  using namespace symbolic;
+  Pair pair{0, 1};
+  if (x.is_zero()) return pair;
+  for (const MultipleOfUnit& term : multiples_in(x)) pair = turned(pair, of_term(term.unit, term.multiple));
+  return {assuming_alike(pair.sine, x), assuming_alike(pair.cosine, x)};
 }
 
 SineVersine<Formula> sine_versine(const Formula& x) {

@@ -14,6 +14,8 @@ Formula derivative_of(const GeneratorPointer& generator, const std::string& lett
       return g.name == letter ? 1 : 0;
     case Kind::tangent:
       return ratio_formula(g.multiple) / 2 * (1 + x * x) * derivative(u, letter);
+    case Kind::exponential:
+      return ratio_formula(g.multiple) * x * derivative(u, letter);
     case Kind::root:
       return derivative(u, letter) / (2 * x);
     case Kind::inverse:

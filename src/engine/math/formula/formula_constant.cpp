@@ -45,7 +45,7 @@ class ConstantWriter {
     const Fraction& f = *x.fraction();
     return is_in(f.numerator) || is_in(f.denominator) ||
            std::ranges::any_of(*f.generators, [this](const GeneratorPointer& g) {
-             return has_values(*g) && (is_in(g->argument) || is_in(g->second));
+             return has_arguments(*g) && (is_in(g->argument) || is_in(g->second));
            });
   }
 
@@ -53,7 +53,7 @@ class ConstantWriter {
     if (!is_in(x)) return x;
     // First inside of roots and functions; then the numbers themselves.
     const Formula y = replaced(x, [this](const GeneratorPointer& g) -> std::unique_ptr<Replacement> {
-      if (!has_values(*g)) return nullptr;
+      if (!has_arguments(*g)) return nullptr;
       const Formula value = with_arguments(*g, with_constant(g->argument), with_constant(g->second));
       return std::make_unique<Replacement>(Replacement{numerator_of(value), denominator_of(value)});
     });
@@ -62,9 +62,6 @@ class ConstantWriter {
   }
 
  private:
-  // Whether it is a function of an argument that may hold any number.
-  static bool has_values(const Generator& g) { return is_algebraic(g) || g.kind == Kind::inverse; }
-
   bool is_in(const Polynomial& polynomial) const {
     for (std::size_t i = 0; i < polynomial.length(); ++i)
       if (fmpz_divisible(polynomial.coefficient(i).get(), prime_.get()) != 0) return true;

@@ -41,6 +41,12 @@ Ball ball_of(const Generator& g, const BallOfLetter& letters, slong precision) {
       arb_div_si(x.get(), x.get(), 2 * g.multiple.denominator, precision);
       arb_tan(x.get(), x.get(), precision);
       return x;
+    case Kind::exponential:
+      x = ball_of(g.argument, letters, precision);
+      arb_mul_si(x.get(), x.get(), g.multiple.numerator, precision);
+      arb_div_si(x.get(), x.get(), g.multiple.denominator, precision);
+      arb_exp(x.get(), x.get(), precision);
+      return x;
     case Kind::root:
       return root_of(ball_of(g.argument, letters, precision), precision);
     case Kind::sign:

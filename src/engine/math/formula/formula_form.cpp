@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <optional>
 
 namespace poinsot::symbolic {
@@ -84,6 +86,53 @@ void unite_signs(std::vector<FormPower>& powers) {
   }
 }
 
+std::optional<std::int64_t> small_whole(const Form& form) {
+  std::int64_t value = 0;
+  const char* const end = form.text.data() + form.text.size();
+  const auto read = std::from_chars(form.text.data(), end, value);
+  constexpr std::int64_t largest = 1'000'000'000;
+  if (form.kind != Form::Kind::number || read.ec != std::errc() || read.ptr != end || value > largest)
+    return std::nullopt;
+  return value;
+}
+
+Form whole_form(std::int64_t value) { return {Form::Kind::number, std::to_string(value)}; }
+
+// A form times a positive whole number.
+Form times(const Form& form, std::int64_t by) {
+  if (by == 1) return form;
+  if (form.kind == Form::Kind::negative) return negative_form(times(form.parts[0], by));
+  if (const auto own = small_whole(form)) return whole_form(*own * by);
+  if (form.kind == Form::Kind::quotient) {
+    Form result = form;
+    Form& below = result.parts[1];
+    Form& divisor = below.kind == Form::Kind::product ? below.parts[0] : below;
+    if (const auto own = small_whole(divisor)) {
+      const std::int64_t common = std::gcd(*own, by);
+      by /= common;
+      if (*own > common || below.kind != Form::Kind::product) {
+        divisor = whole_form(*own / common);
+      } else {
+        below.parts.erase(below.parts.begin());
+        if (below.parts.size() == 1) below = Form(below.parts[0]);
+      }
+    }
+    result.parts[0] = times(form.parts[0], by);
+    const auto left = small_whole(result.parts[1]);
+    return left && *left == 1 ? Form(result.parts[0]) : result;
+  }
+  if (form.kind == Form::Kind::product) {
+    Form result = form;
+    if (const auto own = small_whole(form.parts[0])) {
+      result.parts[0] = whole_form(*own * by);
+    } else {
+      result.parts.insert(result.parts.begin(), whole_form(by));
+    }
+    return result;
+  }
+  return {Form::Kind::product, "", {whole_form(by), form}};
+}
+
 }  // namespace
 
 const Form* sized_part(const Form& form) {
@@ -98,6 +147,8 @@ Form call_form(const std::string& function, Form argument) {
 }
 Form power_form(Form base, int exponent) {
   if (exponent == 1) return base;
+  // The power of e^x is written as one: exp(3*x).
+  if (base.kind == Form::Kind::call && base.text == "exp") return call_form("exp", times(base.parts[0], exponent));
   return {Form::Kind::power, "", {std::move(base)}, exponent};
 }
 Form negative_form(Form positive) {
@@ -121,8 +172,25 @@ Form negated_sum(const Form& sum) {
   return ordered_sum(std::move(terms));
 }
 
+// Joins powers of e: exp(a) exp(b) is exp(a + b).
+static void unite_exponentials(std::vector<FormPower>& powers) {
+  const auto is_exponential = [](const FormPower& power) {
+    return power.base.kind == Form::Kind::call && power.base.text == "exp" && power.exponent != 0;
+  };
+  if (std::ranges::count_if(powers, is_exponential) < 2) return;
+  std::vector<Form> terms;
+  for (const FormPower& power : powers) {
+    if (!is_exponential(power)) continue;
+    Form term = times(power.base.parts[0], std::abs(power.exponent));
+    terms.push_back(power.exponent < 0 ? negative_form(std::move(term)) : std::move(term));
+  }
+  std::erase_if(powers, is_exponential);
+  powers.push_back({call_form("exp", ordered_sum(std::move(terms))), 1});
+}
+
 Form product_form(const Integer& coefficient, const Integer& divisor, std::vector<FormPower> powers) {
   unite_signs(powers);
+  unite_exponentials(powers);
   std::vector<Form> above;
   std::vector<Form> below;
   bool any_above = false;

@@ -24,6 +24,7 @@ enum class Kind {
   tangent,           // tan(multiple * argument / 2), the argument a product of letters
   constant_tangent,  // tan(multiple * argument / 2), the argument pi or 1 rad
   inverse,           // asin, acos or atan of an argument, atan2 of two
+  exponential,       // e^(multiple * argument), the argument a product of letters or a number
   sign,              // 1 or -1, as the argument is positive or negative
   root               // the square root, not negative, of the argument, a polynomial
 };
@@ -58,6 +59,7 @@ GeneratorPointer letter_generator(const std::string& name, Sign sign);
 GeneratorPointer pi_generator();
 GeneratorPointer tangent_generator(Kind kind, const Formula& argument, Ratio multiple);
 GeneratorPointer inverse_generator(const std::string& function, const Formula& argument, const Formula& second);
+GeneratorPointer exponential_generator(const Formula& argument, Ratio multiple);
 GeneratorPointer sign_generator(const Formula& argument);
 // dependent: of a product of which other roots may hold parts, as sqrt(x y), sqrt(x z) and sqrt(y z) do.
 GeneratorPointer root_generator(const Formula& radicand, bool dependent = false);
@@ -111,7 +113,9 @@ struct Replacement {
 // x with other values for those of its generators that have a replacement (null: stays).
 using Replacements = std::function<std::unique_ptr<Replacement>(const GeneratorPointer&)>;
 Formula replaced(const Formula& x, const Replacements& replacements);
-// A root, sign or inverse function of other arguments; the sign of zero is zero.
+// True of what is a function of any argument: roots, signs, inverse functions and powers of e.
+bool has_arguments(const Generator& generator);
+// Such a one of other arguments; the sign of zero is zero.
 Formula with_arguments(const Generator& g, const Formula& argument, const Formula& second);
 
 // 1, -1 or 0 (not seen) as the polynomial is positive, negative or of a sign that changes or is not found.
@@ -140,6 +144,15 @@ Rational rational_of(const Formula& x);
 
 // Equal to zero as far as 1000 bits can tell, at a point of no special place.
 bool is_zero_by_digits(const Generators& generators, const Polynomial& polynomial);
+
+// x as a sum of rational multiples of products of letters. Throws FormulaTooLarge where these have too many digits.
+struct MultipleOfUnit {
+  Formula unit;
+  Ratio multiple;
+};
+std::vector<MultipleOfUnit> multiples_in(const Formula& x);
+// A function of x, with what was assumed of x.
+Formula assuming_alike(Formula function, const Formula& x);
 
 // A text that differs for different formulas, and is not for reading.
 std::string key_of(const Formula& x);

@@ -86,6 +86,21 @@ GeneratorPointer inverse_generator(const std::string& function, const Formula& a
   return std::make_shared<const Generator>(std::move(g));
 }
 
+GeneratorPointer exponential_generator(const Formula& argument, Ratio multiple) {
+  Generator g;
+  g.kind = Kind::exponential;
+  g.argument = argument;
+  g.multiple = multiple;
+  g.key = "exp[" + key_of(argument) + "@" + std::to_string(multiple.numerator) + "/" +
+          std::to_string(multiple.denominator) + "]";
+  g.positive = true;
+  g.constant = argument.is_number();
+  // e^(a/2) and e^(a/3) depend on each other, and of numbers little is known.
+  g.doubtful = g.constant || !(multiple == Ratio{1, 1}) ||
+               std::ranges::any_of(*argument.fraction()->generators, &Generator::doubtful);
+  return std::make_shared<const Generator>(std::move(g));
+}
+
 GeneratorPointer sign_generator(const Formula& argument) {
   Generator g;
   g.kind = Kind::sign;
@@ -119,6 +134,10 @@ bool same(const GeneratorPointer& a, const GeneratorPointer& b) {
   if (a->kind != b->kind || a->key != b->key) return false;
   if (a->sign != b->sign) throw std::invalid_argument("the letter " + a->name + " is both positive and of any sign");
   return true;
+}
+
+bool has_arguments(const Generator& generator) {
+  return is_algebraic(generator) || generator.kind == Kind::inverse || generator.kind == Kind::exponential;
 }
 
 bool is_algebraic(const Generator& generator) { return generator.kind == Kind::root || generator.kind == Kind::sign; }

@@ -28,6 +28,13 @@ Rounded tangent(const Rounded& x) {
   return of_library(value, x.error * (1 + end * end));
 }
 
+Rounded exponential(const Rounded& x) {
+  if (!(x.size() < 1e3L) || !(x.error < 1e-3L)) return unbounded();
+  const long double value = std::exp(x.value);
+  constexpr long double steeper = 1.002L;  // e^x grows by less within a thousandth
+  return of_library(value, steeper * x.error * value);
+}
+
 Rounded inverse(const Generator& g, const Rounded& x, const Rounded& second) {
   if (g.name == "atan") return of_library(std::atan(x.value), x.error);
   if (g.name == "asin" || g.name == "acos") {
@@ -121,6 +128,8 @@ Rounded ReadyFormula::value(const Node& node, const std::vector<Rounded>& nodes,
     case Kind::tangent:
     case Kind::constant_tangent:
       return tangent(x * Rounded(g.multiple.numerator) / Rounded(2 * g.multiple.denominator));
+    case Kind::exponential:
+      return exponential(x * Rounded(g.multiple.numerator) / Rounded(g.multiple.denominator));
     case Kind::root:
       return x.value > x.error ? sqrt(x) : unbounded();
     case Kind::sign:

@@ -1,15 +1,16 @@
-// Other values in place of generators, also inside of roots, signs and inverse functions.
+// Other values in place of generators, also inside of roots, signs, inverse functions and powers of e.
 #include <algorithm>
 #include <map>
 
 #include "engine/math/formula/formula_fraction.h"
+#include "poinsot/engine/math/formula/formula_exponential.h"
 
 namespace poinsot::symbolic {
 namespace {
 
-// A root, sign or inverse function with other values inside; null if nothing inside changes.
+// A root, sign, inverse function or power of e with other values inside; null if nothing inside changes.
 std::unique_ptr<Replacement> rebuilt(const Generator& g, const Replacements& replacements) {
-  if (!is_algebraic(g) && g.kind != Kind::inverse) return nullptr;
+  if (!has_arguments(g)) return nullptr;
   const Formula argument = replaced(g.argument, replacements);
   const Formula second = replaced(g.second, replacements);
   if (argument.fraction() == g.argument.fraction() && second.fraction() == g.second.fraction()) return nullptr;
@@ -29,6 +30,7 @@ std::vector<Formula> powers_of(const Formula& x, int degree) {
 Formula with_arguments(const Generator& g, const Formula& argument, const Formula& second) {
   if (g.kind == Kind::root) return sqrt(argument);
   if (g.kind == Kind::sign) return argument.is_zero() ? Formula() : abs(argument) / argument;
+  if (g.kind == Kind::exponential) return exp(ratio_formula(g.multiple) * argument);
   if (g.name == "atan2") return atan2(argument, second);
   return g.name == "asin" ? asin(argument) : g.name == "acos" ? acos(argument) : atan(argument);
 }

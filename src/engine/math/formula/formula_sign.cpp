@@ -1,5 +1,8 @@
 #include "poinsot/engine/math/formula/formula_sign.h"
 
+#include <algorithm>
+#include <memory>
+
 #include "engine/math/formula/formula_fraction.h"
 
 namespace poinsot {
@@ -135,7 +138,21 @@ SeenSign sign_of_sum(const Formula& x, const Effort& effort) {
 
 }  // namespace
 
-SeenSign seen_sign(const Formula& x) {
+// x with 1 + s, s positive, in place of each power of e with a positive exponent.
+static Formula with_growth(const Formula& x) {
+  if (!x.fraction() || std::ranges::none_of(*x.fraction()->generators,
+                                            [](const GeneratorPointer& g) { return g->kind == Kind::exponential; }))
+    return x;
+  return replaced(x, [](const GeneratorPointer& g) -> std::unique_ptr<Replacement> {
+    if (g->kind != Kind::exponential) return nullptr;
+    const SeenSign exponent = seen_sign(g->argument);
+    if (exponent.sign <= 0 || !exponent.strict) return nullptr;
+    return std::make_unique<Replacement>(Replacement{1 + Formula::letter(g->key, Sign::positive), 1});
+  });
+}
+
+SeenSign seen_sign(const Formula& of) {
+  const Formula x = with_growth(of);
   int terms = most_factored + static_cast<int>(x.terms());
   return sign_of_sum(x, {most_squarings, most_splits, &terms});
 }

@@ -84,6 +84,7 @@ std::optional<std::string> in_degrees(const Form& angle) {
 }
 
 std::string tex_call(const Form& form, const std::string& exponent) {
+  if (form.text == "exp") return "\\mathrm{e}^{" + tex_of(form.parts[0]) + "}";
   if (form.text == "sqrt") {
     if (const Form* sized = sized_part(form)) return "\\left|" + tex_of(*sized) + "\\right|" + exponent;
     const std::string root = "\\sqrt{" + tex_of(form.parts[0]) + "}";

@@ -77,6 +77,8 @@ Form generator_form(const GeneratorPointer& g) {
       return call_form("tan", form_of(ratio_formula(g->multiple) * g->argument / 2));
     case Kind::inverse:
       return g->name == "atan2" ? sides_form(g->argument, g->second) : call_form(g->name, form_of(g->argument));
+    case Kind::exponential:
+      return call_form("exp", form_of(ratio_formula(g->multiple) * g->argument));
     case Kind::sign:
       return {Form::Kind::quotient, "", {call_form("sqrt", power_form(form_of(g->argument), 2)), form_of(g->argument)}};
     case Kind::root:

@@ -224,8 +224,7 @@ void update_contacts(Mechanism<Scalar>& mechanism, const MechanismStateOf<Scalar
     component.at = place(component.at.body, line.end);
     component.toward = place(component.toward->body, line.start);
   }
-  // In formulas no cord slips with friction.
-  if constexpr (!std::is_same_v<Scalar, Formula>) update_capstans(mechanism, w);
+  update_capstans(mechanism, w);
   for (VelocityConstraint<Scalar>& c : mechanism.constraints) {
     if (c.kind == VelocityConstraintKind::touching) update_touching(mechanism, c, state);
     if (c.kind != VelocityConstraintKind::rolling) continue;

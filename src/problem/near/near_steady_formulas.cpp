@@ -1,4 +1,4 @@
-#include "problem/claims/near_steady_formulas.h"
+#include "problem/near/near_steady_formulas.h"
 
 #include <algorithm>
 #include <utility>

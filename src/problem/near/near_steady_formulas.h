@@ -6,7 +6,7 @@
 
 #include "poinsot/engine/math/formula/formula.h"
 #include "poinsot/engine/solve/stability/near_equations.h"
-#include "problem/formulas/formula_instant.h"
+#include "problem/entries/statement.h"
 #include "problem/machine/machine.h"
 
 namespace poinsot::problem {

@@ -1,0 +1,336 @@
+// The rates l of growth are the roots of det(M l^2 + C l + K) = 0, of which each factor that is linear or quadratic in
+// l, or in l^2 where no odd powers occur, has its roots in formulas. The response to forces f exp(i w t) is
+//
+//   x = (K - w^2 M + i w C)^-1 f,
+//
+// by Cramer's rule, and of a coordinate j that is driven by a exp(i w t) that to f = -(K_j - w^2 M_j + i w C_j) a.
+#include "problem/near/near_in_letters.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "poinsot/engine/dynamics/kinematics.h"
+#include "poinsot/engine/math/formula/formula_decision.h"
+#include "poinsot/engine/math/formula/formula_sign.h"
+#include "problem/language/exact_numbers.h"
+#include "problem/near/near_steady_formulas.h"
+#include "problem/quantities/quantities.h"
+#include "problem/quantities/quantity_functions.h"
+#include "problem/quantities/quantity_values.h"
+
+namespace poinsot::problem {
+namespace {
+
+// Of formulas that are read; determinants of more have thousands of terms.
+constexpr std::size_t most_freedoms_in_letters = 4;
+constexpr std::size_t most_shaken_in_letters = 3;
+
+struct Rate {
+  Formula growth, frequency;
+};
+
+void require_tree(const InstantInLetters& instant) {
+  const Situation& situation = instant.situation;
+  if (!instant.machine.mechanism.constraints.empty())
+    throw NoFormula("where loops, contacts or cords hold, the motion near this one is found by numbers");
+  if (situation.has_friction()) throw NoFormula("with dry friction the motion near this one is found by numbers");
+  for (const Frame& frame : situation.frames)
+    if (situation.steady && frame.name == situation.steady->frame && (!frame.rides_on.empty() || frame.acceleration))
+      throw NoFormula("in such a frame the motion near this one is found by numbers");
+}
+
+SteadyFormulas motion_of(const InstantInLetters& instant) {
+  require_tree(instant);
+  const auto motion = steady_formulas(instant.situation, instant.machine, instant.q, instant.v, instant.numbers);
+  if (!motion) throw NoFormula("a massless turning that is no coordinate has no formula");
+  return *motion;
+}
+
+LinearisedFormulas equations_of(const SteadyFormulas& motion, const std::vector<std::size_t>& free) {
+  if (free.empty()) throw NoFormula("nothing moves near this motion");
+  if (free.size() > most_freedoms_in_letters)
+    throw NoFormula("so many freedoms near this motion are solved by numbers");
+  LinearisedFormulas near = linearised(motion, free);
+  if (std::ranges::any_of(near.unrest, [](const Formula& left) { return !left.is_zero(); }))
+    throw NoFormula("that the motion is steady is not seen in letters");
+  return near;
+}
+
+// The coefficients of a polynomial by a letter, in ascending powers.
+std::vector<Formula> coefficients_by(Formula rest, const std::string& letter) {
+  std::vector<Formula> c;
+  Formula factorial(1);
+  for (std::int64_t k = 0; !rest.is_zero(); ++k) {
+    if (k > 0) factorial *= Formula(k);
+    c.push_back(poinsot::substituted(rest, {{letter, Formula(0)}}) / factorial);
+    rest = derivative(rest, letter);
+  }
+  return c;
+}
+
+// Whether it is negative at the point of decisions, which is recorded.
+bool negative(const Formula& x) { return decided_negative(x); }
+
+// The rates for which c0 + c1 z + c2 z^2 vanishes, z a rate or, of even polynomials, its square.
+void add_rates_of(const std::vector<Formula>& c, bool of_square, std::vector<Rate>& rates) {
+  const auto add = [&](const Formula& z) {
+    if (!of_square) return rates.push_back({z, Formula()});
+    if (negative(z)) return rates.push_back({Formula(), sqrt(-z)});
+    for (const int sign : {1, -1}) rates.push_back({Formula(sign) * sqrt(z), Formula()});
+  };
+  if (c.size() == 2) return add(-c[0] / c[1]);
+  if (c.size() != 3) throw NoFormula("its characteristic polynomial has a factor of higher degree");
+  const Formula square = c[1] * c[1] - Formula(4) * c[0] * c[2], twice = Formula(2) * c[2];
+  if (square.is_zero()) throw NoFormula("two of its rates are the same");
+  if (!negative(square)) {
+    const Formula root = sqrt(square);
+    add((-c[1] - root) / twice);
+    return add((-c[1] + root) / twice);
+  }
+  if (of_square) throw NoFormula("its rates are complex, of a polynomial of the fourth degree");
+  rates.push_back({-c[1] / twice, sqrt(-square) / (negative(twice) ? -twice : twice)});
+}
+
+std::vector<Rate> rates_of(const LinearisedFormulas& near) {
+  std::vector<Formula> c = characteristic_polynomial(near);
+  while (!c.empty() && c.front().is_zero()) c.erase(c.begin());
+  bool even = true;
+  for (std::size_t k = 1; k < c.size(); k += 2) even = even && c[k].is_zero();
+  const std::string name = "unknown rate";
+  const Formula z = Formula::letter(name, poinsot::Sign::real);
+  Formula polynomial, power(1);
+  std::size_t degree = 0;
+  for (std::size_t k = 0; k < c.size(); k += even ? 2 : 1, power *= z) {
+    polynomial += c[k] * power;
+    if (!c[k].is_zero()) degree = even ? k / 2 : k;
+  }
+  std::vector<Rate> rates;
+  if (degree <= 2) {
+    if (degree > 0) add_rates_of(coefficients_by(polynomial, name), even, rates);
+    return rates;
+  }
+  std::size_t found = 0;
+  for (const Formula& factor : vanishing_factors(polynomial)) {
+    const std::vector<Formula> of_factor = coefficients_by(factor, name);
+    if (of_factor.size() < 2) continue;
+    found += of_factor.size() - 1;
+    add_rates_of(of_factor, even, rates);
+  }
+  if (found != degree) throw NoFormula("its characteristic polynomial is not seen as a product");
+  return rates;
+}
+
+Value<Formula> inverse_time(const Formula& x) { return number_value(x, dimensions::none / dimensions::time); }
+
+Value<Formula> told_rates(const std::string& function, std::vector<Rate> rates) {
+  std::ranges::sort(rates, [](const Rate& a, const Rate& b) {
+    const double fa = plain(a.frequency), fb = plain(b.frequency);
+    return fa != fb ? fa < fb : plain(a.growth) < plain(b.growth);
+  });
+  if (function == "growth_rate") {
+    // The fastest growth, zero where nothing grows.
+    Formula fastest;
+    for (const Rate& rate : rates)
+      if (!rate.growth.is_zero() && negative(fastest - rate.growth)) fastest = rate.growth;
+    return inverse_time(fastest);
+  }
+  std::vector<Value<Formula>> items;
+  for (const Rate& rate : rates) {
+    if (function == "eigenvalues")
+      items.push_back(Value<Formula>::of_list({inverse_time(rate.growth), inverse_time(rate.frequency)}));
+    else if (!rate.frequency.is_zero())
+      items.push_back(number_value(rate.frequency, dimensions::angular_velocity));
+  }
+  return Value<Formula>::of_list(std::move(items));
+}
+
+struct Complex {
+  Formula real, imaginary;
+
+  friend Complex operator*(const Complex& a, const Complex& b) {
+    return {a.real * b.real - a.imaginary * b.imaginary, a.real * b.imaginary + a.imaginary * b.real};
+  }
+  Complex& operator+=(const Complex& b) {
+    real += b.real;
+    imaginary += b.imaginary;
+    return *this;
+  }
+  Complex operator-() const { return {-real, -imaginary}; }
+};
+using ComplexMatrix = std::vector<std::vector<Complex>>;
+
+// Expands by the first row.
+Complex determinant_of(const ComplexMatrix& A) {
+  if (A.size() == 1) return A[0][0];
+  Complex total;
+  for (std::size_t k = 0; k < A.size(); ++k) {
+    ComplexMatrix minor;
+    for (std::size_t i = 1; i < A.size(); ++i) {
+      minor.emplace_back();
+      for (std::size_t j = 0; j < A.size(); ++j)
+        if (j != k) minor.back().push_back(A[i][j]);
+    }
+    const Complex part = A[0][k] * determinant_of(minor);
+    total += k % 2 == 0 ? part : -part;
+  }
+  return total;
+}
+
+// The response of a mechanism at rest to what shakes it.
+class ResponseInLetters {
+ public:
+  ResponseInLetters(const InstantInLetters& instant, const Call& call)
+      : instant_(instant), motion_(motion_of(instant)), free_(free_coordinates(motion_)) {
+    if (instant.situation.steady || std::ranges::any_of(instant.v, [](const Formula& rate) { return !rate.is_zero(); }))
+      throw NoFormula("the response of what moves is found by numbers");
+    const Name* name = call.argument("to")->as<Name>();
+    const auto stated = name ? std::ranges::find(instant.situation.excitations, name->name, &Excitation::name)
+                             : instant.situation.excitations.end();
+    if (stated == instant.situation.excitations.end()) throw NoFormula("what shakes is not known");
+    if (stated->unbalance || stated->turns || free_.size() > most_shaken_in_letters)
+      throw NoFormula("such a response is found by numbers");
+    const Expression* at = call.argument("at");
+    if (!at && !stated->frequency) throw NoFormula("its frequency is not stated");
+    w_ = instant.data.number(at ? *at : *stated->frequency, dimensions::angular_velocity);
+    solve(*stated);
+  }
+
+  // Of a quantity that follows from places.
+  Value<Formula> of(const Expression& quantity) const {
+    if (level_of(instant_.situation, quantity) != Level::position)
+      throw NoFormula("the response of what does not follow from places is found by numbers");
+    std::vector<Complex> swings;
+    Dimension dimension;
+    bool vector = false;
+    for (std::size_t k = 0; k < moving_.size(); ++k) {
+      const Value<Formula> slope = rate_along(quantity, moving_[k]);
+      vector = slope.is_vector();
+      dimension = slope.dimension * dimensions::time;
+      const std::vector<Formula> parts = vector ? std::vector<Formula>{slope.vector.x, slope.vector.y, slope.vector.z}
+                                                : std::vector<Formula>{slope.number};
+      swings.resize(parts.size());
+      for (std::size_t part = 0; part < parts.size(); ++part)
+        swings[part] += Complex{parts[part], Formula()} * above_[k];
+    }
+    std::vector<Value<Formula>> rows;
+    const auto& plane = instant_.situation.plane;
+    for (std::size_t part = 0; part < swings.size(); ++part)
+      if (!vector || !plane || part != plane->normal()) rows.push_back(told(swings[part], dimension));
+    return vector ? Value<Formula>::of_list(std::move(rows)) : rows.front();
+  }
+
+ private:
+  Complex stiffness(const LinearisedFormulas& near, std::size_t i, std::size_t k) const {
+    return {near.K[i][k] - w_ * w_ * near.M[i][k], w_ * near.C[i][k]};
+  }
+
+  void solve(const Excitation& stated) {
+    const LinearisedFormulas near = equations_of(motion_, free_);
+    std::vector<Complex> f(free_.size());
+    moving_ = free_;
+    std::optional<Complex> driven;
+    if (!stated.coordinate.empty()) {
+      const NamedCoordinate* coordinate = instant_.machine.coordinate(stated.coordinate);
+      if (!coordinate) throw NoFormula("what is shaken is not known");
+      const auto j = static_cast<std::size_t>(coordinate->velocity);
+      std::vector<std::size_t> all = free_;
+      all.push_back(j);
+      const LinearisedFormulas with = linearised(motion_, all);
+      driven = Complex{instant_.data.number(*stated.by, coordinate->turning ? dimensions::angle : dimensions::length),
+                       Formula()};
+      for (std::size_t i = 0; i < free_.size(); ++i) f[i] = -(stiffness(with, i, free_.size()) * *driven);
+      moving_.push_back(j);
+    } else {
+      for (std::size_t i = 0; i < free_.size(); ++i) f[i].real = work_along(stated, free_[i]);
+    }
+    ComplexMatrix Z(free_.size());
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      for (std::size_t k = 0; k < free_.size(); ++k) Z[i].push_back(stiffness(near, i, k));
+    below_ = determinant_of(Z);
+    if (below_.real.is_zero() && below_.imaginary.is_zero()) throw NoFormula("a free swing has this frequency");
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+      ComplexMatrix with = Z;
+      for (std::size_t i = 0; i < free_.size(); ++i) with[i][k] = f[i];
+      above_.push_back(determinant_of(with));
+    }
+    if (driven) above_.push_back(*driven * below_);
+  }
+
+  State<Formula> state_along(std::size_t k) const {
+    State<Formula> state{instant_.q, std::vector<Formula>(instant_.v.size())};
+    state.v[k] = Formula(1);
+    return state;
+  }
+
+  // What a force or couple of the amplitude does as a coordinate moves by one.
+  Formula work_along(const Excitation& stated, std::size_t k) const {
+    const Model<Formula>& tree = instant_.machine.mechanism.tree;
+    Workspace<Formula> w(tree);
+    update_velocities(tree, w, state_along(k));
+    const int body = instant_.machine.index.at(stated.body);
+    const Expression& size = stated.couple ? *stated.couple : *stated.force;
+    const Dimension dimension = stated.couple ? dimensions::moment : dimensions::force;
+    DataScope<Formula>& data = instant_.data;
+    const Vector3<Formula> own = stated.direction ? data.number(size, dimension) * data.direction(*stated.direction)
+                                                  : data.vector(size, dimension);
+    const Vector3<Formula> u = direction_on_ground(tree, w, instant_.machine.index.at(stated.axes), own);
+    if (stated.couple) return dot(u, angular_velocity(w, body));
+    if (stated.at) {
+      const Place<Formula> place = instant_.machine.place(body, data.place(*stated.at));
+      return dot(u, point_velocity(tree, w, body, place.point));
+    }
+    const SpatialInertia<Formula>& mass = tree.body(body).inertia;
+    if (mass.mass.is_zero()) throw NoFormula("where the force acts is not known");
+    return dot(u, point_velocity(tree, w, body, Vector3<Formula>(mass.first_moment / mass.mass)));
+  }
+
+  // By how much a quantity changes as a coordinate moves by one.
+  Value<Formula> rate_along(const Expression& quantity, std::size_t k) const {
+    QuantityScope<Formula> scope(instant_.machine, instant_.machine.mechanism.tree, instant_.data, state_along(k));
+    scope.set_accelerations(std::vector<Formula>(instant_.v.size()));
+    const Expression rate{
+        std::make_shared<Node>(Node{Call{"rate", {{"", quantity}}}, quantity.mark(), quantity->height + 1})};
+    return scope.value(rate);
+  }
+
+  // Of a swing N/D with the determinant D: its amplitude and its phase, from -180 deg up.
+  Value<Formula> told(const Complex& N, const Dimension& dimension) const {
+    const Complex& D = below_;
+    const Formula real = N.real * D.real + N.imaginary * D.imaginary,
+                  imaginary = N.imaginary * D.real - N.real * D.imaginary;
+    Formula amplitude, phase;
+    if (imaginary.is_zero()) {
+      const bool opposite = negative(real);
+      amplitude = real / (D.real * D.real + D.imaginary * D.imaginary);
+      if (opposite) amplitude = -amplitude, phase = -Formula::pi();
+    } else {
+      amplitude = sqrt(N.real * N.real + N.imaginary * N.imaginary) / sqrt(D.real * D.real + D.imaginary * D.imaginary);
+      phase = atan2(imaginary, real);
+    }
+    std::vector<Value<Formula>> both{number_value(amplitude, dimension), number_value(phase, dimensions::angle)};
+    both[0].text = "amplitude";
+    both[1].text = "phase";
+    return Value<Formula>::of_list(std::move(both));
+  }
+
+  const InstantInLetters& instant_;
+  const SteadyFormulas motion_;
+  const std::vector<std::size_t> free_;
+  Formula w_;
+  std::vector<std::size_t> moving_;  // the free coordinates, and behind them one that is driven
+  std::vector<Complex> above_;       // of each of them, over below_
+  Complex below_;
+};
+
+}  // namespace
+
+Value<Formula> near_in_letters(const InstantInLetters& instant, const Call& call) {
+  if (call.function == "response") return ResponseInLetters(instant, call).of(call.arguments[0].value);
+  if (call.function != "frequencies" && call.function != "growth_rate" && call.function != "eigenvalues")
+    throw NoFormula("no formula is known for " + call.function + "()");
+  const SteadyFormulas motion = motion_of(instant);
+  return told_rates(call.function, rates_of(equations_of(motion, free_coordinates(motion))));
+}
+
+}  // namespace poinsot::problem

@@ -1,0 +1,111 @@
+// Frequencies, rates and responses in letters against closed forms at random.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <random>
+
+#include "problem/course/motion_support.h"
+
+namespace poinsot::problem {
+namespace near_in_letters_test {
+namespace {
+
+const Value<Formula>& formula(const SolvedText& solved, const std::string& name) {
+  static const Value<Formula> none;
+  const SolvedAsk& ask = solved.ask(name);
+  EXPECT_TRUE(ask.formula) << name << ": " << ask.no_formula;
+  return ask.formula ? *ask.formula : none;
+}
+
+std::string cart(const std::string& asks) {
+  return "title: t\nletters: {M: kg, m: kg, K: N/m, k: N/m, c: N*s/m, F: N, w: rad/s}\n"
+         "points: {A: [0, 0, 0], B: [1 m, 0, 0]}\n"
+         "bodies: {one: {particle: A, mass: M}, two: {particle: B, mass: m}}\n"
+         "joints:\n  rail: {prismatic: x, at: A, to: one, displacement: s, spring: {stiffness: K}}\n"
+         "  slide: {prismatic: x, at: B, from: one, to: two, displacement: u, spring: {stiffness: k}, damping: c}\n"
+         "excitations: {push: {force: F, along: x, body: one, frequency: w}}\n"
+         "gravity: none\ninstants: {now: rest}\nask: {" +
+         asks + "}\n";
+}
+
+TEST(NearInLetters, ADampedSwingAndItsResponse) {
+  const SolvedText solved(
+      "title: t\nletters: {m: kg, k: N/m, c: N*s/m, F: N, w: rad/s}\npoints: {A: [0, 0, 0]}\n"
+      "bodies: {one: {particle: A, mass: m}}\n"
+      "joints: {rail: {prismatic: x, at: A, to: one, displacement: s, spring: {stiffness: k}, damping: c}}\n"
+      "excitations: {push: {force: F, along: x, body: one, frequency: w}}\n"
+      "gravity: none\ninstants: {now: rest}\n"
+      "ask: {rates: eigenvalues(one), X: response(s to push)}\n");
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> draw(0.5, 2);
+  int under = 0;
+  for (int i = 0; i < 30; ++i) {
+    const double m = draw(random), k = draw(random), c = draw(random), F = draw(random), w = draw(random);
+    const LetterValues at{{"m", m}, {"k", k}, {"c", c}, {"F", F}, {"w", w}};
+    const std::complex<double> X = F / std::complex<double>(k - m * w * w, c * w);
+    const auto& response = formula(solved, "X").items;
+    ASSERT_EQ(response.size(), 2U);
+    EXPECT_NEAR(value_at(response[0].number, at), std::abs(X), 1e-12 * std::abs(X));
+    EXPECT_NEAR(value_at(response[1].number, at), std::arg(X), 1e-12);
+    const double square = k / m - c * c / (4 * m * m);
+    if (square <= 0) continue;
+    ++under;
+    const auto& rates = formula(solved, "rates").items;
+    ASSERT_EQ(rates.size(), 1U);
+    EXPECT_NEAR(value_at(rates[0].items[0].number, at), -c / (2 * m), 1e-12);
+    EXPECT_NEAR(value_at(rates[0].items[1].number, at), std::sqrt(square), 1e-11);
+  }
+  EXPECT_GT(under, 10);
+}
+
+TEST(NearInLetters, TwoFreedomsThatADamperTies) {
+  const SolvedText solved(cart("X: response(center(two).x to push)"));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> draw(0.5, 2);
+  for (int i = 0; i < 20; ++i) {
+    const double M = draw(random), m = draw(random), K = draw(random), k = draw(random), c = draw(random),
+                 F = draw(random), w = draw(random);
+    const LetterValues at{{"M", M}, {"m", m}, {"K", K}, {"k", k}, {"c", c}, {"F", F}, {"w", w}};
+    // On absolute places: (K + z - M w^2) x - z y = F, (z - m w^2) y = z x with z = k + i c w.
+    const std::complex<double> z(k, c * w), x_over_y = (z - m * w * w) / z,
+                                            Y = F / ((K + z - M * w * w) * x_over_y - z);
+    const auto& response = formula(solved, "X").items;
+    ASSERT_EQ(response.size(), 2U);
+    EXPECT_NEAR(value_at(response[0].number, at), std::abs(Y), 1e-11 * std::abs(Y));
+    EXPECT_NEAR(std::remainder(value_at(response[1].number, at) - std::arg(Y), 2 * M_PI), 0, 1e-11);
+  }
+}
+
+TEST(NearInLetters, TwoFreedomsAreTheRootsOfAQuadratic) {
+  const SolvedText solved(
+      "title: t\nletters: {M: kg, m: kg, K: N/m, k: N/m}\npoints: {A: [0, 0, 0], B: [1 m, 0, 0]}\n"
+      "bodies: {one: {particle: A, mass: M}, two: {particle: B, mass: m}}\n"
+      "joints:\n  rail: {prismatic: x, at: A, to: one, displacement: s, spring: {stiffness: K}}\n"
+      "  slide: {prismatic: x, at: B, from: one, to: two, displacement: u, spring: {stiffness: k}}\n"
+      "gravity: none\ninstants: {now: rest}\nask: {f: frequencies(system)}\n");
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> draw(0.3, 3);
+  for (int i = 0; i < 20; ++i) {
+    const double M = draw(random), m = draw(random), K = draw(random), k = draw(random);
+    const LetterValues at{{"M", M}, {"m", m}, {"K", K}, {"k", k}};
+    const auto& f = formula(solved, "f").items;
+    ASSERT_EQ(f.size(), 2U);
+    for (const auto& one : f) {
+      const double square = std::pow(value_at(one.number, at), 2);
+      EXPECT_NEAR((K + k - M * square) * (k - m * square), k * k, 1e-10 * (K + k) * (k + m * square));
+    }
+    EXPECT_LT(value_at(f[0].number, at), value_at(f[1].number, at));
+  }
+}
+
+// Three freedoms that do not fall apart have a cubic, and what has a damper between two freedoms a quartic.
+TEST(NearInLetters, WhatHasNoFormulaIsLeftToNumbers) {
+  const SolvedText solved(cart("f: frequencies(system)"));
+  EXPECT_FALSE(solved.ask("f").formula);
+  EXPECT_EQ(solved.ask("f").state, AskState::needs_letters);
+}
+
+}  // namespace
+}  // namespace near_in_letters_test
+}  // namespace poinsot::problem
