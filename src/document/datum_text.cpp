@@ -63,15 +63,14 @@ bool only_texts(const List& items) {
                              [](const Datum& item) { return std::holds_alternative<std::string>(item.content); });
 }
 
-std::string text_without_unit(const Datum& datum, int digits, bool vector) {
+std::string text_without_unit(const Datum& datum, int digits, std::size_t vector) {
   if (const auto* number = std::get_if<double>(&datum.content)) return rounded(*number, digits);
   if (const auto* truth = std::get_if<bool>(&datum.content)) return *truth ? "true" : "false";
   if (const auto* text = std::get_if<std::string>(&datum.content)) return printable(*text);
   const auto* list = std::get_if<List>(&datum.content);
   if (list == nullptr || list->empty()) return "none";
   if (const std::optional<std::vector<double>> numbers = numbers_of(datum)) {
-    if (vector && (numbers->size() == 3 || numbers->size() == 2))
-      return fmt::format("({})", fmt::join(rounded_together(*numbers, digits), ", "));
+    if (numbers->size() == vector) return fmt::format("({})", fmt::join(rounded_together(*numbers, digits), ", "));
     std::vector<std::string> texts;
     for (double number : *numbers) texts.push_back(rounded(number, digits));
     return fmt::format("[{}]", fmt::join(texts, ", "));
@@ -116,7 +115,7 @@ std::vector<std::string> text_matrix_lines(const Datum& datum) {
 
 }  // namespace
 
-std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits, bool vector) {
+std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits, std::size_t vector) {
   const std::optional<std::vector<std::vector<double>>> rows = rows_of(datum);
   std::vector<std::string> lines = rows ? matrix_lines(*rows, digits) : text_matrix_lines(datum);
   if (lines.empty()) lines.push_back(text_without_unit(datum, digits, vector));
@@ -124,15 +123,15 @@ std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit
   return lines;
 }
 
-bool has_brackets(const Datum& datum, bool vector) {
+bool has_brackets(const Datum& datum, std::size_t vector) {
   const auto* list = std::get_if<List>(&datum.content);
   if (list == nullptr || list->empty()) return false;
-  if (numbers_of(datum)) return !vector || list->size() != 3;
+  if (numbers_of(datum)) return list->size() != vector;
   return !only_texts(*list);
 }
 
-std::string datum_text(const Datum& datum, const std::string& unit, int digits) {
-  return text_without_unit(datum, digits, true) + (unit.empty() ? "" : " " + unit);
+std::string datum_text(const Datum& datum, const std::string& unit, int digits, std::size_t vector) {
+  return text_without_unit(datum, digits, vector) + (unit.empty() ? "" : " " + unit);
 }
 
 std::vector<std::string> assumptions_in_words(const Solution& solution) {

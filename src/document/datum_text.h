@@ -1,6 +1,7 @@
 // A datum as text for a reader; a matrix takes a line for each row.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -8,14 +9,15 @@
 
 namespace poinsot::document {
 
-// At least one line. The unit (printable) stands behind the last line. Numbers are shown as a list `[a, b]`, or if
-// `vector` as components `(a, b, c)` that are rounded together; texts are joined by commas; an empty list is "none".
-std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits, bool vector);
+// At least one line. The unit (printable) stands behind the last line. Numbers are shown as a list `[a, b]`, or if they
+// are as many as `vector` as components `(a, b, c)` that are rounded together; texts are joined by commas; an empty
+// list is "none".
+std::vector<std::string> datum_lines(const Datum& datum, const std::string& unit, int digits, std::size_t vector);
 
-// The same on a single line, with the rows of a matrix one after the other; three numbers are a vector.
-std::string datum_text(const Datum& datum, const std::string& unit, int digits);
-// Whether that text is a list in brackets, as the rows of a matrix are. vector: whether three numbers are a vector.
-bool has_brackets(const Datum& datum, bool vector = true);
+// The same on a single line, with the rows of a matrix one after the other.
+std::string datum_text(const Datum& datum, const std::string& unit, int digits, std::size_t vector = 3);
+// Whether that text is a list in brackets, as the rows of a matrix are.
+bool has_brackets(const Datum& datum, std::size_t vector = 3);
 
 // The assumptions of a solution, without those of a single one of several formulas of an answer. Those that have a
 // condition are followed by its formula: "the cord 'c' stays taut: F

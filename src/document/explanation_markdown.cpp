@@ -133,7 +133,9 @@ std::string answer_value(const Answer& answer) {
     }
     return table;
   }
-  return "**" + datum_text(answer.value, answer.unit, significant_digits) + "**";
+  // A vector of a planar problem has two components, and axes to be told by.
+  const std::size_t components = answer.component_names.empty() ? 3 : answer.component_names.size();
+  return "**" + datum_text(answer.value, answer.unit, significant_digits, components) + "**";
 }
 
 std::string answers_section(const Solution& solution) {

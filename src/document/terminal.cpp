@@ -133,7 +133,7 @@ class TerminalText {
     if (!answer.columns.empty()) return table_lines(shown_columns(answer), answer.component_names);
     if (answer.claim) return claim_lines(*answer.claim);
     std::vector<std::string> lines =
-        datum_lines(answer.value, printable(answer.unit), style_.digits, !answer.component_names.empty());
+        datum_lines(answer.value, printable(answer.unit), style_.digits, answer.component_names.size());
     if (!answer.component_names.empty()) {
       const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
       lines.back() += "  " + painted(Role::faint, axes);
@@ -181,11 +181,11 @@ class TerminalText {
     return lines;
   }
   std::vector<std::string> formula_lines(const Answer& answer, const Datum& formula) const {
-    std::vector<std::string> lines = datum_lines(formula, "", style_.digits, false);
+    std::vector<std::string> lines = datum_lines(formula, "", style_.digits, 0);
     if (!answer.component_names.empty() && std::holds_alternative<std::vector<Datum>>(formula.content)) {
       const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
       // A vector gets parentheses; the rows of a matrix have brackets.
-      if (lines.size() == 1 && !has_brackets(formula, false)) lines.front() = "(" + lines.front() + ")";
+      if (lines.size() == 1 && !has_brackets(formula, 0)) lines.front() = "(" + lines.front() + ")";
       lines.back() += "  " + painted(Role::faint, axes);
     }
     return lines;

@@ -306,6 +306,37 @@ def test_batches_are_their_cases(arm: engine.Model, count: int) -> None:
             np.testing.assert_allclose(found[..., k], single(k), rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_batches_of_all_joints_are_their_cases(seed: int) -> None:
+    """Packs of cases have a memory and sums of inertias of their own, single states those of the library."""
+    random = np.random.default_rng(seed)
+    builder = engine.ModelBuilder()
+    builder.set_gravity(random.normal(size=3))
+    kinds: list[str] = ["revolute", "prismatic", "screw", "ball", "free", "weld"]
+    for i in range(14):
+        A = random.normal(size=(3, 3))
+        builder.add_body(
+            f"b{i}", "ground" if i in (0, 9) else f"b{random.integers(9 if i > 9 else 0, i)}",
+            kinds[i % 6] if i % 2 else str(random.choice(kinds[:4])), axis=random.normal(size=3), pitch=0.1,
+            place=random.normal(size=3), rotation=turn(random.normal(size=3), 1.0), mass=1 + random.random(),
+            center=random.normal(size=3) / 5, inertia=A @ A.T + np.eye(3),
+        )  # fmt: skip
+    model = builder.build()
+    for count in (1, 9, 300):
+        q = engine.integrate(model, np.repeat(model.neutral()[:, None], count, axis=1), random.normal(size=(model.nv, count)))
+        v, tau = random.normal(size=(2, model.nv, count))
+        both = engine.forward_dynamics(model, q, v, tau)
+        assert engine.forward_dynamics(model, q, v, tau, threads=3).tobytes() == both.tobytes()
+        # What other algorithms leave in the memory of packs changes nothing.
+        assert engine.mass_matrix(model, q).shape == (model.nv, model.nv, count)
+        assert engine.forward_dynamics(model, q, v, tau).tobytes() == both.tobytes()
+        for k in {0, count // 2, count - 1}:
+            one = engine.forward_dynamics(model, q[:, k], v[:, k], tau[:, k])
+            np.testing.assert_allclose(both[:, k], one, rtol=1e-9, atol=1e-9 * np.abs(one).max())
+        found = engine.inverse_dynamics(model, q, v, both)
+        np.testing.assert_allclose(found, tau, rtol=1e-8, atol=1e-8)
+
+
 def test_threads_change_no_bit(arm: engine.Model) -> None:
     q, v, a = np.random.default_rng(3).normal(size=(3, 7, 1003))
     one = engine.forward_dynamics(arm, q, v, a)

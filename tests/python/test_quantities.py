@@ -65,7 +65,7 @@ ask: {m: mass(b)}
 
 def test_times_of_pint_have_their_unit(askew: poinsot.Problem) -> None:
     units: pint.UnitRegistry[Any] = pint.UnitRegistry()
-    values = askew.motion()([0, 500, 1000] * units.ms, "kinetic_energy(disk)")
+    values = askew.motion()(units.Quantity([0, 500, 1000], "ms"), "kinetic_energy(disk)")
     np.testing.assert_allclose(values.times, [0, 0.5, 1], rtol=1e-15)
     with pytest.raises(pint.DimensionalityError):
         askew.motion()(3 * units.kg, "kinetic_energy(disk)")

@@ -85,6 +85,7 @@ CALLS: list[tuple[Callable[[Any], Any], type[Exception], str]] = [
     (lambda p: library.aba(builder(), one, one, one), TypeError, "an engine.Model, not ModelBuilder"),
     (lambda p: library.aba(model(), None, one, one), TypeError, "None stands"),
     (lambda p: library.aba(model(), one, one, one, threads=1.5), TypeError, "threads"),
+    (lambda p: library.aba(model(), one, one, one, threads=0), ValueError, "threads is a whole number, 1 or more"),
     (lambda p: library.mass_center(model(), None), TypeError, "None stands"),
     (lambda p: library.advance(model(), one, one, one, "a"), TypeError, "dt as a number"),
     (lambda p: library.from_problem("askew.yaml"), TypeError, "from_file"),

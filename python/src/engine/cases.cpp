@@ -72,34 +72,48 @@ ResultArray new_result(const std::vector<std::size_t>& shape, const CaseShape& c
 }
 
 CaseTile::CaseTile(const EngineModel& model, CaseInputs inputs, std::size_t cases, std::size_t results)
-    : inputs_(inputs), cases_(cases), case_(model.packs) {
-  for (const CaseInput& input : inputs) rows_ += static_cast<std::size_t>(input.rows);
+    : model_(model), inputs_(inputs), cases_(cases), memory_(model.take_memory()) {
+  std::size_t rows = results;
+  for (const CaseInput& input : inputs) rows += static_cast<std::size_t>(input.rows);
   // Bytes: a quarter of what a core has for itself, as the numbers on the way from a case to its result need some, too.
   constexpr std::size_t memory = std::size_t{1} << 18;
-  // An odd number: rows that lie a power of two apart would share few places of the nearest memory.
-  packs_ = (std::clamp<std::size_t>(memory / (sizeof(CasePack) * (rows_ + results)), 1, 64) - 1) | 1;
-  in_.resize(rows_ * width());
-  out_.resize(results * width());
-  case_.found.resize(results);
+  packs_ = std::clamp<std::size_t>(memory / (sizeof(CasePack) * rows), 1, 64);
+  packs_ = std::min(packs_, (cases + pack_width - 1) / pack_width);
+  while (memory_->packs.size() < packs_) memory_->packs.emplace_back(model.packs);
+  for (std::size_t k = 0; k < packs_; ++k) memory_->packs[k].found.assign(results, CasePack(0));
 }
 
 void CaseTile::read(std::size_t first_pack, std::size_t last_pack) {
-  first_ = first_pack * pack_width;
-  held_ = (last_pack - first_pack) * pack_width;
-  const std::size_t there = std::min(held_, cases_ - first_);
-  double* to = in_.data();
-  for (const CaseInput& input : inputs_)
-    for (int row = 0; row < input.rows; ++row, to += width()) {
-      const double* const from = input.array.data() + static_cast<std::size_t>(row) * cases_ + first_;
-      std::copy_n(from, there, to);
-      std::fill(to + there, to + held_, from[there - 1]);
+  first_ = first_pack;
+  held_ = last_pack - first_pack;
+  // The last pack may be filled in part.
+  const std::size_t whole = std::min(held_, cases_ / pack_width - std::min(cases_ / pack_width, first_));
+  for (std::size_t i = 0; i < inputs_.size(); ++i)
+    for (std::size_t row = 0; row < static_cast<std::size_t>(inputs_[i].rows); ++row) {
+      const double* const all = inputs_[i].array.data() + row * cases_;
+      const double* const from = all + first_ * pack_width;
+      const auto number = [&](std::size_t k) -> CasePack& { return memory_->packs[k].input(static_cast<int>(i))[row]; };
+      for (std::size_t k = 0; k < whole; ++k)
+        number(k) = CasePack(CasePack::Lanes(from + k * pack_width, std::experimental::element_aligned));
+      for (std::size_t k = whole; k < held_; ++k)
+        number(k) = CasePack::from_lanes([&](int lane) {
+          return all[std::min((first_ + k) * pack_width + static_cast<std::size_t>(lane), cases_ - 1)];
+        });
     }
 }
 
 void CaseTile::write(double* out) const {
-  const std::size_t there = std::min(held_, cases_ - first_);
-  for (std::size_t row = 0; row < case_.found.size(); ++row)
-    std::copy_n(out_.data() + row * width(), there, out + row * cases_ + first_);
+  const std::size_t results = memory_->packs.front().found.size();
+  for (std::size_t row = 0; row < results; ++row)
+    for (std::size_t k = 0; k < held_; ++k) {
+      const CasePack& number = memory_->packs[k].found[row];
+      const std::size_t at = (first_ + k) * pack_width;
+      double* const to = out + row * cases_ + at;
+      if (at + pack_width <= cases_)
+        number.lanes().copy_to(to, std::experimental::element_aligned);
+      else
+        for (std::size_t lane = 0; at + lane < cases_; ++lane) to[lane] = number.lane(static_cast<int>(lane));
+    }
 }
 
 }  // namespace poinsot::python

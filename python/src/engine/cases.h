@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "poinsot/engine/dynamics/dynamics_derivatives.h"
+#include "poinsot/engine/dynamics/packed_bodies.h"
 #include "poinsot/engine/dynamics/workspace.h"
 #include "poinsot/engine/math/algebra/pack.h"
 #include "poinsot/engine/model/model.h"
@@ -30,16 +33,33 @@ inline constexpr int pack_width = 4;
 #endif
 using CasePack = Pack<pack_width>;
 
-// The memory for one case or pack: its state, a further input by coordinates, and what is found.
+// The numbers of one case or pack: its state, a further input by coordinates, and what is found.
 template <class Scalar>
-struct Case {
-  explicit Case(const Model<Scalar>& model)
-      : workspace(model), state(neutral_state(model)), given(model.velocity_size()) {}
+struct CaseNumbers {
+  explicit CaseNumbers(const Model<Scalar>& model) : state(neutral_state(model)), given(model.velocity_size()) {}
 
-  Workspace<Scalar> workspace;
   State<Scalar> state;
   std::vector<Scalar> given;
   std::vector<Scalar> found;
+
+  std::vector<Scalar>& input(int which) { return which == 0 ? state.q : which == 1 ? state.v : given; }
+  void swap(CaseNumbers& other) {
+    state.q.swap(other.state.q);
+    state.v.swap(other.state.v);
+    given.swap(other.given);
+    found.swap(other.found);
+  }
+};
+
+// With the memory in which they are worked on.
+template <class Scalar>
+struct Case : CaseNumbers<Scalar> {
+  explicit Case(const Model<Scalar>& model) : CaseNumbers<Scalar>(model), workspace(model), bodies(model, workspace) {}
+  Case(const Case&) = delete;
+  Case& operator=(const Case&) = delete;
+
+  Workspace<Scalar> workspace;
+  PackedBodies<Scalar> bodies;
   std::vector<Scalar> between;  // for what is found on the way, made by who needs it first
   std::optional<DerivativesWorkspace<Scalar>> derivatives;
 
@@ -48,18 +68,46 @@ struct Case {
     if (!derivatives) derivatives.emplace(model);
     return *derivatives;
   }
-  std::vector<Scalar>& input(int which) { return which == 0 ? state.q : which == 1 ? state.v : given; }
+};
+
+// The memory of one thread that goes through cases in packs.
+struct CaseMemory {
+  explicit CaseMemory(const Model<CasePack>& model) : one(model) {}
+
+  Case<CasePack> one;
+  std::vector<CaseNumbers<CasePack>> packs;
 };
 
 // A model with what its algorithms need over numbers and over packs.
 struct EngineModel {
-  explicit EngineModel(Model<double> one)
-      : numbers(std::move(one)), packs(convert<CasePack>(numbers)), single(numbers) {}
+  explicit EngineModel(Model<double> own_numbers)
+      : numbers(std::move(own_numbers)), packs(convert<CasePack>(numbers)), single(numbers) {}
 
   Model<double> numbers;
   Model<CasePack> packs;
   // The memory for single states, which hold the interpreter's lock: to make it takes longer than most calls.
   mutable Case<double> single;
+
+  // That for packs, of which a call takes some and gives them back: to make it takes as long as a thousand states.
+  std::unique_ptr<CaseMemory> take_memory() const {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (!idle_.empty()) {
+        std::unique_ptr<CaseMemory> memory = std::move(idle_.back());
+        idle_.pop_back();
+        return memory;
+      }
+    }
+    return std::make_unique<CaseMemory>(packs);
+  }
+  void give_back(std::unique_ptr<CaseMemory> memory) const {
+    const std::scoped_lock lock(mutex_);
+    if (idle_.size() < std::max(std::thread::hardware_concurrency(), 1U)) idle_.push_back(std::move(memory));
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::vector<std::unique_ptr<CaseMemory>> idle_;
 };
 
 // An array of NumPy on its way back to Python.
@@ -113,6 +161,9 @@ ResultArray new_result(const std::vector<std::size_t>& shape, const CaseShape& c
 class CaseTile {
  public:
   CaseTile(const EngineModel& model, CaseInputs inputs, std::size_t cases, std::size_t results);
+  ~CaseTile() { model_.give_back(std::move(memory_)); }
+  CaseTile(const CaseTile&) = delete;
+  CaseTile& operator=(const CaseTile&) = delete;
 
   std::size_t packs() const { return packs_; }
   // These packs of the inputs, of which the last one repeats the last case.
@@ -122,35 +173,26 @@ class CaseTile {
 
   template <class Work>
   void for_each_pack(const Work& work) {
-    for (std::size_t at = 0; at < held_; at += pack_width) {
-      const double* from = in_.data() + at;
-      for (std::size_t i = 0; i < inputs_.size(); ++i)
-        for (CasePack& number : case_.input(static_cast<int>(i))) {
-          number = CasePack(CasePack::Lanes(from, std::experimental::element_aligned));
-          from += width();
-        }
-      work(case_);
-      double* to = out_.data() + at;
-      for (const CasePack& number : case_.found) {
-        number.lanes().copy_to(to, std::experimental::element_aligned);
-        to += width();
-      }
+    for (std::size_t k = 0; k < held_; ++k) {
+      memory_->one.swap(memory_->packs[k]);
+      work(memory_->one);
+      memory_->one.swap(memory_->packs[k]);
     }
   }
 
  private:
-  std::size_t width() const { return packs_ * pack_width; }
-
+  const EngineModel& model_;
   CaseInputs inputs_;
-  std::size_t cases_, rows_ = 0, packs_, first_ = 0, held_ = 0;
-  Case<CasePack> case_;
-  std::vector<double> in_, out_;
+  // Of cases, and in packs: how many there are at most, which is the first and how many are held.
+  std::size_t cases_, packs_, first_ = 0, held_ = 0;
+  std::unique_ptr<CaseMemory> memory_;
 };
 
 // Runs work(model, case) for every case, with its inputs in place, in the order q, v, given; and writes what is found.
 template <std::size_t N, class Work>
 NumpyArray for_cases(const EngineModel& model, const CaseInput (&inputs)[N], const std::vector<std::size_t>& shape,
                      int threads, const Work& work) {
+  if (threads < 1) throw nanobind::value_error("threads is a whole number, 1 or more");
   const CaseShape cases = case_shape(inputs);
   std::size_t results = 1;
   for (const std::size_t size : shape) results *= size;
@@ -178,7 +220,7 @@ NumpyArray for_cases(const EngineModel& model, const CaseInput (&inputs)[N], con
   };
   const std::size_t packs = (cases.count + pack_width - 1) / pack_width;
   const std::size_t workers =
-      std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), 1, std::max<std::size_t>(packs, 1));
+      std::clamp<std::size_t>(static_cast<std::size_t>(threads), 1, std::max<std::size_t>(packs, 1));
   if (workers == 1) {
     run(0, packs);
     return result.array;

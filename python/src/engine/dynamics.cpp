@@ -26,12 +26,20 @@ NumpyArray inverse(const EngineModel& model, nb::handle q, nb::handle v, nb::han
                    });
 }
 
+// Packs in the memory that is made for them.
+template <class Scalar>
+void find_forward(const Model<Scalar>& of, Case<Scalar>& one, std::span<Scalar> acceleration) {
+  if constexpr (std::floating_point<Scalar>)
+    forward_dynamics<Scalar>(of, one.workspace, one.state, one.given, acceleration);
+  else
+    forward_dynamics<Scalar>(of, one.bodies, one.state, one.given, acceleration);
+}
+
 NumpyArray forward(const EngineModel& model, nb::handle q, nb::handle v, nb::handle tau, int threads) {
   const int nv = model.numbers.velocity_size();
-  return for_cases(model, {{"q", q, model.numbers.position_size()}, {"v", v, nv}, {"tau", tau, nv}}, {size(nv)},
-                   threads, []<class Scalar>(const Model<Scalar>& of, Case<Scalar>& one) {
-                     forward_dynamics<Scalar>(of, one.workspace, one.state, one.given, one.found);
-                   });
+  return for_cases(
+      model, {{"q", q, model.numbers.position_size()}, {"v", v, nv}, {"tau", tau, nv}}, {size(nv)}, threads,
+      []<class Scalar>(const Model<Scalar>& of, Case<Scalar>& one) { find_forward<Scalar>(of, one, one.found); });
 }
 
 // known: of each coordinate the acceleration where that is prescribed, else the force. Found: accelerations, then
@@ -70,7 +78,7 @@ NumpyArray integrated(const EngineModel& model, nb::handle q, nb::handle v, doub
 template <class Scalar>
 void find_accelerations(const Model<Scalar>& of, Case<Scalar>& one, bool all_free, std::span<Scalar> acceleration,
                         std::span<Scalar> force) {
-  if (all_free) return forward_dynamics<Scalar>(of, one.workspace, one.state, one.given, acceleration);
+  if (all_free) return find_forward<Scalar>(of, one, acceleration);
   std::ranges::copy(one.given, acceleration.begin());
   std::ranges::copy(one.given, force.begin());
   hybrid_dynamics<Scalar>(of, one.workspace, one.state, acceleration, force);

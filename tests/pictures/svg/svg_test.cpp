@@ -107,7 +107,9 @@ std::string refusal(const FigureOptions& options) {
 TEST(Svg, unknown_figures_and_views_are_refused) {
   EXPECT_EQ(refusal({.of = "free-boddy"}),
             "there is no figure 'free-boddy': there are model, free-body, disk, shaft (did you mean 'free-body'?)");
-  EXPECT_EQ(refusal({.of = "impulse"}), "there is no figure 'impulse': there are model, free-body, disk, shaft");
+  EXPECT_EQ(refusal({.of = "impulse"}),
+            "there is no figure 'impulse': there are model, free-body, disk, shaft (that of 'impulse' is drawn where "
+            "something is struck)");
   EXPECT_NE(refusal({.view = "frnt"}).find("did you mean 'front'?"), std::string::npos);
   for (const char* view : {"1", "1,2,3,4", "0,0,0", "nan,1", "1,,2", "1,2,", "inf,1,1", "1 2"})
     EXPECT_NE(refusal({.view = view}), "") << view;

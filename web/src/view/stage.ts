@@ -80,7 +80,8 @@ export class Stage {
     );
     this.moving = new MovingArrows(scene, this.size, this.paints, this.shown.quantities);
     this.space.add(new AmbientLight("#ffffff", 2.0), ...this.bodies, ...this.links, this.arrows, this.moving.group);
-    this.space.add(...this.wraps.map((wrap) => wrap.mesh));
+    // Nothing at all must not be added: that would be told as a mistake.
+    for (const wrap of this.wraps) this.space.add(wrap.mesh);
     const sun = new DirectionalLight("#ffffff", 1.6);
     // The light stands to the left above the reader, wherever he looks from.
     this.viewpoint.camera.add(sun);

@@ -37,12 +37,56 @@ constexpr SpatialForce<Scalar> force_from(const SpatialForce<Scalar>& f, const V
   return {f.moment + cross(r, f.force), f.force};
 }
 
+// What the passes ask of the memory in which they keep a body: that of the workspace here, that of packs in
+// packed_bodies.h.
+template <class Scalar>
+Workspace<Scalar>& workspace_of(Workspace<Scalar>& memory) {
+  return memory;
+}
+template <class Scalar>
+ArticulatedBody<Scalar>* slots_of(Workspace<Scalar>& memory) {
+  return memory.articulated.data();
+}
+template <class Scalar>
+void keep_motion(ArticulatedBody<Scalar>& slot, const Vector3<Scalar>& w, const Vector3<Scalar>& alpha,
+                 const Vector3<Scalar>& a, const Matrix3<Scalar>& A) {
+  slot.w = w;
+  slot.alpha = alpha;
+  slot.a = a;
+  slot.A = A;
+}
+// The acceleration of the body's point at r relative to its origin.
+template <class Scalar>
+Vector3<Scalar> relative_acceleration(const ArticulatedBody<Scalar>& slot, const Vector3<Scalar>& r) {
+  return slot.A * r;
+}
+template <class Scalar>
+void keep_inertia(ArticulatedBody<Scalar>& slot, const SpatialInertia<Scalar>& own) {
+  slot.inertia = ArticulatedInertia<Scalar>::of(own);
+}
+// With those outboard, once they all are added.
+template <class Scalar>
+const ArticulatedInertia<Scalar>& whole_inertia(const ArticulatedBody<Scalar>& slot, const Body<Scalar>&) {
+  return slot.inertia;
+}
+// An inertia about the body's origin, of what is outboard.
+template <class Scalar>
+void add_inertia(ArticulatedBody<Scalar>& slot, const Body<Scalar>&, const ArticulatedInertia<Scalar>& outboard) {
+  slot.inertia += outboard;
+}
+// What a revolute joint leaves of the inertia I of a body whose origin is at r.
+template <class Scalar>
+void add_reduced(ArticulatedBody<Scalar>& slot, const Body<Scalar>&, const ArticulatedInertia<Scalar>& I,
+                 const SpatialForce<Scalar>& U, const Scalar& inverse_inertia, const Vector3<Scalar>& r) {
+  slot.inertia += shifted(reduced(I, U, inverse_inertia), r);
+}
+
 // Places the body and carries its parent's motion to it while its own coordinates have no acceleration:
 // w = w_p + w_J, alpha = alpha_p + w_p x w_J, a = a_p + A_p r + (2 w_p + w_J) x v_J. The first body of a tree stands on
 // its own axes, on a ground that accelerates by -g.
-template <class Scalar>
+template <class Scalar, class Slot>
 inline void carry_motion(const Workspace<Scalar>& workspace, const Model<Scalar>& model, const Body<Scalar>& body,
-                         const State<Scalar>& state, ArticulatedBody<Scalar>& slot, Vector3<Scalar>& w,
+                         const State<Scalar>& state, const Slot& parent, Slot& slot, Vector3<Scalar>& w,
                          Vector3<Scalar>& alpha, Vector3<Scalar>& a) {
   const Scalar* const qd = state.v.data() + body.v;
   if (body.parent == ground) {
@@ -55,11 +99,10 @@ inline void carry_motion(const Workspace<Scalar>& workspace, const Model<Scalar>
     if (body.joint == JointType::free) a += cross(w, three(qd + 3));
     return;
   }
-  const ArticulatedBody<Scalar>& parent = workspace.articulated[body.parent + 1];
   place_in_tree(workspace, model, body, state.q.data(), parent.R, slot.R, slot.r);
   w = parent.w;
   alpha = parent.alpha;
-  a = parent.a + parent.A * slot.r;
+  a = parent.a + relative_acceleration(parent, slot.r);
   const Scalar two(2);
   switch (body.joint) {
     case JointType::screw:
@@ -90,8 +133,8 @@ inline void carry_motion(const Workspace<Scalar>& workspace, const Model<Scalar>
 // The Newton-Euler force of a body of revolution that turns about its axis e relative to its parent: w = w_p + s e.
 // With I = J 1 + (C - J) e e^T the squares of s drop out of I alpha + w x I w, and with them their rounding, which for
 // a fast rotor would exceed what moves it.
-template <class Scalar>
-constexpr SpatialForce<Scalar> force_of_rotor(const Body<Scalar>& body, const ArticulatedBody<Scalar>& slot,
+template <class Scalar, class Slot>
+constexpr SpatialForce<Scalar> force_of_rotor(const Body<Scalar>& body, const Slot& slot,
                                               const Vector3<Scalar>& w_parent) {
   const Vector3<Scalar> e = z_axis(slot.R);
   const Vector3<Scalar> h = body.inertia.first_moment.z * e;
@@ -107,17 +150,19 @@ constexpr SpatialForce<Scalar> force_of_rotor(const Body<Scalar>& body, const Ar
 
 // Poses, bias accelerations, and each body's own inertia and Newton-Euler force. given: accelerations of the given
 // coordinates (entries of free ones are not read); null if all are free.
-template <bool Hybrid, class Scalar>
-[[gnu::noinline]] void articulated_outwards(const Model<Scalar>& model, Workspace<Scalar>& workspace,
-                                            const State<Scalar>& state, const Scalar* given) {
-  turn_joints(model, workspace, state.q.data());
+template <bool Hybrid, class Memory, class Scalar>
+[[gnu::noinline]] void articulated_outwards(const Model<Scalar>& model, Memory& memory, const State<Scalar>& state,
+                                            const Scalar* given) {
+  auto* const slots = slots_of(memory);
+  turn_joints(model, workspace_of(memory), state.q.data());
   for (int i = 0; i < model.body_count(); ++i) {
     const Body<Scalar>& body = model.body(i);
-    ArticulatedBody<Scalar>& slot = workspace.articulated[i + 1];
+    const auto& parent = slots[body.parent + 1];
+    auto& slot = slots[i + 1];
     Vector3<Scalar> w;
     Vector3<Scalar> alpha;
     Vector3<Scalar> a;
-    carry_motion(workspace, model, body, state, slot, w, alpha, a);
+    carry_motion(workspace_of(memory), model, body, state, parent, slot, w, alpha, a);
     if constexpr (Hybrid) {
       if (!body.all_free) {
         Scalar known[6] = {Scalar(0), Scalar(0), Scalar(0), Scalar(0), Scalar(0), Scalar(0)};
@@ -130,10 +175,7 @@ template <bool Hybrid, class Scalar>
       }
     }
     const Matrix3<Scalar> A = acceleration_matrix(alpha, w);
-    slot.w = w;
-    slot.alpha = alpha;
-    slot.a = a;
-    slot.A = A;
+    keep_motion(slot, w, alpha, a, A);
 
     // Its inertia on the tree's axes, and the Newton-Euler force of these accelerations.
     const bool first = body.parent == ground;
@@ -141,9 +183,9 @@ template <bool Hybrid, class Scalar>
     const SymmetricMatrix3<Scalar> I = first ? body.inertia.inertia : turned(slot.R, body.inertia.inertia);
     const Scalar half_trace = Scalar(0.5) * (I.xx + I.yy + I.zz);
     const SymmetricMatrix3<Scalar> E{half_trace - I.xx, half_trace - I.yy, half_trace - I.zz, -I.xy, -I.yz, -I.zx};
-    slot.inertia = ArticulatedInertia<Scalar>::of(SpatialInertia<Scalar>{body.inertia.mass, h, I});
+    keep_inertia(slot, SpatialInertia<Scalar>{body.inertia.mass, h, I});
     if (body.axisymmetric && !first) {
-      slot.bias = force_of_rotor(body, slot, workspace.articulated[body.parent + 1].w);
+      slot.bias = force_of_rotor(body, slot, parent.w);
       continue;
     }
     slot.bias.force = body.inertia.mass * a + A * h;
@@ -196,21 +238,20 @@ SpatialMotion<Scalar> solved(const ArticulatedInertia<Scalar>& I, const SpatialF
 
 // Eliminates the coordinates from the leaves to the ground. Factor: also compute the articulated inertias; else those
 // of the last factoring are used. tau: forces of the free coordinates (entries of given ones are not read).
-template <bool Hybrid, bool Factor, class Scalar>
-[[gnu::noinline]] void articulated_inwards(const Model<Scalar>& model, Workspace<Scalar>& workspace,
-                                           const Scalar* tau) {
-  ArticulatedBody<Scalar>* const slots = workspace.articulated.data();
-  ArticulatedCoordinate<Scalar>* const coordinates = workspace.coordinate.data();
+template <bool Hybrid, bool Factor, class Memory, class Scalar>
+[[gnu::noinline]] void articulated_inwards(const Model<Scalar>& model, Memory& memory, const Scalar* tau) {
+  auto* const slots = slots_of(memory);
+  ArticulatedCoordinate<Scalar>* const coordinates = workspace_of(memory).coordinate.data();
   for (int i = model.body_count() - 1; i >= 0; --i) {
     const Body<Scalar>& body = model.body(i);
-    ArticulatedBody<Scalar>& slot = slots[i + 1];
+    auto& slot = slots[i + 1];
     const bool outmost = body.parent == ground;
-    const ArticulatedInertia<Scalar>& I = slot.inertia;
+    const ArticulatedInertia<Scalar>& I = whole_inertia(slot, body);
     SpatialForce<Scalar> carried = slot.bias;
     const auto hand_on = [&](const ArticulatedInertia<Scalar>& left) {
       if (outmost) return;
-      ArticulatedBody<Scalar>& parent = slots[body.parent + 1];
-      if constexpr (Factor) parent.inertia += shifted(left, slot.r);
+      auto& parent = slots[body.parent + 1];
+      if constexpr (Factor) add_inertia(parent, model.body(body.parent), shifted(left, slot.r));
       parent.bias += force_from(carried, slot.r);
     };
 
@@ -223,11 +264,10 @@ template <bool Hybrid, bool Factor, class Scalar>
       }
       c.residual = tau[body.v] - dot(e, carried.moment);
       carried += (c.residual * c.inverse_inertia) * c.U;
-      if (Factor && !outmost) {
-        hand_on(reduced(I, c.U, c.inverse_inertia));
-      } else {
-        hand_on(I);
-      }
+      if (outmost) continue;
+      auto& parent = slots[body.parent + 1];
+      if constexpr (Factor) add_reduced(parent, model.body(body.parent), I, c.U, c.inverse_inertia, slot.r);
+      parent.bias += force_from(carried, slot.r);
     } else if (body.joint == JointType::ball && (!Hybrid || body.all_free)) {
       // The joint's moment is known whole: n = I alpha + H a + n_bias gives alpha, and what is left is a mass.
       const Vector3<Scalar> n = outmost ? three(tau + body.v) : slot.R * three(tau + body.v);
@@ -281,15 +321,15 @@ template <bool Hybrid, bool Factor, class Scalar>
 
 // Solves for the free coordinates from the ground to the leaves. For a free coordinate acceleration[k] is written (the
 // change; the free coordinates had none before), for a given one force[k] is written.
-template <bool Hybrid, class Scalar>
-[[gnu::noinline]] void articulated_back(const Model<Scalar>& model, Workspace<Scalar>& workspace, Scalar* acceleration,
+template <bool Hybrid, class Memory, class Scalar>
+[[gnu::noinline]] void articulated_back(const Model<Scalar>& model, Memory& memory, Scalar* acceleration,
                                         Scalar* force) {
-  ArticulatedBody<Scalar>* const slots = workspace.articulated.data();
-  const ArticulatedCoordinate<Scalar>* const coordinates = workspace.coordinate.data();
+  auto* const slots = slots_of(memory);
+  const ArticulatedCoordinate<Scalar>* const coordinates = workspace_of(memory).coordinate.data();
   slots[0].change = SpatialMotion<Scalar>::zero();
   for (int i = 0; i < model.body_count(); ++i) {
     const Body<Scalar>& body = model.body(i);
-    ArticulatedBody<Scalar>& slot = slots[i + 1];
+    auto& slot = slots[i + 1];
     SpatialMotion<Scalar> change = motion_at(slots[body.parent + 1].change, slot.r);
     Scalar* const qdd = acceleration + body.v;
     if (body.joint == JointType::revolute && (!Hybrid || body.all_free)) {
