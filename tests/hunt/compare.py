@@ -12,7 +12,8 @@ MOTION_FACTOR = 1e3
 
 FUNCTIONS = {
     "sqrt": lambda x: math.sqrt(x), "sin": math.sin, "cos": math.cos, "tan": math.tan, "asin": math.asin,
-    "acos": math.acos, "atan": math.atan, "abs": abs, "atan2": math.atan2, "pi": math.pi, "max": max, "min": min,
+    "acos": math.acos, "atan": math.atan, "abs": abs, "atan2": math.atan2, "exp": math.exp, "ln": math.log,
+    "pi": math.pi, "max": max, "min": min,
 }
 
 
@@ -113,7 +114,9 @@ def value_of(answer, letters):
     if kind == "formula":
         return number_of(formula_at(answer, letters), letters)
     if kind == "table":
-        return [column["si"] for column in columns_of(answer)]
+        columns = [column["si"] for column in columns_of(answer)]
+        # What has one row, such as a response at one frequency, has a list of formulas.
+        return [column[0] for column in columns] if all(len(column) == 1 for column in columns) else columns
     if kind == "claim":
         return answer.get("holds")
     return None

@@ -20,6 +20,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 # Folders of compiled modules have no place among the sources.
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
+import compare  # noqa: E402
 import report  # noqa: E402
 import statements  # noqa: E402
 from all_relations import RELATIONS  # noqa: E402
@@ -249,6 +250,14 @@ class Writing(unittest.TestCase):
         self.assertEqual(statements.role(("contacts", "C", "stays")), "text")
         changed = statements.mapped_expressions(tree, lambda tokens, path: tokens_of("mass(c)"))
         self.assertEqual(changed, {"ask": {"stays": "mass(c)"}, "contacts": {"C": {"stays": "'true'"}}})
+
+    def test_formulas_with_powers_of_e_and_tables_of_one_row_have_values(self):
+        self.assertAlmostEqual(compare.number_of("T*exp(2*a)/ln(b)", {"T": 3, "a": 0.5, "b": 2.718281828459045}),
+                               3 * 2.718281828459045, 12)
+        row = {"columns": [{"name": "phase", "si": [0.5]}, {"name": "amplitude", "si": [2]}]}
+        self.assertEqual(compare.value_of({"table": row}, {}), [2, 0.5])
+        row["columns"][0]["si"] = [0.5, 0.6]
+        self.assertEqual(compare.value_of({"table": row}, {}), [[2], [0.5, 0.6]])
 
     def test_the_same_seed_makes_the_same(self):
         texts = [made_statement(random.Random(7)).text() for _ in range(2)]
