@@ -57,39 +57,24 @@ LinearisedFormulas equations_of(const SteadyFormulas& motion, const std::vector<
   return near;
 }
 
-// The coefficients of a polynomial by a letter, in ascending powers.
-std::vector<Formula> coefficients_by(Formula rest, const std::string& letter) {
-  std::vector<Formula> c;
-  Formula factorial(1);
-  for (std::int64_t k = 0; !rest.is_zero(); ++k) {
-    if (k > 0) factorial *= Formula(k);
-    c.push_back(poinsot::substituted(rest, {{letter, Formula(0)}}) / factorial);
-    rest = derivative(rest, letter);
-  }
-  return c;
-}
-
-// Whether it is negative at the point of decisions, which is recorded.
-bool negative(const Formula& x) { return decided_negative(x); }
-
 // The rates for which c0 + c1 z + c2 z^2 vanishes, z a rate or, of even polynomials, its square.
 void add_rates_of(const std::vector<Formula>& c, bool of_square, std::vector<Rate>& rates) {
   const auto add = [&](const Formula& z) {
     if (!of_square) return rates.push_back({z, Formula()});
-    if (negative(z)) return rates.push_back({Formula(), sqrt(-z)});
+    if (decided_negative(z)) return rates.push_back({Formula(), sqrt(-z)});
     for (const int sign : {1, -1}) rates.push_back({Formula(sign) * sqrt(z), Formula()});
   };
   if (c.size() == 2) return add(-c[0] / c[1]);
   if (c.size() != 3) throw NoFormula("its characteristic polynomial has a factor of higher degree");
   const Formula square = c[1] * c[1] - Formula(4) * c[0] * c[2], twice = Formula(2) * c[2];
   if (square.is_zero()) throw NoFormula("two of its rates are the same");
-  if (!negative(square)) {
+  if (!decided_negative(square)) {
     const Formula root = sqrt(square);
     add((-c[1] - root) / twice);
     return add((-c[1] + root) / twice);
   }
   if (of_square) throw NoFormula("its rates are complex, of a polynomial of the fourth degree");
-  rates.push_back({-c[1] / twice, sqrt(-square) / (negative(twice) ? -twice : twice)});
+  rates.push_back({-c[1] / twice, sqrt(-square) / (decided_negative(twice) ? -twice : twice)});
 }
 
 std::vector<Rate> rates_of(const LinearisedFormulas& near) {
@@ -107,12 +92,12 @@ std::vector<Rate> rates_of(const LinearisedFormulas& near) {
   }
   std::vector<Rate> rates;
   if (degree <= 2) {
-    if (degree > 0) add_rates_of(coefficients_by(polynomial, name), even, rates);
+    if (degree > 0) add_rates_of(coefficients_by(polynomial, name, degree), even, rates);
     return rates;
   }
   std::size_t found = 0;
   for (const Formula& factor : vanishing_factors(polynomial)) {
-    const std::vector<Formula> of_factor = coefficients_by(factor, name);
+    const std::vector<Formula> of_factor = coefficients_by(factor, name, degree);
     if (of_factor.size() < 2) continue;
     found += of_factor.size() - 1;
     add_rates_of(of_factor, even, rates);
@@ -132,7 +117,7 @@ Value<Formula> told_rates(const std::string& function, std::vector<Rate> rates) 
     // The fastest growth, zero where nothing grows.
     Formula fastest;
     for (const Rate& rate : rates)
-      if (!rate.growth.is_zero() && negative(fastest - rate.growth)) fastest = rate.growth;
+      if (!rate.growth.is_zero() && decided_negative(fastest - rate.growth)) fastest = rate.growth;
     return inverse_time(fastest);
   }
   std::vector<Value<Formula>> items;
@@ -146,7 +131,7 @@ Value<Formula> told_rates(const std::string& function, std::vector<Rate> rates) 
 }
 
 struct Complex {
-  Formula real, imaginary;
+  Formula real{}, imaginary{};
 
   friend Complex operator*(const Complex& a, const Complex& b) {
     return {a.real * b.real - a.imaginary * b.imaginary, a.real * b.imaginary + a.imaginary * b.real};
@@ -157,25 +142,9 @@ struct Complex {
     return *this;
   }
   Complex operator-() const { return {-real, -imaginary}; }
+  bool is_zero() const { return real.is_zero() && imaginary.is_zero(); }
 };
 using ComplexMatrix = std::vector<std::vector<Complex>>;
-
-// Expands by the first row.
-Complex determinant_of(const ComplexMatrix& A) {
-  if (A.size() == 1) return A[0][0];
-  Complex total;
-  for (std::size_t k = 0; k < A.size(); ++k) {
-    ComplexMatrix minor;
-    for (std::size_t i = 1; i < A.size(); ++i) {
-      minor.emplace_back();
-      for (std::size_t j = 0; j < A.size(); ++j)
-        if (j != k) minor.back().push_back(A[i][j]);
-    }
-    const Complex part = A[0][k] * determinant_of(minor);
-    total += k % 2 == 0 ? part : -part;
-  }
-  return total;
-}
 
 // The response of a mechanism at rest to what shakes it.
 class ResponseInLetters {
@@ -247,12 +216,12 @@ class ResponseInLetters {
     ComplexMatrix Z(free_.size());
     for (std::size_t i = 0; i < free_.size(); ++i)
       for (std::size_t k = 0; k < free_.size(); ++k) Z[i].push_back(stiffness(near, i, k));
-    below_ = determinant_of(Z);
-    if (below_.real.is_zero() && below_.imaginary.is_zero()) throw NoFormula("a free swing has this frequency");
+    below_ = determinant(Z);
+    if (below_.is_zero()) throw NoFormula("a free swing has this frequency");
     for (std::size_t k = 0; k < free_.size(); ++k) {
       ComplexMatrix with = Z;
       for (std::size_t i = 0; i < free_.size(); ++i) with[i][k] = f[i];
-      above_.push_back(determinant_of(with));
+      above_.push_back(determinant(with));
     }
     if (driven) above_.push_back(*driven * below_);
   }
@@ -301,7 +270,7 @@ class ResponseInLetters {
                   imaginary = N.imaginary * D.real - N.real * D.imaginary;
     Formula amplitude, phase;
     if (imaginary.is_zero()) {
-      const bool opposite = negative(real);
+      const bool opposite = decided_negative(real);
       amplitude = real / (D.real * D.real + D.imaginary * D.imaginary);
       if (opposite) amplitude = -amplitude, phase = -Formula::pi();
     } else {

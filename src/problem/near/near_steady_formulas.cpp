@@ -69,25 +69,6 @@ bool vanishes(const FormulaMatrix& A) {
   });
 }
 
-// Expands by the first row.
-Formula determinant(const FormulaMatrix& A) {
-  if (A.empty()) return Formula(1);
-  if (A.size() == 1) return A[0][0];
-  Formula total;
-  for (std::size_t k = 0; k < A.size(); ++k) {
-    if (A[0][k].is_zero()) continue;
-    FormulaMatrix minor;
-    for (std::size_t i = 1; i < A.size(); ++i) {
-      minor.emplace_back();
-      for (std::size_t j = 0; j < A.size(); ++j)
-        if (j != k) minor.back().push_back(A[i][j]);
-    }
-    const Formula part = A[0][k] * determinant(minor);
-    total += k % 2 == 0 ? part : -part;
-  }
-  return total;
-}
-
 std::optional<SteadyFormulas> steady_formulas(const Situation& situation, const MachineOf<Formula>& machine,
                                               const std::vector<Formula>& q, const std::vector<Formula>& v,
                                               const Machine& numbers) {
@@ -153,21 +134,24 @@ LinearisedFormulas linearised(const SteadyFormulas& motion, const std::vector<st
   return result;
 }
 
+std::vector<Formula> coefficients_by(Formula rest, const std::string& letter, std::size_t degree) {
+  std::vector<Formula> c;
+  Formula factorial(1);
+  for (std::size_t k = 0; !rest.is_zero() && k <= degree; ++k) {
+    if (k > 0) factorial *= Formula(static_cast<std::int64_t>(k));
+    c.push_back(poinsot::substituted(rest, {{letter, Formula(0)}}) / factorial);
+    rest = derivative(rest, letter);
+  }
+  return c;
+}
+
 std::vector<Formula> characteristic_polynomial(const LinearisedFormulas& near) {
   const std::string name = "rate of growth";
   const Formula l = Formula::letter(name, poinsot::Sign::real);
   FormulaMatrix P = near.K;
   for (std::size_t i = 0; i < P.size(); ++i)
     for (std::size_t k = 0; k < P.size(); ++k) P[i][k] += l * near.C[i][k] + l * l * near.M[i][k];
-  Formula rest = numerator(determinant(P));
-  std::vector<Formula> coefficients;
-  Formula factorial(1);
-  for (std::size_t k = 0; !rest.is_zero() && k <= 2 * P.size(); ++k) {
-    if (k > 0) factorial *= Formula(static_cast<std::int64_t>(k));
-    coefficients.push_back(poinsot::substituted(rest, {{name, Formula(0)}}) / factorial);
-    rest = derivative(rest, name);
-  }
-  return coefficients;
+  return coefficients_by(numerator(determinant(P)), name, 2 * P.size());
 }
 
 }  // namespace poinsot::problem

@@ -1,7 +1,9 @@
 // The motion near a steady one in formulas: the linearised equations of the deviations of its free coordinates.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "poinsot/engine/math/formula/formula.h"
@@ -39,12 +41,33 @@ struct LinearisedFormulas {
 };
 LinearisedFormulas linearised(const SteadyFormulas& motion, const std::vector<std::size_t>& free);
 
-// The coefficients of det(M l^2 + C l + K) in ascending powers of l.
+// The coefficients of a polynomial by a letter of at most this degree, in ascending powers.
+std::vector<Formula> coefficients_by(Formula polynomial, const std::string& letter, std::size_t degree);
+// Those of det(M l^2 + C l + K) by l.
 std::vector<Formula> characteristic_polynomial(const LinearisedFormulas& near);
 
 FormulaMatrix zeros(std::size_t n);
 // Whether every entry is zero.
 bool vanishes(const FormulaMatrix& A);
-Formula determinant(const FormulaMatrix& A);
+
+// Expands by the first row. Number: a formula, or a complex number of two.
+template <class Number>
+Number determinant(const std::vector<std::vector<Number>>& A) {
+  if (A.empty()) return {Formula(1)};
+  if (A.size() == 1) return A[0][0];
+  Number total;
+  for (std::size_t k = 0; k < A.size(); ++k) {
+    if (A[0][k].is_zero()) continue;
+    std::vector<std::vector<Number>> minor;
+    for (std::size_t i = 1; i < A.size(); ++i) {
+      minor.emplace_back();
+      for (std::size_t j = 0; j < A.size(); ++j)
+        if (j != k) minor.back().push_back(A[i][j]);
+    }
+    const Number part = A[0][k] * determinant(minor);
+    total += k % 2 == 0 ? part : -part;
+  }
+  return total;
+}
 
 }  // namespace poinsot::problem
