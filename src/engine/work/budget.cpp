@@ -9,8 +9,10 @@ namespace poinsot {
 namespace {
 
 // The clock is looked at once a millisecond, as far as the last calls foretell the next: at most 16 calls go by without
-// a look, so that calls which suddenly come every three milliseconds are noticed after 48.
+// a look, so that calls which suddenly come every three milliseconds are noticed after 48. Where a call counts as much
+// as that millisecond (eigenvalues of many bodies take fifty) the next one looks.
 constexpr std::chrono::milliseconds between_looks{1};
+constexpr Work work_between_looks = 1'000'000;
 constexpr unsigned most_calls_let_go = 15;
 constexpr std::chrono::milliseconds between_tellings{100};
 constexpr Work grace = 25'000'000;  // a few hundredths of a second
@@ -59,7 +61,7 @@ std::optional<BudgetEnd> BudgetScope::look() {
   if ((budget_.flag_ && budget_.flag_->load(std::memory_order_relaxed)) || budget_.stop_.stop_requested())
     return ended_ = BudgetEnd::interrupted;
   if (!budget_.deadline_) return {};
-  if (calls_to_go_ > 0) {
+  if (calls_to_go_ > 0 && work_done() - counted_at_look_ < work_between_looks) {
     --calls_to_go_;
     return {};
   }
@@ -69,6 +71,7 @@ std::optional<BudgetEnd> BudgetScope::look() {
 std::optional<BudgetEnd> BudgetScope::look_at_clock() {
   const Budget::Clock::time_point now = budget_.clock_();
   if (now >= *budget_.deadline_) return ended_ = BudgetEnd::deadline;
+  counted_at_look_ = work_done();
   // Where the calls come fast, twice as many of them are let go as the last time.
   const bool fast = now - std::exchange(looked_at_, now) < between_looks;
   calls_let_go_ = fast ? std::min(2 * calls_let_go_ + 1, most_calls_let_go) : 0;

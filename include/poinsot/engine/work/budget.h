@@ -14,6 +14,8 @@
 #include <stop_token>
 #include <string_view>
 
+#include "poinsot/engine/work/work.h"
+
 namespace poinsot {
 
 // What ended a computation before it was done.
@@ -84,6 +86,7 @@ class BudgetScope {
   std::optional<BudgetEnd> ended_;
   // Calls to go until the clock is looked at again, and how many were let go the last time.
   unsigned calls_to_go_ = 0, calls_let_go_ = 0;
+  Work counted_at_look_ = 0;
   Budget::Clock::time_point looked_at_{};
   std::optional<Budget::Clock::time_point> told_at_;
 };
