@@ -156,4 +156,72 @@ Outline cone_shell(const Point& apex, const Point& base_center, double radius, i
                       per_turn);
 }
 
+// The base is cut into triangles as a plate is; what is outward of a side follows from the sense of the vertices.
+Outline prism(const std::vector<Point>& base, const Point& edge) {
+  const auto count = static_cast<std::uint32_t>(base.size());
+  const Outline plate = polygon(base);
+  const Point normal = plate.normals.front()[0];
+  const double sense = dot(normal, edge) < 0 ? -1 : 1;
+  OutlineBuilder builder;
+  for (const Point& point : base) builder.vertex(point);
+  for (const Point& point : base) builder.vertex(point + edge);
+  const Point up = sense * normal;
+  for (const auto& [i, j, k] : plate.triangles) {
+    builder.triangle({i, j, k}, {-up, -up, -up});
+    builder.triangle({i + count, j + count, k + count}, {up, up, up});
+  }
+  std::vector<std::uint32_t> low, high;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t j = (i + 1) % count;
+    builder.face({i, j, j + count, i + count}, normalized(sense * cross(base[j] - base[i], edge)));
+    builder.edge({i, i + count});
+    low.push_back(i);
+    high.push_back(i + count);
+  }
+  low.push_back(0);
+  high.push_back(count);
+  builder.edge(std::move(low));
+  builder.edge(std::move(high));
+  return builder.finish();
+}
+
+Outline half_cylinder(const Point& A, const Point& B, double radius, const Point& toward, int per_turn) {
+  const Triad triad(B - A, toward);
+  const Turn turn = part_of_turn(-right_angle, 2 * right_angle, per_turn);
+  OutlineBuilder builder;
+  std::vector<std::uint32_t> at_A = builder.circle(A, triad, radius, turn);
+  std::vector<std::uint32_t> at_B = builder.circle(B, triad, radius, turn);
+  builder.face(at_A, -triad.third);
+  builder.face(at_B, triad.third);
+  builder.face({at_A.front(), at_A.back(), at_B.back(), at_B.front()}, -triad.first);
+  for (std::size_t k = 0; k + 1 < at_A.size(); ++k) {
+    const auto out = [&](std::size_t i) {
+      return triad.at_angle(turn.from + turn.angle * static_cast<double>(i) / turn.segments);
+    };
+    builder.triangle({at_A[k], at_A[k + 1], at_B[k + 1]}, {out(k), out(k + 1), out(k + 1)});
+    builder.triangle({at_A[k], at_B[k + 1], at_B[k]}, {out(k), out(k + 1), out(k)});
+  }
+  builder.edge({at_A.front(), at_B.front()});
+  builder.edge({at_A.back(), at_B.back()});
+  for (std::vector<std::uint32_t>* rim : {&at_A, &at_B}) {
+    rim->push_back(rim->front());
+    builder.edge(std::move(*rim));
+  }
+  return builder.finish();
+}
+
+// The profile r^2 (1 - z/h) = x^2 above the base, in steps of x.
+Outline paraboloid(const Point& apex, const Point& base_center, double radius, int per_turn) {
+  const double height = norm(apex - base_center);
+  const int steps = std::max(2, per_turn / 4);
+  ProfilePart side;
+  for (int k = steps; k >= 0; --k) {
+    const double part = static_cast<double>(k) / steps, slope = 2 * height * part / radius;
+    side.points.push_back({part * radius, height * (1 - part * part)});
+    side.normals.push_back({slope / std::hypot(slope, 1), 1 / std::hypot(slope, 1)});
+  }
+  return turned_about(base_center, apex, {straight({0, 0}, {radius, 0}), std::move(side)}, {false, true, false},
+                      per_turn);
+}
+
 }  // namespace poinsot::outlines

@@ -114,4 +114,16 @@ Fault polygon_in_plane(std::string_view name, const std::vector<std::array<doubl
   return check.result();
 }
 
+Fault prism(std::string_view name, const std::vector<Point>& base, const Point& edge, double tolerance) {
+  ShapeCheck check("prism", name);
+  check.edge("the edge 'along'", edge);
+  if (check.good()) check_outline(check, base, tolerance);
+  if (!check.good()) return check.result();
+  const Point area = shapes::vector_area_of(base);
+  return check
+      .require(std::abs(dot(area, edge)) > zero_length * norm(area) * norm(edge), ShapeRule::clear_direction,
+               "the edge 'along' {} lies in the plane of the base; give one that leaves it", text(edge))
+      .result();
+}
+
 }  // namespace poinsot::shape_faults

@@ -289,4 +289,17 @@ Fault tetrahedron(std::string_view name, const Point& A, const Point& B, const P
       .result();
 }
 
+Fault half_cylinder(std::string_view name, const Point& A, const Point& B, double radius, const Point& toward) {
+  ShapeCheck check("half_cylinder", name);
+  return check.distinct("end A", A, "end B", B)
+      .positive("the radius", radius)
+      .across("the direction 'toward'", toward, "the axis", B - A)
+      .result();
+}
+
+Fault paraboloid(std::string_view name, const Point& apex, const Point& base_center, double radius) {
+  ShapeCheck check("paraboloid", name);
+  return conical(check, apex, base_center, radius).result();
+}
+
 }  // namespace poinsot::shape_faults

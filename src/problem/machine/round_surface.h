@@ -92,6 +92,25 @@ struct FrustumSurface {
   }
 };
 
+// The round half of a cylinder between A and B, on the side of its unit vector `toward`.
+template <class Scalar>
+struct HalfCylinderSurface {
+  FrustumSurface<Scalar> whole;
+  Vector3<Scalar> toward;
+
+  // At its straight edges it is a corner, unless the normal goes along the radius there.
+  std::optional<RollingSurface<Scalar>> touched_at(const Vector3<Scalar>& p_OC, const Vector3<Scalar>& n) const {
+    auto contact = whole.touched_at(p_OC, n);
+    const Vector3<double> r = plain(p_OC - contact->center) / plain(contact->radius);
+    const double height = dot(r, plain(toward));
+    if (height < -on_round_surface) return std::nullopt;
+    if (height < on_round_surface && norm(cross(r, plain(n))) > on_round_surface) return std::nullopt;
+    contact->middle = toward;
+    contact->cosine = 0;
+    return contact;
+  }
+};
+
 // The part of a circle within the half angle on both sides of its middle.
 template <class Scalar>
 struct ArcSurface {
@@ -140,7 +159,7 @@ struct TorusSurface {
 template <class Scalar>
 using RoundSurface =
     std::variant<SphereSurface<Scalar>, HemisphereSurface<Scalar>, CircleSurface<Scalar>, FrustumSurface<Scalar>,
-                 ArcSurface<Scalar>, EllipsoidSurface<Scalar>, TorusSurface<Scalar>>;
+                 ArcSurface<Scalar>, HalfCylinderSurface<Scalar>, EllipsoidSurface<Scalar>, TorusSurface<Scalar>>;
 
 // The surfaces and edges of each kind for contacts of curved surfaces.
 //
@@ -230,6 +249,11 @@ std::vector<Candidate<Scalar>> candidates(const ArcSurface<Scalar>& s) {
   if (s.half_angle < std::numbers::pi)
     found.end = ContactLimit::End{plain(s.center) + low * plain(s.middle), plain(s.middle), 2 * (r - low)};
   return {std::move(found)};
+}
+// Its ends are two kinds, of which a candidate has one: other bodies touch it as far as they are flat.
+template <class Scalar>
+std::vector<Candidate<Scalar>> candidates(const HalfCylinderSurface<Scalar>&) {
+  return {};
 }
 template <class Scalar>
 std::vector<Candidate<Scalar>> candidates(const EllipsoidSurface<Scalar>& s) {

@@ -59,6 +59,14 @@ RoundSurface<Scalar> torus(const ShapeArguments<Scalar>& a) {
   return TorusSurface<Scalar>{a.place("center"), a.direction("normal"), a.length("radius"), a.length("tube_radius")};
 }
 
+template <class Scalar>
+RoundSurface<Scalar> half_cylinder(const ShapeArguments<Scalar>& a) {
+  const auto [A, B] = a.ends();
+  const Scalar r = a.length("radius");
+  const Vector3<Scalar> axis = normalized(B - A), side = a.toward("toward", a.place("center"));
+  return HalfCylinderSurface<Scalar>{{A, r, B, r}, normalized(side - dot(side, axis) * axis)};
+}
+
 // Of an arc, a semicircle or a sector.
 template <class Scalar>
 RoundSurface<Scalar> arc(const ShapeArguments<Scalar>& a) {
@@ -155,6 +163,32 @@ template <class Scalar>
 std::vector<Side> tetrahedron(const ShapeArguments<Scalar>& a) {
   const Side P = plain_places(a, "points");
   return {{P[0], P[1], P[2]}, {P[0], P[1], P[3]}, {P[0], P[2], P[3]}, {P[1], P[2], P[3]}};
+}
+
+// Both bases and the sides between them.
+template <class Scalar>
+std::vector<Side> prism(const ShapeArguments<Scalar>& a) {
+  const Side low = plain_places(a, "base");
+  const Vector3<double> edge = plain(a.place("along"));
+  std::vector<Side> sides;
+  Side high;
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    const Vector3<double>&P = low[i], &Q = low[(i + 1) % low.size()];
+    sides.push_back({P, Q, Q + edge, P + edge});
+    high.push_back(P + edge);
+  }
+  sides.push_back(low);
+  sides.push_back(std::move(high));
+  return sides;
+}
+
+template <class Scalar>
+std::vector<Side> half_cylinder_face(const ShapeArguments<Scalar>& a) {
+  const auto [A, B] = a.ends();
+  const Vector3<double> from = plain(A), to = plain(B);
+  const Vector3<double> across =
+      plain(a.length("radius")) * normalized(cross(to - from, plain(a.toward("toward", a.place("center")))));
+  return {{from - across, from + across, to + across, to - across}};
 }
 
 template <class Scalar>
@@ -358,6 +392,23 @@ template <class Scalar>
 Outline tetrahedron(const ShapeArguments<Scalar>& a) {
   const Side P = surfaces::plain_places(a, "points");
   return outlines::tetrahedron(P[0], P[1], P[2], P[3]);
+}
+
+template <class Scalar>
+Outline prism(const ShapeArguments<Scalar>& a) {
+  return outlines::prism(surfaces::plain_places(a, "base"), plain(a.place("along")));
+}
+
+template <class Scalar>
+Outline half_cylinder(const ShapeArguments<Scalar>& a) {
+  const auto [A, B] = a.ends();
+  return outlines::half_cylinder(plain(A), plain(B), plain(a.length("radius")),
+                                 plain(a.toward("toward", a.place("center"))));
+}
+
+template <class Scalar>
+Outline paraboloid(const ShapeArguments<Scalar>& a) {
+  return outlines::paraboloid(plain(a.place("apex")), plain(a.place("base")), plain(a.length("radius")));
 }
 
 template <class Scalar>

@@ -349,6 +349,39 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
                           [&] { return particles::tetrahedron(plain(P[0]), plain(P[1]), plain(P[2]), plain(P[3])); });
         },
         OtherSurface::corners, nullptr, surfaces::tetrahedron<Scalar>}},
+      {"prism",
+       {"prism", pictures::prism<Scalar>,
+        [](const ShapeArguments<Scalar>& a) {
+          const auto base = a.places("base");
+          const auto edge = a.place("along");
+          constexpr double flatness = 1e-8;  // as of a polygon
+          a.check(shape_faults::prism(a.owner(), plain(base), plain(edge), flatness));
+          return a.values(Extent::volume, shapes::prism(base, edge),
+                          [&] { return particles::prism(plain(base), plain(edge)); });
+        },
+        OtherSurface::corners, nullptr, surfaces::prism<Scalar>}},
+      {"half_cylinder",
+       {"half cylinder", pictures::half_cylinder<Scalar>,
+        [](const ShapeArguments<Scalar>& a) {
+          const auto [A, B] = a.ends();
+          const auto r = a.length("radius");
+          const auto toward = a.toward("toward", a.place("center"));
+          a.check(shape_faults::half_cylinder(a.owner(), plain(A), plain(B), plain(r), plain(toward)));
+          return a.values(Extent::volume, shapes::half_cylinder(A, B, r, toward), [&, &A = A, &B = B] {
+            return particles::half_cylinder(plain(A), plain(B), plain(r), plain(toward));
+          });
+        },
+        OtherSurface::corners, surfaces::half_cylinder<Scalar>, surfaces::half_cylinder_face<Scalar>}},
+      {"paraboloid",
+       {"paraboloid", pictures::paraboloid<Scalar>,
+        [](const ShapeArguments<Scalar>& a) {
+          const auto apex = a.place("apex"), base = a.place("base");
+          const auto r = a.length("radius");
+          a.check(shape_faults::paraboloid(a.owner(), plain(apex), plain(base), plain(r)));
+          return a.values(Extent::volume, shapes::paraboloid(apex, base, r),
+                          [&] { return particles::paraboloid(plain(apex), plain(base), plain(r)); });
+        },
+        OtherSurface::curved}},
       {"mesh",
        {"mesh", pictures::mesh<Scalar>,
         [](const ShapeArguments<Scalar>& a) {

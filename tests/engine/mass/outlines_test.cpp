@@ -92,6 +92,12 @@ std::vector<Case> cases(std::uint64_t seed) {
   add("ellipsoid", Kind::solid, false, s::ellipsoid(A, a, b, c), [=](int k) { return o::ellipsoid(A, a, b, c, k); });
   add("torus", Kind::solid, false, s::torus(A, n, r, thin), [=](int k) { return o::torus(A, n, r, thin, k); });
   add("tetrahedron", Kind::solid, true, s::tetrahedron(A, B, C, D), [=](int) { return o::tetrahedron(A, B, C, D); });
+  add("prism", Kind::solid, true, s::prism(star, Vector(c + 0.3 * a)),
+      [=](int) { return o::prism(star, c + 0.3 * a); });
+  add("prism, down", Kind::solid, true, s::prism(star, Vector(-c)), [=](int) { return o::prism(star, -c); });
+  add("half cylinder", Kind::solid, false, s::half_cylinder(A, B, r, side),
+      [=](int k) { return o::half_cylinder(A, B, r, side, k); });
+  add("paraboloid", Kind::solid, false, s::paraboloid(A, B, r), [=](int k) { return o::paraboloid(A, B, r, k); });
   add("mesh", Kind::solid, true, s::tetrahedron(A, B, C, D), [=](int) {
     const Outline solid = o::tetrahedron(Vector::zero(), B - A, C - A, D - A);
     return o::solid_of_mesh({solid.vertices, solid.triangles}, A);
@@ -159,7 +165,7 @@ TEST(Outlines, SolidsAreClosedAndOutward) {
       const auto faults = find_faults({outline.vertices, outline.triangles}, one.name);
       EXPECT_TRUE(faults.empty()) << faults.front().message;
     }
-  EXPECT_EQ(solids, 4 * 14U);
+  EXPECT_EQ(solids, 4 * 18U);
 }
 
 TEST(Outlines, NormalsAreThoseOfTheTrueSurface) {
@@ -198,8 +204,9 @@ TEST(Outlines, EdgesAreSidesOfTriangles) {
 // What a draughtsman draws from any side.
 TEST(Outlines, EdgesAreRimsAndCorners) {
   const std::map<std::string, std::size_t> counts{
-      {"sphere", 0},  {"torus", 0},      {"ellipsoid", 0}, {"cylinder", 2}, {"tube", 4},       {"cone", 1},
-      {"frustum", 2}, {"hemisphere", 1}, {"disk", 1},      {"annulus", 2},  {"cone shell", 1}, {"cylinder shell", 2}};
+      {"sphere", 0},     {"torus", 0},          {"ellipsoid", 0},  {"cylinder", 2}, {"tube", 4},
+      {"cone", 1},       {"frustum", 2},        {"hemisphere", 1}, {"disk", 1},     {"annulus", 2},
+      {"cone shell", 1}, {"cylinder shell", 2}, {"paraboloid", 1}};
   std::size_t seen = 0;
   for (const Case& one : cases(7)) {
     const auto count = counts.find(one.name);

@@ -85,6 +85,9 @@ TEST(ShapeFaults, ProperShapesHaveNone) {
         check::ellipsoid("p", A, a, b, c),
         check::torus("p", A, n, R, R),
         check::tetrahedron("p", A, Vector(A + a), Vector(A + a + b), Vector(A + c)),
+        check::prism("p", {A, A + a, A + 0.4 * (a + b), A + b}, Vector(c - 0.5 * a)),
+        check::half_cylinder("p", A, B, R, t),
+        check::paraboloid("p", A, B, R),
     };
     for (std::size_t k = 0; k < faults.size(); ++k) EXPECT_FALSE(faults[k]) << k << ": " << faults[k]->message;
   }
@@ -131,7 +134,10 @@ TEST(ShapeFaults, ValuesMustBeFinite) {
                             check::frustum("p", O, 1, z, nan),
                             check::ellipsoid("p", O, x, bad, z),
                             check::torus("p", O, z, nan, 1),
-                            check::tetrahedron("p", O, x, y, bad)}) {
+                            check::tetrahedron("p", O, x, y, bad),
+                            check::prism("p", {O, x, y}, bad),
+                            check::half_cylinder("p", O, bad, 1, x),
+                            check::paraboloid("p", O, z, nan)}) {
     expect_rule(fault, ShapeRule::finite_values);
   }
 }
@@ -159,7 +165,8 @@ TEST(ShapeFaults, SizesMustBePositive) {
                             check::hemisphere("p", O, z, 0),     check::cylinder("p", O, z, -2),
                             check::tube("p", O, z, 0, 0),        check::cone("p", O, z, 0),
                             check::ellipsoid("p", O, x, O, z),   check::torus("p", O, z, 0, 0),
-                            check::torus("p", O, z, 1, 0)}) {
+                            check::torus("p", O, z, 1, 0),       check::prism("p", {O, x, y}, O),
+                            check::paraboloid("p", O, z, 0),     check::half_cylinder("p", O, z, 0, x)}) {
     expect_rule(fault, ShapeRule::positive_extent);
   }
 }
@@ -176,9 +183,13 @@ TEST(ShapeFaults, PointsMustDifferAndDirectionsMustBeGiven) {
         check::rectangle_from_corners("p", x, x, y), check::triangle("p", O, x, O), check::semicircle("p", z, z, x),
         check::cylinder_shell("p", O, O, 1), check::closed_cylinder_shell("p", O, O, 1),
         check::cone_shell("p", x, x, 1), check::cube_from_diagonal("p", x, x), check::cylinder("p", O, O, 1),
-        check::tube("p", O, O, 1, 0.5), check::cone("p", O, O, 1), check::frustum("p", O, 1, O, 1)}) {
+        check::tube("p", O, O, 1, 0.5), check::cone("p", O, O, 1), check::frustum("p", O, 1, O, 1),
+        check::half_cylinder("p", x, x, 1, y), check::paraboloid("p", O, O, 1)}) {
     expect_rule(fault, ShapeRule::distinct_points);
   }
+  expect_fault(check::prism("wedge", {O, x, y}, Vector(x + y)), ShapeRule::clear_direction,
+               "prism 'wedge': the edge 'along' (1, 1, 0) lies in the plane of the base; give one that leaves it");
+  expect_rule(check::half_cylinder("p", O, z, 1, z), ShapeRule::clear_direction);
   expect_fault(check::disk("wheel", O, O, 1), ShapeRule::given_direction,
                "disk 'wheel': the normal is the zero vector; give a direction");
   for (const auto& fault :

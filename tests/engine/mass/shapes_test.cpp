@@ -213,6 +213,19 @@ TYPED_TEST(Shapes, SolidsAgreeWithParticles) {
   POINSOT_EXPECT_AGREEMENT(ellipsoid, edges_of);
   POINSOT_EXPECT_AGREEMENT(torus, torus);
   POINSOT_EXPECT_AGREEMENT(tetrahedron, tetrahedron);
+  const auto prism = [](auto& r) {
+    const auto axes = r.axes();
+    return std::tuple(shapes::points_in_plane(random_outline(r), r.point(), axes.column(0), axes.column(1)),
+                      Vector3<TypeParam>(r.between(-2, 2) * axes.column(0) + r.length() * axes.column(2)));
+  };
+  const auto half_cylinder = [](auto& r) {
+    const auto A = r.point();
+    const auto B = r.point_apart_from(A);
+    return std::tuple(A, B, r.length(), r.across(B - A));
+  };
+  POINSOT_EXPECT_AGREEMENT(prism, prism);
+  POINSOT_EXPECT_AGREEMENT(half_cylinder, half_cylinder);
+  POINSOT_EXPECT_AGREEMENT(paraboloid, bar);
 }
 
 TYPED_TEST(Shapes, ParticleIsAllAtItsPoint) {

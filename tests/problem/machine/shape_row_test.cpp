@@ -62,5 +62,18 @@ TEST(RoundSurface, ArcEndsAtItsHalfAngle) {
   EXPECT_FALSE(quarter.touched_at(end, x));
 }
 
+TEST(RoundSurface, HalfACylinderEndsAtItsFlatFace) {
+  const Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  const HalfCylinderSurface<double> half{{{0, 0, 0}, 1, 2.0 * z, 1}, y};
+  const auto below = half.touched_at(y + 0.5 * z, y);
+  ASSERT_TRUE(below);
+  EXPECT_NEAR(below->gap, 0, 1e-15);
+  EXPECT_NEAR(norm(below->center - 0.5 * z), 0, 1e-15);
+  EXPECT_EQ(below->cosine, 0);
+  EXPECT_FALSE(half.touched_at(std::cos(0.1) * x - std::sin(0.1) * y + z, x));
+  EXPECT_TRUE(half.touched_at(x + z, x));
+  EXPECT_FALSE(half.touched_at(x + z, y));
+}
+
 }  // namespace shape_row_test
 }  // namespace poinsot::problem

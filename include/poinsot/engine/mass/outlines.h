@@ -74,6 +74,10 @@ Outline ellipsoid(const Point& center, const Point& semi_axis_a, const Point& se
 Outline torus(const Point& center, const Point& axis, double ring_radius, double tube_radius,
               int per_turn = usual_segments);
 Outline tetrahedron(const Point& A, const Point& B, const Point& C, const Point& D);
+Outline prism(const std::vector<Point>& base, const Point& edge);
+Outline half_cylinder(const Point& A, const Point& B, double radius, const Point& toward,
+                      int per_turn = usual_segments);
+Outline paraboloid(const Point& apex, const Point& base_center, double radius, int per_turn = usual_segments);
 
 // A closed mesh, moved by `at`. Edges are those at which its surface turns
 // by more than a few ten degrees; elsewhere it is taken for round.

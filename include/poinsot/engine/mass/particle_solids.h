@@ -168,4 +168,52 @@ ParticleSet<Scalar> tetrahedron(const Vector3<Scalar>& A, const Vector3<Scalar>&
   return gatherer.finish();
 }
 
+// Triangles fanned from the first vertex of the base, with the signs of their turns, at two heights.
+template <class Scalar>
+ParticleSet<Scalar> prism(const std::vector<Vector3<Scalar>>& base, const Vector3<Scalar>& edge) {
+  Vector3<Scalar> turn = Vector3<Scalar>::zero();
+  for (std::size_t i = 2; i < base.size(); ++i) turn += cross(base[i - 1] - base[0], base[i] - base[0]);
+  const Scalar sense(dot(turn, edge) < 0 ? -1 : 1);
+  cubature::Gatherer<Scalar> gatherer;
+  for (const auto& s : cubature::gauss<2, Scalar>()) {
+    const Vector3<Scalar> up = s.at * edge;
+    for (std::size_t i = 2; i < base.size(); ++i) {
+      const Scalar volume = sense * dot(cross(base[i - 1] - base[0], base[i] - base[0]), edge) / 2;
+      gatherer.add_triangle(base[0] + up, base[i - 1] + up, base[i] + up, s.weight * volume);
+    }
+  }
+  return gatherer.finish();
+}
+
+// Half disks of wedges, whose sines and cosines the points on the arc sum.
+template <class Scalar>
+ParticleSet<Scalar> half_cylinder(const Vector3<Scalar>& A, const Vector3<Scalar>& B, const Scalar& radius,
+                                  const Vector3<Scalar>& toward) {
+  const cubature::Triad<Scalar> triad(B - A, cross(toward, B - A));
+  cubature::Gatherer<Scalar> gatherer;
+  for (const auto& s : cubature::gauss<2, Scalar>())
+    for (const auto& t : cubature::gauss<2, Scalar>())
+      for (const auto& u : cubature::gauss<cubature::points_on_arc, Scalar>()) {
+        const Scalar r = t.at * radius;
+        gatherer.add(A + s.at * (B - A) + r * triad.at_angle(u.at * std::numbers::pi_v<Scalar>),
+                     s.weight * norm(B - A) * t.weight * radius * r * u.weight * std::numbers::pi_v<Scalar>);
+      }
+  return gatherer.finish();
+}
+
+// Disks across the axis, whose radii squared grow with the distance from the apex.
+template <class Scalar>
+ParticleSet<Scalar> paraboloid(const Vector3<Scalar>& apex, const Vector3<Scalar>& base_center, const Scalar& radius) {
+  const cubature::Triad<Scalar> triad(base_center - apex);
+  cubature::Gatherer<Scalar> gatherer;
+  for (const auto& s : cubature::gauss<3, Scalar>()) {
+    const Scalar outer = radius * std::sqrt(s.at);
+    for (const auto& t : cubature::gauss<2, Scalar>())
+      gatherer.add_circle(
+          apex + s.at * (base_center - apex), triad, t.at * outer,
+          s.weight * norm(base_center - apex) * t.weight * t.at * outer * outer * 2 * std::numbers::pi_v<Scalar>);
+  }
+  return gatherer.finish();
+}
+
 }  // namespace poinsot::particles

@@ -36,21 +36,30 @@ ShapeProperties<Scalar> triangle(const Vector3<Scalar>& A, const Vector3<Scalar>
               (unit_mass_inertia(A - center) + unit_mass_inertia(B - center) + unit_mass_inertia(C - center))};
 }
 
+template <class Scalar>
+Vector3<Scalar> mean_of(const std::vector<Vector3<Scalar>>& points) {
+  Vector3<Scalar> sum = Vector3<Scalar>::zero();
+  for (const auto& point : points) sum += point;
+  return sum / Scalar(static_cast<double>(points.size()));
+}
+
+// The vector area of a polygon, whose direction is the normal of its plane.
+template <class Scalar>
+Vector3<Scalar> vector_area_of(const std::vector<Vector3<Scalar>>& vertices) {
+  const Vector3<Scalar> reference = mean_of(vertices);
+  Vector3<Scalar> area = Vector3<Scalar>::zero();
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    area += Scalar(0.5) * cross(vertices[i] - reference, vertices[(i + 1) % vertices.size()] - reference);
+  return area;
+}
+
 // Any simple polygon, convex or not, by its vertices in order round it (either way): the sum of the signed triangles
 // between its sides and the mean of its vertices.
 template <class Scalar>
 ShapeProperties<Scalar> polygon(const std::vector<Vector3<Scalar>>& vertices) {
   const Scalar half(0.5);
-  Vector3<Scalar> reference = Vector3<Scalar>::zero();
-  for (const auto& vertex : vertices) reference += vertex;
-  reference = reference / Scalar(static_cast<double>(vertices.size()));
-
-  // The vector area, whose direction is the plane's normal.
-  Vector3<Scalar> vector_area = Vector3<Scalar>::zero();
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const std::size_t j = (i + 1) % vertices.size();
-    vector_area += half * cross(vertices[i] - reference, vertices[j] - reference);
-  }
+  const Vector3<Scalar> reference = mean_of(vertices);
+  const Vector3<Scalar> vector_area = vector_area_of(vertices);
   const Scalar area = norm(vector_area);
   const Vector3<Scalar> normal = vector_area / area;
 

@@ -94,5 +94,9 @@ Fault ellipsoid(std::string_view name, const Point& center, const Point& semi_ax
                 const Point& semi_axis_c, double tolerance = default_tolerance);
 Fault torus(std::string_view name, const Point& center, const Point& axis, double ring_radius, double section_radius);
 Fault tetrahedron(std::string_view name, const Point& A, const Point& B, const Point& C, const Point& D);
+Fault prism(std::string_view name, const std::vector<Point>& base, const Point& edge,
+            double tolerance = default_tolerance);
+Fault half_cylinder(std::string_view name, const Point& A, const Point& B, double radius, const Point& toward);
+Fault paraboloid(std::string_view name, const Point& apex, const Point& base_center, double radius);
 
 }  // namespace poinsot::shape_faults

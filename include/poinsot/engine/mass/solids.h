@@ -4,7 +4,9 @@
 // poinsot/engine/mass/shape_faults.h, whose functions take the same arguments.
 #pragma once
 
-#include "poinsot/engine/mass/lines.h"
+#include <vector>
+
+#include "poinsot/engine/mass/plates.h"
 
 namespace poinsot::shapes {
 
@@ -138,6 +140,47 @@ ShapeProperties<Scalar> tetrahedron(const Vector3<Scalar>& A, const Vector3<Scal
   return {magnitude(dot(B - A, cross(C - A, D - A))) / Scalar(6), center,
           (Scalar(1) / Scalar(20)) * (unit_mass_inertia(A - center) + unit_mass_inertia(B - center) +
                                       unit_mass_inertia(C - center) + unit_mass_inertia(D - center))};
+}
+
+namespace detail {
+
+// What a plate sweeps that moves along an edge vector e, straight or aslant: places in the plate and on the way do not
+// depend on each other, so that each has its own moments, those of the way as of a rod.
+template <class Scalar>
+ShapeProperties<Scalar> swept(const ShapeProperties<Scalar>& plate, const Vector3<Scalar>& edge, const Scalar& volume) {
+  return {volume, plate.center + Scalar(0.5) * edge,
+          plate.inertia_center + (Scalar(1) / Scalar(12)) * unit_mass_inertia(edge)};
+}
+
+}  // namespace detail
+
+// Prism on a base with these vertices (as of a polygon), whose points go along the edge vector to the other base.
+template <class Scalar>
+ShapeProperties<Scalar> prism(const std::vector<Vector3<Scalar>>& base, const Vector3<Scalar>& edge) {
+  return detail::swept(polygon(base), edge, magnitude(dot(vector_area_of(base), edge)));
+}
+
+// Half a cylinder: A and B are the middles of the ends of its flat face, and it bulges toward the direction `toward`
+// (its part across AB). Centroid at 4 r/(3 pi) from the flat face.
+template <class Scalar>
+ShapeProperties<Scalar> half_cylinder(const Vector3<Scalar>& A, const Vector3<Scalar>& B, const Scalar& radius,
+                                      const Vector3<Scalar>& toward) {
+  const Vector3<Scalar> edge = B - A;
+  const Vector3<Scalar> across = radius * normalized(cross(edge, toward));
+  const ShapeProperties<Scalar> end = semicircle(Vector3<Scalar>(A - across), Vector3<Scalar>(A + across),
+                                                 perpendicular_part(toward, normalized(edge)));
+  return detail::swept(end, edge, Scalar(end.measure * norm(edge)));
+}
+
+// Paraboloid of revolution: centroid at 2/3 of the height from the apex; I = r^2/3 and r^2/6 + h^2/18.
+template <class Scalar>
+ShapeProperties<Scalar> paraboloid(const Vector3<Scalar>& apex, const Vector3<Scalar>& base_center,
+                                   const Scalar& radius) {
+  const Vector3<Scalar> height = base_center - apex;
+  const Scalar square = radius * radius;
+  return {Scalar(0.5) * pi<Scalar>() * square * norm(height), apex + (Scalar(2) / Scalar(3)) * height,
+          axisymmetric_tensor(normalized(height), square / Scalar(3),
+                              square / Scalar(6) + norm_squared(height) / Scalar(18))};
 }
 
 }  // namespace poinsot::shapes
