@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import ItemsView, Iterator, KeysView, Mapping
+from collections.abc import ItemsView, Iterator, KeysView, Mapping, ValuesView
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
@@ -67,7 +67,16 @@ class ByName(Mapping[str, _Item], Generic[_Item]):
         return "{" + ", ".join(f"{name!r}: {item!r}" for name, item in self._items.items()) + "}"
 
 
-class Found:
+class _Stays:
+    """What other processes do not get."""
+
+    def __reduce__(self) -> Any:
+        raise TypeError(
+            f"{self!r} stays in its process: send numbers, answer.si, or result.to_dict(), or the problem, and solve it there"
+        )
+
+
+class Found(_Stays):
     """A value with its unit, and its formula where letters have no value."""
 
     def __init__(self, core: Any, positive: frozenset[str]) -> None:
@@ -134,6 +143,10 @@ class Found:
 
     def __float__(self) -> float:
         return float(self.value)
+
+    def __bool__(self) -> bool:
+        """Whether it holds, of conditions and claims; of a number whether it is not zero."""
+        return bool(self.value)
 
     def __str__(self) -> str:
         return notebook.text_of(self)
@@ -232,7 +245,7 @@ class Answer(Found):
         return notebook.answers_html([self])
 
 
-class _HasAnswers:
+class _HasAnswers(_Stays):
     """Answers by name."""
 
     @property
@@ -248,8 +261,20 @@ class _HasAnswers:
     def __contains__(self, name: object) -> bool:
         return name in self.answers
 
+    def __len__(self) -> int:
+        return len(self.answers)
+
+    def __bool__(self) -> bool:
+        return True
+
+    def get(self, name: str, default: Any = None) -> Any:
+        return self.answers.get(name, default)
+
     def keys(self) -> KeysView[str]:
         return self.answers.keys()
+
+    def values(self) -> ValuesView[Answer]:
+        return self.answers.values()
 
     def items(self) -> ItemsView[str, Answer]:
         return self.answers.items()

@@ -25,6 +25,14 @@ else:
     _set = _core.instruction_set()
     _engine = importlib.import_module(f"._engine_{_set}" if _set else "._engine", __package__)
 
+__all__ = [
+    "AccelerationDerivatives", "ForceDerivatives", "HybridDynamics", "Model", "ModelBuilder", "Start", "State", "aba",
+    "aba_derivatives", "advance", "center_of_mass", "crba", "forward_dynamics", "forward_dynamics_by_inertia",
+    "forward_dynamics_derivatives", "from_problem", "hybrid_dynamics", "inertia_numbers", "inertia_regressor", "integrate",
+    "inverse_dynamics", "inverse_dynamics_derivatives", "jacobian", "joint_torque_regressor", "kinetic_energy",
+    "mass_center", "mass_matrix", "momentum", "position", "potential_energy", "rnea", "rnea_derivatives", "rotation",
+]  # fmt: skip
+
 Array: TypeAlias = npt.NDArray[np.float64]
 
 _NO_TURN = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -109,6 +117,8 @@ class ModelBuilder:
             name, parent, joint, _three(axis, "axis"), _one(pitch, "pitch"), _three(place, "place"), _rows(rotation, "rotation"),
             _one(mass, "mass"), _three(center, "center"), _rows(inertia, "inertia"), mode,
         )  # fmt: skip
+        if fault := _core.mass_fault(name, body[7], body[8], body[9]):
+            raise ValueError(fault)
         self._core.add_body(*body)
         self._bodies.append(body)
 
@@ -301,6 +311,17 @@ def inertia_regressor(
     return _run(_engine.inertia_regressor, model, q, v, a, threads)
 
 
+def forward_dynamics_by_inertia(
+    model: Model, q: npt.ArrayLike, v: npt.ArrayLike, tau: npt.ArrayLike, *, threads: int = 1
+) -> Array:
+    """How the accelerations of forward_dynamics change with inertia_numbers(model).ravel(); shape (nv, 10 bodies[, cases])."""
+    # What inverse dynamics gives stays tau: M da + Y dpi = 0.
+    Y = inertia_regressor(model, q, v, forward_dynamics(model, q, v, tau, threads=threads), threads=threads)
+    M = mass_matrix(model, q, threads=threads)
+    of_cases = -np.linalg.solve(np.moveaxis(M, (0, 1), (-2, -1)), np.moveaxis(Y, (0, 1), (-2, -1)))
+    return np.ascontiguousarray(np.moveaxis(of_cases, (-2, -1), (0, 1)))
+
+
 def inertia_numbers(model: Model) -> Array:
     """Ten numbers for each body, about its origin on its axes: mass, mass times the place of its mass center (3), and the
     tensor of inertia as xx, yy, zz, xy, yz, zx."""
@@ -385,3 +406,7 @@ def potential_energy(model: Model, q: npt.ArrayLike, *, threads: int = 1) -> Arr
 rnea, aba, crba, center_of_mass = inverse_dynamics, forward_dynamics, mass_matrix, mass_center
 rnea_derivatives, aba_derivatives = inverse_dynamics_derivatives, forward_dynamics_derivatives
 joint_torque_regressor = inertia_regressor
+
+
+def __dir__() -> list[str]:
+    return __all__

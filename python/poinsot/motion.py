@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from . import _core, calls
 from . import quantities as quantity_values
+from .errors import PoinsotError
 from .wording import in_python
 
 if TYPE_CHECKING:
@@ -28,8 +29,8 @@ class Motion:
         values["theta"], values["E"]
     """
 
-    def __init__(self, core: _core.Motion, problem: Problem) -> None:
-        self._core, self._problem = core, problem
+    def __init__(self, core: _core.Motion, problem: Problem, sets: Mapping[str, quantity_values.Value]) -> None:
+        self._core, self._problem, self._sets = core, problem, sets
 
     @property
     def coordinates(self) -> list[str]:
@@ -78,6 +79,13 @@ class Motion:
 
     def __repr__(self) -> str:
         return f"<poinsot.Motion of '{self._problem.title or self._problem.name}'>"
+
+    def _repr_html_(self) -> str | None:
+        """Its player: the report of the problem, in a frame."""
+        try:
+            return self._problem.report(self._sets)._repr_html_()
+        except PoinsotError:
+            return None
 
 
 class MotionValues(Mapping[str, Array]):

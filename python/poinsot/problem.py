@@ -5,12 +5,14 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, TypeVar
+from typing import Any, TypeVar, overload
+
+import numpy.typing as npt
 
 from . import _core, calls, quantities
 from .answers import Explanation, Result
 from .errors import Interrupted, NoAnswer, StatementError
-from .motion import Motion
+from .motion import Motion, MotionValues
 from .notebook import Page, Picture
 
 _Kind = TypeVar("_Kind", bound=Result)
@@ -174,6 +176,7 @@ class Problem:
         text: str = self._called(call, timeout, progress)
         return text
 
+    @overload
     def motion(
         self,
         sets: Mapping[str, quantities.Value] | None = None,
@@ -182,14 +185,43 @@ class Problem:
         timeout: float | None = None,
         progress: calls.Progress = None,
         **values: quantities.Value,
-    ) -> Motion:
-        """The motion, to be asked for any quantities at any times. NoAnswer if there is not one motion."""
-        given = quantities.settings(self, quantities.given(sets, values))
+    ) -> Motion: ...
+
+    @overload
+    def motion(
+        self,
+        times: npt.ArrayLike,
+        /,
+        *asked: str,
+        timeout: float | None = None,
+        progress: calls.Progress = None,
+        **values: quantities.Value,
+    ) -> MotionValues: ...
+
+    def motion(
+        self,
+        first: Any = None,
+        /,
+        *asked: str,
+        timeout: float | None = None,
+        progress: calls.Progress = None,
+        **values: quantities.Value,
+    ) -> Motion | MotionValues:
+        """The motion, to be asked for any quantities at any times. NoAnswer if there is not one motion.
+
+        motion(times, "theta", "kinetic_energy(disk)", n="3000 rpm") asks it at once, as motion(n="3000 rpm")(times, ...) does.
+        """
+        at_once = first is not None and not isinstance(first, (Mapping, str))
+        if asked and not at_once:
+            raise TypeError(f"quantities are asked at times, as motion(np.linspace(0, 1, 101), {asked[0]!r}): name the times first")
+        sets = quantities.given(None if at_once else first, values)
+        given = quantities.settings(self, sets)
 
         def call(*ends: Any) -> Any:
             return self._core.motion(given, *ends)
 
-        return Motion(self._called(call, timeout, progress), self)
+        motion = Motion(self._called(call, timeout, progress), self, sets)
+        return motion(first, *asked, timeout=timeout, progress=progress) if at_once else motion
 
     def record(
         self,

@@ -128,6 +128,8 @@ def test_examples_begin_and_go_on_as_they_answer() -> None:
                 gone_on += 1
             energy = float(engine.kinetic_energy(model, *state))
             momentum = engine.momentum(model, *state)[:3]
+            if len(told.axes["p"]) == 2:  # of a planar problem
+                momentum = momentum[["xyz".index(axis) for axis in told.axes["p"]]]
             assert energy == pytest.approx(told["T"][instant], rel=1e-8, abs=1e-8), path
             np.testing.assert_allclose(momentum, told["p"][instant], rtol=1e-8, atol=1e-8 * (1 + np.abs(momentum).max()))
         begun += 1

@@ -31,6 +31,23 @@ ask: {T: kinetic_energy(b)}
 """
 
 
+PLANAR = """\
+title: A bar that swings in a plane
+plane: [x, y]
+given: {m: 3 kg, l: 2 m}
+points: {O: [0, 0], P: [l, 0]}
+bodies: {bar: {rod: [O, P], mass: m}}
+joints: {pin: {revolute: z, at: O, to: bar, angle: theta}}
+gravity: -y
+instants: {start: {theta: 0, theta': 1.5 rad/s}}
+ask:
+  angular_velocity: angular_velocity(bar)
+  velocity: velocity(P of bar)
+  reaction: reaction(pin)
+  angular_momentum: angular_momentum(bar about O)
+"""
+
+
 @pytest.fixture
 def pendulum() -> poinsot.Problem:
     return poinsot.Problem.from_text(PENDULUM, "bar.yaml")
@@ -66,6 +83,39 @@ def test_a_pendulum_against_integration_by_hand(pendulum: poinsot.Problem) -> No
     assert values.units == {"theta": "rad", "theta'": "rad/s", "a": "rad/s^2"}
     assert values.axes["a"] == ["x", "y", "z"]
     assert max(values.checks.values()) < 1e-5
+
+
+def test_a_motion_is_asked_at_once(pendulum: poinsot.Problem) -> None:
+    times = np.linspace(0, 1, 6)
+    whole = pendulum.motion(m=2)(times, "theta", "kinetic_energy(bar)")
+    at_once = pendulum.motion(times, "theta", "kinetic_energy(bar)", m=2)
+    for name in whole:
+        np.testing.assert_array_equal(at_once[name], whole[name])
+    np.testing.assert_array_equal(pendulum.motion(times)["theta"], whole["theta"])
+
+
+def test_planar_motions_are_told_as_planar_answers() -> None:
+    problem = poinsot.Problem.from_text(PLANAR)
+    quantities = ["angular_velocity(bar)", "velocity(P of bar)", "reaction(pin)", "angular_momentum(bar about O)"]
+    values = problem.motion()([0, 0.3], *quantities, power="angular_velocity(bar) * 2 N*m")
+    for name in quantities:
+        answer = problem.solve()[name.split("(")[0]]
+        np.testing.assert_allclose(values[name][0], answer.si, rtol=1e-9, atol=1e-9)
+        assert values.axes.get(name, []) == answer.axes and values.units[name] == answer.unit
+    assert values["velocity(P of bar)"].shape == (2, 2) and values["power"].shape == (2,)
+    np.testing.assert_allclose(values["angular_momentum(bar about O)"], 4 * values["angular_velocity(bar)"], rtol=1e-9)
+    assert list(values.frame().columns) == [
+        "angular_velocity(bar)", "velocity(P of bar).x", "velocity(P of bar).y", "reaction(pin).x", "reaction(pin).y",
+        "angular_momentum(bar about O)", "power",
+    ]  # fmt: skip
+    # On the axes of the bar, which it turns about the normal.
+    turned = problem.motion()([0.3], "velocity(P of bar)", "theta", axes="bar")
+    angle = turned["theta"][0]
+    x, y = values["velocity(P of bar)"][1]
+    turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    np.testing.assert_allclose(turned["velocity(P of bar)"][0], turn @ [x, y], rtol=1e-8, atol=1e-9)
+    with pytest.raises(poinsot.StatementError, match="plane"):
+        problem.motion([0], "principal_axes(bar)")
 
 
 def test_values_that_are_set(pendulum: poinsot.Problem) -> None:

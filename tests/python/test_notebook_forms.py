@@ -64,6 +64,12 @@ def test_a_page_stands_in_a_frame(askew: poinsot.Problem) -> None:
     assert "allow-same-origin" not in frame
 
 
+def test_a_motion_shows_its_player() -> None:
+    problem = poinsot.Problem.from_text(TABLE)
+    shown = problem.motion(m=3)._repr_html_()
+    assert shown == problem.report(m=3)._repr_html_() and "iframe" in shown
+
+
 def test_tables_are_frames(capsys: pytest.CaptureFixture[str]) -> None:
     answer = poinsot.Problem.from_text(TABLE).solve()["t"]
     frame = answer.frame()

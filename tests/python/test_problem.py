@@ -51,6 +51,14 @@ def test_a_result_is_gone_through_by_name(askew: poinsot.Problem) -> None:
     assert {name: answer.unit for name, answer in result.items()} == {"H": "kg*m^2/s", "T": "J", "A": "N", "B": "N"}
 
 
+def test_conditions_and_claims_are_true_or_false(bent: poinsot.Problem) -> None:
+    result = bent.solve(m=1, a=1, J=1)
+    assert result["more"] and not result["less"] and len(result) == 3 and [one.name for one in result.values()] == list(result)
+    assert result.get("w") is result["w"] and result.get("v") is None
+    with pytest.raises(poinsot.NoAnswer, match="while letters are open"):
+        bool(bent.solve()["w"])
+
+
 def test_answers_in_other_units_and_as_text(askew: poinsot.Problem) -> None:
     by_hand, result = askew_by_hand(40 * np.pi), askew.solve()
     assert result["T"].to("kJ") == pytest.approx(by_hand["T"] / 1000, rel=1e-12)

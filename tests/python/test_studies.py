@@ -55,6 +55,36 @@ def by_solving(problem: poinsot.Problem, study: poinsot.Study, row: int, answer:
     return problem.solve(study.case(row))[answer].si
 
 
+def test_letters_without_value_are_named_once(bent: poinsot.Problem) -> None:
+    with pytest.raises(ValueError, match=r"^w needs values for m, a: sets=\{'m': '\.\.\. kg', 'a': '\.\.\. m'\} gives"):
+        poinsot.study(bent, {"J": [1.0, 2.0]})
+    study = poinsot.study(bent, {"J": [1.0, 2.0]}, sets={"m": "2 kg"} | {"a": "1 m"})
+    np.testing.assert_allclose(study["w.z"], [30 / 7, 60 / 7])
+    # What does not hang on them has its answers.
+    text = """\
+letters: {m: kg}
+given: {u: 2 m/s}
+points: {A: [0, 0, 0]}
+bodies: {p: {particle: A, mass: m}}
+gravity: none
+instants: {now: {velocity(p): '[u, 0, 0]'}}
+ask: {v: velocity(p).x, u: velocity(p).y, T: kinetic_energy(p)}
+"""
+    moving = poinsot.Problem.from_text(text)
+    np.testing.assert_allclose(poinsot.study(moving, {"u": [1.0, 2.0]}, "v")["v"], [1, 2])
+    with pytest.raises(ValueError, match="u is the name of what is varied and of what is asked"):
+        poinsot.study(moving, {"u": [1.0, 2.0]}, "u")
+
+
+def test_what_is_true_or_false_is_no_column() -> None:
+    problem = poinsot.Problem.from_file(Path(__file__).parents[2] / "examples/mechanisms/atwood-with-a-heavy-wheel.yaml")
+    for formulas in (True, False):
+        with pytest.raises(poinsot.StatementError, match="'taut' is no number.*leave it out by asks"):
+            poinsot.study(problem, {"m": [3.0, 3.1]}, formulas=formulas)
+        study = poinsot.study(problem, {"m": [3.0, 3.1]}, ["a", "T"], formulas=formulas)
+        assert study["a"] == pytest.approx([(5 - m) * 9.80665 / (5 + m + 2 / 2) for m in (3.0, 3.1)], rel=1e-9)
+
+
 def test_grid_by_formula(askew: poinsot.Problem) -> None:
     speeds = [f"{speed} rpm" for speed in range(1000, 3001, 250)]
     study = poinsot.study(askew, {"n": speeds, "b": ["10 deg", "20 deg"]}, ["B", "T"])
@@ -170,6 +200,27 @@ def test_a_row_follows_from_its_seed_and_number(askew: poinsot.Problem) -> None:
 
 def contents(folder: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+
+
+def test_draws_are_made_once_for_all_points_of_a_grid(askew: poinsot.Problem, monkeypatch: pytest.MonkeyPatch) -> None:
+    from poinsot.studies import draws, plan
+
+    asked: list[int] = []
+
+    def counted(*arguments: Any) -> Any:
+        asked.append(arguments[-1])
+        return draws.unit_draws(*arguments)
+
+    monkeypatch.setattr(plan, "unit_draws", counted)
+    speeds = np.linspace(100, 300, 2000)
+    poinsot.study(askew, {"n": speeds}, "T", shard_rows=500)
+    assert not asked
+    whole = poinsot.study(askew, {"n": speeds, "m": poinsot.normal(8, 1)}, "T", rows=7, shard_rows=5000)
+    assert len(asked) < 10
+    np.testing.assert_array_equal(whole["m"][7 * 1234 : 7 * 1235], whole["m"][:7])
+    for row in (0, 5001, 13_999):
+        assert askew.solve(whole.case(row))["T"].si == pytest.approx(whole["T"][row], rel=1e-9)
+        assert [column[0] for column in whole.plan.values(row, 1)] == [whole["n"][row], whole["m"][row]]
 
 
 def test_files_have_the_same_bytes_for_any_number_of_threads(askew: poinsot.Problem, tmp_path: Path) -> None:

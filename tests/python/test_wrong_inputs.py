@@ -1,5 +1,6 @@
 """What a caller does wrong is told in words of Python, and nothing wrong passes for something right."""
 
+import pickle
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -56,6 +57,12 @@ CALLS: list[tuple[Callable[[Any], Any], type[Exception], str]] = [
     (lambda p: p.motion()("1 s", "kinetic_energy(disk)"), TypeError, "times as numbers in s"),
     (lambda p: p.motion()(None, "kinetic_energy(disk)"), TypeError, "times as numbers in s"),
     (lambda p: p.motion()(1, ["kinetic_energy(disk)"]), TypeError, "texts, one by one"),
+    (lambda p: p.motion(None, "theta"), TypeError, "name the times first"),
+    (lambda p: p.motion("theta"), TypeError, "by name"),
+    (lambda p: pickle.dumps(p.solve()), TypeError, "stays in its process"),
+    (lambda p: pickle.dumps(p.solve()["T"]), TypeError, "stays in its process"),
+    (lambda p: bool(p.solve()["H"]), ValueError, "ambiguous"),
+    (lambda p: study(p, {"n": [1]}, "B.y"), ValueError, "ask for 'B', whose components are columns"),
     (lambda p: study(p, ["n"]), TypeError, "differs by name"),
     (lambda p: study(p, {"n": [1, None]}), TypeError, "not None"),
     (lambda p: study(p, {"n": [True]}), TypeError, "not True"),
@@ -79,6 +86,9 @@ CALLS: list[tuple[Callable[[Any], Any], type[Exception], str]] = [
     (lambda p: package.si_unit(3), TypeError, "a unit is a text"),
     (lambda p: builder().add_body("x", mass="1 kg"), TypeError, "mass as a number"),
     (lambda p: builder().add_body("x", axis="z"), TypeError, "axis as three numbers"),
+    (lambda p: builder().add_body("x", mass=1, inertia=np.diag([1, 1, 3])), ValueError, r"'x': no rigid body .* I_x \+ I_y >= I_z is broken"),
+    (lambda p: builder().add_body("x", mass=1, inertia=[[2, 0, 3], [0, 5, 0], [3, 0, 2]]), ValueError, "I_1 >= 0 is broken"),
+    (lambda p: builder().add_body("x", inertia=np.eye(3)), ValueError, "'x': the mass is zero"),
     (lambda p: builder().add_body(3), TypeError, "told by names"),
     (lambda p: model().body("Bar"), KeyError, "did you mean 'bar'"),
     (lambda p: model().first_position(-1), ValueError, "whole number"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
@@ -9,9 +10,10 @@ from typing import Any
 from .. import _core
 from . import shards
 from .plan import PLAN, Plan
+from .result import StudyError
 
-# How often a shard is given to another worker when its own is gone.
-_RETRIES = 1000
+# How often a shard is given out anew when its worker, or the scheduler, is gone: it may be what kills them.
+_MOST_LOST = 100
 
 
 def _one(folder: str, shard: int) -> tuple[int, shards.Counts]:
@@ -25,15 +27,23 @@ def _one(folder: str, shard: int) -> tuple[int, shards.Counts]:
 
 
 def on_cluster(client: Any, open_shards: Iterable[int], folder: Path) -> Iterator[tuple[int, shards.Counts]]:
-    from distributed import CancelledError, as_completed
+    from distributed import CancelledError, KilledWorker, as_completed
 
     in_order_of_end: Any = as_completed
     path = str(folder.resolve())
     todo = iter(open_shards)
     shard_of: dict[str, int] = {}
+    lost: Counter[int] = Counter()
 
     def submit(shard: int) -> Any:
-        future = client.submit(_one, path, shard, pure=False, retries=_RETRIES)
+        try:
+            future = client.submit(_one, path, shard, pure=False)
+        except Exception as error:
+            if client.status == "running":
+                raise
+            raise StudyError(
+                f"the scheduler of the cluster does not answer any more: what was done stays in {folder}, and the same call goes on"
+            ) from error
         shard_of[future.key] = shard
         return future
 
@@ -44,8 +54,11 @@ def on_cluster(client: Any, open_shards: Iterable[int], folder: Path) -> Iterato
         shard = shard_of.pop(future.key)
         try:
             found = future.result()
-        except CancelledError:
-            # The scheduler was started anew, or nobody knows any more what was found.
+        except (CancelledError, KilledWorker, OSError) as error:
+            # Whoever solved it, or knew what was found, is gone. What went wrong in the work itself, as a full disk, is told.
+            lost[shard] += 1
+            if lost[shard] > _MOST_LOST or (future.status == "error" and not isinstance(error, KilledWorker)):
+                raise
             completed.add(submit(shard))
             continue
         yield found

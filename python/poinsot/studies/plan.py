@@ -36,9 +36,13 @@ class Plan:
     sensitivities: list[str]  # those of `over` by which the answers are differentiated
     versions: dict[str, str]
 
+    @functools.cached_property
+    def _grids(self) -> dict[str, Array]:
+        return {name: grid_values(axis) for name, axis in self.over.items() if not is_random(axis)}
+
     @property
     def grid(self) -> tuple[int, ...]:
-        return tuple(len(grid_values(axis)) for axis in self.over.values() if not is_random(axis))
+        return tuple(map(len, self._grids.values()))
 
     @property
     def total(self) -> int:
@@ -59,14 +63,18 @@ class Plan:
         at_point = iter(np.unravel_index(points, self.grid)) if self.grid else iter(())
         parts = iter(self._parts(draws))
         columns = []
-        for axis in self.over.values():
-            column = quantile(axis, next(parts)) if is_random(axis) else grid_values(axis)[next(at_point)]
+        for name, axis in self.over.items():
+            column = quantile(axis, next(parts)) if is_random(axis) else self._grids[name][next(at_point)]
             columns.append(np.ascontiguousarray(column, dtype=float))
         return columns
 
     def _parts(self, draws: Any) -> Array:
         """The draws of these numbers, which go up one by one and begin again after the last."""
         variables = sum(map(is_random, self.over.values()))
+        if variables == 0:
+            return np.empty((0, len(draws)))
+        if self.rows <= len(draws):
+            return unit_draws(self.sampling, self.seed, variables, self.rows, 0, self.rows)[:, draws]
         pieces, at = [], 0
         while at < len(draws):
             first = int(draws[at])
@@ -75,8 +83,12 @@ class Plan:
             at += count
         return np.concatenate(pieces, axis=1)
 
-    def to_json(self) -> str:
+    @functools.cached_property
+    def _json(self) -> str:
         return json.dumps(asdict(self), indent=1) + "\n"
+
+    def to_json(self) -> str:
+        return self._json
 
     @classmethod
     def from_json(cls, text: str) -> Plan:

@@ -101,6 +101,10 @@ def _plan(
     asks, sensitivities = calls.texts(asks, "asks"), calls.texts(sensitivities, "sensitivities")
     if not isinstance(over, Mapping):
         raise TypeError(f"over has what differs by name, as {{'n': span('1000 rpm', '3000 rpm', 21)}}, and is not {over!r}")
+    for one in asks:
+        whole = one.partition(".")[0]
+        if one not in problem.questions and whole in problem.questions:
+            raise ValueError(f"asks has the names of questions: ask for '{whole}', whose components are columns, as study['{one}']")
     if not isinstance(formulas, bool):
         raise TypeError(f"formulas is True or False, not {formulas!r}")
     sets = quantities.given(sets, {})
@@ -145,8 +149,31 @@ def _plan(
     )
     if shard_rows is None and not plan.compiled().has_formulas:
         plan = replace(plan, shard_rows=_ROWS_BY_INSTANT if plan.compiled().by_instants else _ROWS_IN_FULL)
-    plan.compiled()
+    _refuse_asks(problem, plan, sets)
     return plan
+
+
+def _refuse_asks(problem: Problem, plan: Plan, sets: Mapping[str, quantities.Value]) -> None:
+    """What would have no place, or no answer in any row, since letters have no value, is told before all rows."""
+    cases = plan.compiled()
+    for one in cases.columns:
+        if one.name in plan.over:
+            raise ValueError(f"{one.name} is the name of what is varied and of what is asked: give the question another name")
+    if not problem.letters.keys() - plan.over.keys() - sets.keys():
+        return
+    first = {one.name: f"{float(column[0])!r} {one.unit}".strip() for one, column in zip(cases.over, plan.values(0, 1), strict=True)}
+    asked: dict[str, None] = {}
+    needed: dict[str, None] = {}
+    for solution in problem.solve({**sets, **first}, progress=False).solutions:
+        for name in plan.asks or problem.questions:
+            if solution[name].state == "needs_letters":
+                asked[name] = None
+                needed.update(dict.fromkeys(solution[name].letters))
+    if asked:
+        values = ", ".join(f"'{letter}': '... {problem.letters[letter]}'" for letter in needed)
+        raise ValueError(
+            f"{', '.join(asked)} needs values for {', '.join(needed)}: sets={{{values}}} gives them to all rows, over= varies them"
+        )
 
 
 def _sources(problem: Problem) -> Any:

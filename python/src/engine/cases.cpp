@@ -1,6 +1,7 @@
 #include "engine/cases.h"
 
 #include <array>
+#include <cmath>
 
 #include "engine/bindings.h"
 
@@ -58,6 +59,34 @@ CaseShape case_shape(CaseInputs inputs) {
     cases = {count, single};
   }
   return cases;
+}
+
+void refuse_stretching(const EngineModel& model, const CaseInput& q, const CaseShape& cases) {
+  // Of the square of the length: numbers of single precision, and those of many small steps, are nearer.
+  constexpr double one_to = 1e-6;
+  for (const int row : model.quaternions) {
+    const double* const numbers = q.array.data() + static_cast<std::size_t>(row) * cases.count;
+    const auto square = [&](std::size_t k) {
+      double sum = 0;
+      for (std::size_t i = 0; i < 4; ++i) sum += numbers[i * cases.count + k] * numbers[i * cases.count + k];
+      return sum;
+    };
+    double worst = 0;
+    for (std::size_t k = 0; k < cases.count; ++k) worst = std::max(worst, std::fabs(square(k) - 1));
+    if (!(worst > one_to)) continue;
+    std::size_t at = 0;
+    while (!(std::fabs(square(at) - 1) > one_to)) ++at;
+    const std::span<const Body<double>> bodies = model.numbers.bodies();
+    const auto body = std::ranges::find_if(bodies, [&](const Body<double>& one) {
+      return one.q == row && (one.joint == JointType::ball || one.joint == JointType::free);
+    });
+    const std::string& name = model.numbers.names()[static_cast<std::size_t>(body - bodies.begin())];
+    throw nb::value_error(("the quaternion of '" + name + "', q[" + std::to_string(row) + "] to q[" +
+                           std::to_string(row + 3) + "], has the length " + std::to_string(std::sqrt(square(at))) +
+                           (cases.single ? "" : " in case " + std::to_string(at)) +
+                           " and not 1: divide it by this, or take positions from neutral() and integrate()")
+                              .c_str());
+  }
 }
 
 ResultArray new_result(const std::vector<std::size_t>& shape, const CaseShape& cases) {

@@ -81,10 +81,14 @@ struct CaseMemory {
 // A model with what its algorithms need over numbers and over packs.
 struct EngineModel {
   explicit EngineModel(Model<double> own_numbers)
-      : numbers(std::move(own_numbers)), packs(convert<CasePack>(numbers)), single(numbers) {}
+      : numbers(std::move(own_numbers)), packs(convert<CasePack>(numbers)), single(numbers) {
+    for (const Body<double>& body : numbers.bodies())
+      if (body.joint == JointType::ball || body.joint == JointType::free) quaternions.push_back(body.q);
+  }
 
   Model<double> numbers;
   Model<CasePack> packs;
+  std::vector<int> quaternions;  // the row of q at which each begins
   // The memory for single states, which hold the interpreter's lock: to make it takes longer than most calls.
   mutable Case<double> single;
 
@@ -149,6 +153,9 @@ struct CaseShape {
 };
 CaseShape case_shape(CaseInputs inputs);
 
+// Refuses q with quaternions that are not of length one: they would be taken for turns and stretch the bodies.
+void refuse_stretching(const EngineModel& model, const CaseInput& q, const CaseShape& cases);
+
 // A new array: `shape` for a single state, with a last dimension of the cases for several.
 struct ResultArray {
   NumpyArray array;
@@ -194,6 +201,7 @@ NumpyArray for_cases(const EngineModel& model, const CaseInput (&inputs)[N], con
                      int threads, const Work& work) {
   if (threads < 1) throw nanobind::value_error("threads is a whole number, 1 or more");
   const CaseShape cases = case_shape(inputs);
+  if (!model.quaternions.empty()) refuse_stretching(model, inputs[0], cases);
   std::size_t results = 1;
   for (const std::size_t size : shape) results *= size;
   const ResultArray result = new_result(shape, cases);

@@ -10,6 +10,7 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
+#include "problem/plane/planar_words.h"
 #include "problem/quantities/asks_model.h"
 
 namespace poinsot::problem {
@@ -17,10 +18,10 @@ namespace {
 
 const char* const asked_words = "what is asked of the motion";
 
-// A quantity as it is asked for: one column for a number, three for a vector.
+// A quantity as it is asked for: one column for a number, one for each component of a vector.
 struct AskedQuantity {
   Expression whole;
-  bool vector = false;
+  std::vector<std::size_t> components{};  // of a vector: those that are told; empty for a number
 };
 
 Expression quantity_expression(const std::string& text) { return parse_expression(text, "'" + text + "'", Mark{}); }
@@ -95,12 +96,11 @@ Record AskedMotion::Parts::record_for(const std::vector<AskedQuantity>& quantiti
   record.axes = axes;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     const std::string text = to_string(quantities[i].whole), name = "quantity" + std::to_string(i + 1);
-    if (!quantities[i].vector) {
-      record.columns.push_back({name, quantities[i].whole, Mark{}});
-      continue;
-    }
-    for (const std::string& axis : situation().axes)
+    if (quantities[i].components.empty()) record.columns.push_back({name, quantities[i].whole, Mark{}});
+    for (const std::size_t k : quantities[i].components) {
+      const std::string& axis = situation().axes[k];
       record.columns.push_back({name + "." + axis, quantity_expression("(" + text + ")." + axis), Mark{}});
+    }
   }
   return record;
 }
@@ -138,13 +138,8 @@ void AskedMotion::Parts::fill(AskedValues& found, const std::vector<double>& tim
         continue;
       }
       const Value<double> value = instant->ask(quantities[i].whole, axes, nullptr);
-      if (quantities[i].vector) {
-        keep(value.vector.x);
-        keep(value.vector.y);
-        keep(value.vector.z);
-      } else {
-        keep(value.number);
-      }
+      if (quantities[i].components.empty()) keep(value.number);
+      for (const std::size_t k : quantities[i].components) keep(value.vector[k]);
     }
   }
 }
@@ -198,16 +193,21 @@ AskedValues AskedMotion::values(const std::vector<double>& times, const std::vec
   return answered([&] {
     const double last = times.empty() ? 0 : *std::ranges::max_element(times);
     Course& course = parts.followed(last);
+    // In a plane, as in questions of a file: numbers along the normal, two components in the plane.
+    const Situation& situation = parts.situation();
+    const auto plane = situation.plane ? std::optional(PlanarWords(situation)) : std::nullopt;
+    const std::vector<std::size_t> told =
+        plane ? std::vector{situation.plane->first, situation.plane->second} : std::vector<std::size_t>{0, 1, 2};
     std::vector<AskedQuantity> quantities;
     for (const std::string& text : texts) {
-      const Expression expression = quantity_expression(text);
+      const Expression stated = quantity_expression(text);
+      const Expression expression = plane ? plane->as_number(stated) : stated;
       const Value<double> value = course.value(0, expression, axes);
       if (!value.is_number() && !value.is_vector())
         fail(file, Mark{}, "'" + text + "' is no number and no vector", "ask for it in the file");
-      quantities.push_back({expression, value.is_vector()});
+      quantities.push_back({expression, value.is_vector() ? told : std::vector<std::size_t>()});
       AskedSeries series{si_unit(value.dimension, asks_energy(expression)), {}, {}};
-      if (value.is_vector())
-        series.component_names.assign(parts.situation().axes.begin(), parts.situation().axes.end());
+      for (const std::size_t k : quantities.back().components) series.component_names.push_back(situation.axes[k]);
       found.series.push_back(std::move(series));
     }
     if (quantities.empty() || times.empty()) return found;

@@ -99,7 +99,17 @@ CompiledCases::CompiledCases(const Statement& statement, CasesAsked asked)
     fail(statement_.file, Mark{1, 1}, "the first case has no solution",
          solved.warnings.empty() ? "" : solved.warnings.front());
   take_shape(solved.solutions.front());
+  if (columns_.empty()) refuse_shapeless(solved.solutions.front());
   make_program();
+}
+
+void CompiledCases::refuse_shapeless(const Solution& first) const {
+  for (std::size_t i = 0; i < first.asks.size(); ++i)
+    if (const std::string reason = reason_of(first.asks[i]); !reason.empty())
+      fail(statement_.file, statement_.asks[i].mark,
+           "'" + statement_.asks[i].name + "' has no answer in the first case: " + reason,
+           "its form is taken from there: begin with values at which it has one, or leave it out by asks");
+  fail(statement_.file, Mark{1, 1}, "nothing has a number in the first case");
 }
 
 void CompiledCases::find_places(const std::vector<std::string>& sensitivities) {
@@ -114,11 +124,7 @@ void CompiledCases::find_places(const std::vector<std::string>& sensitivities) {
 // At the first case, whose solution must be the only one: what is determined there, whatever is left open, is so by
 // the form of the equations.
 void CompiledCases::make_program() {
-  const auto has_no_place = [](const Situation& situation) {
-    return !situation.choose.empty() || !situation.neglect.empty() || has_later_facts(situation);
-  };
-  if (first_.size() != data_.size() || !all_have_values_ || !asks_instants_alone(statement_) ||
-      std::ranges::any_of(statement_.situations, has_no_place)) {
+  if (first_.size() != data_.size() || !all_have_values_ || !may_be_confirmed(statement_)) {
     no_program_ = "more than instants is asked about";
     return;
   }
@@ -171,7 +177,8 @@ void CompiledCases::take_shape(const Solution& solution) {
     const std::vector<Dimension> parts = in_formula.empty() ? dimensions_in(ask.value) : in_formula;
     if (parts.empty() || !ask.columns.empty()) {
       columns_.clear();
-      if (!ask.columns.empty() || ask.value.is_list() || ask.value.is_text())
+      sizes_.clear();
+      if (!ask.columns.empty() || ask.value.is_list() || ask.value.is_text() || ask.value.is_boolean())
         fail(statement_.file, statement_.asks[i].mark, "'" + name + "' is no number, no vector and no list of numbers",
              "a study asks for numbers: leave it out by asks");
       return;
@@ -234,9 +241,21 @@ std::string CompiledCases::solve_row(const Columns& data, std::size_t row, Purpo
 }
 
 bool CompiledCases::is_refuted(const Columns& data, std::size_t row, const SolvedCases& found,
-                               const std::vector<double>& sizes) const {
+                               const std::vector<double>& sizes, bool& quickly) const {
+  const bool finite = std::ranges::all_of(data, [&](const auto& column) { return std::isfinite(column[row]); });
+  // A full solution decides in doubt.
+  if (quickly && finite) {
+    const auto confirmed = confirmed_numbers(statement_, settings_at(data, row).front());
+    quickly = confirmed && confirmed->size() == answers_ && agree(*confirmed, row, found, sizes);
+    if (quickly) return derivatives_differ(data, row, found);
+  }
   std::vector<double> numbers;
-  if (!solve_row(data, row, Purpose::compared, numbers).empty()) return true;
+  return !solve_row(data, row, Purpose::compared, numbers).empty() || !agree(numbers, row, found, sizes) ||
+         derivatives_differ(data, row, found);
+}
+
+bool CompiledCases::agree(const std::vector<double>& numbers, std::size_t row, const SolvedCases& found,
+                          const std::vector<double>& sizes) const {
   std::size_t at = 0;
   for (const std::size_t parts : sizes_) {
     double off = 0, size = 0, usual = 0;
@@ -245,9 +264,9 @@ bool CompiledCases::is_refuted(const Columns& data, std::size_t row, const Solve
       size = std::max(size, std::fabs(numbers[at]));
       usual = std::max(usual, sizes[at]);
     }
-    if (!(off <= same_answer * size + cancelled * usual)) return true;
+    if (!(off <= same_answer * size + cancelled * usual)) return false;
   }
-  return derivatives_differ(data, row, found);
+  return true;
 }
 
 bool CompiledCases::no_letters_left() const {
@@ -295,11 +314,13 @@ void CompiledCases::check(const Columns& data, std::uint64_t first, SolvedCases&
   for (std::size_t k = 0; k < sizes.size(); ++k)
     for (std::size_t row = 0; row < found.roads.size(); ++row)
       if (found.roads[row] != CaseRoad::in_full) sizes[k] = std::max(sizes[k], std::fabs(found.columns[k][row]));
+  // What is confirmed quickly once is most often so in all rows, and what is not in none.
+  bool quickly = all_have_values_ && may_be_confirmed(statement_);
   const std::size_t to_first = (cases_to_a_check - first % cases_to_a_check) % cases_to_a_check;
   for (std::size_t row = to_first; row < found.roads.size(); row += cases_to_a_check) {
     if (found.roads[row] == CaseRoad::in_full) continue;
     ++found.checked;
-    if (is_refuted(data, row, found, sizes)) ++found.refuted;
+    if (is_refuted(data, row, found, sizes, quickly)) ++found.refuted;
   }
   if (found.refuted == 0) return;
   std::ranges::fill(found.roads, CaseRoad::in_full);
