@@ -154,6 +154,9 @@ struct Arrow {
   std::string formula{};
   bool known = false;   // whether the statement gives it, as a load is given
   bool swings = false;  // whether it is an amplitude: it acts to and fro
+  // Whether the equations leave its size open: `vector` is then a unit vector in the sense that counts as positive,
+  // and there is no value.
+  bool open = false;
 };
 
 enum class DiagramKind {

@@ -93,6 +93,11 @@ std::string formula_code(const Answer& answer, const Datum& formula) {
   return answer.component_names.empty() || has_brackets(formula) ? "`" + text + "`" : "`(" + text + ")`";
 }
 
+// What takes lines of its own.
+bool is_table(const Answer& answer) {
+  return answer.state == AnswerState::found && !answer.claim && !answer.columns.empty();
+}
+
 std::string answer_value(const Answer& answer) {
   switch (answer.state) {
     case AnswerState::found:
@@ -112,7 +117,7 @@ std::string answer_value(const Answer& answer) {
       return "refused: " + answer.reason;
   }
   if (answer.claim) return answer.claim->holds ? "holds, " + answer.claim->how : "does not hold";
-  if (!answer.columns.empty()) {
+  if (is_table(answer)) {
     std::vector<std::string> heads;
     std::vector<std::vector<std::string>> cells;
     if (!answer.component_names.empty()) {
@@ -121,7 +126,7 @@ std::string answer_value(const Answer& answer) {
       cells.front().resize(answer.columns.front().value.size());
     }
     for (const Column& column : shown_columns(answer)) {
-      heads.push_back(column.name + (column.unit.empty() ? "" : " in " + column.unit));
+      heads.push_back(printable(column.name + (column.unit.empty() ? "" : " in " + column.unit)));
       cells.push_back(rounded_column(column.value, significant_digits));
     }
     // Indented, it belongs to the item of its question.
@@ -147,10 +152,9 @@ std::string answers_section(const Solution& solution) {
                                                     : datum_text(unknown.value, unknown.unit, significant_digits))) +
         "\n";
   for (const Answer& answer : solution.answers)
-    text +=
-        printable(fmt::format("* *{}*, {}: {}", answer.name,
-                              answer.words.empty() ? markdown_code(answer.ask) : answer.words, answer_value(answer))) +
-        "\n";
+    text += printable(fmt::format("* *{}*, {}:", answer.name,
+                                  answer.words.empty() ? markdown_code(answer.ask) : answer.words)) +
+            (is_table(answer) ? answer_value(answer) : printable(" " + answer_value(answer))) + "\n";
   const std::vector<std::string> assumptions = assumptions_in_words(solution);
   if (!assumptions.empty()) text += fmt::format("\nwhere {}\n", fmt::join(assumptions, ", "));
   for (const std::string& note : solution.notes) text += "\n" + printable(note) + "\n";

@@ -105,12 +105,15 @@ Json arrow_json(const scene::Arrow& arrow) {
             {"at", place_json(arrow.at)},
             {"vector", exact_vector_json(arrow.vector)},
             {"symbol", arrow.symbol},
-            {"text", arrow.text},
-            {"value", arrow.value},
-            {"unit", arrow.unit}};
+            {"text", arrow.text}};
+  if (!arrow.open) {
+    json["value"] = arrow.value;
+    json["unit"] = arrow.unit;
+  }
   if (!arrow.formula.empty()) json["formula"] = arrow.formula;
   json["known"] = arrow.known;
   if (arrow.swings) json["swings"] = true;
+  if (arrow.open) json["open"] = true;
   return json;
 }
 

@@ -194,7 +194,7 @@ std::string scene_definitions() {
     },
     "arrow": {
       "type": "object",
-      "required": ["quantity", "name", "body", "at", "vector", "symbol", "text", "value", "unit", "known"],
+      "required": ["quantity", "name", "body", "at", "vector", "symbol", "text", "known"],
       "additionalProperties": false,
       "properties": {
         "quantity": {"$ref": "#/$defs/quantity"},
@@ -204,11 +204,12 @@ std::string scene_definitions() {
         "vector": {"$ref": "#/$defs/vector", "description": "on ground axes; never zero"},
         "symbol": {"type": "string", "description": "TeX"},
         "text": {"type": "string", "description": "the symbol as plain text with _ before an index"},
-        "value": {"type": "number", "description": "the size, or the component where the symbol stands for one, in unit"},
+        "value": {"type": "number", "description": "the size, or the component where the symbol stands for one, in unit; left out with its unit where it is open"},
         "unit": {"type": "string"},
         "formula": {"type": "string", "description": "of value in SI units, if letters have no value"},
         "known": {"type": "boolean", "description": "whether the statement gives it"},
-        "swings": {"type": "boolean", "description": "whether it is an amplitude"}
+        "swings": {"type": "boolean", "description": "whether it is an amplitude"},
+        "open": {"type": "boolean", "description": "whether the equations leave its size open: vector is then a unit vector in the sense that counts as positive"}
       }
     },
     "scene_dimension": {

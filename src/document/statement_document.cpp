@@ -125,7 +125,10 @@ Solution solution_of(const problem::Statement& stated, const problem::Solution& 
   solution.assumptions = solved.assumptions;
   for (const problem::FormulaCondition& condition : solved.conditions)
     solution.conditions.push_back({condition.words, formula_words(condition.positive) + " > 0"});
-  solution.notes = solved.notes;
+  // How a motion was followed up to a time, and beyond it, begins in the same way: what tells more is enough.
+  for (const std::string& note : solved.notes)
+    if (std::ranges::none_of(solved.notes, [&](const std::string& other) { return other.starts_with(note + ", "); }))
+      solution.notes.push_back(note);
   return solution;
 }
 

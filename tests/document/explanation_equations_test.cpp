@@ -386,5 +386,108 @@ ask: {N: reaction(floor) @ 1 s, N0: reaction(floor), v: velocity(ball) @ 1 s}
   EXPECT_EQ(text.find(words, said + 1), std::string::npos);
 }
 
+// Beer and Johnston's rate of H is asked for about a point: the solution has that point and no other.
+TEST(ExplainedEquations, TheRateOfAnAngularMomentumIsDerivedAboutThePointThatIsAskedFor) {
+  const auto text_about = [](const char* point) {
+    return explained(fmt::format(
+        "title: t\npoints: {{D: [0, 0, 0], A: [-1 m, 0, 0], B: [1 m, 0, 0], C: [-0.3 m, 0.6 m, 0], E: [0.3 m, -0.6 m, "
+        "0]}}\nbodies: {{r: {{rod: [C, E], mass: 2 kg}}}}\njoints: {{b: {{revolute: A->B, to: r, rate: 12 rad/s, "
+        "accel: "
+        "0}}}}\nask: {{a: 'rate(angular_momentum(r about {}))'}}\n",
+        point));
+  };
+  const std::string about_center = text_about("D"), about_end = text_about("B");
+  EXPECT_NE(about_center.find("\\dot{\\mathbf{H}}_{G}"), std::string::npos) << about_center;
+  EXPECT_EQ(about_center.find("\\mathbf{H}_{A}"), std::string::npos) << about_center;
+  EXPECT_EQ(about_center.find("about $A$"), std::string::npos) << about_center;
+  EXPECT_NE(about_end.find("\\dot{\\mathbf{H}}_{B}"), std::string::npos) << about_end;
+  EXPECT_EQ(about_end.find("\\mathbf{H}_{A}"), std::string::npos) << about_end;
+}
+
+// A constant couple M on a wheel of moment I for a time t gives it the rate M t/I.
+TEST(ExplainedEquations, AStageInWhichNothingChangesIsDerivedAtItsStart) {
+  const auto with_couple = [](const char* couple) {
+    return explained(fmt::format(
+        "title: t\npoints: {{O: [0, 0, 0], A: [0.3 m, 0, 0]}}\nbodies: {{w: {{disk: {{center: O, normal: z, radius: "
+        "0.5 "
+        "m}}, mass: 4 kg, added: {{lump: {{particle: A, mass: 1 kg}}}}}}}}\njoints: {{axle: {{revolute: z, at: O, to: "
+        "w, "
+        "angle: q}}}}\nloads: {{drive: {{couple: [0, 0, {}], body: w}}}}\ngravity: none\nstages: {{driven: {{lasts: 3 "
+        "s}}, coasting: {{loads: []}}}}\ninstants: {{driven.start: {{q': 0.4 rad/s, q: 0}}}}\n"
+        "ask: {{F: {{of: reaction(axle) @ coasting, axes: w}}}}\n",
+        couple));
+  };
+  const std::string text = with_couple("0.59 N*m");
+  // I = 4*0.5^2/2 + 0.3^2 = 0.59 kg m^2: the rate grows by 1 rad/s each second.
+  EXPECT_NE(text.find("## Stage *driven*"), std::string::npos) << text;
+  EXPECT_NE(text.find("\\dot{q} = \\dot{q}_{0} + \\ddot{q}\\,\\Delta t = 3.4\\ \\mathrm{rad/s}"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("\\ddot{q} = 1\\ \\mathrm{rad/s^{2}}"), std::string::npos) << text;
+  // The force toward the axle is 1*0.3*3.4^2 on the axes of the wheel, which has turned by 0.4*3 + 3^2/2 rad.
+  const std::size_t axes = text.find("## On the axes of *w*");
+  ASSERT_NE(axes, std::string::npos) << text;
+  EXPECT_NE(text.find("\\mathbf{F}\\cdot\\mathbf{i}' = -3.468\\ \\mathrm{N}", axes), std::string::npos) << text;
+  EXPECT_NE(text.find(fmt::format("{:.6g}", std::cos(5.7)), axes), std::string::npos) << text;
+  // Where the couple changes, nothing of that kind is said.
+  EXPECT_EQ(with_couple("0.59 N*m - 0.1 N*m*s * q'").find("## Stage *driven*"), std::string::npos);
+}
+
+TEST(ExplainedEquations, ATableHasALineForEachOfItsRows) {
+  const std::string text = explained(
+      "title: t\ngiven: {m: 2 kg, v: 3 m/s}\npoints: {O: [0, 0, 0]}\nbodies: {b: {particle: O, mass: m}}\n"
+      "instants: {now: {velocity(b): [v, 0, 0]}}\nask: {T: {table: {v: v, E: kinetic_energy(b)}, over: {v: 1 m/s .. 3 "
+      "m/s by 1 m/s}}}\n");
+  EXPECT_NE(text.find(":\n\n  | v in m/s | E in "), std::string::npos) << text;
+  EXPECT_NE(text.find("|\n  |---:|---:|\n  | 1"), std::string::npos) << text;
+  EXPECT_NE(text.find("|\n  | 3"), std::string::npos) << text;
+}
+
+// A body of revolution with I = 2, I' = 5 kg m^2 that turns at (3, 0, 4) rad/s: H = (15, 0, 8), |H| = 17.
+TEST(ExplainedEquations, FreePrecessionFollowsFromTheAngularMomentum) {
+  const std::string text = explained(
+      "title: t\npoints: {G: [0, 0, 0]}\nbodies: {can: {mass: 20 kg, center: G, inertia: {axis: z, axial: 2 kg*m^2, "
+      "transverse: 5 kg*m^2}}}\ngravity: none\ninstants: {now: {angular_velocity(can): [3 rad/s, 0, 4 rad/s], "
+      "velocity(can): [0, 0, 0]}}\nask: {p: precession_rate(can), s: spin_rate(can), g: body_cone(can)}\n");
+  const std::size_t free = text.find("## Free motion");
+  ASSERT_NE(free, std::string::npos) << text;
+  EXPECT_NE(text.find("\\mathbf{H}_{G} = (15\\,\\mathbf{i} + 8\\,\\mathbf{k})", free), std::string::npos) << text;
+  const auto tells = [&](const std::string& symbol, double value) {
+    const std::size_t at = text.find(symbol, free);
+    return at != std::string::npos &&
+           text.substr(at, text.find('\n', at) - at).find(fmt::format("{:.6g}", value)) != std::string::npos;
+  };
+  EXPECT_TRUE(tells("\\theta &= ", std::atan2(15, 8) * 180 / std::numbers::pi)) << text;
+  EXPECT_TRUE(tells("\\dot{\\phi} &= \\frac{H_{G}}{I'} = ", 17.0 / 5)) << text;
+  // The spin is what is left of the turning about the axis: 4 - 3.4*8/17.
+  EXPECT_TRUE(tells("\\dot{\\psi} &= ", 2.4)) << text;
+  EXPECT_TRUE(tells("\\gamma &= ", std::atan2(3, 4) * 180 / std::numbers::pi)) << text;
+}
+
+// P against nothing moves a car of mass m: a particle at which its forces meet has no other equation.
+TEST(ExplainedEquations, AParticleWhoseForcesMeetHasTheEquationOfItsForces) {
+  const std::string text = explained(
+      "title: t\ngiven: {m: 1200 kg, P: 6 kN}\npoints: {O: [0, 0, 0]}\nbodies: {car: {particle: O, mass: m}}\njoints: "
+      "{road: {prismatic: x, at: O, to: car, displacement: s, force: P}}\ngravity: none\ninstants: {start: {s: 0, s': "
+      "3 "
+      "m/s}}\nask: {a: s''}\n");
+  EXPECT_NE(text.find("\\Sigma F_{x}: && P &= m\\,\\ddot{s}"), std::string::npos) << text;
+}
+
+// A spring that is held a hundred metres away makes no moment of a hundredth of a newton metre a rounding.
+TEST(ExplainedEquations, WhatIsHeldFarAwayMakesNothingARounding) {
+  const std::string text = explained(
+      "title: t\ngiven: {k: 500 N/m, b: 50 mm, s: 100 rad/s, W: 0.3 rad/s}\npoints: {O: [0, 0, 0], A: [0, 0, b], C: "
+      "[0, "
+      "-100 m, b]}\nfind: {tilt: deg}\nwhere: [-45 deg < tilt < 45 deg]\nframes: {airplane: {turns: y, rate: W}}\n"
+      "bodies: {yoke: massless, disk: {disk: {center: O, normal: z, radius: 40 mm}, mass: 0.2 kg}}\n"
+      "joints: {pivot: {revolute: x, at: O, from: airplane, to: yoke, angle: tilt}, axle: {revolute: z, at: O, from: "
+      "yoke, "
+      "to: disk, rate: s, accel: 0}}\nsprings: {AC: {from: airplane, at: C, to: yoke, end: A, stiffness: k, "
+      "free_length: "
+      "100 m}}\ngravity: none\nsteady: {frame: airplane}\nask: {a: tilt}\n");
+  EXPECT_EQ(text.find("\\dot{\\mathbf{H}}_{O} = \\mathbf{0}"), std::string::npos) << text;
+  EXPECT_NE(text.find("\\Sigma M_{x}: &&"), std::string::npos) << text;
+}
+
 }  // namespace explanation_equations_test
 }  // namespace poinsot::document

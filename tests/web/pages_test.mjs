@@ -359,7 +359,7 @@ test("drawings are dark in the dark, and tell their values where the mouse rests
   const path = pageOf("textbook/18.066");
   const lightness = async (scheme) => {
     const { page, wrong, close } = await open(browser, path, { scheme });
-    const figure = page.locator("figure > svg").first();
+    const figure = page.locator("figure svg").first();
     const shot = (await figure.screenshot({ type: "png" })).toString("base64");
     const mean = await page.evaluate(async (png) => {
       const image = new Image();

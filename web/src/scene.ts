@@ -69,11 +69,12 @@ export interface Arrow {
   vector: Vector;
   symbol: string; // TeX
   text: string;
-  value: number;
-  unit: string;
+  value?: number; // left out with its unit where it is open
+  unit?: string;
   formula: string;
   known: boolean;
   swings?: boolean; // whether it is an amplitude
+  open?: boolean; // whether the equations leave its size open: `vector` is then a unit vector
 }
 
 export interface Diagram {

@@ -18,6 +18,7 @@ constexpr double over_length = 10;  // and for each unit of its length
 constexpr double over_label = 5000;
 constexpr double reads_on = 14, apart = 9;  // labels on one line, nearer than this, read as one word
 constexpr double clear = 1.5;               // around a label, free of lines
+constexpr double misread = 12;              // where a label would be read as of something else
 constexpr double leader_beyond = 15;
 constexpr std::array<double, 14> distances{0, 4, 9, 15, 22, 30, 40, 52, 66, 84, 110, 150, 210, 300};
 constexpr double most_for_optional = 40, most_among_many = 12;
@@ -221,6 +222,7 @@ class Placement {
     if (sum >= least) return sum;
     if (with_leader) sum += 2.5 * obstacles_.crossings(here.leader->first, here.leader->second);
     if (over_body_ && over_body_(box.center())) sum += 2;
+    if (requests_[i].misread && requests_[i].misread(box.center())) sum += misread;
     return sum;
   }
 

@@ -22,6 +22,8 @@ struct LabelRequest {
   double importance = 1;  // the more important are placed first
   bool may_lack = false;  // whether it is left out where there is no room near
   Ink leader = Ink::grey;
+  // Where its middle would be read as of something else; nowhere if empty.
+  std::function<bool(Point2)> misread{};
 };
 
 // Places the labels, with lines to what they name where they stand away from it. `marks` are what is drawn already;

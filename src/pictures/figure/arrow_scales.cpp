@@ -59,6 +59,7 @@ bool turns(Quantity quantity) {
 }
 
 void Largest::include(const scene::Arrow& arrow) {
+  if (arrow.open) return;
   double& largest = of[static_cast<std::size_t>(scale_of(arrow.quantity))];
   if (const double size = norm(arrow.vector); std::isfinite(size)) largest = std::max(largest, size);
 }

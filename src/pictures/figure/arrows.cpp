@@ -18,6 +18,7 @@ constexpr double head_length = 10, head_half_width = 3.4;
 constexpr double around = 0.42;  // where the curved arrow of a turning goes around its shaft, as a part of it
 constexpr double shortest_turning = 46;
 constexpr double to_and_fro = 0.6;  // of the length of what acts in one sense
+constexpr double open_arrow = 0.5;  // of the longest, of one whose size is open
 constexpr double past_symbol = 18;  // how far a symbol reaches from its middle
 
 enum class Head { full, open, hollow };
@@ -110,13 +111,13 @@ class ArrowDrawer {
   void draw(const scene::Arrow& arrow) {
     const double size = norm(arrow.vector);
     const double largest = largest_.of[static_cast<std::size_t>(scale_of(arrow.quantity))];
-    if (!(size > rounding_part * largest) || !std::isfinite(size)) return;
-    const double to_scale = longest_arrow * size / largest;
+    if (!std::isfinite(size) || (!arrow.open && !(size > rounding_part * largest))) return;
+    const double to_scale = longest_arrow * (arrow.open ? open_arrow : size / largest);
     const bool marked = to_scale < shortest_arrow;
     const double full = std::max(to_scale, shortest_arrow);
     const Vector direction = arrow.vector / size;
     const Point2 seen = panel_.projection.direction_of(direction);
-    const Point2 at = panel_.paper(arrow.at);
+    const Point2 at = middle_of_block(panel_, arrow).value_or(panel_.paper(arrow.at));
     if (arrow.quantity == Quantity::unbalance) return unbalance(arrow, at, pictures::direction(seen, {1, 0}));
     if (norm(seen) < end_on_part) return end_on(arrow, at, dot(direction, panel_.projection.view().viewer) > 0);
     // What is not to scale has its least length on the paper.
@@ -137,6 +138,7 @@ class ArrowDrawer {
     draw_head(panel_, shaft.tip, along, style);
     if (arrow.swings && !doubled) draw_head(panel_, shaft.tail, -along, style);
     if (marked) mark(shaft, style, doubled);
+    if (arrow.open) stroke_across(shaft, style, doubled ? 0.12 : 0.28);
     drawn_.push_back(shaft);
     label(arrow, shaft, along);
   }
@@ -150,7 +152,8 @@ class ArrowDrawer {
     const Point2 side = turned_left(direction(arm));
     Shaft best{at, at + arm};
     double least = 1e9;
-    const bool movable = turns(arrow.quantity);
+    // So may how a frame of reference moves, since all of it does.
+    const bool movable = turns(arrow.quantity) || is_of_frame(arrow);
     constexpr double beside = 20;
     const auto attempt = [&](const Shaft& shaft, double cost) {
       // What may be moved does not lie on a body from which its line has a way out.
@@ -283,12 +286,14 @@ class ArrowDrawer {
   // Two strokes across the shaft.
   void mark(const Shaft& shaft, const Style& style, bool turning) {
     panel_.not_to_scale = true;
-    const Point2 along = direction(shaft.tip - shaft.tail), side = turned_left(along);
     // Clear of the arrow that goes around.
-    for (const double part : turning ? std::array{0.08, 0.17} : std::array{0.22, 0.34}) {
-      const Point2 at = shaft.tail + part * (shaft.tip - shaft.tail);
-      panel_.line({at - 4.0 * side - 1.5 * along, at + 4.0 * side + 1.5 * along}, Role::arrow, 1, style.ink);
-    }
+    for (const double part : turning ? std::array{0.08, 0.17} : std::array{0.22, 0.34})
+      stroke_across(shaft, style, part);
+  }
+  void stroke_across(const Shaft& shaft, const Style& style, double part) {
+    const Point2 along = direction(shaft.tip - shaft.tail), side = turned_left(along);
+    const Point2 at = shaft.tail + part * (shaft.tip - shaft.tail);
+    panel_.line({at - 4.0 * side - 1.5 * along, at + 4.0 * side + 1.5 * along}, Role::arrow, 1, style.ink);
   }
 
   // A vector along the line of sight: a circle with the point or the feathers of an arrow; a turning goes around.
@@ -340,7 +345,7 @@ class ArrowDrawer {
 
   // Where letters are drawn with values that nobody stated, a number would say something that does not hold.
   bool has_value(const scene::Arrow& arrow) const {
-    return std::isfinite(arrow.value) && panel_.scene.drawn_letters.empty();
+    return !arrow.open && std::isfinite(arrow.value) && panel_.scene.drawn_letters.empty();
   }
 
   // What it is and how large, for who points at it.

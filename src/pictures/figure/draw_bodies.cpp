@@ -46,18 +46,11 @@ bool is_joint_at(const Panel& panel, int body, const Vector& place) {
 // A block on the surface that a particle touches; a ball at a joint; else a dot.
 void draw_particle(Panel& panel, int body, const Vector& place, double strength) {
   const Point2 at = panel.projection(place);
-  if (const scene::Symbol* contact = contact_at(panel, body, place)) {
-    constexpr double half_width = 15, height = 18, least_seen = 0.5;
-    const Point2 seen = panel.projection.direction_of(axis_on_ground(panel, *contact));
-    if (norm(seen) > least_seen) {
-      const Point2 up = direction(seen), side = turned_left(up);
-      const std::vector<Point2> block{at - half_width * side, at + half_width * side,
-                                      at + half_width * side + height * up, at - half_width * side + height * up};
-      panel.marks.emplace_back(Fill{.loops = {block}, .color = tone_of(body), .bordered = true, .opacity = strength});
-      panel.marks.emplace_back(Stroke{
-          .points = block, .width = silhouette_width, .role = Role::outline, .closed = true, .opacity = strength});
-      return;
-    }
+  if (const std::vector<Point2> block = block_of_particle(panel, body, place); !block.empty()) {
+    panel.marks.emplace_back(Fill{.loops = {block}, .color = tone_of(body), .bordered = true, .opacity = strength});
+    panel.marks.emplace_back(
+        Stroke{.points = block, .width = silhouette_width, .role = Role::outline, .closed = true, .opacity = strength});
+    return;
   }
   panel.marks.emplace_back(Fill{.loops = {circle(at, is_joint_at(panel, body, place) ? ball_radius : particle_radius)},
                                 .color = "#333333",
@@ -120,6 +113,30 @@ void draw_hidden_edges(Panel& panel, double strength) {
 
 }  // namespace
 
+std::vector<Point2> block_of_particle(const Panel& panel, int body, const Vector& place) {
+  const scene::Symbol* contact = contact_at(panel, body, place);
+  if (contact == nullptr) return {};
+  constexpr double half_width = 15, height = 18, least_seen = 0.5;
+  const Point2 seen = panel.projection.direction_of(axis_on_ground(panel, *contact));
+  if (!(norm(seen) > least_seen)) return {};
+  const Point2 at = panel.projection(place), up = direction(seen), side = half_width * turned_left(up);
+  return {at - side, at + side, at + side + height * up, at - side + height * up};
+}
+
+std::optional<Point2> middle_of_block(const Panel& panel, const scene::Arrow& arrow) {
+  const int body = arrow.at.body;
+  if (body < 0 || std::ranges::none_of(panel.solids, [&](const Solid& solid) {
+        return solid.body == body && solid.extent == scene::Extent::point;
+      }))
+    return std::nullopt;
+  const Vector place = panel.ground(arrow.at);
+  const std::vector<Point2> block = block_of_particle(panel, body, place);
+  if (block.empty()) return std::nullopt;
+  const std::string& surface = contact_at(panel, body, place)->name;
+  if (arrow.name == surface || arrow.name == "friction at " + surface) return std::nullopt;
+  return 0.5 * (block[0] + block[2]);
+}
+
 bool Panel::draws(int body) const { return body < 0 || std::ranges::find(bodies, body) != bodies.end(); }
 
 void Panel::seen_line(const Vector& from, const Vector& to, Role role, double width, Ink ink, Dash dash) {
@@ -175,6 +192,13 @@ void draw_bodies(Panel& panel, double strength) {
                                     .closed = line.closed,
                                     .opacity = strength});
   draw_hidden_edges(panel, strength);
+  for (SeenLine& line : lines_of_hidden_bodies(panel.solids, lines, panel.projection, panel.visibility))
+    panel.marks.emplace_back(Stroke{.points = std::move(line.points),
+                                    .width = edge_width,
+                                    .dash = Dash::hidden,
+                                    .role = Role::outline,
+                                    .closed = line.closed,
+                                    .opacity = strength});
   // Stand-ins are no more than pictures: what they hide shines through.
   constexpr double through = 0.3;
   draw_rods(panel, std::move(lines.rods_within), through * strength);

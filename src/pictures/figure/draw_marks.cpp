@@ -1,6 +1,7 @@
 // Axes, named points, curves, cones.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -185,14 +186,27 @@ void draw_body_names(Panel& panel) {
       if (solid.body == body && !solid.hole && !is_arm(solid))
         for (const Vector& vertex : solid.vertices) box.include(panel.projection(vertex));
     if (box.empty()) continue;
-    panel.labels.push_back({std::move(label),
-                            {{box.center(), {}, 3, 0},
-                             {{box.center().x, box.top}, {0, -1}, 4, 2},
-                             {{box.center().x, box.bottom}, {0, 1}, 4, 2},
-                             {{box.left, box.center().y}, {-1, 0}, 4, 2},
-                             {{box.right, box.center().y}, {1, 0}, 4, 2}},
-                            0.5,
-                            true});
+    std::vector<Solid> solids;
+    for (const Solid& solid : panel.solids) {
+      if (solid.body != body) continue;
+      solids.push_back(solid);
+      if (solid.extent != scene::Extent::point) continue;
+      for (const Vector& vertex : solid.vertices)
+        for (const Point2& corner : block_of_particle(panel, body, vertex)) box.include(corner);
+    }
+    // On another body it would be read as that one's.
+    const auto alone = std::make_shared<const Visibility>(solids, panel.projection);
+    panel.labels.push_back(
+        {std::move(label),
+         {{box.center(), {}, 3, 0},
+          {{box.center().x, box.top}, {0, -1}, 4, 2},
+          {{box.center().x, box.bottom}, {0, 1}, 4, 2},
+          {{box.left, box.center().y}, {-1, 0}, 4, 2},
+          {{box.right, box.center().y}, {1, 0}, 4, 2}},
+         0.5,
+         true,
+         Ink::grey,
+         [alone, &panel](Point2 at) { return panel.visibility.over_body(at) && !alone->over_body(at); }});
   }
 }
 

@@ -1,6 +1,7 @@
 // What stands on the ground beside bodies: posts that cords are led round, surfaces that are touched later, what pulls.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "pictures/figure/panel.h"
 
@@ -9,8 +10,31 @@ namespace {
 
 constexpr double hatch_distance = 5;
 
-// Strokes across a convex area, as a draughtsman marks what is fixed.
+// Where a line at a level across a convex area begins and ends, along it.
+std::optional<Interval> chord(const std::vector<Point2>& points, Point2 along, Point2 across, double level) {
+  double begin = 1e300, end = -1e300;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point2 &a = points[i], &b = points[(i + 1) % points.size()];
+    const double u = dot(a, across) - level, v = dot(b, across) - level;
+    if ((u > 0) == (v > 0)) continue;
+    const double place = dot(a + (u / (u - v)) * (b - a), along);
+    begin = std::min(begin, place);
+    end = std::max(end, place);
+  }
+  return begin < end ? std::optional(Interval{begin, end}) : std::nullopt;
+}
+
+// Strokes inside the border of a convex area, as a draughtsman marks what is fixed: all of what is small, and of what
+// is large a rim, so that there is room within.
 void hatch_area(Panel& panel, const std::vector<Point2>& points) {
+  constexpr double rim = 9, small = 3 * rim;
+  Box box;
+  for (const Point2& p : points) box.include(p);
+  const Point2 middle = box.center();
+  const double half = 0.5 * std::min(box.width(), box.height());
+  std::vector<Point2> within;
+  if (half > small)
+    for (const Point2& p : points) within.push_back(middle + (1 - rim / half) * (p - middle));
   const Point2 along = direction(Point2{1, -1}), across = turned_left(along);
   double low = 1e300, high = -1e300;
   for (const Point2& p : points) {
@@ -18,17 +42,17 @@ void hatch_area(Panel& panel, const std::vector<Point2>& points) {
     high = std::max(high, dot(p, across));
   }
   for (double level = low + 0.5 * hatch_distance; level < high; level += hatch_distance) {
-    double begin = 1e300, end = -1e300;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Point2 &a = points[i], &b = points[(i + 1) % points.size()];
-      const double u = dot(a, across) - level, v = dot(b, across) - level;
-      if ((u > 0) == (v > 0)) continue;
-      const double place = dot(a + (u / (u - v)) * (b - a), along);
-      begin = std::min(begin, place);
-      end = std::max(end, place);
-    }
-    if (begin < end)
+    const std::optional<Interval> whole = chord(points, along, across, level);
+    if (!whole) continue;
+    const auto stroke = [&](double begin, double end) {
       panel.line({begin * along + level * across, end * along + level * across}, Role::symbol, 0.6, Ink::grey);
+    };
+    if (const std::optional<Interval> free = chord(within, along, across, level)) {
+      stroke(whole->first, free->first);
+      stroke(free->second, whole->second);
+    } else {
+      stroke(whole->first, whole->second);
+    }
   }
 }
 

@@ -156,6 +156,8 @@ std::string description(const Scene& scene, const std::vector<const Diagram*>& d
       text += (i > 0 ? ", " : "") + (arrow.text.empty() ? arrow.name : arrow.text);
       if (!arrow.formula.empty())
         text += " = " + arrow.formula;
+      else if (arrow.open)
+        text += ", whose size is open";
       else if (scene.drawn_letters.empty())
         text += " = " + value_text(arrow.value, arrow.unit);
     }
@@ -273,10 +275,9 @@ Drawing figure(const Scene& scene, const FigureName& name, const std::string& ti
   if (std::ranges::any_of(scene.bodies,
                           [](const scene::Body& body) { return !body.shapes.empty() && body.shapes.front().stand_in; }))
     caption(drawing, "Dotted: what stands for bodies whose shape is not stated, by their moments of inertia", 240);
-  // A diagram that lacks forces would say that there are none.
-  if (name.kind == FigureKind::free_body || name.kind == FigureKind::impulse || name.kind == FigureKind::body)
-    for (const std::string& note : scene.notes)
-      if (note.starts_with("not drawn ")) caption(drawing, "N" + note.substr(1), 240);
+  if (std::ranges::any_of(
+          shown, [](const Diagram* diagram) { return std::ranges::any_of(diagram->arrows, &scene::Arrow::open); }))
+    caption(drawing, "Arrows with one stroke show a sense and no size", 240);
   if (marked) caption(drawing, "Arrows with two strokes are not to scale", 240);
   drawing.paper = drawing.paper.grown(margin);
   drawing.title = title.empty() ? name.title : title;

@@ -1,6 +1,7 @@
 // One picture of bodies and arrows, to which its parts are added one after the other: bodies, symbols, arrows, labels.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,6 +66,12 @@ struct Panel {
 // The color of an ink, and of the areas of a body.
 std::string color_of(Ink ink);
 std::string tone_of(int body);
+
+// The block by which a particle is drawn on the surface that it touches; empty if it touches none that is seen from the
+// side.
+std::vector<Point2> block_of_particle(const Panel& panel, int body, const Vector& place);
+// Its middle, where an arrow stands that is not of the surface: what acts on the particle, and how it moves.
+std::optional<Point2> middle_of_block(const Panel& panel, const scene::Arrow& arrow);
 
 // The bodies: their areas, edges, rods and particles. `strength` below 1 draws them paler.
 void draw_bodies(Panel& panel, double strength = 1);

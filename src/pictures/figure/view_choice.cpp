@@ -209,11 +209,13 @@ Matter matter_of(const scene::Scene& scene, const std::vector<int>& bodies, cons
   for (const Vector& p : named) add_point(matter, p);
   std::array<double, scale_count> largest{};
   for (const scene::Arrow& arrow : arrows)
-    largest[static_cast<std::size_t>(scale_of(arrow.quantity))] =
-        std::max(largest[static_cast<std::size_t>(scale_of(arrow.quantity))], norm(arrow.vector));
+    if (!arrow.open)
+      largest[static_cast<std::size_t>(scale_of(arrow.quantity))] =
+          std::max(largest[static_cast<std::size_t>(scale_of(arrow.quantity))], norm(arrow.vector));
   for (const scene::Arrow& arrow : arrows)
-    if (const double size = norm(arrow.vector);
-        size > rounding_part * largest[static_cast<std::size_t>(scale_of(arrow.quantity))])
+    if (const double size = norm(arrow.vector); arrow.open)
+      matter.arrows.push_back({on_ground(arrow.at, poses), arrow.vector, turns(arrow.quantity)});
+    else if (size > rounding_part * largest[static_cast<std::size_t>(scale_of(arrow.quantity))])
       matter.arrows.push_back({on_ground(arrow.at, poses), arrow.vector / size, turns(arrow.quantity),
                                size / largest[static_cast<std::size_t>(scale_of(arrow.quantity))]});
   add_solids(matter, solids);
@@ -346,6 +348,12 @@ std::optional<Vector> planar_normal(const Matter& matter, const Expected& axes) 
     if (norm(matter.gravity) > 0) in_plane.push_back(matter.gravity);
     in_plane.insert(in_plane.end(), matter.normals.begin(), matter.normals.end());
     across_plane.push_back(across_all(in_plane, axes));
+    // Where nothing but a way of moving tells the plane, as of a ball, and it stands askew to the axes, two of these
+    // would be seen as one line.
+    constexpr double along_axis = 1 - 1e-6;
+    const Vector& normal = across_plane.back();
+    const double most = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+    if (matter.uneven.empty() && matter.rods.empty() && most < along_axis) return std::nullopt;
   }
   if (across_plane.empty() || !something_lies) return std::nullopt;
   const Vector normal = across_plane.front();

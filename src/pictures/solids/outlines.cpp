@@ -67,9 +67,8 @@ class Chains {
   std::multimap<Key, std::size_t> ends_;
 };
 
-// Keeps of a line, besides its ends, the points that it would be seen to miss.
-void keep_bends(const std::vector<Point2>& points, std::vector<bool>& kept) {
-  constexpr double seen = 0.25;
+// Keeps of a line, besides its ends, the points that it would be seen to miss: by `seen` or more.
+void keep_bends(const std::vector<Point2>& points, double seen, std::vector<bool>& kept) {
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
   while (!open.empty()) {
     const auto [first, last] = open.back();
@@ -88,7 +87,8 @@ void keep_bends(const std::vector<Point2>& points, std::vector<bool>& kept) {
   }
 }
 
-// A silhouette goes to and fro along the sides of triangles, by less than is seen: what is left is where it goes.
+// A silhouette goes to and fro along the sides of triangles, by a part of what it goes around: what is left is where it
+// goes. Through points as far apart as that a curve is smooth, where nearer ones would give it bends.
 void simplify(SeenLine& line) {
   if (line.points.size() < 3) return;
   if (line.closed) {
@@ -96,9 +96,12 @@ void simplify(SeenLine& line) {
     std::rotate(line.points.begin(), std::ranges::min_element(line.points, {}, &Point2::x), line.points.end());
     line.points.push_back(line.points.front());
   }
+  constexpr double least = 0.25, to_and_fro = 0.002;  // units of the paper; of the line's width and height
+  Box box;
+  for (const Point2& point : line.points) box.include(point);
   std::vector<bool> kept(line.points.size());
   kept.front() = kept.back() = true;
-  keep_bends(line.points, kept);
+  keep_bends(line.points, std::max(least, to_and_fro * (box.width() + box.height())), kept);
   std::vector<Point2> points;
   for (std::size_t i = 0; i + (line.closed ? 1 : 0) < line.points.size(); ++i)
     if (kept[i]) points.push_back(line.points[i]);
@@ -126,6 +129,16 @@ void add_seen(Chains& chains, const DeepPoint& from, const DeepPoint& to, const 
                from.depth + (part.first + part.second) / 2 * (to.depth - from.depth));
 }
 
+// What of a segment is hidden, but not by what `alone` has.
+void add_hidden(Chains& chains, const DeepPoint& a, const DeepPoint& b, const Visibility& visibility,
+                const Visibility& alone) {
+  for (const Interval& hidden : remainder(visibility.seen(a, b)))
+    for (const Interval& part : alone.seen(a, b)) {
+      const double begin = std::max(hidden.first, part.first), end = std::min(hidden.second, part.second);
+      if (begin < end) chains.add(a.at + begin * (b.at - a.at), a.at + end * (b.at - a.at), a.depth);
+    }
+}
+
 void add_rods_within(Lines& lines, const std::vector<Solid>& solids, const Projection& projection,
                      const Visibility& visibility) {
   if (std::ranges::none_of(solids, &Solid::stand_in)) return;
@@ -138,15 +151,8 @@ void add_rods_within(Lines& lines, const std::vector<Solid>& solids, const Proje
     const std::vector<DeepPoint> points = projected(solid, projection);
     Chains chains;
     for (const auto& line : solid.lines)
-      for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const DeepPoint &a = points[line[i]], &b = points[line[i + 1]];
-        // Hidden with them and seen without them.
-        for (const Interval& hidden : remainder(visibility.seen(a, b)))
-          for (const Interval& part : without.seen(a, b)) {
-            const double begin = std::max(hidden.first, part.first), end = std::min(hidden.second, part.second);
-            if (begin < end) chains.add(a.at + begin * (b.at - a.at), a.at + end * (b.at - a.at), a.depth);
-          }
-      }
+      for (std::size_t i = 0; i + 1 < line.size(); ++i)  // hidden with them and seen without them
+        add_hidden(chains, points[line[i]], points[line[i + 1]], visibility, without);
     for (SeenLine& line : chains.take()) {
       line.body = solid.body;
       lines.rods_within.push_back(std::move(line));
@@ -245,6 +251,48 @@ std::vector<SeenLine> hidden_lines(const std::vector<Solid>& solids, const std::
     for (SeenLine& hidden : chains.take()) {
       hidden.body = solid.body;
       found.push_back(std::move(hidden));
+    }
+  }
+  return found;
+}
+
+std::vector<SeenLine> lines_of_hidden_bodies(const std::vector<Solid>& solids, const Lines& seen,
+                                             const Projection& projection, const Visibility& visibility) {
+  // Of what is seen to be round or long less is seen than this, as a part of its width and height.
+  constexpr double least_seen = 0.25;
+  std::map<int, Box> boxes;
+  for (const Solid& solid : solids)
+    if (!solid.hole && solid.extent != scene::Extent::point && !solid.massless)
+      for (const Vector& vertex : solid.vertices) boxes[solid.body].include(projection(vertex));
+  std::map<int, double> lengths;
+  for (const auto* lines : {&seen.edges, &seen.rods})
+    for (const SeenLine& line : *lines)
+      for (std::size_t i = 0; i + 1 < line.points.size() + (line.closed ? 1 : 0); ++i)
+        lengths[line.body] += norm(line.points[(i + 1) % line.points.size()] - line.points[i]);
+  std::vector<SeenLine> found;
+  if (boxes.size() < 2) return found;
+  for (const auto& [body, box] : boxes) {
+    if (!(lengths[body] < least_seen * (box.width() + box.height()))) continue;
+    std::vector<Solid> own;
+    for (const Solid& solid : solids)
+      if (solid.body == body) own.push_back(solid);
+    const Visibility alone(own, projection);
+    for (const Solid& solid : own) {
+      if (solid.hole || solid.massless) continue;
+      const std::vector<DeepPoint> points = projected(solid, projection);
+      Chains features, silhouettes;
+      for (const auto& line : solid.lines)
+        for (std::size_t i = 0; i + 1 < line.size(); ++i)
+          add_hidden(features, points[line[i]], points[line[i + 1]], visibility, alone);
+      for (const MeshEdge& edge : solid.mesh_edges)
+        if (is_silhouette(edge, solid, points))
+          add_hidden(silhouettes, points[edge.from], points[edge.to], visibility, alone);
+      for (Chains* chains : {&features, &silhouettes})
+        for (SeenLine& line : chains->take()) {
+          line.body = body;
+          if (chains == &silhouettes) simplify(line);
+          found.push_back(std::move(line));
+        }
     }
   }
   return found;

@@ -33,4 +33,8 @@ Lines seen_lines(const std::vector<Solid>& solids, const std::vector<Intersectio
 std::vector<SeenLine> hidden_lines(const std::vector<Solid>& solids, const std::vector<Vector>& places, double near,
                                    const Projection& projection, const Visibility& visibility);
 
+// The outlines of bodies of which others hide nearly all, as a drum in its casing. seen: the lines that are seen.
+std::vector<SeenLine> lines_of_hidden_bodies(const std::vector<Solid>& solids, const Lines& seen,
+                                             const Projection& projection, const Visibility& visibility);
+
 }  // namespace poinsot::pictures

@@ -53,9 +53,11 @@ class Explainer {
     if (ExplainedSection claims = claims_section(statement_, solution_, first_tex); !claims.steps.empty())
       explanation_.sections.push_back(std::move(claims));
     if (!numbers) return std::move(explanation_);
+    or_left_out([&] { ask_for_stages(); });
     for (const auto& [home, questions] : questions_.instants)
       or_left_out([&, &at = home, &asked = questions] { add_instant(at, asked); });
     for (const std::size_t index : questions_.motions) or_left_out([&] { add_motion(index); });
+    add_neglecting();
     return std::move(explanation_);
   }
 
@@ -75,6 +77,24 @@ class Explainer {
           {"Left out", {{"The steps end here: " + error.diagnostics().front().message + ".", {}}}});
     }
     std::erase_if(explanation_.sections, [](const ExplainedSection& section) { return section.steps.empty(); });
+  }
+
+  // Where squares are neglected and the forces do not take up what is missing, the equations hold for no numbers.
+  void add_neglecting() {
+    for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
+      const Situation& stated = situation(i);
+      const bool explained =
+          std::ranges::any_of(questions_.instants, [&](const auto& one) { return one.first.situation == i; });
+      if (stated.neglect.empty() || stated.find.empty() || !stated.steady || explained) continue;
+      std::vector<std::string> squares, unknown;
+      for (const Expression& square : stated.neglect) squares.push_back(code(square));
+      for (const Unknown& one : stated.find) unknown.push_back(code(one.name));
+      explanation_.sections.push_back(
+          {"Unknowns" + suffix_of(i),
+           {{"The equations are those of the steady motion without their terms in " + listed(squares) +
+                 ": they are linear in " + listed(unknown) + ", and hold up to these terms.",
+             {}}}});
+    }
   }
 
   void add_limits() {
@@ -104,6 +124,31 @@ class Explainer {
         hidden.insert(statement_.asks[limit->second].extremum->name);
       explanation_.sections.push_back(
           model_section(situation(i), numbers_.settings()[i], hidden, tex, "Model" + suffix_of(i)));
+    }
+  }
+
+  // An instant to which stages have led in which nothing changes: what they lead to is derived at their starts.
+  void ask_for_stages() {
+    std::map<Sample::Home, InstantQuestions> asked;
+    for (const auto& [home, questions] : questions_.instants) {
+      if (home.time || home.ending || home.instant == 0 || situation(home.situation).has_blow()) continue;
+      for (std::size_t stage = 0; stage < home.instant; ++stage) {
+        if (!is_uniform_stage(numbers_.sample(), home.situation, stage)) break;
+        const Sample::Home start{home.situation, stage, std::nullopt};
+        SolvedInstant& instant = numbers_.sample().instant(start);
+        instant.solve_forces();
+        for (const NamedCoordinate& one : instant.machine().coordinates)
+          for (const Joint& joint : situation(home.situation).joints)
+            if (joint.name == one.joint && !one.name.empty())
+              asked[start].accelerated.insert(instant.machine().index.at(joint.to));
+        asked[start].accelerations = true;
+        uniform_stages_.insert(start);
+      }
+    }
+    for (const auto& [home, questions] : asked) {
+      InstantQuestions& all = questions_.instants[home];
+      all.accelerated.insert(questions.accelerated.begin(), questions.accelerated.end());
+      all.accelerations = true;
     }
   }
 
@@ -145,6 +190,10 @@ class Explainer {
     InstantExplainer(stated, instant, before, formulas.get(), point, factors, tex, questions,
                      numbers_.settings()[home.situation], explanation_)
         .explain(suffix, home.time || home.ending);
+    explanation_.sections.push_back(turned_axes_section(statement_, home, numbers_.sample(), tex, suffix));
+    if (uniform_stages_.contains(home))
+      explanation_.sections.push_back(
+          uniform_stage(stated, home.situation, home.instant, numbers_.sample(), tex, suffix_of(home.situation)));
     if (!questions.stability) return;
     NearSteady near{stated, instant, formulas.get(), point, factors, questions.responses};
     if (const auto limit = numbers_.limits().find(home.situation); limit != numbers_.limits().end()) {
@@ -273,6 +322,7 @@ class Explainer {
   const Solution& solution_;
   ShownNumbers numbers_;
   StatementQuestions questions_;
+  std::set<Sample::Home> uniform_stages_;  // by their starts
   Explanation explanation_;
 };
 

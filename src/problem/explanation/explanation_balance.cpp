@@ -99,13 +99,30 @@ std::vector<std::string> InstantExplainer::turned_axes(const System& system) con
   return names;
 }
 
+// The point about which the rate of an angular momentum of these bodies is asked for; their mass center if it is there.
+std::optional<ExplainedPoint> InstantExplainer::asked_point(const std::set<int>& bodies) {
+  for (const MomentumQuestion& question : questions_.momenta) {
+    if (!question.rate || !question.angular || !question.about) continue;
+    if (question.body != whole_system && !bodies.contains(question.body)) continue;
+    const ExplainedPoint point = point_of(*question.about);
+    if (question.body == whole_system) return point;
+    const ExplainedPoint G = mass_center(question.body);
+    return norm(point.position.number - G.position.number) <= 1e-9 * solved_.scales().length ? G : point;
+  }
+  return std::nullopt;
+}
+
 void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& symbols) {
   const System system = system_of(bodies);
   const std::vector<Symbol>& open = system.open;
   std::vector<int> massive;
   for (const int body : bodies)
     if (mechanism().tree.body(body).inertia.mass > 0) massive.push_back(body);
-  std::optional<ExplainedPoint> held = best_point(system.plan);
+  // If rates of momenta are asked for and all accelerations are known, there is nothing to solve.
+  const bool rates_only =
+      !sudden() && !situation_.steady && questions_.forces.empty() && questions_.pushes.empty() && open.empty();
+  std::optional<ExplainedPoint> held = rates_only ? asked_point(bodies) : std::nullopt;
+  if (!held) held = best_point(system.plan);
   const ExplainedPoint point =
       held ? *held
       : massive.size() == 1
@@ -128,9 +145,6 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
   const Plane plane = plane_of(bodies, rows);
   const std::set<std::string> across = symbols_across(rows, plane);
   const Meeting meet = meeting(system, numbers, held.has_value());
-  // If rates of momenta are asked for and all accelerations are known, there is nothing to solve.
-  const bool rates_only =
-      !sudden() && !situation_.steady && questions_.forces.empty() && questions_.pushes.empty() && open.empty();
   const std::string who = only ? "" : " of " + names_of(bodies);
   if (!sudden()) {
     section("Kinetic side");

@@ -32,6 +32,7 @@ InstantExplainer::InstantExplainer(const Situation& situation, SolvedInstant& so
       data_(situation, settings),
       factors_(std::move(factors)) {
   if (formulas) figures_.formulas.emplace(figures_of(*formulas, figures_.numbers.forces));
+  part_of_length_ = part_of_length();
 }
 
 Shown InstantExplainer::confirmed(double number, const std::optional<Formula>& formula) const {
@@ -61,7 +62,7 @@ ShownVector InstantExplainer::confirmed(const Vector3<double>& number,
 
 // Numbers far below this are rounding. If there are unknowns it is larger, as they are found with less accuracy.
 double InstantExplainer::noise_size(const Dimension& dimension) const {
-  return solved_.natural_size(dimension) * (situation_.find.empty() ? 1 : 1e3);
+  return natural_size(dimension) * (situation_.find.empty() ? 1 : 1e3);
 }
 
 // Sets the value to zero if it is rounding.
@@ -481,6 +482,7 @@ void InstantExplainer::explain(const std::string& suffix, bool followed) {
   explain_masses();
   explain_momenta();
   explain_kinematics();
+  explain_free_motion();
   std::erase_if(explanation_.sections, [](const ExplainedSection& one) { return one.steps.empty(); });
 }
 

@@ -119,6 +119,8 @@ class InstantExplainer {
     };
   }
   double noise_size(const Dimension& dimension) const;
+  double natural_size(const Dimension& dimension) const;
+  double part_of_length() const;
   Shown clean(Shown value, const Dimension& dimension) const;
   ShownVector clean(ShownVector value, const Dimension& dimension) const;
   ShownVector confirmed(const Vector3<double>& number, const std::optional<Vector3<Formula>>& formula) const;
@@ -131,6 +133,9 @@ class InstantExplainer {
                               const std::string& index);
   void explain_momentum(const MomentumQuestion& question);
   void explain_kinematics();
+  // These are defined in explanation_kinetics.cpp.
+  void explain_free_motion();
+  std::optional<ExplainedStep> precession_step(int body, const std::string& name, const Expression* about, bool cone);
   void motion_step(std::vector<ExplainedStep>& steps, int body, const std::string& index, bool with_velocity,
                    bool with_accelerations);
   // plane: the axis across which nothing turns, if motion and forces lie in a plane.
@@ -166,6 +171,7 @@ class InstantExplainer {
   std::vector<std::string> turned_axes(const System& system) const;
   void explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& listed);
   std::optional<ExplainedPoint> best_point(const BalancePlan& plan) const;
+  std::optional<ExplainedPoint> asked_point(const std::set<int>& bodies);
   // moments_only: no equation of forces follows.
   void kinetic_steps(const std::string& heading, const System& system, const ExplainedPoint& point, bool moments_only,
                      Plane plane);
@@ -184,6 +190,7 @@ class InstantExplainer {
     std::vector<std::string> symbols;  // of those that do
     bool moments_only = false;         // whether the equations of forces are left out
   };
+  bool is_particle_at_held_point(const BalancePlan& plan) const;
   Meeting meeting(const System& system, const MotionBalance<double>& numbers, bool held) const;
   void rate_step(ExplainedSection& section, int body, const ExplainedPoint& about, bool fixed);
   void force_list(ExplainedSection& section, const System& system, const std::set<std::string>& across) const;
@@ -211,6 +218,7 @@ class InstantExplainer {
   Explanation& explanation_;
   ExplainedFigures figures_;
   DataScope<double> data_;
+  double part_of_length_ = 1;  // of what moves and is held, beside the length of the machine
   std::string suffix_;
   bool followed_ = false;  // whether velocities are those to which a motion has led
   // What has been shown already, so that it is shown once.

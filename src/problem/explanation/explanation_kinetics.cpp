@@ -2,11 +2,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "poinsot/engine/mass/principal_axes.h"
 #include "problem/explanation/explanation_instant.h"
 #include "problem/explanation/held_point.h"
 #include "problem/instant/instant_conditions.h"
+#include "problem/language/expression_walk.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
+namespace {
+
+Expression name_of_body(const std::string& name) { return built(Name{name}, Mark{}); }
+
+}  // namespace
 
 // Shows dH/dt of a body on the axes on which it is simplest: if possible on axes on which H is constant.
 void InstantExplainer::rate_step(ExplainedSection& section, int body, const ExplainedPoint& reference, bool fixed) {
@@ -19,7 +27,7 @@ void InstantExplainer::rate_step(ExplainedSection& section, int body, const Expl
     return momentum_rate_of(figures.now, {body}, position_of<ScalarOf<decltype(figures)>>(reference)).angular;
   };
   const ShownVector H = shown_vector(momentum), total = shown_vector(rate);
-  const double natural = solved_.natural_size(dimensions::moment);
+  const double natural = natural_size(dimensions::moment);
   const std::string own = "\\mathbf{H}_{" + label + "}";
   if (!tex_.can_show(H)) return;
   ExplainedStep step;
@@ -27,7 +35,7 @@ void InstantExplainer::rate_step(ExplainedSection& section, int body, const Expl
               (fixed ? "its fixed point $" + label + "$, $I_{" + label + "}\\boldsymbol{\\omega}$ (Eq. 18.13):"
                      : "its mass center, $I_{" + label + "}\\boldsymbol{\\omega}$ (Eq. 18.7):");
   step.equations.push_back(tex_.equation(own, H, dimensions::angular_momentum));
-  if (is_rounding(norm(H.number), solved_.natural_size(dimensions::angular_momentum))) {
+  if (is_rounding(norm(H.number), natural_size(dimensions::angular_momentum))) {
     step.text = "The angular momentum of *" + body_name(body) + "* about $" + label + "$ is zero.";
     step.equations.clear();
   }
@@ -110,8 +118,9 @@ void InstantExplainer::kinetic_steps(const std::string& heading, const System& s
                                      bool moments_only, Plane plane) {
   for (const int body : system.plan.bodies) {
     if (!(mechanism().tree.body(body).inertia.mass > 0)) continue;
-    const bool fixed = is_held(figures_.numbers.now, body, point.position.number, solved_.scales().length);
     const ExplainedPoint G = mass_center(body);
+    const bool fixed = (moments_only || point.label != G.label) &&
+                       is_held(figures_.numbers.now, body, point.position.number, solved_.scales().length);
     inertia_step(section("Inertia"), body, fixed ? &point : nullptr, plane);
     ExplainedSection& kinetic = section(heading);
     const auto at = static_cast<std::size_t>(body + 1);
@@ -151,13 +160,99 @@ void InstantExplainer::kinetic_steps(const std::string& heading, const System& s
       rate_step(kinetic, body, point, true);
       continue;
     }
-    if (norm(ma.number) <= 1e-9 * solved_.natural_size(dimensions::force))
+    if (norm(ma.number) <= 1e-9 * natural_size(dimensions::force))
       kinetic.steps.push_back({"The mass center of *" + body_name(body) + "* has no acceleration.", {}});
     else if (tex_.can_show(ma))
       kinetic.steps.push_back({"The vector $m\\,\\mathbf{a}_{" + center + "}$ of *" + body_name(body) + "*:",
                                {tex_.equation("m\\,\\mathbf{a}_{" + center + "}", ma, dimensions::force)}});
     rate_step(kinetic, body, fixed ? point : G, fixed);
   }
+}
+
+// How a body turns on which no couple acts (Eqs. 18.46 to 18.49).
+void InstantExplainer::explain_free_motion() {
+  std::set<std::string> said;
+  for (const Call& asked : questions_.free_motions) {
+    const Expression& what = asked.arguments.front().value;
+    const auto found = figures_.numbers.machine->index.find(to_string(what));
+    if (found == figures_.numbers.machine->index.end() || found->second == ground || has_absorbed(found->second) ||
+        !said.insert(found->first).second)
+      continue;
+    const int body = found->second;
+    const Expression* about = nullptr;
+    bool cone = false;
+    for (const Call& other : questions_.free_motions) {
+      if (to_string(other.arguments.front().value) != found->first) continue;
+      if (const Expression* stated = other.argument("about")) about = stated;
+      cone = cone || other.function == "body_cone" || other.function == "space_cone";
+    }
+    inertia_step(section("Inertia"), body, nullptr);
+    std::vector<ExplainedStep> steps;
+    motion_step(steps, body, "", false, false);
+    const std::string label = center_label(body);
+    const auto momentum = [&](const auto& figures) {
+      return momentum_of(figures.now, {body}, mass_of(figures.now, body).center).angular;
+    };
+    ExplainedStep kept{"$\\mathbf{H}_{" + label + "} = I_{" + label +
+                           "}\\boldsymbol{\\omega}$ (Eq. 18.7) keeps its size and its direction:",
+                       {}};
+    if (const ShownVector vector = shown_vector(momentum); tex_.can_show(vector))
+      kept.equations.push_back(tex_.equation("\\mathbf{H}_{" + label + "}", vector, dimensions::angular_momentum));
+    else
+      kept.text.back() = '.';
+    steps.push_back(std::move(kept));
+    if (std::optional<ExplainedStep> turning = precession_step(body, found->first, about, cone))
+      steps.push_back(std::move(*turning));
+    ExplainedSection& here = section("Free motion");
+    for (ExplainedStep& step : steps) here.steps.push_back(std::move(step));
+  }
+}
+
+// Of a body of revolution; nothing of another one.
+std::optional<ExplainedStep> InstantExplainer::precession_step(int body, const std::string& name,
+                                                               const Expression* about, bool cone) {
+  const MassProperties<double> mass = mass_of(figures_.numbers.now, body);
+  constexpr double equal_moments = 1e-9;
+  const PrincipalAxes<double> principal = principal_axes(mass.inertia_center, equal_moments);
+  const Vector3<double> H = momentum_of(figures_.numbers.now, {body}, mass.center).angular;
+  if (principal.symmetry != InertiaSymmetry::axisymmetric || !(norm(H) > 0)) return std::nullopt;
+  Vector3<double> axis = principal.axes.column(principal.symmetry_axis);
+  const Vector3<double> sense = about ? solved_.raw(*about, std::nullopt, nullptr).vector
+                                      : figures_.numbers.now.workspace().motion[static_cast<std::size_t>(body + 1)].w;
+  if (dot(axis, sense) < 0) axis = -axis;
+  ExplainedStep step{
+      "With the moments $I$ about its axis of revolution and $I'$ across it, and the angle $\\theta$ of "
+      "$\\mathbf{H}_{" +
+          center_label(body) + "}$ with the axis, *" + name + "* precesses about $\\mathbf{H}_{" + center_label(body) +
+          "}$ and spins about its axis (Eqs. 18.47 to 18.49):",
+      {}};
+  const auto add = [&](const std::string& symbol, const Shown& value, const Dimension& dimension) {
+    if (tex_.can_show(value)) step.equations.push_back(tex_.equation(symbol, value, dimension));
+  };
+  const auto quantity = [&](const char* function, bool with_sense) {
+    const Expression call =
+        built(Call{function, with_sense && about ? std::vector<Argument>{{"", name_of_body(name)}, {"about", *about}}
+                                                 : std::vector<Argument>{{"", name_of_body(name)}}},
+              Mark{});
+    std::optional<Formula> formula;
+    if (formula_instant_) try {
+        formula = formula_instant_->raw(call, std::nullopt, nullptr).number;
+      } catch (const std::exception&) {
+        // Without formula the number is shown alone.
+      }
+    return confirmed(solved_.raw(call, std::nullopt, nullptr).number, formula);
+  };
+  add("I", {principal.moments[principal.symmetry_axis], {}}, dimensions::moment_of_inertia);
+  add("I'", {principal.moments[1], {}}, dimensions::moment_of_inertia);
+  add("\\theta", {std::atan2(norm(cross(axis, H)), dot(axis, H)), {}}, dimensions::angle);
+  const std::string size = "H_{" + center_label(body) + "}";
+  add("\\dot{\\phi} = \\frac{" + size + "}{I'}", quantity("precession_rate", false), dimensions::angular_velocity);
+  add("\\dot{\\psi} = \\frac{I' - I}{I\\,I'}\\," + size + "\\cos\\theta", quantity("spin_rate", true),
+      dimensions::angular_velocity);
+  if (cone)
+    add("\\gamma = \\arctan\\left(\\frac{I}{I'}\\tan\\theta\\right)", quantity("body_cone", false), dimensions::angle);
+  if (step.equations.empty()) return std::nullopt;
+  return step;
 }
 
 }  // namespace poinsot::problem

@@ -364,6 +364,9 @@ ExplainedSection principle_section(const Statement& statement, const StatementQu
       add("Near a steady motion the equations of motion are linear in small deviations from it. Those that swing keep "
           "near "
           "it, those that grow leave it.");
+    if (!asked.free_motions.empty())
+      add("Without a couple about the mass center the angular momentum about it keeps its size and its direction "
+          "(Eq. 18.46): how a body turns on follows from how it turns now.");
     if (section.steps.empty() && !asked.moving.empty()) add("The velocities follow from how the bodies are held.");
     if (section.steps.empty() && !asked.masses.empty())
       add("Mass, mass center and inertia are sums over the parts, moved by parallel axes (Eqs. 18.5, 18.6).");

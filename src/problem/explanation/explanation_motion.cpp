@@ -1,7 +1,10 @@
 #include "problem/explanation/explanation_motion.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "poinsot/engine/dynamics/kinematics.h"
+#include "poinsot/engine/solve/instant/mechanism_state.h"
 #include "problem/explanation/kept_values.h"
 #include "problem/explanation/turning_points.h"
 #include "problem/language/words.h"
@@ -67,6 +70,109 @@ std::vector<ExplainedSection> motion_sections(const Statement& statement, std::s
   }
   if (section.steps.empty()) return {};
   return {section};
+}
+
+bool is_uniform_stage(Sample& sample, std::size_t situation, std::size_t stage) {
+  Course& motion = sample.motion(situation);
+  const std::optional<double> end = motion.stage_end(stage);
+  if (!end) return false;
+  const double begin = motion.stage_start(stage);
+  const MotionState first = motion.at(begin), last = motion.end_of(stage);
+  constexpr double rounding = 1e-9;  // of the rates
+  bool changes = false;
+  for (std::size_t k = 0; k < first.v.size(); ++k) {
+    const double change = last.v[k] - first.v[k], size = std::abs(last.v[k]) + std::abs(first.v[k]);
+    for (const double part : {0.17, 0.38, 0.5, 0.83})
+      if (std::abs(motion.at(begin + part * (*end - begin)).v[k] - first.v[k] - part * change) > rounding * size)
+        return false;
+    if (std::abs(change) <= rounding * size) continue;
+    changes = true;
+    const std::vector<NamedCoordinate>& named = motion.instant_at(begin).machine().coordinates;
+    // Rates of bodies that are free are components on axes that turn.
+    if (std::ranges::none_of(named, [&](const NamedCoordinate& one) {
+          return !one.name.empty() && one.velocity == static_cast<int>(k);
+        }))
+      return false;
+  }
+  return changes;
+}
+
+ExplainedSection uniform_stage(const Situation& situation, std::size_t situation_index, std::size_t stage,
+                               Sample& sample, const ExplanationTex& tex, const std::string& suffix) {
+  Course& motion = sample.motion(situation_index);
+  const double begin = motion.stage_start(stage), end = *motion.stage_end(stage);
+  const MotionState first = motion.at(begin), last = motion.end_of(stage);
+  ExplainedStep step{"", {}};
+  std::vector<std::string> kept;
+  constexpr double rounding = 1e-9;
+  for (const NamedCoordinate& one : motion.instant_at(begin).machine().coordinates) {
+    const auto k = static_cast<std::size_t>(one.velocity);
+    if (one.name.empty() || std::abs(last.v[k] - first.v[k]) <= rounding * std::abs(last.v[k] + first.v[k])) continue;
+    const std::string symbol = ExplanationTex::symbol(one.name), rate = "\\dot{" + symbol + "}",
+                      gained = "\\ddot{" + symbol + "}\\,\\Delta t";
+    const Dimension dimension = one.turning ? dimensions::angular_velocity : dimensions::velocity;
+    const std::string before = first.v[k] == 0 ? "" : rate + "_{0} + ";
+    kept.push_back("$\\ddot{" + symbol + "}$");
+    if (const Shown value{last.v[k], {}}; tex.can_show(value))
+      step.equations.push_back(tex.equation(rate + " = " + before + gained, value, dimension));
+  }
+  const Shown lasts{end - begin, {}};
+  step.text = "Nothing in these equations changes during *" + situation.stages[stage].name + "*: " + listed(kept) +
+              (kept.size() > 1 ? " keep their values" : " keeps its value") +
+              (tex.can_show(lasts) ? " for " + tex.inline_value(lasts, dimensions::time) : "") + ", and at its end";
+  if (step.equations.empty()) step.text += " the rates have grown with the time that it lasts.";
+  return {"Stage *" + situation.stages[stage].name + "*" + suffix, {std::move(step)}};
+}
+
+ExplainedSection turned_axes_section(const Statement& statement, const Sample::Home& home, Sample& sample,
+                                     const ExplanationTex& tex, const std::string& suffix) {
+  ExplainedSection section;
+  SolvedInstant& instant = sample.instant(home);
+  const Machine& machine = instant.machine();
+  solve::MechanismState state(machine.mechanism);
+  state.set_positions(instant.state().q);
+  for (const Ask& ask : statement.asks) {
+    const Name* name = ask.axes ? ask.axes->as<Name>() : nullptr;
+    if (name == nullptr || ask.of.size() != 1 || ask.table || ask.when || ask.extremum) continue;
+    const auto body = machine.index.find(name->name);
+    if (body == machine.index.end() || body->second == ground) continue;
+    const Sample::Home own = sample.home_of(ask);
+    if (own < home || home < own) continue;
+    const Matrix3<double> R = body_pose(machine.mechanism.tree, state.workspace(), body->second).R;
+    double off = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      off = std::max(off, norm(Vector3<double>(R.column(k) - Vector3<double>::unit(k))));
+    constexpr double noticeable = 1e-9;
+    if (off < noticeable) continue;
+    const At* at = ask.of.front().as<At>();
+    const Expression& of = at ? at->expression : ask.of.front();
+    const Value<double> value = sample.value_at(home, of, ask.axes);
+    if (value.kind != Value<double>::Kind::vector) continue;
+    // What is asked for is these components of the vector that was found.
+    const Value<double> found = sample.value_at(home, of, std::nullopt);
+    if (norm(Vector3<double>(R * value.vector - found.vector)) > noticeable * norm(found.vector)) continue;
+    const std::string heading = "On the axes of *" + name->name + "*" + suffix;
+    if (section.steps.empty()) {
+      section.heading = heading;
+      ExplainedStep axes{"These have turned with *" + name->name + "*. On the axes of the ground they are", {}};
+      for (std::size_t k = 0; k < 3; ++k)
+        if (const ShownVector axis{R.column(k), {}}; tex.can_show(axis))
+          axes.equations.push_back(tex.equation(tex.unit_vector(k) + "'", axis, dimensions::none));
+      if (axes.equations.empty()) return section;
+      section.steps.push_back(std::move(axes));
+      section.steps.push_back({"The components that are asked for are the products with these:", {}});
+    } else if (section.heading != heading) {
+      continue;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double component = value.vector[k];
+      if (std::abs(component) <= noticeable * norm(value.vector)) continue;
+      if (const Shown one{component, {}}; tex.can_show(one))
+        section.steps.back().equations.push_back(tex.equation(
+            ExplanationTex::vector_symbol(ask.name) + "\\cdot" + tex.unit_vector(k) + "'", one, value.dimension));
+    }
+  }
+  return section;
 }
 
 }  // namespace poinsot::problem

@@ -16,4 +16,17 @@ std::vector<ExplainedSection> motion_sections(const Statement& statement, std::s
                                               const GeneralMotion* general, const ExplanationTex& tex,
                                               const std::string& suffix);
 
+// Whether all accelerations keep, in a stage, the values that they have at its start, and some rate changes: all of its
+// coordinates are then told by them. Throws StatementError as the motion does.
+bool is_uniform_stage(Sample& sample, std::size_t situation, std::size_t stage);
+
+// What such a stage leads to: the rates at its end.
+ExplainedSection uniform_stage(const Situation& situation, std::size_t situation_index, std::size_t stage,
+                               Sample& sample, const ExplanationTex& tex, const std::string& suffix);
+
+// Vectors that are asked for on the axes of a body that has turned: these axes, and the components on them. Without
+// steps if nothing is asked so at this instant.
+ExplainedSection turned_axes_section(const Statement& statement, const Sample::Home& home, Sample& sample,
+                                     const ExplanationTex& tex, const std::string& suffix);
+
 }  // namespace poinsot::problem

@@ -86,6 +86,10 @@ class Collector {
       }
       return;
     }
+    if (is_kind(QuantityKind::free_motion)) {
+      here().free_motions.push_back(call);
+      return;
+    }
     if (is_kind(QuantityKind::stability)) {
       here().stability = true;
       if (f == "response") here().responses.push_back(call);

@@ -27,6 +27,7 @@ struct InstantQuestions {
   bool accelerations = false;         // of any body
   bool stability = false;             // whether what is near this motion is asked for: frequencies, rates of growth
   std::vector<Call> responses;        // response(X to F)
+  std::vector<Call> free_motions;     // precession_rate(satellite) and its like
   bool energies = false;
   bool positions = false;  // whether only places and masses are asked for
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "poinsot/engine/solve/instant/equations.h"
 #include "problem/explanation/explanation_instant.h"
 
 namespace poinsot::problem {
@@ -125,6 +126,17 @@ std::set<std::string> InstantExplainer::symbols_across(const std::vector<Row>& r
   return across;
 }
 
+// Of a particle moments about its place say nothing.
+bool InstantExplainer::is_particle_at_held_point(const BalancePlan& plan) const {
+  std::vector<int> massive;
+  for (const int body : plan.bodies)
+    if (mechanism().tree.body(body).inertia.mass > 0) massive.push_back(body);
+  if (massive.size() != 1 || !is_particle(massive.front())) return false;
+  const std::optional<ExplainedPoint> held = best_point(plan);
+  const Vector3<double> center = mass_of(figures_.numbers.now, massive.front()).center;
+  return held && norm(Vector3<double>(held->position.number - center)) <= 1e-9 * solved_.scales().length;
+}
+
 // If forces meet at the reference point and are not asked for, no equations of forces are needed.
 InstantExplainer::Meeting InstantExplainer::meeting(const System& system, const MotionBalance<double>& numbers,
                                                     bool held) const {
@@ -137,10 +149,16 @@ InstantExplainer::Meeting InstantExplainer::meeting(const System& system, const 
     found.symbols.push_back(system.unknown[i].tex);
     asked = asked || is_asked(system.plan.unknown[i]);
   }
-  found.moments_only = !asked && !found.symbols.empty();
+  found.moments_only = !asked && !found.symbols.empty() && !is_particle_at_held_point(system.plan);
   for (std::size_t row = 0; row < 3 && found.moments_only; ++row) {
     bool needed = std::abs(numbers.rest.force[row] - numbers.before.force[row]) > noise_size(dimensions::force);
     bool in_met = false;
+    // A force that is the only one to say how fast something is accelerated is needed, too.
+    for (std::size_t i = 0; i < numbers.motion.size(); ++i) {
+      const bool turning = solve::coordinate_turns(mechanism().tree, static_cast<int>(system.plan.open[i]));
+      const double size = solved_.scales().mass * (turning ? solved_.scales().length : 1);
+      needed = needed || std::abs(numbers.motion[i].force[row]) > 1e-9 * size;
+    }
     for (std::size_t i = 0; i < numbers.unknown.size(); ++i) {
       if (std::abs(numbers.unknown[i].force[row]) <= 1e-9) continue;
       needed = true;
@@ -149,6 +167,30 @@ InstantExplainer::Meeting InstantExplainer::meeting(const System& system, const 
     found.moments_only = !needed || in_met;
   }
   return found;
+}
+
+// What moves may be much smaller than the machine: a spring that is held far away counts for the length of this, and
+// not for what rounding is beside.
+double InstantExplainer::part_of_length() const {
+  std::vector<Vector3<double>> places;
+  double around = 0;
+  for (const int body : bodies_with_mass()) {
+    const MassProperties<double> mass = mass_of(figures_.numbers.now, body);
+    const SymmetricMatrix3<double>& I = mass.inertia_center;
+    places.push_back(mass.center);
+    around = std::max(around, std::sqrt(std::max(0.0, I.xx + I.yy + I.zz) / mass.mass));
+  }
+  for (const Component<double>& component : mechanism().components)
+    places.push_back(figures_.numbers.now.position(component.at));
+  for (const Vector3<double>& place : places) around = std::max(around, norm(Vector3<double>(place - places.front())));
+  constexpr double least = 1e-4;  // places themselves are rounded as parts of the machine's length
+  const double part = around / solved_.scales().length;
+  return part > 0 && part < 1 ? std::max(part, least) : 1;
+}
+
+double InstantExplainer::natural_size(const Dimension& dimension) const {
+  constexpr double twelfths = 12;
+  return solved_.natural_size(dimension) * std::pow(part_of_length_, dimension.length / twelfths);
 }
 
 }  // namespace poinsot::problem

@@ -78,9 +78,9 @@ std::string with_symbols_of_velocities(const std::string& tex) {
   return result + tex.substr(at);
 }
 
-// A formula as TeX. A name such as phidot is written as a rate, with a dot.
+// A formula as TeX. A name such as phidot is written as a rate, with a dot; phidot0 has an index beside.
 std::string formula_as_tex(const Formula& formula) {
-  static const std::regex rate("\\\\mathit\\{([A-Za-z]+[0-9]*)dot\\}");
+  static const std::regex rate("\\\\mathit\\{([A-Za-z]+[0-9]*)dot(?:_?([0-9]))?\\}");
   const std::string tex = with_symbols_of_velocities(text(formula, Notation::tex));
   std::string result;
   std::sregex_iterator it(tex.begin(), tex.end(), rate), end;
@@ -88,6 +88,7 @@ std::string formula_as_tex(const Formula& formula) {
   for (; it != end; ++it) {
     result += tex.substr(at, static_cast<std::size_t>(it->position()) - at);
     result += "\\dot{" + text(Formula::letter((*it)[1], poinsot::Sign::real), Notation::tex) + "}";
+    if ((*it)[2].matched) result += "_{" + (*it)[2].str() + "}";
     at = static_cast<std::size_t>(it->position() + it->length());
   }
   return result + tex.substr(at);

@@ -94,9 +94,17 @@ bool ShownNumbers::choose_numbers() {
         settings_[situation][statement_.asks[ask].extremum->name] = solution_.asks[ask].value;
       sample_ = std::make_unique<Sample>(statement_, settings_, OpenChoice{});
       questions_ = questions_of(statement_, *sample_, limits_);
-      for (const auto& [home, questions] : questions_.instants) {
-        SolvedInstant& instant = sample_->instant(home);
-        if (wants_forces(home, questions)) instant.solve_forces();
+      for (auto one = questions_.instants.begin(); one != questions_.instants.end();) {
+        const auto& [home, questions] = *one;
+        try {
+          SolvedInstant& instant = sample_->instant(home);
+          if (wants_forces(home, questions)) instant.solve_forces();
+          ++one;
+        } catch (const StatementError&) {
+          // Where squares are neglected the equations hold up to these.
+          if (situation(home.situation).neglect.empty()) throw;
+          one = questions_.instants.erase(one);
+        }
       }
       // Where nothing is asked, what is stated has at least a beginning.
       if (statement_.asks.empty()) sample_->instant(sample_->start_of(0));

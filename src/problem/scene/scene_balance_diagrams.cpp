@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 
 #include "poinsot/engine/math/formula/formula_text.h"
 #include "problem/language/words.h"
@@ -34,7 +35,8 @@ class BalanceDiagrams {
       equation = diagrams();
     }
     if (!is_empty(equation)) std::ranges::move(equation, std::back_inserter(figure_.scene().diagrams));
-    if (!open_.empty()) figure_.scene().notes.push_back("not drawn is what the equations leave open: " + listed(open_));
+    if (!open_.empty())
+      figure_.scene().notes.push_back("drawn without a size is what the equations leave open: " + listed(open_));
   }
 
  private:
@@ -87,18 +89,34 @@ class BalanceDiagrams {
   void add_wrench(scene::Diagram& diagram, const Wrench& wrench, const std::string& name, const scene::Place& at,
                   const ArrowSymbol& symbol, const std::optional<Number>& number, bool known) const {
     const Vector3<double> couple = about(wrench, figure_.on_ground(at)).moment;
-    const Quantity force_kind = sudden() ? Quantity::impulse : Quantity::force;
-    const Quantity couple_kind = sudden() ? Quantity::angular_impulse : Quantity::couple;
-    for (const auto& [quantity, vector] : {std::pair{force_kind, wrench.force}, std::pair{couple_kind, couple}}) {
+    for (const auto& [quantity, vector] : {std::pair{force_kind(), wrench.force}, std::pair{couple_kind(), couple}}) {
       if (vanishes(vector, dimension_of(quantity))) continue;
       scene::Arrow arrow = figure_.arrow(quantity, name, at.body, at, vector, symbol);
       arrow.known = known;
       // The couple that goes with the force of a screw has its own size.
-      const bool of_symbol = quantity == force_kind || norm(wrench.force) == 0;
+      const bool of_symbol = quantity == force_kind() || norm(wrench.force) == 0;
       if (number && of_symbol) {
         arrow.value = number->value / figure_.tex().unit(dimension_of(quantity)).factor;
         arrow.formula = number->formula;
       }
+      diagram.arrows.push_back(std::move(arrow));
+    }
+  }
+
+  Quantity force_kind() const { return sudden() ? Quantity::impulse : Quantity::force; }
+  Quantity couple_kind() const { return sudden() ? Quantity::angular_impulse : Quantity::couple; }
+
+  // The same of what the equations leave open: the way in which it acts where it counts as positive.
+  void add_open(scene::Diagram& diagram, const Wrench& wrench, const std::string& name, const scene::Place& at,
+                const ArrowSymbol& symbol) const {
+    const Vector3<double> couple = about(wrench, figure_.on_ground(at)).moment;
+    constexpr double rounding = 1e-9;
+    for (const auto& [quantity, vector, least] :
+         {std::tuple{force_kind(), wrench.force, 0.0},
+          std::tuple{couple_kind(), couple, rounding * figure_.scene().length * norm(wrench.force)}}) {
+      if (!(norm(vector) > least)) continue;
+      scene::Arrow arrow = figure_.arrow(quantity, name, at.body, at, normalized(vector), symbol);
+      arrow.open = true;
       diagram.arrows.push_back(std::move(arrow));
     }
   }
@@ -119,7 +137,6 @@ class BalanceDiagrams {
   void add_unknown(scene::Diagram& diagram, std::size_t i) const {
     const UnknownForce& force = system_.plan.unknown[i];
     const InstantExplainer::Symbol& symbol = system_.unknown[i];
-    if (!symbol.determined) return;
     // A side of a cord that follows another one has an unknown of its own behind that.
     const int follows = force.kind == UnknownForce::Kind::component && mechanism().components[force.index].span
                             ? mechanism().components[force.index].follows
@@ -151,6 +168,9 @@ class BalanceDiagrams {
     if (force.sign < 0 && force.kind == UnknownForce::Kind::component && mechanism().components[force.index].toward)
       at = placed_.position(*mechanism().components[force.index].toward);
     if (force.kind == UnknownForce::Kind::component && add_sliding(diagram, i, at)) return;
+    if (!symbol.determined)
+      return add_open(diagram, {force.sign * one.moment, force.sign * one.force}, what.name,
+                      place_on(what, force.sign, at), {symbol.tex, ExplanationTex::plain(symbol.tex)});
     if (force.kind == UnknownForce::Kind::component && !sudden() && add_side(diagram, force, one, at)) return;
     const std::string formula = symbol.shown.formula ? text(*symbol.shown.formula, Notation::with_sizes) : "";
     add_wrench(diagram, {size * one.moment, size * one.force}, what.name, place_on(what, force.sign, at),
@@ -202,16 +222,25 @@ class BalanceDiagrams {
     const std::vector<RoughContactOf<double>>& rough = figure_.machine().rough_contacts;
     const auto contact = std::ranges::find(rough, action, &RoughContactOf<double>::action);
     if (contact == rough.end() || contact->grip != Grip::slides || contact->on_cord()) return false;
-    const double size = force.sign * (sudden() ? numbers().impulses : numbers().unknowns)[force.column];
+    const bool open = !symbol.determined;
+    const double size =
+        open ? force.sign : force.sign * (sudden() ? numbers().impulses : numbers().unknowns)[force.column];
     const Vector3<double> push = size * direction_now(placed_, *contact, contact->normal),
                           friction = (-contact->sliding * size) * direction_now(placed_, *contact, *contact->slip);
     const Action& what = mechanism().actions[static_cast<std::size_t>(action)];
     const std::string formula = symbol.shown.formula ? text(*symbol.shown.formula, Notation::with_sizes) : "";
-    add_wrench(diagram, {cross(at, push), push}, what.name, place_on(what, force.sign, at),
-               {symbol.tex, ExplanationTex::plain(symbol.tex)}, Number{symbol.value, formula}, false);
-    add_wrench(diagram, {cross(at, friction), friction}, "friction at " + what.name, place_on(what, force.sign, at),
-               sudden() ? SceneFigure::impulse_symbol("F", what.name) : SceneFigure::indexed_symbol("F", what.name),
-               std::nullopt, false);
+    const scene::Place place = place_on(what, force.sign, at);
+    const ArrowSymbol normal{symbol.tex, ExplanationTex::plain(symbol.tex)};
+    const ArrowSymbol along =
+        sudden() ? SceneFigure::impulse_symbol("F", what.name) : SceneFigure::indexed_symbol("F", what.name);
+    if (open) {
+      add_open(diagram, {cross(at, push), push}, what.name, place, normal);
+      add_open(diagram, {cross(at, friction), friction}, "friction at " + what.name, place, along);
+    } else {
+      add_wrench(diagram, {cross(at, push), push}, what.name, place, normal, Number{symbol.value, formula}, false);
+      add_wrench(diagram, {cross(at, friction), friction}, "friction at " + what.name, place, along, std::nullopt,
+                 false);
+    }
     return true;
   }
 

@@ -75,15 +75,37 @@ class ModelDiagram {
       const int on = figure_.mechanism().actions[static_cast<std::size_t>(force.action)].on;
       const Vector3<double> vector =
           state().on_ground_axes(force.axes, force.now(figure_.mechanism().tree, state().workspace()));
-      if (force.couple)
-        add(Quantity::couple, load.name, center_of(on), vector, symbol_of(load.couple, couple(load.name)));
-      else
-        add(Quantity::force, load.name, figure_.scene_place(force.at), vector,
-            symbol_of(load.force, this->force(load.name)));
+      const Quantity quantity = force.couple ? Quantity::couple : Quantity::force;
+      const scene::Place at = force.couple ? center_of(on) : figure_.scene_place(force.at);
+      const ArrowSymbol symbol =
+          force.couple ? symbol_of(load.couple, couple(load.name)) : symbol_of(load.force, this->force(load.name));
+      add(quantity, load.name, at, vector, symbol);
+      if (norm(vector) == 0 && !force.by_motion) add_growing(load, force, at, symbol);
     }
     for (const Joint& joint : situation().joints)
       for (std::size_t k = 0; k < joint.freedoms.size(); ++k)
         if (joint.freedoms[k].effort) add_effort(joint, joint.freedoms[k]);
+  }
+
+  // A load that is zero at first and grows with time: the sense that it has then.
+  void add_growing(const Load& load, const KnownForce<double>& force, const scene::Place& at,
+                   const ArrowSymbol& symbol) {
+    const Expression& size = load.couple ? *load.couple : *load.force;
+    if (!depends_on_time(situation(), size)) return;
+    const Quantity quantity = load.couple ? Quantity::couple : Quantity::force;
+    const Dimension dimension = dimension_of(quantity);
+    DataScope<double>& data = figure_.data();
+    constexpr double soon = 1e-3;  // s
+    data.set_time(soon);
+    const Vector3<double> then =
+        load.direction ? data.number(size, dimension) * data.direction(*load.direction) : data.vector(size, dimension);
+    data.set_time(0);
+    if (!(norm(then) > 0)) return;
+    scene::Arrow arrow =
+        figure_.arrow(quantity, load.name, at.body, at, normalized(state().on_ground_axes(force.axes, then)), symbol);
+    arrow.known = true;
+    arrow.open = true;
+    diagram_.arrows.push_back(std::move(arrow));
   }
 
   // What shakes a steady motion, by its amplitude.
@@ -153,7 +175,8 @@ class ModelDiagram {
   void add_joint_rates() {
     for (const Joint& joint : situation().joints)
       for (const Freedom& freedom : joint.freedoms) {
-        if (!freedom.rate && !freedom.accel) continue;
+        const bool is_led = freedom.position && depends_on_time(situation(), *freedom.position);
+        if (!freedom.rate && !freedom.accel && !is_led) continue;
         const std::string name = joint.name + (freedom.name.empty() ? "" : "." + freedom.name);
         for (const Drive<double>& drive : figure_.mechanism().drives) {
           const Action& action = figure_.mechanism().actions[static_cast<std::size_t>(drive.action)];
@@ -164,8 +187,10 @@ class ModelDiagram {
   void add_rates(const Joint& joint, const Freedom& freedom, const Drive<double>& drive) {
     const Vector3<double> along = state().direction(drive.along);
     const scene::Place at = figure_.scene_place(drive.at);
+    // A position that is a function of time says how fast it moves.
+    const bool states_rate = freedom.rate || !freedom.accel;
     for (const StatedRate& rate : figure_.machine().rates)
-      if (freedom.rate && rate.velocity == drive.coordinate)
+      if (states_rate && rate.velocity == drive.coordinate)
         add(drive.turning ? Quantity::angular_velocity : Quantity::velocity, joint.name, at, rate.value * along,
             symbol_of(freedom.rate, drive.turning ? turning(joint.name) : velocity(joint.name)));
     for (const StatedRate& rate : figure_.machine().accelerations)
@@ -183,6 +208,15 @@ class ModelDiagram {
             symbol_of(frame.rate, SceneFigure::indexed_symbol("\\boldsymbol{\\Omega}", frame.name)));
       if (frame.velocity)
         add(Quantity::velocity, frame.name, center_of(body), motion.v, symbol_of(frame.velocity, velocity(frame.name)));
+      if (frame.accel && frame.turns)
+        add(Quantity::angular_acceleration, frame.name, center_of(body),
+            figure_.data().number(*frame.accel, dimensions::angular_acceleration) *
+                figure_.data().direction(*frame.turns),
+            symbol_of(frame.accel, turning_rate(frame.name)));
+      if (frame.acceleration)
+        add(Quantity::acceleration, frame.name, center_of(body),
+            figure_.data().vector(*frame.acceleration, dimensions::acceleration),
+            symbol_of(frame.acceleration, acceleration(frame.name)));
     }
   }
 
@@ -211,6 +245,7 @@ class ModelDiagram {
   void add_facts() {
     for (const Instant* instant : instants_at_start(situation()))
       for (const Fact& fact : instant->facts) {
+        if (const Name* rate = fact.quantity.as<Name>(); rate && rate->primes == 1) add_coordinate_rate(*rate, fact);
         const Call* call = fact.quantity.as<Call>();
         if (call == nullptr || call->arguments.empty()) continue;
         const bool turning = call->function == "angular_velocity";
@@ -225,6 +260,18 @@ class ModelDiagram {
           // A velocity that is relative to what has no value yet is not drawn.
         }
       }
+  }
+  // The rate of a coordinate is a turning about the axis of its freedom or a sliding along it.
+  void add_coordinate_rate(const Name& name, const Fact& fact) {
+    const NamedCoordinate* coordinate = figure_.machine().coordinate(name.name);
+    if (coordinate == nullptr) return;
+    for (const Drive<double>& drive : figure_.mechanism().drives) {
+      if (drive.coordinate != coordinate->velocity) continue;
+      const double rate = state().state().v[static_cast<std::size_t>(coordinate->velocity)];
+      const ArrowSymbol dotted{ExplanationTex::vector_symbol(name.name + "dot"), name.name + "'"};
+      return add(drive.turning ? Quantity::angular_velocity : Quantity::velocity, coordinate->joint,
+                 figure_.scene_place(drive.at), rate * state().direction(drive.along), symbol_of(fact.value, dotted));
+    }
   }
   void add_velocity(bool turning, const std::string& body, const Of* point, const Fact& fact) {
     const int tree_body = figure_.machine().index.at(body);

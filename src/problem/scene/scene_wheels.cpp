@@ -1,6 +1,7 @@
 #include "problem/scene/scene_wheels.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -193,7 +194,10 @@ void name_tensions(SceneFigure& figure, const Statement& statement) {
            }));
       if (!is_meant || !link.symbol.empty()) continue;
       const std::string& name = ask.name;
-      link.symbol = name.size() == 1                          ? name
+      // A small letter tells which part of the question it is.
+      const bool is_part = name.size() == 1 && std::islower(static_cast<unsigned char>(name.front())) != 0;
+      link.symbol = is_part ? (figure.situation().cords.size() == 1 ? "T" : "T_{" + ExplanationTex::upright(cord) + "}")
+                    : name.size() == 1                        ? name
                     : name.front() == 'T' && name.size() <= 3 ? "T_{" + std::string(name.begin() + 1, name.end()) + "}"
                                                               : "T_{" + ExplanationTex::upright(name) + "}";
       if (from == nullptr) break;  // One tension is told once.

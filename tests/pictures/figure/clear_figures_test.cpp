@@ -154,16 +154,26 @@ TEST(ClearFigures, forces_that_are_open_are_told_below_what_is_cut_free) {
                      .arrows = {arrow(scene::Quantity::force, 0, {}, {0, 5, 0}, "T")}}};
   const FigureName cut{FigureKind::free_body, "free-body", "", scene::ground};
   const auto tells = [&](const FigureName& name) {
-    const Drawing drawing = figure(scene, name, "", {});
+    const Drawing drawing = figure(scene, name, "", {.values = true});
     return std::ranges::any_of(drawing.marks, [](const Mark& mark) {
       const auto* label = std::get_if<Label>(&mark);
-      return label != nullptr && !label->runs.empty() && label->runs[0].text.starts_with("Not drawn is");
+      return label != nullptr && !label->runs.empty() && label->runs[0].text.starts_with("Arrows with one stroke");
     });
   };
+  const auto length = [&] { return pictures_test::length_of(figure(scene, cut, "", {}), Role::arrow); };
   EXPECT_FALSE(tells(cut));
-  scene.notes = {"not drawn is what the equations leave open: N_floor and N_wall"};
+  const double known = length();
+  // Its vector tells the sense alone: the arrow is as long whatever the sizes of the others are.
+  scene.diagrams[0].arrows.push_back(arrow(scene::Quantity::force, 0, {1, 0, 0}, {0, 1, 0}, "N"));
+  scene.diagrams[0].arrows.back().open = true;
   EXPECT_TRUE(tells(cut));
   EXPECT_FALSE(tells(model));
+  const double both = length();
+  EXPECT_GT(both, known + 30);
+  scene.diagrams[0].arrows[0].vector = {0, 5000, 0};
+  EXPECT_NEAR(length(), both, 1e-6);
+  scene.diagrams[0].arrows[0].vector = {0, 5e-4, 0};
+  EXPECT_NEAR(length(), both, 1e-6);
 }
 
 TEST(ClearFigures, a_far_point_of_an_axis_is_not_drawn_beside_what_is_cut_free) {

@@ -85,5 +85,29 @@ TEST(HiddenEdges, are_dashed_at_named_points_behind_a_box_and_left_out_elsewhere
   EXPECT_GT(before, 20U);
 }
 
+TEST(HiddenEdges, of_a_body_that_another_hides_are_dashed_and_of_one_that_is_seen_are_not) {
+  std::mt19937_64 random(21);
+  std::uniform_real_distribution<double> draw(-1, 1);
+  for (int round = 0; round < 10; ++round) {
+    scene::Scene scene;
+    scene.up = {0, 1, 0};
+    scene.bodies = {{.name = "casing", .mass = 1, .shapes = {pictures_test::box_shape({-1, -1, -1}, {1, 1, 1})}},
+                    {.name = "drum", .mass = 1, .shapes = {pictures_test::cylinder_shape(0.4, -0.3, 0.3)}}};
+    const Vector viewer{2 + draw(random), 1.5 + 0.5 * draw(random), 3 + draw(random)};
+    const auto dashed = [&] {
+      double sum = 0;
+      for (const Mark& mark : figure(scene, model, "", {.view = view_from(viewer, scene.up)}).marks)
+        if (const auto* stroke = std::get_if<Stroke>(&mark); stroke != nullptr && stroke->dash == Dash::hidden)
+          for (std::size_t i = 0; i + 1 < stroke->points.size() + (stroke->closed ? 1 : 0); ++i)
+            sum += norm(stroke->points[(i + 1) % stroke->points.size()] - stroke->points[i]);
+      return sum;
+    };
+    // All of the drum is within: both its rims are drawn, and its sides.
+    EXPECT_GT(dashed(), 200) << round;
+    scene.bodies[1].pose.p = {4, 0, 0};
+    EXPECT_EQ(dashed(), 0) << round;
+  }
+}
+
 }  // namespace hidden_edges_test
 }  // namespace poinsot

@@ -245,5 +245,70 @@ TEST(Surfaces, what_only_carries_a_block_is_seen_straight_on_too) {
   EXPECT_LT(norm(cross(view.viewer, Vector{0, 0, 1})), 1e-9);
 }
 
+TEST(Surfaces, what_pushes_a_block_acts_at_its_middle_and_its_surface_at_the_surface) {
+  scene::Scene scene = particle_on({0, 1, 0});
+  const Looks front{.view = view_from({0, 0, 1}, {0, 1, 0})};
+  const auto tail = [&](const char* name, const Vector& vector) {
+    scene::Arrow one = pictures_test::arrow(scene::Quantity::force, 0, {}, vector, "P");
+    one.name = name;
+    scene.diagrams = {{.kind = scene::DiagramKind::model, .title = "", .bodies = {0}, .arrows = {one}}};
+    const std::vector<Point2> shaft = points_of(figure(scene, model, "", front), Role::arrow);
+    return shaft.front();
+  };
+  const std::vector<Point2> block = points_of(figure(scene, model, "", front), Role::outline);
+  ASSERT_EQ(block.size(), 4U);
+  const double middle = 0.5 * (block[0].y + block[2].y), surface = std::max(block[0].y, block[2].y);
+  EXPECT_NEAR(tail("push", {5, 0, 0}).y, middle, 1e-9);
+  EXPECT_NEAR(tail("floor", {0, 5, 0}).y, surface, 1e-9);
+}
+
+TEST(Surfaces, the_name_of_a_block_does_not_stand_in_the_body_below_it) {
+  scene::Scene scene = particle_on({0, 1, 0});
+  scene.symbols[0].from = 1;
+  scene.bodies.push_back({.name = "low", .mass = 5, .shapes = {pictures_test::box_shape({-1, -1, -0.5}, {1, 0, 0.5})}});
+  const Drawing drawing = figure(scene, model, "", {.view = view_from({0, 0, 1}, {0, 1, 0})});
+  Box low;
+  for (const Point2& point : points_of(drawing, Role::outline)) low.include(point);
+  std::size_t found = 0;
+  for (const Mark& mark : drawing.marks)
+    if (const auto* label = std::get_if<Label>(&mark);
+        label != nullptr && !label->runs.empty() && label->runs[0].text == "block") {
+      ++found;
+      // The block stands on the top of the other: what is higher than that is free.
+      EXPECT_LT(label->placed().center().y, low.top + 18 + 1) << low.top << " " << low.bottom;
+    }
+  EXPECT_EQ(found, 1U);
+}
+
+TEST(Surfaces, a_large_post_is_hatched_along_its_rim_and_has_room_within) {
+  for (const double radius : {1.0, 0.02}) {
+    scene::Scene scene;
+    scene.up = {0, 1, 0};
+    scene.bodies = {{.name = "a", .mass = 1, .shapes = {particle_shape()}},
+                    {.name = "b", .mass = 1, .shapes = {particle_shape()}}};
+    scene.bodies[0].pose.p = {-1, -2, 0};
+    scene.bodies[1].pose.p = {1, -2, 0};
+    scene::Curve post{.kind = scene::CurveKind::post, .name = "post", .closed = true};
+    for (int i = 0; i < 48; ++i)
+      post.points.push_back(
+          {radius * std::cos(i * 2 * 3.14159265358979 / 48), radius * std::sin(i * 2 * 3.14159265358979 / 48), 0});
+    scene.curves = {post};
+    const Drawing drawing = figure(scene, model, "", {.view = view_from({0, 0, 1}, {0, 1, 0})});
+    Box rim;
+    for (const Mark& mark : drawing.marks)
+      if (const auto* stroke = std::get_if<Stroke>(&mark); stroke != nullptr && stroke->closed && stroke->width == 1.4)
+        for (const Point2& point : stroke->points) rim.include(point);
+    std::size_t strokes = 0, through = 0;
+    for (const Mark& mark : drawing.marks)
+      if (const auto* stroke = std::get_if<Stroke>(&mark); stroke != nullptr && stroke->width == 0.6) {
+        ++strokes;
+        const Point2 middle = 0.5 * (stroke->points.front() + stroke->points.back());
+        if (norm(middle - rim.center()) < 0.25 * rim.width()) ++through;
+      }
+    EXPECT_GT(strokes, 0U);
+    EXPECT_EQ(through > 0, radius < 0.5);
+  }
+}
+
 }  // namespace surfaces_test
 }  // namespace poinsot

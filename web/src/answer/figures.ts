@@ -1,6 +1,6 @@
 // Line drawings, as the program made them. They are read as XML, so that they hold drawings and nothing else.
 import type { Figure } from "../document";
-import { element, fresh } from "../element";
+import { element, fresh, scrolling } from "../element";
 
 const forbidden = "script, foreignObject, iframe, a, image, use[href^='http'], animate, set";
 
@@ -41,6 +41,17 @@ export function drawing(svg: string, title: string): Element {
 const figureTitle = (figure: Figure): string =>
   figure.situation === "" ? figure.title : `${figure.title} (${figure.situation.replaceAll("_", " ")})`;
 
+// In units of a drawing: one that is wider has letters that nobody reads at the width of a phone.
+const readable = 640;
+
 export function figureNode(figure: Figure): HTMLElement {
-  return element("figure", {}, drawing(figure.svg, figure.title), element("figcaption", {}, figureTitle(figure)));
+  const shown = drawing(figure.svg, figure.title);
+  const wide = Number(shown.getAttribute("width")) > readable;
+  if (wide) shown.classList.add("wide");
+  return element(
+    "figure",
+    {},
+    wide ? scrolling(figureTitle(figure), shown) : shown,
+    element("figcaption", {}, figureTitle(figure)),
+  );
 }

@@ -10,7 +10,10 @@ function datumNode(text: string): Child {
   const tex = /^[\w.*/^+() -]+$/.test(text) && !/^[-0-9.]+ [A-Za-z]/.test(text) ? formulaTex(text) : null;
   if (tex !== null) return math(tex);
   const quantity = /^(-?[0-9][0-9.e+-]*) ([A-Za-z][\w*/^]*)$/.exec(text);
-  if (quantity) return math(`${quantity[1] ?? ""}${quantity[2] === "deg" ? "" : "\\;"}${unitTex(quantity[2] ?? "")}`);
+  if (quantity) {
+    const number = (quantity[1] ?? "").replace(/e[+]?(-?)0*([0-9]+)$/, "\\cdot 10^{$1$2}");
+    return math(`${number}${quantity[2] === "deg" ? "" : "\\;"}${unitTex(quantity[2] ?? "")}`);
+  }
   return element("code", {}, text);
 }
 

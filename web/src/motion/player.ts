@@ -95,7 +95,11 @@ function arrowControls(scene: Scene, stage: Stage): Child {
 // The values behind the arrows, to be read without pointing.
 function arrowTitle(scene: Scene, stage: Stage): string {
   const arrows = scene.diagrams[stage.shown.diagram]?.arrows ?? [];
-  return arrows.map((arrow) => `${arrow.text} = ${rounded(arrow.value)} ${arrow.unit}`).join("; ");
+  return arrows
+    .map((arrow) =>
+      arrow.value === undefined ? `${arrow.text}, open` : `${arrow.text} = ${rounded(arrow.value)} ${arrow.unit ?? ""}`,
+    )
+    .join("; ");
 }
 
 const speeds = [0.001, 0.003, 0.01, 0.03, 0.1, 0.25, 0.5, 1, 2, 4, 10, 30, 100, 1000, 10000, 100000];

@@ -36,12 +36,17 @@ const words: Record<string, string> = {
 };
 export const quantityWords = (quantity: string): string => words[quantity] ?? quantity.replaceAll("_", " ");
 
-// Arrows of one kind share a scale; the smallest stay visible.
+// Arrows of one kind share a scale; the smallest stay visible. One of an open size is half as long as the longest.
 export function arrowLengths(arrows: Arrow[], size: number): number[] {
   const largest = new Map<string, number>();
   const length = (arrow: Arrow): number => Math.hypot(...arrow.vector);
-  for (const arrow of arrows) largest.set(arrow.quantity, Math.max(largest.get(arrow.quantity) ?? 0, length(arrow)));
-  return arrows.map((arrow) => size * Math.max(0.1, (0.34 * length(arrow)) / (largest.get(arrow.quantity) ?? 1)));
+  for (const arrow of arrows)
+    if (arrow.open !== true) largest.set(arrow.quantity, Math.max(largest.get(arrow.quantity) ?? 0, length(arrow)));
+  return arrows.map((arrow) =>
+    arrow.open === true
+      ? 0.17 * size
+      : size * Math.max(0.1, (0.34 * length(arrow)) / (largest.get(arrow.quantity) ?? 1)),
+  );
 }
 
 function cylinder(radius: number, from: number, to: number): BufferGeometry {

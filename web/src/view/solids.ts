@@ -1,5 +1,6 @@
 // Bodies: surfaces with the normals of the true shape, and the edges that a draughtsman draws.
 import {
+  Box3,
   BufferAttribute,
   BufferGeometry,
   CylinderGeometry,
@@ -14,6 +15,7 @@ import {
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import type { Body, Shape, Vector } from "../scene";
 import type { Paints } from "./paints";
+import { matrixOf } from "./poses";
 
 const zAxis = new Vector3(0, 0, 1);
 
@@ -70,8 +72,39 @@ function edgeLines(shape: Shape): BufferGeometry {
 
 const vector = (v: Vector): Vector3 => new Vector3(...v);
 
-function shapeNodes(shape: Shape, body: Body, number: number, size: number, paints: Paints): (Mesh | LineSegments)[] {
-  const look = shape.hole || shape.stand_in || body.massless ? "faint" : shape.added ? "added" : "matter";
+// The bodies within whose boxes others lie with all that they have, as a drum in its casing: they let these be seen.
+export function casings(bodies: Body[]): Set<number> {
+  const boxes = bodies.map((body) => {
+    const pose = matrixOf(body.pose);
+    const box = new Box3();
+    for (const shape of body.shapes) {
+      if (shape.kind === "arm" || body.frame) continue;
+      for (const vertex of shape.vertices) box.expandByPoint(vector(vertex).applyMatrix4(pose));
+    }
+    return box;
+  });
+  const found = new Set<number>();
+  boxes.forEach((box, one) => {
+    const solid = bodies[one]?.shapes.some((shape) => shape.triangles.length > 0) ?? false;
+    if (!solid || box.isEmpty()) return;
+    boxes.forEach((other, two) => {
+      const [large, small] = [box.getSize(new Vector3()), other.getSize(new Vector3())];
+      if (one !== two && !other.isEmpty() && small.length() < large.length() && box.containsBox(other)) found.add(one);
+    });
+  });
+  return found;
+}
+
+function shapeNodes(
+  shape: Shape,
+  body: Body,
+  number: number,
+  size: number,
+  paints: Paints,
+  casing: boolean,
+): (Mesh | LineSegments)[] {
+  const faint = shape.hole || shape.stand_in || body.massless || casing;
+  const look = faint ? "faint" : shape.added ? "added" : "matter";
   if (shape.extent === "point") {
     return shape.vertices.map((at) => new Mesh(ball(vector(at), 0.02 * size), paints.solid(number, look)));
   }
@@ -100,7 +133,7 @@ function triad(size: number, paints: Paints): Mesh[] {
   });
 }
 
-export function bodyNode(body: Body, number: number, size: number, paints: Paints): Group {
+export function bodyNode(body: Body, number: number, size: number, paints: Paints, casing: boolean): Group {
   const group = new Group();
   group.name = body.name;
   if (body.frame) group.add(...triad(size, paints));
@@ -109,7 +142,7 @@ export function bodyNode(body: Body, number: number, size: number, paints: Paint
     group.add(new Mesh(ball(vector(body.center), 0.02 * size), paints.solid(number, "matter")));
   }
   for (const shape of body.shapes) {
-    const nodes = shapeNodes(shape, body, number, size, paints);
+    const nodes = shapeNodes(shape, body, number, size, paints, casing);
     if (nodes.length > 0) group.add(...nodes);
   }
   return group;

@@ -30,7 +30,7 @@ import { linkNode, stretch, WrapNode } from "./links";
 import { MovingArrows } from "./moving_arrows";
 import { Paints } from "./paints";
 import { matrixOf, Track } from "./poses";
-import { bodyNode } from "./solids";
+import { bodyNode, casings } from "./solids";
 import { symbolNode } from "./symbols";
 
 interface Shown {
@@ -66,7 +66,8 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.labels = new Labels(layer);
     this.track = scene.motion ? new Track(scene.motion) : null;
-    this.bodies = scene.bodies.map((body, i) => bodyNode(body, i, this.size, this.paints));
+    const around = casings(scene.bodies);
+    this.bodies = scene.bodies.map((body, i) => bodyNode(body, i, this.size, this.paints, around.has(i)));
     this.links = scene.links.map((link) => linkNode(link, this.size, this.paints));
     this.wraps = (scene.wraps ?? []).map((wrap) => new WrapNode(this.size, this.paints, wrap.name));
     const up = new Vector3(...scene.up);
