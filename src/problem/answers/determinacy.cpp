@@ -10,6 +10,7 @@
 #include "problem/answers/share_ranges.h"
 #include "problem/instant/open_words.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/extremum.h"
@@ -196,7 +197,9 @@ class Variation {
     if (!instant.forces_solved())
       for (const auto& [situation, motion] : found_.sample.motions())
         if (direction < motion->open_forces().size()) return motion->open_forces()[direction];
-    return open_force(instant, direction);
+    std::set<std::string> names;
+    for (const Expression& expression : ask.of) collect_names(expression, names, true);
+    return open_force(instant, direction, names);
   }
 
   bool rests_on_forces(const Ask& ask) const {
@@ -240,9 +243,11 @@ class Variation {
            std::any_of(ask.of.begin(), ask.of.end(), asks_motion_feature);
   }
   // Massless turning changes a motion by no more than the error with which it is followed; only a larger difference
-  // counts.
+  // counts. How bodies fly changes all that depends on it by far more than the rounding of another motion.
   bool differs_beyond_following(std::size_t i, const std::optional<WatchedValue>& other) const {
-    constexpr double following = 1e-5;  // as motion_tolerance in answer_checks.cpp
+    const bool flies = std::ranges::any_of(found_.sample.motions(),
+                                           [](const auto& motion) { return motion.second->has_open_flights(); });
+    const double following = flies ? 1e-8 : 1e-5;  // the second as motion_tolerance in answer_checks.cpp
     const std::optional<WatchedValue>& base = found_.asked.values[i];
     if (!base || !differs(found_, i, other)) return false;
     if (!other) return true;
@@ -312,6 +317,10 @@ class Variation {
   }
 
   static void add_reason(SolvedAsk& ask, const std::string& why) {
+    // The remedy, which is the same for all forces that share a load, is told once, at the end.
+    if (const std::size_t told = ask.reason.find(remedy_of_shares);
+        told != std::string::npos && why.ends_with(remedy_of_shares))
+      ask.reason.erase(told, remedy_of_shares.size());
     ask.reason += (ask.reason.empty() ? "" : "; ") + why;
   }
 

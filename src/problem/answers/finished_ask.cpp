@@ -190,12 +190,22 @@ std::vector<std::string> axes_of_components(const Ask& ask, const Situation& sit
   return both && vectors.size() == 1 ? axes : std::vector<std::string>{};
 }
 
+// Whether it asks when a named instant is, as time @ landing does.
+bool tells_time(const Expression& expression) {
+  if (const At* at = expression.as<At>(); at && !at->names.empty()) {
+    std::set<std::string> names;
+    collect_names(at->expression, names, true);
+    if (names.contains("time")) return true;
+  }
+  return any_child(expression, tells_time);
+}
+
 FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& sample, RoundedValues& rounded) {
   FinishedAsk result;
   SolvedAsk& solved = result.solved;
   const Situation& situation = sample.situation_at(ask);
-  if (!ask.when &&
-      std::none_of(ask.of.begin(), ask.of.end(), [&](const Expression& e) { return asks_model(situation, e); }))
+  if (!ask.when && std::none_of(ask.of.begin(), ask.of.end(),
+                                [&](const Expression& e) { return asks_model(situation, e) || tells_time(e); }))
     fail(situation.file, ask.mark, "'" + ask.name + "' asks nothing of the model: it is a formula of the data",
          "ask for a quantity, such as angular_momentum(BODY about POINT)");
   if (has_records(value)) return {finished_modes(ask, value, situation)};

@@ -19,9 +19,18 @@ namespace {
 // which the motion is followed, 1e-12 a step, and so small that its square is not seen in eleven digits.
 constexpr double nudge = 1e-7;
 
+// Whether velocities carry free bodies along without turning anything.
+bool carries_along(const Machine& machine, const std::vector<double>& velocities) {
+  std::vector<double> rest = velocities;
+  for (const auto& body : machine.mechanism.tree.bodies())
+    if (body.joint == JointType::free)
+      for (std::size_t k = 3; k < 6; ++k) rest[static_cast<std::size_t>(body.v) + k] = 0;
+  return std::ranges::all_of(rest, [](double component) { return component == 0; });
+}
+
 }  // namespace
 
-Course::Course(const Situation& situation, const Settings& settings, const OpenChoice& choice)
+Course::Course(const Situation& situation, const Settings& settings, const OpenChoice& choice, bool flights_open)
     : stated_(situation),
       changed_(with_absorbed_particles(situation)),
       situation_(changed_ ? *changed_ : situation),
@@ -50,7 +59,9 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
   start_ = std::make_unique<SolvedInstant>(situation, settings, When{0, situation.has_blow()}, choice);
   std::vector<std::vector<double>> open = start_->velocities().open;
   const std::vector<std::vector<double>> moving_nothing = take_massless(start_->machine(), open);
-  if (!choice.trial && !choice.velocities && !open.empty())
+  const auto flies = [&](const std::vector<double>& direction) { return carries_along(start_->machine(), direction); };
+  open_flights_ = flights_open && !open.empty() && std::ranges::all_of(open, flies);
+  if (!choice.trial && !choice.velocities && !open_flights_ && !open.empty())
     throw UnansweredError(
         situation.file, mark_of(0),
         words_of(0) + " is not fixed at its start: " +
@@ -317,6 +328,8 @@ void Course::continue_from(const MotionCheckpoint& checkpoint) {
   begin(state.stage);
   now.time = state.time;
   energy_drift_.reset();
+  largest_kinetic_ = 0;
+  blows_.clear();
   // A new probe is made, as the old one keeps rounding from earlier places of the contacts.
   probes_.clear();
   in_states_.resize(1);

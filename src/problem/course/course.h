@@ -53,7 +53,9 @@ class Course : public FollowedMotion {
  public:
   // Situation and settings must outlive the motion. Throws StatementError if the state at the start is not
   // determined.
-  Course(const Situation& situation, const Settings& settings, const OpenChoice& choice);
+  // flights_open: whether free bodies may start with velocities that nothing states, as of a satellite of which only
+  // the turning is asked. Whoever lets them must vary them (determinacy.h): nothing tells which answers depend on them.
+  Course(const Situation& situation, const Settings& settings, const OpenChoice& choice, bool flights_open = false);
   ~Course() override;
 
   // The situation that moves: after a blow, particles that stay are parts of their bodies.
@@ -116,6 +118,8 @@ class Course : public FollowedMotion {
   // the names of its coordinates. Then the number of directions that the impulses of a blow leave open.
   const std::vector<std::vector<std::string>>& open_turnings() const { return open_turnings_; }
   std::size_t open_impulses() const { return open_impulses_; }
+  // Whether free bodies start with velocities that nothing states.
+  bool has_open_flights() const { return open_flights_; }
   // What is open of forces at the instants that were asked for along the motion: a sentence for each direction, as many
   // as were open at once.
   const std::vector<std::string>& open_forces() const { return open_forces_; }
@@ -228,6 +232,11 @@ class Course : public FollowedMotion {
   void let_slide(std::size_t stage, const std::vector<ContactState>& starting);
   void put_in_contact_states(std::size_t stage, const std::vector<ContactState>& states);
   std::vector<double> times_of_state(const Call& call, double from, std::optional<double> to);
+  // The same of smooth contacts and of cords, which are told apart by whether they act (motion_holds.cpp).
+  std::optional<std::size_t> smooth_hold(const Call& call) const;
+  std::vector<double> times_of_hold(const Call& call, double from, std::optional<double> to);
+  void tell_of_hold(const Expression& condition, const std::vector<double>& found, double from,
+                    std::optional<double> to);
   void let_turn(std::size_t stage, const std::vector<std::string>& contacts);
   // Contacts with friction that are lost and struck (flying_contacts.cpp).
   bool rubs(const StageRun& run) const { return in_states_[run.states_now]->has_friction(); }
@@ -266,6 +275,7 @@ class Course : public FollowedMotion {
   std::vector<StageRun> stages_;
   std::vector<std::vector<std::string>> open_turnings_;
   std::size_t open_impulses_ = 0;
+  bool open_flights_ = false;
   std::vector<std::string> open_forces_;
   State<double> state_;  // the last one computed
   double pace_time_ = 1;
@@ -279,7 +289,13 @@ class Course : public FollowedMotion {
   bool has_later_contacts_ = false, open_checked_ = false;
   std::map<std::size_t, double> approaches_;  // the largest speed of approach of contacts that met, m/s
   std::map<std::size_t, int> blows_told_;     // of each contact
-  std::map<std::string, double> settled_;     // when contacts ceased to bounce, s
+  struct Blow {
+    double time = 0;
+    std::size_t action = 0;
+  };
+  std::vector<Blow> blows_;                // at which contacts met, in the order of time
+  double largest_kinetic_ = 0;             // of the motion so far, where its energy is balanced, J
+  std::map<std::string, double> settled_;  // when contacts ceased to bounce, s
   std::optional<double> blow_misfit_, rough_blow_misfit_;
   std::optional<Machine> whole_machine_;  // with contacts that are open at the start
   struct AskedExtreme {

@@ -62,11 +62,4 @@ std::optional<double> energy_misfit(const Mechanism<double>& mechanism, const Tr
   return size > 0 ? std::optional(largest / size) : std::nullopt;
 }
 
-double kinetic_energy_at_ends(const Mechanism<double>& mechanism, const Trajectory& way) {
-  if (way.empty()) return 0;
-  Account account(mechanism);
-  return std::max(account.energies(way.state(way.start_time())).kinetic,
-                  account.energies(way.state(way.end_time())).kinetic);
-}
-
 }  // namespace poinsot::problem

@@ -15,7 +15,4 @@ namespace poinsot::problem {
 std::optional<double> energy_misfit(const Mechanism<double>& mechanism, const Trajectory& way, double size,
                                     const std::function<double(const State<double>&)>& more = {});
 
-// The larger of the kinetic energies at the ends of a way.
-double kinetic_energy_at_ends(const Mechanism<double>& mechanism, const Trajectory& way);
-
 }  // namespace poinsot::problem

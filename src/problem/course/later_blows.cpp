@@ -191,6 +191,7 @@ void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, 
     }
     const bool stays = one.restitution == 0 || settled_.contains(contact.name);
     changes_.push_back({now.time, change});
+    blows_.push_back({now.time, one.action});
     // Of many blows the first ones are told, and the end.
     constexpr int most_told = 3;
     const bool told = !settled_.contains(contact.name) && ++blows_told_[one.action] <= most_told;

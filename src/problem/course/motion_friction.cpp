@@ -145,9 +145,20 @@ void Course::put_in_contact_states(std::size_t stage, const std::vector<ContactS
 std::vector<double> Course::times_of_state(const Call& call, double from, std::optional<double> to) {
   const auto contact = std::ranges::find_if(
       situation_.contacts, [&](const Contact& one) { return one.friction && is_about(call, one.name); });
-  if (contact == situation_.contacts.end())
+  if (contact == situation_.contacts.end()) {
+    const bool cord = call.function == "taut", any = cord || call.function == "touching" || call.function == "parting";
+    std::vector<std::string> known;
+    for (const Contact& one : situation_.contacts)
+      if (!cord && (any || one.friction)) known.push_back(one.name);
+    for (const Cord& one : situation_.cords)
+      if (cord) known.push_back(one.name);
+    const std::string name = to_string(call.arguments.front().value), meant = did_you_mean(name, known);
     fail(situation_.file, call.arguments.front().value.mark(),
-         "there is no contact '" + to_string(call.arguments.front().value) + "' with friction");
+         "there is no " + std::string(cord ? "cord" : "contact") + " '" + name + "'" + (any ? "" : " with friction"),
+         !meant.empty()  ? meant
+         : known.empty() ? ""
+                         : "known: " + joined(known));
+  }
   const Grip asked = call.function == "sticking"  ? Grip::sticks
                      : call.function == "sliding" ? Grip::slides
                                                   : Grip::parts;

@@ -172,6 +172,11 @@ void Course::tell_how(const ExtremeFound& found, const Call& call) {
 std::vector<double> Course::times(const Expression& condition, const std::optional<Expression>& axes, double from,
                                   std::optional<double> to) {
   const WorkCounted counted(*this);
+  if (const Call* call = condition.as<Call>(); call && smooth_hold(*call)) {
+    std::vector<double> found = times_of_hold(*call, from, to);
+    tell_of_hold(condition, found, from, to);
+    return found;
+  }
   if (const Call* call = condition.as<Call>(); call && call->arguments.size() == 1) {
     std::vector<double> found = times_of_state(*call, from, to);
     tell({to_string(condition),

@@ -221,22 +221,23 @@ void Course::keep(std::size_t stage, Piece& piece, IntegrationResult& result) {
   if (!result.complete())
     throw UnansweredError(situation_.file, mark_of(stage),
                           words_of(stage) + " cannot be followed: " + poinsot::describe(result), "let it last shorter");
-  if (!result.drift.empty()) {
-    const double size = std::max(std::abs(result.drift[0].start), piece.largest_kinetic_energy(result.trajectory));
-    energy_drift_ = std::max(energy_drift_.value_or(0), size > 0 ? result.drift[0].largest / size : 0);
-  }
   const Mechanism<double>& mechanism = piece.machine().mechanism;
   const bool by_motion =
       std::ranges::any_of(mechanism.forces, [](const KnownForce<double>& force) { return force.by_motion != nullptr; });
-  if ((by_motion || piece.rubs()) && !timed_ && piece.machine().accelerations.empty()) {
-    // What is left of a motion that dies out is small beside what it was.
-    double before = 0;
-    for (const StageRun& run : stages_)
-      for (const Trajectory& way : run.pieces) before = std::max(before, kinetic_energy_at_ends(mechanism, way));
-    if (const std::optional<double> misfit =
-            energy_misfit(mechanism, result.trajectory, before,
-                          [&](const State<double>& state) { return piece.rubbing_power(state); }))
-      energy_drift_ = std::max(energy_drift_.value_or(0), *misfit);
+  const bool balanced = (by_motion || piece.rubs()) && !timed_ && piece.machine().accelerations.empty();
+  if (!result.drift.empty() || balanced) {
+    // What is left of a motion that dies out, by dampers, friction or blows, is small beside what it was.
+    const double before = largest_kinetic_;
+    largest_kinetic_ = std::max(before, piece.largest_kinetic_energy(result.trajectory));
+    if (!result.drift.empty()) {
+      const double size = std::max(std::abs(result.drift[0].start), largest_kinetic_);
+      energy_drift_ = std::max(energy_drift_.value_or(0), size > 0 ? result.drift[0].largest / size : 0);
+    }
+    if (balanced)
+      if (const std::optional<double> misfit =
+              energy_misfit(mechanism, result.trajectory, before,
+                            [&](const State<double>& state) { return piece.rubbing_power(state); }))
+        energy_drift_ = std::max(energy_drift_.value_or(0), *misfit);
   }
   StageRun& now = stages_[stage];
   now.pieces.push_back(std::move(result.trajectory));

@@ -83,10 +83,11 @@ WhenAsk read_when(const Members& members, const std::string& file) {
   when.condition = *members.expression(when.first ? "first_time" : "times");
   const Call* call = when.condition.as<Call>();
   const bool of_state =
-      call && (call->function == "sticking" || call->function == "sliding" || call->function == "parting");
+      call && (call->function == "sticking" || call->function == "sliding" || call->function == "parting" ||
+               call->function == "touching" || call->function == "taut");
   if (!when.condition.as<Comparison>() && !of_state)
     fail(file, when.condition.mark(), "when something happens is told by a comparison",
-         "write first_time: reaction(A).z == 0");
+         "write first_time: reaction(A).z == 0, or touching(floor)");
   when.from = members.expression("from");
   when.to = members.expression("to");
   if (!when.first && !when.to)

@@ -44,10 +44,11 @@ Unit composed(std::initializer_list<Base> bases, double factor, const Dimension&
 }
 
 // The dimension without a radian in the numerator beside other units (v = omega r is in m/s). In a denominator the
-// radian stays (N*m/rad).
+// radian stays (N*m/rad), but beside times alone, as of the period 2 pi/omega.
 Dimension without_idle_angle(const Dimension& dimension) {
   Dimension plain = dimension;
-  if (plain.angle > 0 && (plain.length != 0 || plain.mass != 0)) plain.angle = 0;
+  const bool of_time = plain.length == 0 && plain.mass == 0;
+  if (of_time ? plain.angle < 0 && plain.time > 0 : plain.angle > 0) plain.angle = 0;
   return plain;
 }
 

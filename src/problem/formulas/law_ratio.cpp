@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "engine/solve/linear/decompositions.h"
 #include "problem/formulas/law_shape.h"
@@ -110,9 +112,22 @@ std::optional<RatioLaw> ratio_law(const Formula& x, const RatioSamples& samples,
         const RatioFit fit(samples, power, tolerance);
         const auto quotient = fit.of_degrees(above, below);
         if (!quotient) continue;
-        const auto over = std::ranges::find_if(quotient->below, [](double one) { return one != 0; });
         const int digits = std::min(digits_of_ratio, static_cast<int>(std::floor(-std::log10(tolerance))));
-        const Told p = told(quotient->above, *over, x, digits + 1), q = told(quotient->below, *over, x, digits + 1);
+        // Over one of the coefficients the others may be fractions of smaller numbers than over another: of 81, 102 and
+        // 32 over the last.
+        std::vector<double> over;
+        for (const std::vector<double>& side : {quotient->below, quotient->above})
+          std::ranges::copy_if(side, std::back_inserter(over), [](double one) { return one != 0; });
+        Told p = told(quotient->above, over.front(), x, digits + 1),
+             q = told(quotient->below, over.front(), x, digits + 1);
+        for (std::size_t k = 1; k < over.size() && !(p.fractions && q.fractions); ++k) {
+          Told other_p = told(quotient->above, over[k], x, digits + 1),
+               other_q = told(quotient->below, over[k], x, digits + 1);
+          if (!(other_p.fractions && other_q.fractions && fit.meets({other_p.coefficients, other_q.coefficients})))
+            continue;
+          p = std::move(other_p);
+          q = std::move(other_q);
+        }
         if (!fit.meets({p.coefficients, q.coefficients})) continue;
         const bool fractions = p.fractions && q.fractions;
         if (!fractions && degrees > most_degrees_of_decimals) continue;

@@ -216,6 +216,27 @@ class SumSearch {
     return all;
   }
 
+  static bool known(const std::optional<Formula>& one) { return one.has_value(); }
+
+  // Where the coefficients are no fractions of small numbers, they may be so over one of them, as 1, 34/27 and 32/81
+  // are over the second: 27/34, 1 and 16/51.
+  static void take_over_another(const std::vector<double>& coefficients, const std::vector<int>& digits,
+                                std::vector<std::optional<Formula>>& exact) {
+    const double tolerance = 2 * within(std::ranges::min(digits));
+    for (const double over : coefficients) {
+      const std::optional<Formula> one = simple_coefficient(1 / over, tolerance);
+      if (!one) continue;
+      std::vector<std::optional<Formula>> all;
+      for (const double coefficient : coefficients) {
+        all.push_back(simple_coefficient(coefficient / over, tolerance));
+        if (all.back()) *all.back() /= *one;
+      }
+      if (!std::ranges::all_of(all, known)) continue;
+      exact = std::move(all);
+      return;
+    }
+  }
+
   std::optional<SumLaw> as(const std::vector<Product>& products, int power, int most) const {
     if (products.empty()) return std::nullopt;
     Combination combination(products, samples_, power, tolerance_);
@@ -231,16 +252,22 @@ class SumSearch {
         outside = std::abs(found.value[k]);
     SumLaw law;
     law.digits = sum_digits;
-    Formula sum, linear, below(1);
+    std::vector<double> coefficients;
+    std::vector<int> digits;
+    std::vector<std::optional<Formula>> exact;
     for (std::size_t k = 0; k < chosen->size(); ++k) {
       const double error = std::max({found.misfit, error_, 1e-15}) * std::max(1.0, found.error[k]);
-      const int digits = std::min(sum_digits, static_cast<int>(std::floor(-std::log10(error))));
-      if (digits < least_sum_digits) return std::nullopt;
+      digits.push_back(std::min(sum_digits, static_cast<int>(std::floor(-std::log10(error)))));
+      if (digits.back() < least_sum_digits) return std::nullopt;
+      coefficients.push_back(found.value[k] / (products[(*chosen)[k]].of_number == 0 ? outside : 1));
+      exact.push_back(known_coefficient(coefficients.back(), within(digits.back())));
+    }
+    if (outside == 1 && !std::ranges::all_of(exact, known)) take_over_another(coefficients, digits, exact);
+    Formula sum, linear, below(1);
+    for (std::size_t k = 0; k < chosen->size(); ++k) {
       const Product& product = products[(*chosen)[k]];
-      const double coefficient = found.value[k] / (product.of_number == 0 ? outside : 1);
-      const std::optional<Formula> simple = known_coefficient(coefficient, within(digits));
-      if (!simple || outside != 1) law.digits = std::min(law.digits, digits);
-      Formula term = simple.value_or(rounded(coefficient, coefficient, digits));
+      if (!exact[k] || outside != 1) law.digits = std::min(law.digits, digits[k]);
+      Formula term = exact[k].value_or(rounded(coefficients[k], coefficients[k], digits[k]));
       for (const LawShape::Part& part : product.parts)
         term *= power_of(formula_of(part.factor, letter(part.letter)), part.halves);
       if (product.of_number == 0)

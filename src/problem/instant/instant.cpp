@@ -98,7 +98,8 @@ std::vector<const Instant*> instants_at_start(const Situation& situation) {
     for (const Instant& instant : situation.instants) {
       if (instant.name != "before" && instant.name != "after" && !is_later(situation, instant))
         fail(situation.file, instant.mark,
-             "the instants of a blow are called before and after, not '" + instant.name + "'");
+             "the instants of a blow are called before and after, not '" + instant.name + "'",
+             "write instants: {before: {...}} for what is known just before it");
       if (instant.name == "before") found.push_back(&instant);
     }
     return found;

@@ -1,5 +1,7 @@
 #include "problem/instant/open_words.h"
 
+#include <algorithm>
+
 #include "problem/language/words.h"
 #include "problem/machine/gimbal_lock.h"
 
@@ -11,11 +13,17 @@ namespace {
 
 // The names of the unknowns that change in one open direction.
 std::vector<std::string> moved_names(const solve::LinearSystem& equations, const solve::LinearSolution& solution,
-                                     std::size_t direction, std::size_t first, std::size_t last) {
+                                     std::size_t direction, std::size_t first, std::size_t last,
+                                     const std::set<std::string>& asked = {}) {
   std::vector<std::string> names;
   if (direction >= solution.share.size()) return names;
   for (std::size_t k : solution.share[direction])
     if (k >= first && k < last) names.emplace_back(equations.name(k));
+  // What is asked of stands first, so that it is among those that are told.
+  std::ranges::stable_partition(names, [&](const std::string& name) {
+    return std::ranges::any_of(asked,
+                               [&](const std::string& one) { return name.find("(" + one + ")") != std::string::npos; });
+  });
   if (names.size() > 6) {
     names.resize(5);
     names.emplace_back("more");
@@ -43,7 +51,7 @@ std::string open_velocities(std::vector<std::string> names, std::size_t missing)
          " under joints: or instants:";
 }
 
-std::string open_force(const SolvedInstant& instant, std::size_t direction) {
+std::string open_force(const SolvedInstant& instant, std::size_t direction, const std::set<std::string>& asked) {
   if (instant.after_blow() && !instant.forces_solved()) {
     const std::vector<std::string> names =
         moved_names(instant.blow_equations(), instant.blow(), direction, 0, instant.blow_equations().unknowns());
@@ -58,9 +66,8 @@ std::string open_force(const SolvedInstant& instant, std::size_t direction) {
   for (std::string& name : motions)
     if (name != "more") name = with_article(name);
   if (!motions.empty()) return "nothing fixes " + listed(motions) + ": " + remedy_of(instant);
-  return listed(moved_names(equations, instant.motion(), direction, accelerations, equations.unknowns())) +
-         " share the same load: the statement does not fix them one by one (carries: of a contact and supports: of a "
-         "joint say what each can bear)";
+  return listed(moved_names(equations, instant.motion(), direction, accelerations, equations.unknowns(), asked)) +
+         " share the same load: the statement does not fix them one by one" + std::string(remedy_of_shares);
 }
 
 }  // namespace poinsot::problem

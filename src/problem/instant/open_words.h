@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "problem/instant/instant.h"
@@ -16,7 +18,11 @@ std::string with_article(const std::string& name);
 std::string open_velocities(std::vector<std::string> names, std::size_t missing);
 
 // Names the accelerations and forces, or impulses, that change in one open direction of an instant, and says that
-// nothing determines them.
-std::string open_force(const SolvedInstant& instant, std::size_t direction);
+// nothing determines them; those of the asked names first.
+std::string open_force(const SolvedInstant& instant, std::size_t direction, const std::set<std::string>& asked = {});
+
+// What can be done where forces share a load.
+inline constexpr std::string_view remedy_of_shares =
+    " (carries: of a contact and supports: of a joint say what each can bear)";
 
 }  // namespace poinsot::problem

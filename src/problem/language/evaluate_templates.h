@@ -301,9 +301,15 @@ Value<Scalar> Evaluator<Scalar>::quantity(const Expression& expression, const Di
   const bool literal = expression.as<Number>() != nullptr;
   if (!same_kind(value.dimension, dimension)) {
     const std::string unit = si_unit(dimension).text;
-    const std::string hint = value.bare && literal && !unit.empty()
-                                 ? "write its unit after a blank, as in " + to_string(expression) + " " + unit
-                                 : "";
+    // Who reckons in pounds and feet takes forces for masses: a moment of inertia in lb*ft^2, a density in lb/ft^3.
+    const bool weighs = dimension.mass != 0 && same_kind(value.dimension, dimension * dimensions::acceleration);
+    const std::string hint =
+        value.bare && literal && !unit.empty()
+            ? "write its unit after a blank, as in " + to_string(expression) + " " + unit
+        : weighs
+            ? std::string("a force stands in it in place of a mass: write lbm or ozm for lb or oz") +
+                  (dimension == dimensions::moment_of_inertia ? ", lbm*ft^2 or lb*ft*s^2" : "") + ", or divide by g"
+            : "";
     fail(beginning(expression), "expected " + to_string(dimension) + ", not " + quantity_in_words(value), hint);
   }
   if (value.bare && dimension == dimensions::angle) {

@@ -128,8 +128,10 @@ void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, b
                 "a mixed number is written as a decimal or as one fraction: 1.5 or 3/2");
   const std::string repair = simple ? source.written(tokens.before()) + "*" + source.written(token) : "a*b";
   const bool two_names = tokens.before().kind == Token::Kind::name && token.kind == Token::Kind::name;
+  const std::string& first = tokens.before().text;
   const std::string call = two_names && tokens.before().primes == 0
-                               ? ", or '" + tokens.before().text + "(" + token.text + ")' of a quantity"
+                               ? ", '" + first + "(" + token.text + ")' of a quantity, or '" + first + "_" +
+                                     token.text + "' where both are one name"
                                : "";
   source.fail(token.begin, "an operator is missing between " + source.quoted(tokens.before()) + " and " + here,
               "write '" + repair + "' to multiply" + call);

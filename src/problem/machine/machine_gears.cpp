@@ -86,10 +86,24 @@ class GearMesh {
     fail(draft_.situation.file, mark, "gear '" + gear_.name + "' " + message, hint);
   }
 
+  // What a body is welded to, by joints one after the other: with it, it moves as one.
+  std::string whole(std::string name) const {
+    for (std::size_t steps = 0; steps < draft_.situation.joints.size(); ++steps) {
+      const auto weld = std::ranges::find_if(draft_.situation.joints, [&](const Joint& joint) {
+        return joint.to == name && joint.freedoms.empty() && !joint.kind->any_turning;
+      });
+      if (weld == draft_.situation.joints.end()) break;
+      name = weld->from;
+    }
+    return name;
+  }
+
   // The freedom of the joint between two bodies that has no other.
-  std::optional<Way> between(const std::string& a, const std::string& b) const {
+  std::optional<Way> between(const std::string& one, const std::string& other) const {
+    const std::string a = whole(one), b = whole(other);
     for (const Joint& joint : draft_.situation.joints) {
-      const bool these = (joint.from == a && joint.to == b) || (joint.from == b && joint.to == a);
+      const std::string from = whole(joint.from), to = whole(joint.to);
+      const bool these = (from == a && to == b) || (from == b && to == a);
       const JointPlaceOf<Scalar>& place = draft_.machine.joints.at(joint.name);
       if (!these || joint.freedoms.size() != 1 || joint.kind->any_turning || joint.kind->advances || !place.axis)
         continue;
@@ -108,12 +122,12 @@ class GearMesh {
   // How a gear moves in a body that carries it: by a joint between the two, or where both turn about one axis on a
   // third.
   std::optional<Way> carried(const std::string& gear, const std::string& carrier) const {
-    if (gear == carrier) return std::nullopt;
+    if (whole(gear) == whole(carrier)) return std::nullopt;
     if (auto way = between(gear, carrier)) return way;
     for (const std::string& third : names_) {
       auto one = between(gear, third);
       const auto other = between(carrier, third);
-      if (third != gear && third != carrier && one && other && on_one_axis(*one, *other)) return one;
+      if (one && other && on_one_axis(*one, *other)) return one;
     }
     return std::nullopt;
   }

@@ -128,6 +128,19 @@ Vector3<Scalar> QuantityScope<Scalar, Base>::mass_center_of(int body, const Expr
   return body_mass_center(model_, workspace_, body);
 }
 
+namespace {
+
+// Who writes `momentum of disk` means no point.
+template <class Data, class Scalar>
+void refuse_quantity_as_point(const Of& of, const Data& data, const Evaluator<Scalar>& evaluator) {
+  const Name* point = plain_name(of.point);
+  if (const QuantityFunction* quantity = point && !data.knows(point->name) ? find_quantity(point->name) : nullptr)
+    evaluator.fail(of.point.mark(), "'" + point->name + "' is a quantity: what it is of stands in brackets",
+                   std::string("write ") + quantity->form);
+}
+
+}  // namespace
+
 template <class Scalar, class Base>
 typename QuantityScope<Scalar, Base>::Riding QuantityScope<Scalar, Base>::riding(const Expression& expression,
                                                                                  const Evaluator<Scalar>& evaluator) {
@@ -139,6 +152,7 @@ typename QuantityScope<Scalar, Base>::Riding QuantityScope<Scalar, Base>::riding
   };
   if (const Of* of = expression.as<Of>()) {
     const int body = body_of(of->body, evaluator);
+    refuse_quantity_as_point(*of, data_, evaluator);
     const Vector3<Base> drawn = as_base(data_.place(of->point));
     return {body, lifted<Scalar>(machine_.place(body, drawn).point), drawn};
   }
@@ -252,6 +266,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::name(const Name& name, const Mark& ma
 
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::of(const Of& of, const Mark& mark, const Evaluator<Scalar>& evaluator) {
+  refuse_quantity_as_point(of, data_, evaluator);
   const int body = body_of(of.body, evaluator);
   (void)mark;
   const Vector3<Base> drawn = as_base(data_.place(of.point));

@@ -253,16 +253,31 @@ ExtremumSearch::Truth ExtremumSearch::truth_at(double value) {
     doubtful_ = false;
     if (sample_at(value)) return Truth::holds;
     return doubtful_ ? Truth::doubtful : Truth::fails;
+  } catch (const ContradictionError& error) {
+    refusal_ = error;
+    contradicted_ = true;
+    return Truth::refused;
   } catch (const StatementError& error) {
     refusal_ = error;
+    contradicted_ = false;
     return Truth::refused;
   }
+}
+
+std::string ExtremumSearch::in_unit(double value) const {
+  Unit unit = situation_.habits.unit_for(dimension_);
+  for (const Letter& letter : situation_.letters)
+    if (letter.name == ask_.extremum->name) unit = letter.unit;
+  for (const Unknown& unknown : situation_.find)
+    if (unknown.name == ask_.extremum->name) unit = unknown.unit;
+  if (ask_.unit) unit = *ask_.unit;
+  return number_text(value / unit.factor) + (unit.text.empty() || unit.text == "1" ? "" : " " + unit.text);
 }
 
 // Explains an end beyond which the conditions do not clearly fail.
 std::string ExtremumSearch::told_beyond(double inside, double outside) {
   const Truth beyond = truth_at(outside);
-  const std::string here = number_text(inside) + " (SI)";
+  const std::string here = in_unit(inside);
   if (beyond == Truth::refused)
     return "what is stated ends at " + here + ", not what is asked: beyond, " + refusal_->diagnostics().front().message;
   if (beyond != Truth::doubtful) return "";
@@ -273,8 +288,7 @@ std::string ExtremumSearch::told_beyond(double inside, double outside) {
     const Truth there = truth_at(further);
     if (there != Truth::fails && there != Truth::refused) continue;
     if (i == 0) return "";
-    return "from " + number_text(inside) + " to " + number_text(further) +
-           " (SI) the linearised equations do not decide";
+    return "from " + in_unit(inside) + " to " + in_unit(further) + " the linearised equations do not decide";
   }
   return "beyond " + here + " the linearised equations do not decide";
 }
@@ -296,8 +310,8 @@ std::string ExtremumSearch::told_before(const std::vector<double>& nearer) {
     if (there != Truth::holds || failing == 0) continue;
     const bool rising = ask_.extremum->largest;
     const double end = border(nearer[i], nearer[i + 1]), again = border(nearer[failing + 1], nearer[failing]);
-    return "between " + number_text(end) + " and " + number_text(again) + " (SI) it does not hold: from " +
-           (rising ? "smaller values it holds up to " : "larger values it holds down to ") + number_text(end);
+    return "between " + in_unit(end) + " and " + in_unit(again) + " it does not hold: from " +
+           (rising ? "smaller values it holds up to " : "larger values it holds down to ") + in_unit(end);
   }
   return "";
 }
@@ -346,10 +360,7 @@ bool ExtremumSearch::sticks_beyond(double end) try {
 ExtremumFound ExtremumSearch::find() {
   ExtremumFound found = found_end();
   if (found.value && found.note.empty() && sticks_beyond(found.value->number))
-    return {{},
-            "the laws of friction do not confirm that it ends at " + number_text(found.value->number) + " (SI)",
-            {},
-            {}};
+    return {{}, "the laws of friction do not confirm that it ends at " + in_unit(found.value->number), {}, {}};
   if (!unconfirmed_ && found.value && !choice_.trial) {
     const double value = found.value->number, side = ask_.extremum->largest ? 1 : -1;
     for (const NamedExpression& item : situation_.given) {
@@ -406,10 +417,11 @@ ExtremumFound ExtremumSearch::found_end() {
       if (holds(grid.front())) at = std::prev(grid.rend());
     }
   if (at == grid.rend()) {
-    if (!ever_ && refusal_) throw *refusal_;
+    // At the ends of the grid, at zero above all, something else may be wrong than at values that are meant.
+    if (!ever_ && refusal_ && truth_at(grid[grid.size() / 2]) == Truth::refused) throw *refusal_;
     found.reason = "it holds at none of " + std::to_string(grid.size()) + " values from " +
-                   number_text(*std::min_element(grid.begin(), grid.end())) + " to " +
-                   number_text(*std::max_element(grid.begin(), grid.end())) + " (SI)";
+                   in_unit(*std::min_element(grid.begin(), grid.end())) + " to " +
+                   in_unit(*std::max_element(grid.begin(), grid.end()));
     return found;
   }
   double inside = *at, outside = at == grid.rbegin() ? *at : *std::prev(at);
@@ -427,7 +439,7 @@ ExtremumFound ExtremumSearch::found_end() {
     // So far out what is doubtful or makes no sense may be so by rounding alone.
     if (beyond != Truth::fails) {
       found.reason = "no " + what + " was found: it holds at every value tried, up to " +
-                     number_text(beyond == Truth::holds ? outside : inside) + " (SI); beyond, " +
+                     in_unit(beyond == Truth::holds ? outside : inside) + "; beyond, " +
                      (beyond == Truth::holds ? "no values were tried" : "nothing can be told");
       return found;
     }
@@ -441,7 +453,7 @@ ExtremumFound ExtremumSearch::found_end() {
   } else if (at == grid.rbegin()) {
     found.value = Value<double>::of_number(*at, dimension_);
     found.sample = sample_at(*at);
-    found.note = "it holds at " + number_text(*at) + " (SI), where the values that are tried end";
+    found.note = "it holds at " + in_unit(*at) + ", where the values that are tried end";
     return found;
   }
   // Bisection finds the border between this value and the one before, if it is no end of stability that is found from
@@ -464,7 +476,14 @@ ExtremumFound ExtremumSearch::found_end() {
   const bool to_nothing = range.lower == 0 && side < 0 && inside < nothing * range.scale;
   if (to_nothing && truth_at(outside) != Truth::fails) {
     found.reason =
-        "there is no " + what + ": it holds down to " + number_text(inside) + " (SI), below which nothing can be told";
+        "there is no " + what + ": it holds down to " + in_unit(inside) + ", below which nothing can be told";
+    return found;
+  }
+  // Equations that contradict each other everywhere beyond hold up to here within their rounding alone: what grows in
+  // them with the datum is as small as that. No answer to what was asked ends there.
+  if (truth_at(outside) == Truth::refused && contradicted_) {
+    found.reason = "there is no " + what + " of what is stated: beyond " + in_unit(inside) + ", " +
+                   refusal_->diagnostics().front().message;
     return found;
   }
   found.note = told_beyond(inside, outside);

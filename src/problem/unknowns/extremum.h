@@ -49,6 +49,8 @@ class ExtremumSearch {
   Truth truth_at(double value);
   bool holds(double value) { return truth_at(value) == Truth::holds; }
   std::string told_beyond(double inside, double outside);
+  // A value of the datum in the unit of the answer.
+  std::string in_unit(double value) const;
   // Explains that the conditions also end nearer than at the value told: they fail at some of the values on this side
   // of it, and hold again nearer still. nearer: values from the nearest to the value told, at which they hold.
   std::string told_before(const std::vector<double>& nearer);
@@ -72,6 +74,7 @@ class ExtremumSearch {
   const bool seeks_states_;  // of contacts with friction, anew at each value
   Dimension dimension_;
   std::optional<StatementError> refusal_;
+  bool contradicted_ = false;           // whether that is so because what is stated contradicts itself
   std::optional<double> confirmed_at_;  // where the particles were asked last
   bool unconfirmed_ = false;
   bool doubtful_ = false;               // of the value tried last

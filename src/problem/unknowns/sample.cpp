@@ -38,7 +38,8 @@ SolvedInstant& Sample::instant(const Home& home) {
 Course& Sample::motion(std::size_t situation_index) {
   const auto known = motions_.find(situation_index);
   if (known != motions_.end()) return *known->second;
-  auto motion = std::make_unique<Course>(statement_.situations[situation_index], settings_[situation_index], choice_);
+  auto motion =
+      std::make_unique<Course>(statement_.situations[situation_index], settings_[situation_index], choice_, true);
   return *(motions_[situation_index] = std::move(motion));
 }
 

@@ -37,11 +37,5 @@ TEST(EnergyBalance, TellsWhetherTheWorkOfLoadsIsTheChangeOfEnergy) {
   EXPECT_EQ(energy_misfit(braked(1.6), Trajectory(1, 1, {}), 0), std::nullopt);
 }
 
-TEST(EnergyBalance, LooksAtBothEnds) {
-  EXPECT_NEAR(kinetic_energy_at_ends(braked(1.6), way_under(1.6)), 9, 1e-14);
-  EXPECT_NEAR(kinetic_energy_at_ends(braked(-1.6), way_under(-1.6)), 3.8 * 3.8, 1e-13);
-  EXPECT_EQ(kinetic_energy_at_ends(braked(1.6), Trajectory(1, 1, {})), 0);
-}
-
 }  // namespace energy_balance_test
 }  // namespace poinsot::problem

@@ -42,6 +42,14 @@ TEST(LawRatio, quotients_of_random_polynomials_and_their_roots_are_found) {
   }
 }
 
+// 81 and 32 are no fraction of small numbers, but 51, 81/2 and 27/2 over 16 are.
+TEST(LawRatio, fractions_over_another_coefficient_than_the_first_are_found) {
+  const auto f = [](double x) { return (16 * x * x + 51 * x + 13.5) / (16 * x * x + 51 * x + 40.5); };
+  const auto law = ratio_law(Formula::letter("x", poinsot::Sign::positive), samples_of(f), 1e-10);
+  ASSERT_TRUE(law);
+  for (const double x : {1e-3, 0.7, 1e3}) EXPECT_NEAR(value_at(law->formula, {{"x", x}}) / f(x), 1, 1e-15) << x;
+}
+
 TEST(LawRatio, what_is_no_quotient_is_not_taken_for_one) {
   const std::vector<std::function<double(double)>> others{
       [](double x) { return std::exp(x); }, [](double x) { return std::comp_ellint_1(0.8 * x); },

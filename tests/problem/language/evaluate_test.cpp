@@ -343,7 +343,10 @@ TEST(Evaluator, NumbersOfAnExpectedDimension) {
   EXPECT_EQ(number("2", dimensions::none), 2);
   EXPECT_EQ(number("0", dimensions::angle), 0);
   const auto refusal = [&](const char* text, const Dimension& d) { return failure_of([&] { number(text, d); }); };
-  EXPECT_EQ(refusal("10 lb", dimensions::mass), "f:1:1: error: expected a mass, not a force");
+  EXPECT_EQ(refusal("10 lb", dimensions::mass),
+            "f:1:1: error: expected a mass, not a force (a force stands in it in place of a mass: write lbm or ozm for "
+            "lb or oz, or divide by g)");
+  EXPECT_NE(refusal("10 lb*ft^2", dimensions::moment_of_inertia).find("lbm*ft^2 or lb*ft*s^2"), std::string::npos);
   EXPECT_EQ(
       refusal("25", dimensions::length),
       "f:1:1: error: expected a length, not the number 25 without unit (write its unit after a blank, as in 25 m)");

@@ -311,7 +311,8 @@ TEST(Expression, WrongForms) {
       {"a + b)", "f:1:6: error: ')' has no opening '(' (remove it, or add the opening one)"},
       {"(a]", "f:1:1: error: '(' is never closed (add ')')"},
       {"a b",
-       "f:1:3: error: an operator is missing between 'a' and 'b' (write 'a*b' to multiply, or 'a(b)' of a quantity)"},
+       "f:1:3: error: an operator is missing between 'a' and 'b' (write 'a*b' to multiply, 'a(b)' of a quantity, or "
+       "'a_b' where both are one name)"},
       {"a (b)(c)", "f:1:6: error: an operator is missing between ')' and '(' (write 'a*b' to multiply)"},
       {"a + ", "f:1:5: error: the expression ends too early: something is missing after '+'"},
       {"a */ b", "f:1:4: error: something is missing between '*' and '/'"},

@@ -228,6 +228,8 @@ TEST(UnitHabits, TheMostUsedStatedUnitWins) {
   const UnitHabits habits = habits_of({"mm", "m", "mm", "kg", "rpm"});
   EXPECT_EQ(habits.unit_for(dimensions::length).text, "mm");
   EXPECT_EQ(habits.unit_for(dimensions::mass).text, "kg");
+  EXPECT_EQ(habits.unit_for(dimensions::time / dimensions::angle).text, "s");  // a period is 2 pi/omega
+  EXPECT_EQ(habits.unit_for(dimensions::length / dimensions::angle).text, "m/rad");
   EXPECT_EQ(habits_of({"m", "mm"}).unit_for(dimensions::length).text, "m") << "the first of equally many";
 }
 

@@ -39,6 +39,29 @@ TEST(Transmissions, AtwoodsMachineAtRandom) {
   }
 }
 
+// A planet between a sun that is welded to the ground, by itself or with what it stands on, and a ring that is driven.
+TEST(Transmissions, AGearMayBeWeldedToWhatHoldsIt) {
+  const double a = 0.04, b = 0.025, R = a + 2 * b, arm = R / (2 * (a + b)), planet = arm * (a + b) / b;
+  const double inertia = 8e-3 + arm * arm * (2e-3 + 0.3 * (a + b) * (a + b)) + planet * planet * 1e-4;
+  for (const char* stands : {"js: {weld: O, to: sun}", "jb: {weld: O, to: base}, js: {weld: O, from: base, to: sun}"}) {
+    const SolvedText solved(
+        "title: t\nplane: [x, y]\npoints: {O: [0, 0], C: [65 mm, 0], P: [40 mm, 0], R: [90 mm, 0]}\n"
+        "bodies: {base: massless, sun: {mass: 1 kg, center: O, inertia: {z: 1e-3 kg*m^2}},"
+        " ring: {mass: 2 kg, center: O, inertia: {z: 8e-3 kg*m^2}},"
+        " arm: {mass: 1 kg, center: O, inertia: {z: 2e-3 kg*m^2}},"
+        " planet: {mass: 0.3 kg, center: C, inertia: {z: 1e-4 kg*m^2}}}\n"
+        "joints: {" +
+        std::string(stands) +
+        ", jr: {revolute: z, at: O, to: ring, rate: 4 rad/s, couple: 8 N*m}, ja: {revolute: z, at: O, to: arm},"
+        " jp: {revolute: z, at: C, from: arm, to: planet}}\n"
+        "gears: {in: {of: planet, against: sun, at: P}, out: {of: planet, against: ring, at: R}}\ngravity: none\n"
+        "ask: {arm: angular_velocity(arm), planet: angular_velocity(planet), alpha: angular_acceleration(ring)}\n");
+    EXPECT_NEAR(solved.number("arm"), 4 * arm, 1e-12);
+    EXPECT_NEAR(solved.number("planet"), 4 * planet, 1e-12);
+    EXPECT_NEAR(solved.number("alpha"), 8 / inertia, 1e-9);
+  }
+}
+
 // Three gears in a ring lock one another: all rests, and each wheel takes its part of the couple M by its teeth. With
 // equal radii r the forces of the teeth satisfy F + H = M/r, F = G, G = H but for their senses.
 TEST(Transmissions, GearsThatLockOneAnotherRest) {

@@ -396,11 +396,21 @@ std::vector<ContactRate> contact_rates(const std::vector<CheckLink>& links, cons
   return rates;
 }
 
-double largest_overlap(const std::vector<CheckLink>& links, const std::vector<VelocityConstraint<double>>& constraints,
-                       double length, const std::vector<bool>& acting, const std::vector<double>& q) {
+namespace {
+
+// The velocities of bodies that rest.
+std::vector<double> at_rest(const std::vector<CheckLink>& links) {
   std::vector<double> rest;
   for (const CheckLink& link : links)
     rest.resize(std::max(rest.size(), static_cast<std::size_t>(link.velocity + velocity_size(link.type))), 0);
+  return rest;
+}
+
+}  // namespace
+
+double largest_overlap(const std::vector<CheckLink>& links, const std::vector<VelocityConstraint<double>>& constraints,
+                       double length, const std::vector<bool>& acting, const std::vector<double>& q) {
+  const std::vector<double> rest = at_rest(links);
   const CarriedBodies bodies(links, q, rest, rest, 1);
   const BoundFinder finder(bodies, constraints);
   Real deepest = 0;
@@ -413,6 +423,20 @@ double largest_overlap(const std::vector<CheckLink>& links, const std::vector<Ve
     deepest = std::max(deepest, (is_cord_length(c) ? gap : -gap) / Real(length));
   }
   return static_cast<double>(deepest);
+}
+
+double gap_of(const std::vector<CheckLink>& links, const std::vector<VelocityConstraint<double>>& constraints,
+              int action, const std::vector<double>& q) {
+  const std::vector<double> rest = at_rest(links);
+  const CarriedBodies bodies(links, q, rest, rest, 1);
+  const BoundFinder finder(bodies, constraints);
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    const Constraint& c = constraints[i];
+    if (c.action != action || !(c.normal || is_cord_length(c))) continue;
+    if (const Bound bound = finder.of(i); bound.gap)
+      return static_cast<double>(is_cord_length(c) ? -(*bound.gap)[reach] : (*bound.gap)[reach]);
+  }
+  return 0;
 }
 
 }  // namespace poinsot::solve

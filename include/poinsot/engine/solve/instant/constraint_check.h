@@ -44,4 +44,9 @@ std::vector<ContactRate> contact_rates(const std::vector<CheckLink>& links,
 double largest_overlap(const std::vector<CheckLink>& links, const std::vector<VelocityConstraint<double>>& constraints,
                        double length, const std::vector<bool>& acting, const std::vector<double>& q);
 
+// How far apart the bodies of a contact are, or by how much a cord is longer than the way that it spans, m; negative
+// where they overlap or it is stretched. By the same road; zero of what has neither gap nor length.
+double gap_of(const std::vector<CheckLink>& links, const std::vector<VelocityConstraint<double>>& constraints,
+              int action, const std::vector<double>& q);
+
 }  // namespace poinsot::solve
