@@ -41,8 +41,7 @@ Situation blow_as_loads(const Situation& situation) {
   Situation loads = changed ? *changed : situation;
   loads.impulses.clear();
   loads.strikes.clear();
-  loads.springs.clear();
-  loads.loads.clear();
+  for_each_law_list(loads, [](auto& laws) { laws.clear(); });
   loads.stages.clear();
   std::erase_if(loads.contacts, &Contact::in_joint);
   loads.gravity = built(Name{"none"}, rough->mark);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include "poinsot/engine/mass/particles.h"
 #include "poinsot/engine/mass/shapes.h"
@@ -403,7 +404,10 @@ const Expression& shape_argument(const Shape& shape, const std::string& name, co
 
 template <class Scalar>
 const ShapeRow<Scalar>& shape_row(const std::string& kind) {
-  return rows<Scalar>().at(kind);
+  const auto row = rows<Scalar>().find(kind);
+  if (row == rows<Scalar>().end())
+    throw std::logic_error("the shape '" + kind + "' is a key and has no row in its table");
+  return row->second;
 }
 
 template <class Scalar>

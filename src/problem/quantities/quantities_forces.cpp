@@ -287,6 +287,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     const Vector3<Base> P = about ? as_base(place(*about, evaluator)) : own_place();
     return told(Kind::impulsive_couple, P, wrench.moment - cross(P, wrench.force), dimensions::angular_momentum);
   }
+  require_one_of(f, {"couple", "reaction_couple", "load", "drive"});
   const Vector3<Base> P = f == "couple" ? as_base(place(*call.argument("about"), evaluator)) : own_place();
   return told(Kind::couple, P, moment_about(P), dimensions::moment);
 }

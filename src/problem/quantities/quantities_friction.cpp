@@ -149,6 +149,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::friction(const Call& call, const Eval
     return told(ToldQuantity::Kind::friction, body,
                 vector_value(lifted<Scalar>(sign * force.friction), dimensions::force));
   }
+  require_one_of(call.function, {"sticking", "sliding", "parting"});
   const Grip asked = call.function == "sticking"  ? Grip::sticks
                      : call.function == "sliding" ? Grip::slides
                                                   : Grip::parts;

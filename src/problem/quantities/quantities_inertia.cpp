@@ -159,6 +159,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
     return Result::of_list({numbers({M.row0.x, M.row0.y, M.row0.z}), numbers({M.row1.x, M.row1.y, M.row1.z}),
                             numbers({M.row2.x, M.row2.y, M.row2.z})});
   }
+  require_one_of(f, {"principal_moments", "principal_axes"});
   if constexpr (std::is_same_v<Scalar, Formula>) {
     if (f != "principal_moments") throw NoFormula("the principal axes are found by numbers");
     const Vector moments = principal_moments(I);
@@ -264,6 +265,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
     if (f == "spin_rate")
       return number(Kind::spin_rate, Scalar(dot(H, axis) * (transverse - axial) / (axial * transverse)),
                     dimensions::angular_velocity);
+    require_one_of(f, {"precession_sense"});
     const bool direct = decided_negative(axial - transverse);
     told(Kind::precession_sense, {Scalar(direct ? 1 : -1), Scalar(0), Scalar(0)});
     return Result::of_text(direct ? "direct" : "retrograde");

@@ -73,6 +73,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::kinematic(const Call& call, const Eva
   tell_position(point.body, point.drawn, place, call.function);
   const Vector v = point_velocity(model_, workspace_, point.body, point.local) - F.v - cross(F.w, r);
   if (f == "velocity") return told(Kind::velocity, point.body, frame, place, v, dimensions::velocity);
+  require_one_of(f, {"acceleration"});
   const Vector a = point_acceleration(model_, workspace_, point.body, point.local) - F.a - cross(F.alpha, r) -
                    cross(F.w, cross(F.w, r)) - Scalar(2) * cross(F.w, v);
   return told(Kind::acceleration, point.body, frame, place, a, dimensions::acceleration);
@@ -175,7 +176,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::geometry(const Call& call, const Eval
     }
     return Result::of_list(std::move(items));
   }
-  // distance
+  require_one_of(f, {"distance"});
   const Expression& to = *call.argument("to");
   const Vector A = place(what, evaluator);
   const Call* axis = to.as<Call>();

@@ -165,6 +165,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::momentum(const Call& call, const Eval
       }
     return number_value(sum, dimensions::energy);
   }
+  require_one_of(f, {"kinetic_energy"});
   const Scalar T = all ? Scalar(poinsot::kinetic_energy(model_, workspace_) + flying_energy)
                        : body_kinetic_energy(model_, workspace_, body);
   if (const Expression* about = call.argument("about")) {

@@ -19,6 +19,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::holding(const Call& call, const Evalu
   const Expression& what = call.arguments[0].value;
   if (!mechanism_state_ || !unknowns_)
     evaluator.fail(what.mark(), call.function + "() cannot stand inside rate() or among what is known");
+  require_one_of(call.function, {"taut", "touching"});
   const ActionKind kind = call.function == "taut" ? ActionKind::cord : ActionKind::contact;
   const Mechanism<Base>& mechanism = machine_.mechanism;
   std::vector<std::string> known;
@@ -98,6 +99,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::stability(const Call& call, const Mar
       items.push_back(Result::of_list({rate(mode.growth_rate), rate(mode.frequency)}));
     return Result::of_list(std::move(items));
   }
+  require_one_of(call.function, {"frequencies"});
   for (double frequency : solve::frequencies(near, body))
     items.push_back(number_value(Scalar(frequency), dimensions::angular_velocity));
   return Result::of_list(std::move(items));

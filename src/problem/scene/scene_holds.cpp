@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "problem/keys/joint_kinds.h"
@@ -237,6 +238,10 @@ void SceneFigure::add_links() {
   }
   for (const Belt& belt : situation_.belts) add_parts(belt.name);
   add_pitch_circles();
+  for_each_stated_law(situation_, []<class Law>(const Law&) {
+    static_assert(std::is_same_v<Law, Spring> || std::is_same_v<Law, Load>,
+                  "add below what is drawn of the law, if it is, and to scene_points.cpp the points at its ends");
+  });
   for (const Spring& spring : situation_.springs) {
     scene::Link link;
     link.name = spring.name;

@@ -22,6 +22,8 @@ inline std::span<const std::string_view> words_of(scene::SymbolKind) {
       "weld",   "revolute",     "prismatic",      "cylindrical", "universal",      "ball",  "planar",
       "screw",  "slot",         "journal",        "thrust",      "collar",         "hinge", "fork",
       "clevis", "ball_support", "listed_support", "contact",     "rolling_contact"};
+  static_assert(words.size() == static_cast<std::size_t>(scene::SymbolKind::rolling_contact) + 1,
+                "a word for each kind, in their order");
   return words;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "problem/witness/stated_springs.h"
 
@@ -26,6 +27,11 @@ std::optional<Witness> spring_energy(const ToldQuantity& told, const solve::Part
     rate.size += stiffness * drawn->size * std::max(std::abs(drawn->rate), paths.pace() * drawn->size);
     return true;
   };
+  for_each_stated_law(situation, []<class Law>(const Law&) {
+    static_assert(
+        std::is_same_v<Law, Spring> || std::is_same_v<Law, Load>,
+        "add below what the law stores, if it does, as it is stated; answer_checks.cpp says where it is zero");
+  });
   for (const Spring& spring : situation.springs)
     if (spring.stiffness && (told.name.empty() || told.name == spring.name) &&
         !add(springs.stiffness(spring), springs.drawn(spring)))

@@ -32,8 +32,7 @@ class StatedForces {
 
   std::vector<StatedForce> all() {
     const Situation& situation = data_.situation();
-    for (const Load& load : situation.loads) take([&] { return of(load); });
-    for (const Spring& spring : situation.springs) take([&] { return of(spring); });
+    for_each_stated_law(situation, [&](const auto& law) { take([&] { return of(law); }); });
     for (const Joint& joint : situation.joints)
       for (const Freedom& freedom : joint.freedoms)
         if (freedom.effort || freedom.stiffness || freedom.damping) take([&] { return of(joint, freedom); });
@@ -281,8 +280,8 @@ double misfit_of_laws_beside(const solve::MechanismState& state, const Machine& 
 
 std::optional<double> SolvedInstant::law_misfit() const {
   const Mechanism<double>& mechanism = machine_.mechanism;
-  const bool any_law = !mechanism.forces.empty() || !mechanism.springs.empty() || !mechanism.torsions.empty() ||
-                       !mechanism.attractions.empty();
+  bool any_law = false;
+  for_each_law(mechanism, [&](const auto&) { any_law = true; });
   const auto stated = [](const Freedom& freedom) { return freedom.effort || freedom.stiffness || freedom.damping; };
   if (!any_law && situation_.belts.empty() && std::ranges::none_of(situation_.joints, [&](const Joint& joint) {
         return std::ranges::any_of(joint.freedoms, stated);

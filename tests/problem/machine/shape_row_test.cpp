@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -21,10 +22,20 @@ TEST(ShapeRow, EveryShapeOfTheLanguageHasOne) {
   for (const std::string& kind : kinds) {
     const ShapeRow<double>& row = shape_row<double>(kind);
     EXPECT_NE(row.values, nullptr) << kind;
+    EXPECT_NE(row.picture, nullptr) << kind;
     EXPECT_FALSE(row.words.empty()) << kind;
     // What has no corners and is curved in no unknown way must have a surface on which it rolls.
     EXPECT_TRUE(row.other != OtherSurface::none || row.round) << kind;
     EXPECT_FALSE(row.other == OtherSurface::none && row.sides) << kind;
+  }
+}
+
+TEST(ShapeRow, OneThatIsMissingIsNamed) {
+  try {
+    shape_row<double>("egg");
+    FAIL();
+  } catch (const std::logic_error& error) {
+    EXPECT_STREQ(error.what(), "the shape 'egg' is a key and has no row in its table");
   }
 }
 

@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <random>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "problem/keys/joint_kinds.h"
 #include "problem/scene/illustrated.h"
+#include "problem/scene/scene_words.h"
 
 namespace poinsot {
 namespace scene_holds_test {
@@ -24,6 +29,20 @@ std::vector<double> places_along_z(const std::string& joint) {
     places.push_back(on_ground(scene_of(document), symbol.place).z);
   std::ranges::sort(places);
   return places;
+}
+
+TEST(SceneHolds, every_kind_of_joint_and_support_has_a_symbol_and_its_parts_in_space) {
+  const std::string path = std::string(POINSOT_SOURCE_DIR) + "/web/src/view/symbols.ts";
+  std::ostringstream source;
+  source << std::ifstream(path).rdbuf();
+  const std::string parts = source.str();
+  ASSERT_NE(parts.find("rolling_contact: ["), std::string::npos) << path;
+  for (const problem::JointKind& kind : problem::joint_kinds())
+    EXPECT_TRUE(problem::kind_of_word<scene::SymbolKind>(kind.name)) << kind.name << ": scene.h and scene_words.h";
+  for (const problem::SupportKind& kind : problem::support_kinds())
+    EXPECT_TRUE(problem::kind_of_word<scene::SymbolKind>(kind.name)) << kind.name << ": scene.h and scene_words.h";
+  for (const std::string_view word : problem::words_of(scene::SymbolKind{}))
+    EXPECT_NE(parts.find("\n  " + std::string(word) + ": ["), std::string::npos) << word << ": " << path;
 }
 
 TEST(SceneHolds, an_axis_between_two_points_holds_its_body_at_both) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "poinsot/engine/dynamics/kinematics.h"
 #include "poinsot/engine/model/state.h"
@@ -52,6 +53,12 @@ LaterMotion later_motion(const SteadyMotion& motion, double delay) {
 
 std::vector<double> uneven_spins(const SteadyMotion& motion) {
   const Mechanism<double>& mechanism = *motion.mechanism;
+  // The pull of a center goes by mass, of which the inertias below tell.
+  for_each_law(mechanism, []<class Law>(const Law&) {
+    static_assert(std::is_same_v<Law, KnownForce<double>> || std::is_same_v<Law, SpringLaw<double>> ||
+                      std::is_same_v<Law, TorsionLaw<double>> || std::is_same_v<Law, AttractionLaw<double>>,
+                  "say below whether the law goes round with a body that spins, or stands where one goes by");
+  });
   const Model<double>& tree = mechanism.tree;
   Workspace<double> w(tree);
   update_velocities<double>(tree, w, State<double>{motion.q, motion.v});
